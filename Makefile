@@ -1,0 +1,95 @@
+# stonepack. No configure step; everything built goes into build/.
+
+ifeq ($(origin CC),default)
+CC = gcc
+endif
+CFLAGS  ?= -O2
+STRICTC  = -std=c99 -ffp-contract=off -fno-math-errno
+WARN     = -Wall -Wextra -Wshadow
+ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
+
+PARTS    = stonepack.c stonepack.h $(wildcard parts/*.c solvers/*.c)
+GEN      = tests/scenes/gen.c
+MAIN     = port/host/main.c
+HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
+HOST_H   = stonepack.h $(wildcard port/host/*.h) tests/scenes/gen.h
+SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
+TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
+TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
+
+.PHONY: all lib demo test deps pair bench figures check help clean
+
+all: build/libstonepack.a build/stonepack
+
+help:
+	@echo "make           the library build/libstonepack.a and the program build/stonepack"
+	@echo "make lib       the library alone"
+	@echo "make demo      checks some scenes, draws them into build/demo/"
+	@echo "make test      tests in seconds; needs gcc and make only"
+	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack)"
+	@echo "make deps      installs what check can use (Debian, needs root)"
+	@echo "make pair      the library as two files, in build/pair/"
+	@echo "make bench     times and work as CSV"
+	@echo "make figures   the pictures of the README"
+	@echo "make clean     removes build/"
+
+lib: build/libstonepack.a
+
+build/stonepack.o: $(PARTS)
+	@mkdir -p build
+	$(CC) $(ALL_C) -c stonepack.c -o $@
+
+build/libstonepack.a: build/stonepack.o
+	$(AR) rcs $@ $<
+
+build/stonepack: $(MAIN) $(HOST) $(HOST_H) build/libstonepack.a
+	$(CC) $(ALL_C) $(MAIN) $(HOST) build/libstonepack.a -lm -o $@
+
+# Tests: the same files in double and in float. White-box tests include parts, hence -MMD.
+build/double/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) $(TEST_C) -MMD -MP -c $< -o $@
+
+build/float/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
+
+RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) stonepack.c)
+
+build/run build/run_float: Makefile
+build/run: $(RUN_O:%=build/double/%)
+	$(CC) $(CFLAGS) $(filter %.o,$^) -lm -o $@
+
+build/run_float: $(RUN_O:%=build/float/%)
+	$(CC) $(CFLAGS) $(filter %.o,$^) -lm -o $@
+
+-include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))
+
+test: build/run build/run_float build/stonepack
+	@sh tests/checks/test.sh
+
+demo: build/stonepack
+	@sh tests/checks/demo.sh
+
+pair: build/pair/stonepack.c
+
+build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
+	sh port/pair/pair.sh stonepack.c build/pair
+
+check: all pair build/run build/run_float
+	@sh tests/checks/check.sh
+
+deps:
+	sh tests/checks/deps.sh
+
+build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
+	$(CC) $(ALL_C) $^ -lm -o $@
+
+bench: build/bench
+	@build/bench
+
+figures: build/stonepack
+	@sh tests/checks/figures.sh
+
+clean:
+	rm -rf build

@@ -1,0 +1,140 @@
+/* check: does each scene stand? */
+#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#include "commands.h"
+#include "report.h"
+#include "svg.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define LONG_WORK 5000                  /* [blocks] from here on a terminal is told what goes on */
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* One line on a terminal's stderr that the next one replaces; "" wipes it. */
+static void progress(const char *what, const char *path)
+{
+    if (isatty(STDERR_FILENO)) fprintf(stderr, *what ? "\r\033[K%s %s ..." : "\r\033[K", what, path);
+}
+
+static void *get(size_t bytes) { return bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL; }
+
+/* Bytes of the arena that sp_check needs. */
+static sp_status memory_of(const host_scene *s, const sp_settings *settings, size_t *bytes)
+{
+    const size_t need = sp_memory_scratch(&s->scene);
+    void *memory = get(need);
+    sp_arena scratch;
+    sp_status status = SP_E_MEMORY;
+    if (memory) {
+        status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
+        if (status == SP_OK) status = sp_memory(&s->scene, settings, scratch, bytes);
+    }
+    free(memory);
+    return status;
+}
+
+/* Make the check; its arrays live in *memory, to be freed by the caller. */
+static int run(report *r, void **memory, text_error *error)
+{
+    sp_arena arena;
+    double start;
+    sp_status status = memory_of(r->scene, &r->options->settings, &r->bytes);
+
+    if (status != SP_OK) return text_fail_status(error, status, r->scene->path, 0, "");
+    *memory = get(r->bytes);
+    if (!*memory) return text_fail_status(error, SP_E_MEMORY, r->scene->path, 0, "");
+    status = sp_arena_init(&arena, *memory, r->bytes + SP_ALIGN);
+    start = now();
+    if (status == SP_OK) status = sp_check(&r->scene->scene, &r->options->settings, &arena, &r->result);
+    r->seconds = now() - start;
+    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+}
+
+static int draw(const report *r, text_error *error)
+{
+    FILE *out = strcmp(r->options->svg, "-") ? fopen(r->options->svg, "wb") : stdout;
+    int failed;
+    if (!out) return text_fail(error, EXIT_INTERNAL, r->options->svg, 0, "can't write: %s", strerror(errno));
+    failed = !svg_write(out, r);
+    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
+    return failed ? text_fail(error, EXIT_INTERNAL, r->options->svg, 0, "can't write the picture") : 0;
+}
+
+/* Read, turn, check, tell. */
+static int check_one(const char *path, const options *o, text_error *error)
+{
+    host_scene s;
+    report r;
+    void *memory = NULL;
+    int status;
+
+    memset(&r, 0, sizeof r);
+    r.scene = &s;
+    r.options = o;
+    progress("reading", path);
+    status = scene_read(path, o->mu, SCENE_GIVEN, &s, error);
+    if (!status && !options_tilt(o->tilt, o->azimuth, s.scene.gravity))
+        status = text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+    if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
+    if (!status) status = run(&r, &memory, error);
+    if (!status && o->svg) status = draw(&r, error);
+    progress("", "");
+    if (!status) {
+        if (o->json) report_json(stdout, &r);
+        else report_text(stdout, &r);
+        status = report_exit(r.result.verdict);
+    }
+    free(memory);
+    scene_free(&s);
+    return status;
+}
+
+/* A bad scene hides nothing worse than a verdict; a failure of ours tells before it. */
+static int worse(int a, int b)
+{
+    static const int order[] = { EXIT_STABLE, EXIT_UNSTABLE, EXIT_UNDECIDED, EXIT_NO_INPUT, EXIT_SCENE, EXIT_USAGE,
+                                 EXIT_MEMORY, EXIT_INTERNAL };
+    int rank_a = 0, rank_b = 0;
+    for (int k = 0; k < (int)(sizeof order / sizeof *order); k++) {
+        if (order[k] == a) rank_a = k;
+        if (order[k] == b) rank_b = k;
+    }
+    return rank_a > rank_b ? a : b;
+}
+
+int command_check(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    options o;
+    int worst = EXIT_STABLE;
+
+    if (options_read(argc, argv, " --json --forces --svg --tol --cone --mu --stages --tilt ", &o, &error)) {
+        fprintf(stderr, "%s\n", error.line);
+        return error.status;
+    }
+    if (o.files == 0 || (o.svg && o.files > 1)) {
+        fputs(o.files == 0 ? "stonepack: check needs a scene\n" : "stonepack: --svg draws one scene\n", stderr);
+        return EXIT_USAGE;
+    }
+    for (int i = 0; i < o.files; i++) {
+        const int status = check_one(o.file[i], &o, &error);
+        if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
+        if (!o.json && i + 1 < o.files) fputc('\n', stdout);
+        fflush(stdout);
+        worst = worse(worst, status);
+    }
+    if (ferror(stdout)) {
+        fputs("stonepack: can't write\n", stderr);
+        return EXIT_INTERNAL;
+    }
+    return worst;
+}

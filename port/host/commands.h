@@ -1,0 +1,11 @@
+/* The commands of the program: each takes the whole command line and gives the exit status. */
+#ifndef STONEPACK_HOST_COMMANDS_H
+#define STONEPACK_HOST_COMMANDS_H
+
+int command_check(int argc, char **argv);
+int command_verify(int argc, char **argv);
+int command_contacts(int argc, char **argv);
+int command_convert(int argc, char **argv);
+int command_gen(int argc, char **argv);
+
+#endif

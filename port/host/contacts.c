@@ -1,0 +1,72 @@
+/* contacts: what touches what? */
+#include "commands.h"
+#include "json_out.h"
+#include "options.h"
+#include "scene.h"
+
+static void print_table(const host_scene *s)
+{
+    printf("%-16s %-16s %13s %7s   %s\n", "a", "b", "area [m^2]", "corners", "normal from a into b");
+    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+        const sp_interface *c = &s->scene.interface[i];
+        printf("%-16s %-16s %13.6g %7ld   %9.6f %9.6f %9.6f\n", s->name[c->a], s->name[c->b], (double)c->area, (long)c->points,
+               (double)c->n[0], (double)c->n[1], (double)c->n[2]);
+    }
+    for (int32_t i = 0; i < s->overlaps; i++)
+        printf("overlap: %s and %s are %.6g m inside each other\n", s->name[s->overlap[i].a], s->name[s->overlap[i].b],
+               (double)s->overlap[i].depth);
+    printf("%ld contacts between %ld blocks, %ld overlaps\n", (long)s->scene.count.interfaces, (long)s->scene.count.blocks,
+           (long)s->overlaps);
+}
+
+static void print_json(const host_scene *s)
+{
+    json_out j = { stdout, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", s->path);
+    json_int(&j, "blocks", s->scene.count.blocks);
+    json_open(&j, "contacts", '[');
+    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+        const sp_interface *c = &s->scene.interface[i];
+        json_open(&j, NULL, '{');
+        json_string(&j, "a", s->name[c->a]);
+        json_string(&j, "b", s->name[c->b]);
+        json_real(&j, "area", (double)c->area);
+        json_reals(&j, "normal", c->n, 3);
+        json_open(&j, "points", '[');
+        for (int32_t k = 0; k < c->points; k++) json_reals(&j, NULL, s->scene.point[c->point + k], 3);
+        json_close(&j, ']');
+        json_close(&j, '}');
+    }
+    json_close(&j, ']');
+    json_open(&j, "overlaps", '[');
+    for (int32_t i = 0; i < s->overlaps; i++) {
+        json_open(&j, NULL, '{');
+        json_string(&j, "a", s->name[s->overlap[i].a]);
+        json_string(&j, "b", s->name[s->overlap[i].b]);
+        json_real(&j, "depth", (double)s->overlap[i].depth);
+        json_close(&j, '}');
+    }
+    json_close(&j, ']');
+    json_close(&j, '}');
+    fputc('\n', stdout);
+}
+
+int command_contacts(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    host_scene s;
+    options o;
+
+    if (options_read(argc, argv, " --json ", &o, &error) == 0 && o.files != 1)
+        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: contacts needs one scene");
+    if (!error.status) {
+        if (scene_read(o.file[0], o.mu, SCENE_FIND, &s, &error) == 0) {
+            if (o.json) print_json(&s);
+            else print_table(&s);
+        }
+        scene_free(&s);
+    }
+    if (error.status) fprintf(stderr, "%s\n", error.line);
+    return error.status;
+}

@@ -1,0 +1,121 @@
+/* convert: read a scene, write it with its contacts.  gen: write a scene made by formula. */
+#include "commands.h"
+#include "options.h"
+#include "scene.h"
+#include "../../tests/scenes/gen.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Write to a file or, for "-" or NULL, to standard output. */
+static int write_to(const char *path, const sp_scene *scene, const char *const *name, text_error *error)
+{
+    const int file = path && strcmp(path, "-");
+    FILE *out = file ? fopen(path, "wb") : stdout;
+    int status;
+
+    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    status = scene_write(out, scene, name, file ? path : "-", error);
+    if ((file ? fclose(out) : fflush(out)) != 0 && !status)
+        status = text_fail(error, EXIT_INTERNAL, file ? path : "-", 0, "can't write: %s", strerror(errno));
+    return status;
+}
+
+int command_convert(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    host_scene s;
+    options o;
+
+    if (options_read(argc, argv, " --mu ", &o, &error) == 0 && (o.files < 1 || o.files > 2))
+        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
+    if (!error.status) {
+        if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0)
+            write_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error);
+        scene_free(&s);
+    }
+    if (error.status) fprintf(stderr, "%s\n", error.line);
+    return error.status;
+}
+
+/* ----------------------------------------------------------------------------------------------------------------- gen */
+
+static void print_param(const gen_param *p)
+{
+    for (; p->name; p++) printf("  %-12s %-10g %s (%g .. %g)\n", p->name, p->value, p->help, p->low, p->high);
+}
+
+static void print_scenes(void)
+{
+    puts("stonepack gen NAME [NUMBER=VALUE ...]: writes a scene to standard output\n");
+    for (const gen_entry *e = gen_table; e->name; e++) {
+        printf("%s: %s\n", e->name, e->help);
+        print_param(e->param);
+    }
+    puts("every scene:");
+    print_param(gen_common);
+}
+
+/* NAME=VALUE, --NAME=VALUE or --NAME VALUE. */
+static int read_numbers(int argc, char **argv, gen_scene *g, text_error *error)
+{
+    for (int i = 3; i < argc; i++) {
+        char *name = argv[i], *value = strchr(name, '=');
+        const int dashes = strncmp(name, "--", 2) == 0;
+        text_word w;
+        double x = 0;
+        int set;
+        if (dashes) name += 2;
+        if (value) *value++ = 0;
+        else if (dashes && i + 1 < argc) value = argv[++i];
+        if (!value)
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' has no value", argv[2], name);
+        w.s = value;
+        w.n = strlen(value);
+        if (text_double(w, &x) != TEXT_NUMBER)
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
+        set = gen_set(g, name, x);
+        if (set != 1)
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
+                             set ? "outside its range:" : "no number called", name);
+    }
+    return 0;
+}
+
+static int generate(const gen_scene *g, text_error *error)
+{
+    sp_capacity cap;
+    sp_scene scene;
+    sp_arena arena;
+    void *memory = NULL;
+    size_t bytes = 0;
+    int failed = 0;
+    sp_status status = gen_capacity(g, &cap);
+
+    if (status == SP_OK) {
+        bytes = sp_scene_memory(&cap);
+        memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+        status = memory ? sp_arena_init(&arena, memory, bytes + SP_ALIGN) : SP_E_MEMORY;
+    }
+    if (status == SP_OK) status = gen_build(g, &arena, &scene);
+    if (status != SP_OK) failed = text_fail_status(error, status, g->entry->name, 0, "");
+    else failed = write_to(NULL, &scene, NULL, error);
+    free(memory);
+    return failed;
+}
+
+int command_gen(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    gen_scene g;
+
+    if (argc < 3) {
+        print_scenes();
+        return 0;
+    }
+    if (!gen_open(&g, argv[2])) text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
+    else if (read_numbers(argc, argv, &g, &error) == 0) generate(&g, &error);
+    if (error.status) fprintf(stderr, "%s\n", error.line);
+    return error.status;
+}

@@ -1,0 +1,93 @@
+/* stonepack: the program. */
+#include "commands.h"
+#include "text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char help_check[] =
+"stonepack check [options] SCENE...\n\n"
+"Does it stand? Tells the verdict, how sure it is, the weakest joint and what falls.\n\n"
+"  --json             one JSON object per scene, one per line\n"
+"  --forces           with --json: every contact force too, so that `verify` can re-check the result\n"
+"  --svg FILE         draws the scene (one scene only)\n"
+"  --tol X            largest imbalance of a block relative to its forces          1e-9\n"
+"  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
+"  --mu X             friction of every joint, whatever the scene says\n"
+"  --stages LIST      of gates,least-squares,polish,exact                          gates,exact\n"
+"  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n\n"
+"memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
+"66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
+
+static const char help_verify[] =
+"stonepack verify SCENE RESULT.json\n\n"
+"What does a stored result prove? Reads what `check --json --forces` wrote, takes its forces and mechanism but not its\n"
+"verdict, and judges them with code that shares nothing with the search. Exit status by the verdict proved.\n";
+
+static const char help_contacts[] =
+"stonepack contacts [--json] SCENE\n\n"
+"What touches what? Finds the contacts of the meshes, whatever contacts the file gives, and blocks inside each other.\n";
+
+static const char help_convert[] =
+"stonepack convert [--mu X] SCENE [OUT]\n\n"
+"Reads a scene and writes it (OUT or standard output) with its contacts, found if it has none.\n";
+
+static const char help_gen[] =
+"stonepack gen                              lists the scenes and their numbers\n"
+"stonepack gen NAME [NUMBER=VALUE ...]      writes a scene made by formula to standard output, e.g. gen arch n=15 t=0.1\n";
+
+static const struct {
+    const char *name, *summary, *help;
+    int (*run)(int argc, char **argv);
+} command[] = {
+    { "check",    "does it stand?",                        help_check,    command_check },
+    { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
+    { "contacts", "what touches what?",                    help_contacts, command_contacts },
+    { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
+    { "gen",      "write a scene made by formula",         help_gen,      command_gen },
+};
+
+enum { COMMANDS = sizeof command / sizeof *command };
+
+static void help(void)
+{
+    puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
+    for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", command[k].name, command[k].summary);
+    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may hold:\n\n"
+         "  o NAME                             starts a block; v and f as in any OBJ\n"
+         "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
+         "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
+         "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
+         "  #@ fixed                           after an o line: this block is a support\n"
+         "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
+         "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n\n"
+         "Without interface and points lines contacts are found.");
+}
+
+static int wants_help(int argc, char **argv)
+{
+    for (int i = 2; i < argc; i++)
+        if (strcmp(argv[i], "--help") == 0) return 1;
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
+        printf("stonepack %d.%d.%d%s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR, SP_VERSION_PATCH, sizeof(sp_real) == 4 ? " float" : "");
+        return 0;
+    }
+    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0)) {
+        help();
+        return 0;
+    }
+    for (int k = 0; argc > 1 && k < COMMANDS; k++) {
+        if (strcmp(argv[1], command[k].name)) continue;
+        if (!wants_help(argc, argv)) return command[k].run(argc, argv);
+        fputs(command[k].help, stdout);
+        return 0;
+    }
+    if (argc > 1) fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", argv[1]);
+    else fputs("stonepack: a command is missing, see stonepack --help\n", stderr);
+    return EXIT_USAGE;
+}

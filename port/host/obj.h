@@ -1,0 +1,64 @@
+/* A scene file as written: a legal Wavefront OBJ whose `#@` comments carry what OBJ can't say.
+ *
+ *   o NAME                             starts a block; v and f as usual; vn vt g s usemtl mtllib are ignored
+ *   #@ mu 0.84                         friction, whole scene; after an interface: that interface
+ *   #@ gravity 0 0 -9.80665
+ *   #@ density 2400                    whole scene; after an o line: that block
+ *   #@ fixed                           after an o line
+ *   #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B
+ *   #@ points A B nx ny nz x y z ...   point or edge contact with its normal
+ *
+ * Reading gives tables in the order of the file, indices resolved and checked, names as places in the text. Whether blocks
+ * are closed and contacts plane is for the library to say, when scene.c builds them.
+ */
+#ifndef STONEPACK_HOST_OBJ_H
+#define STONEPACK_HOST_OBJ_H
+
+#include "text.h"
+
+typedef struct obj_block {
+    text_word name;
+    int32_t line, face;         /* first of its faces; they end where the next block's begin */
+    sp_real density;            /* [kg/m^3], 0: the scene's */
+    int fixed;
+} obj_block;
+
+typedef struct obj_face {
+    int32_t line, corner, corners;
+} obj_face;
+
+typedef struct obj_contact {
+    text_word name[2];          /* A, B */
+    int32_t a, b;               /* their numbers */
+    int32_t line, point, points;
+    int polygon;                /* 0: points that share the normal n */
+    sp_real n[3];
+    sp_real mu;                 /* -1: the scene's */
+} obj_contact;
+
+typedef struct obj_file {
+    const char *path;
+    char *text;                 /* names point into it */
+    size_t length;
+    int32_t lines;
+    sp_real mu, density, gravity[3];
+    int32_t blocks, faces, corners, vertices, contacts, points;
+    obj_block *block;
+    obj_face *face;
+    int32_t *corner;            /* vertex numbers, 0-based */
+    sp_real (*vertex)[3];       /* [m] */
+    obj_contact *contact;
+    sp_real (*point)[3];        /* [m] */
+    int32_t *by_name;           /* blocks in the order of their names */
+    struct { int32_t block, face, corner, vertex, contact, point; } room;
+} obj_file;
+
+/* Read a scene file ("-": standard input). Free it with obj_free, also after an error.     returns 0 or an exit status */
+int obj_read(const char *path, obj_file *file, text_error *error);
+
+/* The same from text in memory, which the file then owns (malloc's, or NULL with length 0); path is for messages. */
+int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error);
+
+void obj_free(obj_file *file);
+
+#endif

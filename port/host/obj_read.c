@@ -1,0 +1,436 @@
+/* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
+#include "obj.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define DEFAULT_MU      ((sp_real)0.84)         /* [1] */
+#define DEFAULT_DENSITY ((sp_real)2400)         /* [kg/m^3] */
+#define DEFAULT_GRAVITY ((sp_real)-9.80665)     /* [m/s^2] along z */
+
+/* One reading: the file, where we are, where errors go. */
+typedef struct reader {
+    obj_file *f;
+    text_cursor at;
+    text_error *error;
+} reader;
+
+/* ------------------------------------------------------------------------------------------------------------ messages */
+
+/* Name of a word for a message: at most 60 bytes. */
+#define WORD(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
+#define WORD_FORMAT "'%.*s%s'"
+
+/* " in block 'X'" of the block being read, or nothing. */
+static const char *where(const reader *r, char text[96])
+{
+    static const char before[] = " in block '";
+    text[0] = 0;
+    if (r->f->blocks > 0) {
+        const text_word name = r->f->block[r->f->blocks - 1].name;
+        const size_t n = name.n < 60 ? name.n : 60;
+        memcpy(text, before, sizeof before - 1);
+        memcpy(text + sizeof before - 1, name.s, n);
+        memcpy(text + sizeof before - 1 + n, "'", 2);
+    }
+    return text;
+}
+
+static int fail(reader *r, const char *message)
+{
+    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s", message);
+}
+
+static int fail_in_block(reader *r, const char *message)
+{
+    char text[96];
+    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, where(r, text));
+}
+
+static int fail_word(reader *r, const char *message, text_word w)
+{
+    char text[96];
+    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w), where(r, text));
+}
+
+static int out_of_memory(reader *r)
+{
+    return text_fail(r->error, EXIT_MEMORY, r->f->path, r->at.line, "out of memory while reading");
+}
+
+/* -------------------------------------------------------------------------------------------------------------- tables */
+
+/* Make room for one more entry: twice as many as there are. Counts stay below 2^30, the longest file's bytes. */
+static void *grown(void *table, int32_t count, int32_t *room, size_t size)
+{
+    const int32_t more = *room ? 2 * *room : 64;
+    void *bigger;
+    if (count < *room) return table;
+    if (more <= *room || (size_t)more > SIZE_MAX / size) return NULL;
+    bigger = realloc(table, (size_t)more * size);
+    if (bigger) *room = more;
+    return bigger;
+}
+
+/* Append an entry to a table of the file; on failure the old table stays to be freed. */
+#define APPEND(r, table, count, room, entry)                                                                              \
+    do {                                                                                                                  \
+        void *bigger_ = grown((r)->f->table, (r)->f->count, &(r)->f->room, sizeof *(r)->f->table);                       \
+        if (!bigger_) return out_of_memory(r);                                                                            \
+        (r)->f->table = bigger_;                                                                                          \
+        (r)->f->table[(r)->f->count++] = (entry);                                                                         \
+    } while (0)
+
+static int append_triple(reader *r, sp_real (**table)[3], int32_t *count, int32_t *room, const sp_real x[3])
+{
+    void *bigger = grown(*table, *count, room, sizeof **table);
+    if (!bigger) return out_of_memory(r);
+    *table = bigger;
+    memcpy((*table)[(*count)++], x, 3 * sizeof x[0]);
+    return 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------------- numbers */
+
+static int as_real(reader *r, text_word w, sp_real *x)
+{
+    switch (text_real(w, x)) {
+    case TEXT_NUMBER:    return 0;
+    case TEXT_TOO_LARGE: return fail_word(r, "number out of range", w);
+    case TEXT_NO_NUMBER:
+    default:             return fail_word(r, "not a number:", w);
+    }
+}
+
+/* Exactly or at least n numbers; what is missing is told by `what`. */
+static int reals(reader *r, int n, sp_real *x, const char *what)
+{
+    for (int i = 0; i < n; i++) {
+        text_word w;
+        int status;
+        if (!text_next_word(&r->at, &w)) return fail_in_block(r, what);
+        status = as_real(r, w, x + i);
+        if (status) return status;
+    }
+    return 0;
+}
+
+/* Nothing more on this line but a comment. */
+static int line_is_over(reader *r)
+{
+    text_word w;
+    if (!text_next_word(&r->at, &w) || w.s[0] == '#') return 0;
+    return fail_word(r, "unexpected", w);
+}
+
+/* ------------------------------------------------------------------------------------------------------- v, f, o lines */
+
+static int read_vertex(reader *r)
+{
+    sp_real x[3], ignored;
+    text_word w;
+    int status = reals(r, 3, x, "a vertex needs three numbers");
+    while (!status && text_next_word(&r->at, &w) && w.s[0] != '#') status = as_real(r, w, &ignored);   /* weight, colour */
+    if (status) return status;
+    return append_triple(r, &r->f->vertex, &r->f->vertices, &r->f->room.vertex, x);
+}
+
+/* `a`, `a/b`, `a/b/c` or `a//c`: the vertex index a; what follows must at least look right. */
+static int corner_index(reader *r, text_word w, int32_t *index)
+{
+    text_word part = { w.s, 0 };
+    size_t at = 0;
+    int slashes = 0;
+
+    for (;;) {
+        int32_t i = 0;
+        text_number kind;
+        part.s = w.s + at;
+        for (part.n = 0; at + part.n < w.n && part.s[part.n] != '/'; ) part.n++;
+        at += part.n;
+        kind = text_int(part, &i);
+        if (slashes == 0) {
+            if (kind == TEXT_TOO_LARGE) return fail_word(r, "no such vertex:", w);
+            *index = i;
+        }
+        if (kind == TEXT_NO_NUMBER && !(slashes == 1 && part.n == 0 && at < w.n)) return fail_word(r, "bad face corner", w);
+        if (at == w.n) return 0;
+        if (++slashes > 2) return fail_word(r, "bad face corner", w);
+        at++;
+    }
+}
+
+static int read_face(reader *r)
+{
+    obj_face face = { r->at.line, r->f->corners, 0 };
+    text_word w;
+
+    if (r->f->blocks == 0) return fail(r, "a face before the first block: an 'o NAME' line must start one");
+    while (text_next_word(&r->at, &w) && w.s[0] != '#') {
+        int32_t i;
+        int status = corner_index(r, w, &i);
+        if (status) return status;
+        if (i == 0) return fail_word(r, "vertices are counted from 1, not from", w);
+        if (i < 0 && -i > r->f->vertices) return fail_word(r, "no such vertex:", w);
+        i = i > 0 ? i - 1 : r->f->vertices + i;         /* -1: the last one so far; a positive one may still come */
+        APPEND(r, corner, corners, room.corner, i);
+        face.corners++;
+    }
+    if (face.corners < 3) return fail_in_block(r, "a face needs at least three corners");
+    APPEND(r, face, faces, room.face, face);
+    return 0;
+}
+
+static int read_block(reader *r)
+{
+    obj_block block = { { NULL, 0 }, r->at.line, r->f->faces, 0, 0 };
+    text_word more;
+
+    if (!text_next_word(&r->at, &block.name)) return fail(r, "a block without a name");
+    if (text_next_word(&r->at, &more) && more.s[0] != '#')
+        return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "the name of block " WORD_FORMAT " goes on with "
+                         WORD_FORMAT ": names have no spaces", WORD(block.name), WORD(more));
+    APPEND(r, block, blocks, room.block, block);
+    return 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ #@ lines */
+
+static int read_mu(reader *r)
+{
+    sp_real mu;
+    int status = reals(r, 1, &mu, "mu needs a number");
+    if (status) return status;
+    if (mu < 0) return fail(r, "mu must not be negative");
+    if (r->f->contacts > 0) r->f->contact[r->f->contacts - 1].mu = mu;
+    else r->f->mu = mu;
+    return line_is_over(r);
+}
+
+static int read_gravity(reader *r)
+{
+    int status = reals(r, 3, r->f->gravity, "gravity needs three numbers");
+    return status ? status : line_is_over(r);
+}
+
+static int read_density(reader *r)
+{
+    sp_real density;
+    int status = reals(r, 1, &density, "density needs a number");
+    if (status) return status;
+    if (!(density > 0)) return fail_in_block(r, "density must be positive");
+    if (r->f->blocks > 0) r->f->block[r->f->blocks - 1].density = density;
+    else r->f->density = density;
+    return line_is_over(r);
+}
+
+static int read_fixed(reader *r)
+{
+    if (r->f->blocks == 0) return fail(r, "'fixed' before the first block");
+    r->f->block[r->f->blocks - 1].fixed = 1;
+    return line_is_over(r);
+}
+
+/* A B, then for points nx ny nz, then x y z of each vertex. */
+static int read_contact(reader *r, int polygon)
+{
+    obj_contact c = { { { NULL, 0 }, { NULL, 0 } }, -1, -1, r->at.line, r->f->points, 0, polygon, { 0, 0, 0 }, -1 };
+    text_word w;
+    int status;
+
+    if (!text_next_word(&r->at, &c.name[0]) || !text_next_word(&r->at, &c.name[1]))
+        return fail(r, "a contact needs the names of two blocks");
+    if (!polygon) {
+        status = reals(r, 3, c.n, "points need a normal of three numbers");
+        if (status) return status;
+    }
+    while (text_next_word(&r->at, &w) && w.s[0] != '#') {
+        sp_real x[3];
+        status = as_real(r, w, x);
+        if (!status) status = reals(r, 2, x + 1, "coordinates come in threes: the last point is not complete");
+        if (!status) status = append_triple(r, &r->f->point, &r->f->points, &r->f->room.point, x);
+        if (status) return status;
+        c.points++;
+    }
+    if (polygon && c.points < 3) return fail(r, "an interface needs at least three points");
+    if (c.points < 1) return fail(r, "a contact needs at least one point");
+    APPEND(r, contact, contacts, room.contact, c);
+    return 0;
+}
+
+static int read_word(reader *r, text_word w)
+{
+    if (w.n == 0 && !text_next_word(&r->at, &w)) return fail(r, "a word is missing after '#@'");
+    if (text_is(w, "mu")) return read_mu(r);
+    if (text_is(w, "gravity")) return read_gravity(r);
+    if (text_is(w, "density")) return read_density(r);
+    if (text_is(w, "fixed")) return read_fixed(r);
+    if (text_is(w, "interface")) return read_contact(r, 1);
+    if (text_is(w, "points")) return read_contact(r, 0);
+    if (text_is(w, "load") || text_is(w, "live"))
+        return fail_word(r, "loads beyond weight are not in this version:", w);
+    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
+}
+
+/* --------------------------------------------------------------------------------------------------------- whole files */
+
+static int read_line(reader *r)
+{
+    static const char *const ignored[] = { "vn", "vt", "g", "s", "usemtl", "mtllib" };
+    text_word w;
+
+    if (!text_next_word(&r->at, &w)) return 0;
+    if (w.s[0] == '#') {
+        const text_word rest = { w.s + 2, w.n - 2 };
+        return w.n > 1 && w.s[1] == '@' ? read_word(r, rest) : 0;
+    }
+    if (text_is(w, "v")) return read_vertex(r);
+    if (text_is(w, "f")) return read_face(r);
+    if (text_is(w, "o")) return read_block(r);
+    for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
+        if (text_is(w, ignored[i])) return 0;
+    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown line: it starts with " WORD_FORMAT, WORD(w));
+}
+
+/* Every corner of every face is a vertex that exists by now. */
+static int check_corners(reader *r)
+{
+    const obj_file *f = r->f;
+    int32_t b = 0;
+    for (int32_t i = 0; i < f->faces; i++)
+        for (int32_t k = 0; k < f->face[i].corners; k++) {
+            const int32_t v = f->corner[f->face[i].corner + k];
+            if (v < f->vertices) continue;
+            while (b + 1 < f->blocks && f->block[b + 1].face <= i) b++;
+            return text_fail(r->error, EXIT_SCENE, f->path, f->face[i].line, "no such vertex: %ld, there are %ld; in block "
+                             WORD_FORMAT, (long)v + 1, (long)f->vertices, WORD(f->block[b].name));
+        }
+    return 0;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- names */
+
+static int compare(text_word a, text_word b)
+{
+    const size_t n = a.n < b.n ? a.n : b.n;
+    const int c = memcmp(a.s, b.s, n);
+    return c ? c : (a.n > b.n) - (a.n < b.n);
+}
+
+typedef struct named { text_word name; int32_t block; } named;
+
+static int compare_named(const void *pa, const void *pb)
+{
+    const named *a = pa, *b = pb;
+    const int c = compare(a->name, b->name);
+    return c ? c : (a->block > b->block) - (a->block < b->block);
+}
+
+static int sort_names(reader *r)
+{
+    obj_file *f = r->f;
+    const size_t n = (size_t)f->blocks;
+    named *sorted = malloc((n + 1) * sizeof *sorted);
+    int32_t twin = -1, first = -1;
+
+    f->by_name = malloc((n + 1) * sizeof *f->by_name);
+    if (!sorted || !f->by_name) {
+        free(sorted);
+        return out_of_memory(r);
+    }
+    for (int32_t b = 0; b < f->blocks; b++) {
+        sorted[b].name = f->block[b].name;
+        sorted[b].block = b;
+    }
+    qsort(sorted, n, sizeof *sorted, compare_named);
+    for (int32_t i = 0; i < f->blocks; i++) {
+        f->by_name[i] = sorted[i].block;
+        if (i > 0 && compare(sorted[i].name, sorted[i - 1].name) == 0 && (twin < 0 || sorted[i].block < twin)) {
+            twin = sorted[i].block;                     /* the earliest repetition in the file */
+            first = sorted[i - 1].block;
+        }
+    }
+    free(sorted);
+    if (twin < 0) return 0;
+    return text_fail(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in line %ld",
+                     WORD(f->block[twin].name), (long)f->block[first].line);
+}
+
+static int32_t find_name(const obj_file *f, text_word name)
+{
+    int32_t low = 0, high = f->blocks;
+    while (low < high) {
+        const int32_t middle = low + (high - low) / 2;
+        const int c = compare(f->block[f->by_name[middle]].name, name);
+        if (c == 0) return f->by_name[middle];
+        if (c < 0) low = middle + 1;
+        else high = middle;
+    }
+    return -1;
+}
+
+static int find_contact_blocks(reader *r)
+{
+    for (int32_t i = 0; i < r->f->contacts; i++) {
+        obj_contact *c = &r->f->contact[i];
+        for (int side = 0; side < 2; side++) {
+            const int32_t b = find_name(r->f, c->name[side]);
+            if (b < 0)
+                return text_fail(r->error, EXIT_SCENE, r->f->path, c->line, "contact with block " WORD_FORMAT
+                                 ", which does not exist", WORD(c->name[side]));
+            *(side ? &c->b : &c->a) = b;
+        }
+    }
+    return 0;
+}
+
+int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error)
+{
+    const obj_file empty = { 0 };
+    reader r = { file, { text, text + length, 1 }, error };
+    int status, more;
+
+    *file = empty;
+    file->path = path;
+    file->text = text;
+    file->length = length;
+    file->mu = DEFAULT_MU;
+    file->density = DEFAULT_DENSITY;
+    file->gravity[2] = DEFAULT_GRAVITY;
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at.p += 3;     /* byte order mark of UTF-8 */
+    do {
+        status = read_line(&r);
+        if (status) return status;
+        file->lines = r.at.line;
+        more = text_next_line(&r.at);
+    } while (more);
+    if (file->blocks == 0)
+        return text_fail(error, EXIT_SCENE, path, file->lines, "%s", sp_status_text(SP_E_EMPTY));
+    status = check_corners(&r);
+    if (!status) status = sort_names(&r);
+    if (!status) status = find_contact_blocks(&r);
+    return status;
+}
+
+int obj_read(const char *path, obj_file *file, text_error *error)
+{
+    const obj_file empty = { 0 };
+    char *text;
+    size_t length;
+    const int status = text_read(path, &text, &length, error);
+
+    *file = empty;
+    return status ? status : obj_parse(path, text, length, file, error);
+}
+
+void obj_free(obj_file *file)
+{
+    free(file->text);
+    free(file->block);
+    free(file->face);
+    free(file->corner);
+    free(file->vertex);
+    free(file->contact);
+    free(file->point);
+    free(file->by_name);
+}

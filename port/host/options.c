@@ -1,0 +1,158 @@
+#include "options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const stage_name[] = { "", "gates", "least-squares", "polish", "exact" };
+
+static int usage(text_error *error, const char *option, const char *message)
+{
+    return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: %s %s", option, message);
+}
+
+static int number(const char *s, double *x)
+{
+    const text_word w = { s, strlen(s) };
+    return text_double(w, x) == TEXT_NUMBER;
+}
+
+static int real(const char *s, sp_real *x)
+{
+    const text_word w = { s, strlen(s) };
+    return text_real(w, x) == TEXT_NUMBER;
+}
+
+int options_cone(const char *text, sp_settings *settings)
+{
+    const size_t n = strlen(text);
+    text_word digits = { text, n ? n - 1 : 0 };
+    int32_t faces;
+
+    if (strcmp(text, "true") == 0) {
+        settings->faces = 0;
+        return 1;
+    }
+    if (n < 2 || (text[n - 1] != 'i' && text[n - 1] != 'c')) return 0;
+    if (text[0] < '1' || text[0] > '9' || text_int(digits, &faces) != TEXT_NUMBER || faces < 3 || faces > 64) return 0;
+    settings->faces = faces;
+    settings->inscribed = text[n - 1] == 'i';
+    return 1;
+}
+
+/* "gates,exact" */
+static int stages(const char *s, sp_settings *settings)
+{
+    settings->stage_count = 0;
+    for (;;) {
+        const size_t n = strcspn(s, ",");
+        int32_t k = SP_STAGE_GATES;
+        while (k <= SP_STAGE_EXACT && (strlen(stage_name[k]) != n || memcmp(stage_name[k], s, n))) k++;
+        if (k > SP_STAGE_EXACT || settings->stage_count == SP_STAGES_MAX) return 0;
+        settings->stage[settings->stage_count++] = (sp_stage_id)k;
+        if (!s[n]) return 1;
+        s += n + 1;
+    }
+}
+
+/* DEG[,AZIMUTH] */
+static int tilt(const char *s, options *o)
+{
+    char first[64];
+    const size_t n = strcspn(s, ",");
+    if (n >= sizeof first) return 0;
+    memcpy(first, s, n);
+    first[n] = 0;
+    if (!number(first, &o->tilt) || fabs(o->tilt) > 360) return 0;
+    return !s[n] || (number(s + n + 1, &o->azimuth) && fabs(o->azimuth) <= 360);
+}
+
+/* One option with its value. */
+static int take(options *o, const char *name, const char *value, text_error *error)
+{
+    if (strcmp(name, "--svg") == 0) {
+        o->svg = value;
+    } else if (strcmp(name, "--tol") == 0) {
+        if (!real(value, &o->settings.tol) || !(o->settings.tol >= 4 * SP_EPSILON && o->settings.tol <= (sp_real)0.1))
+            return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1"
+                                                          : "needs a number from 2.4e-7 to 0.1");
+    } else if (strcmp(name, "--mu") == 0) {
+        if (!real(value, &o->mu) || o->mu < 0) return usage(error, name, "needs a number, 0 or more");
+    } else if (strcmp(name, "--cone") == 0) {
+        if (!options_cone(value, &o->settings))
+            return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
+        snprintf(o->cone, sizeof o->cone, "%s", value);
+    } else if (strcmp(name, "--stages") == 0) {
+        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,polish,exact");
+    } else if (strcmp(name, "--tilt") == 0) {
+        if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
+    }
+    return 0;
+}
+
+/* --json, --forces: no value. */
+static int flag(options *o, const char *name)
+{
+    if (strcmp(name, "--json") == 0) return o->json = 1;
+    if (strcmp(name, "--forces") == 0) return o->forces = 1;
+    return 0;
+}
+
+static int known(const char *allowed, const char *name)
+{
+    char key[40];
+    if (strlen(name) > 32 || strchr(name, ' ')) return 0;
+    snprintf(key, sizeof key, " %s ", name);
+    return strstr(allowed, key) != NULL;
+}
+
+int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error)
+{
+    const options none = { 0 };
+    int only_files = 0;
+
+    *o = none;
+    o->mu = -1;
+    o->settings = sp_settings_default();
+    strcpy(o->cone, "true");
+    o->file = argv + 2;
+    for (int i = 2; i < argc; i++) {
+        char *name = argv[i], *value;
+        int status;
+        if (only_files || name[0] != '-' || name[1] == 0) {
+            o->file[o->files++] = name;                 /* at or before i */
+            continue;
+        }
+        if (strcmp(name, "--") == 0) {
+            only_files = 1;
+            continue;
+        }
+        value = strchr(name, '=');
+        if (value) *value++ = 0;
+        if (!known(allowed, name))
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name, argv[1]);
+        if (!value && flag(o, name)) continue;
+        if (value && flag(o, name)) return usage(error, name, "takes no value");
+        if (!value && i + 1 == argc) return usage(error, name, "needs a value");
+        status = take(o, name, value ? value : argv[++i], error);
+        if (status) return status;
+    }
+    return 0;
+}
+
+/* g' = |g| (cos t g/|g| + sin t h), h: the azimuth's direction made orthogonal to g. */
+int options_tilt(double degrees, double azimuth, sp_real gravity[3])
+{
+    const double rad = 3.14159265358979323846 / 180, c = cos(degrees * rad), s = sin(degrees * rad);
+    double h[3] = { cos(azimuth * rad), sin(azimuth * rad), 0 }, g[3], size, along, across;
+
+    for (int k = 0; k < 3; k++) g[k] = (double)gravity[k];
+    size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    if (!(size > 0) || !(fabs(degrees) > 0)) return 1;
+    along = (h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) / size;
+    for (int k = 0; k < 3; k++) h[k] -= along * g[k] / size;
+    across = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]);
+    if (across < 1e-9) return 0;
+    for (int k = 0; k < 3; k++) gravity[k] = (sp_real)(c * g[k] + s * size * h[k] / across);
+    return 1;
+}

@@ -1,0 +1,28 @@
+/* What the command line asks for. */
+#ifndef STONEPACK_HOST_OPTIONS_H
+#define STONEPACK_HOST_OPTIONS_H
+
+#include "text.h"
+
+typedef struct options {
+    int json, forces;
+    const char *svg;            /* file, or NULL */
+    sp_real mu;                 /* overrides every friction; -1: not given */
+    double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
+    sp_settings settings;
+    char cone[16];              /* "true", "8i", "4c" */
+    int files;
+    char **file;                /* what is no option, in order */
+} options;
+
+/* Read argv[2..] for a command; argv is reordered, files keep their order. `allowed`: the command's options, space around
+ * each: " --json --mu ".                                                       returns 0 or EXIT_USAGE */
+int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error);
+
+/* "true", K"i" or K"c" with K = 3..64.     returns 1, 0: not a cone */
+int options_cone(const char *text, sp_settings *settings);
+
+/* Turn gravity as --tilt asks.             returns 1, 0: gravity already points along the azimuth */
+int options_tilt(double tilt, double azimuth, sp_real gravity[3]);
+
+#endif

@@ -1,0 +1,258 @@
+#include "report.h"
+#include "json_out.h"
+
+#include <math.h>
+#include <string.h>
+
+int report_exit(sp_verdict verdict)
+{
+    return verdict == SP_STABLE ? EXIT_STABLE : verdict == SP_UNSTABLE ? EXIT_UNSTABLE : EXIT_UNDECIDED;
+}
+
+double report_motion(const report *r, int32_t b)
+{
+    const sp_scene *s = &r->scene->scene;
+    const sp_real *dq = r->result.dq + 6 * (size_t)b;
+    const double turn = sqrt((double)(dq[3] * dq[3] + dq[4] * dq[4] + dq[5] * dq[5])) * (double)s->block[b].diameter / 2;
+    const double go = sqrt((double)(dq[0] * dq[0] + dq[1] * dq[1] + dq[2] * dq[2]));
+    return go > turn ? go : turn;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- JSON */
+
+static void json_interfaces(json_out *j, const report *r)
+{
+    const sp_scene *s = &r->scene->scene;
+    json_open(j, "interfaces_detail", '[');
+    for (int32_t i = 0; i < s->count.interfaces; i++) {
+        sp_interface_force f;
+        if (sp_interface_resultant(s, &r->result, i, &f) != SP_OK) continue;
+        json_open(j, NULL, '{');
+        json_string(j, "a", r->scene->name[s->interface[i].a]);
+        json_string(j, "b", r->scene->name[s->interface[i].b]);
+        json_reals(j, "force", f.force, 3);
+        json_reals(j, "point", f.point, 3);
+        json_real(j, "min_fn", (double)f.min_fn);
+        json_real(j, "max_fn", (double)f.max_fn);
+        json_real(j, "utilisation", (double)f.utilisation);
+        json_real(j, "tension", (double)r->result.demand[i].tension);
+        json_real(j, "missing_friction", (double)r->result.demand[i].friction);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+static void json_mechanism(json_out *j, const report *r)
+{
+    json_open(j, "mechanism", '[');
+    for (int32_t b = 0; r->result.verdict == SP_UNSTABLE && b < r->scene->scene.count.blocks; b++) {
+        if (!(report_motion(r, b) > 0)) continue;
+        json_open(j, NULL, '{');
+        json_string(j, "block", r->scene->name[b]);
+        json_reals(j, "dq", r->result.dq + 6 * (size_t)b, 6);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+static void json_overlaps(json_out *j, const host_scene *s)
+{
+    json_open(j, "overlaps", '[');
+    for (int32_t i = 0; i < s->overlaps; i++) {
+        json_open(j, NULL, '{');
+        json_string(j, "a", s->name[s->overlap[i].a]);
+        json_string(j, "b", s->name[s->overlap[i].b]);
+        json_real(j, "depth", (double)s->overlap[i].depth);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+static void json_work(json_out *j, const sp_cost *c)
+{
+    json_int(j, "flops", c->flops);
+    json_int(j, "factorisations", c->factorisations);
+    json_int(j, "iterations", c->iterations);
+}
+
+static void json_cost(json_out *j, const report *r)
+{
+    json_open(j, "cost", '{');
+    json_work(j, &r->result.cost);
+    json_int(j, "peak_bytes", (int64_t)r->result.peak_bytes);
+    json_real(j, "seconds", r->seconds);
+    json_open(j, "by_stage", '[');
+    for (int32_t k = 0; k < r->options->settings.stage_count; k++) {
+        json_open(j, NULL, '{');
+        json_string(j, "stage", sp_stage_text(r->options->settings.stage[k]));
+        json_work(j, &r->result.by_stage[k]);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+    json_close(j, '}');
+}
+
+/* All that a later `verify` needs: the question as it was put, and the force of every contact vertex. */
+static void json_forces(json_out *j, const report *r)
+{
+    const sp_scene *s = &r->scene->scene;
+    json_open(j, "asked", '{');
+    json_string(j, "cone", r->options->cone);
+    if (r->options->mu >= 0) json_real(j, "mu", (double)r->options->mu);
+    else json_null(j, "mu");
+    json_reals(j, "gravity", s->gravity, 3);
+    json_close(j, '}');
+    json_open(j, "forces", '[');
+    for (int32_t k = 0; k < s->count.points; k++) json_reals(j, NULL, r->result.f + 3 * (size_t)k, 3);
+    json_close(j, ']');
+}
+
+void report_json(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    json_out j = { out, 0 };
+
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", r->scene->path);
+    json_string(&j, "verdict", sp_verdict_text(x->verdict));
+    json_string(&j, "level", sp_level_text(x->level));
+    json_string(&j, "reason", sp_reason_text(x->reason));
+    json_bool(&j, "verified", x->verified);
+    json_bool(&j, "final", x->final);
+    json_real(&j, "tol", (double)x->tol);
+    json_real(&j, "force_bound", (double)x->force_bound);
+    json_int(&j, "blocks", r->scene->scene.count.blocks);
+    json_int(&j, "free_blocks", x->free_blocks);
+    json_int(&j, "interfaces", x->interfaces);
+    json_int(&j, "contact_vertices", x->points);
+    json_string(&j, "stage", sp_stage_text(x->stage));
+    json_real(&j, "omega", (double)x->omega);
+    json_real(&j, "least_imbalance", (double)x->least_imbalance);
+    json_real(&j, "max_compression", (double)x->max_compression);
+    json_real(&j, "max_tension", (double)x->max_tension);
+    json_real(&j, "max_utilisation", (double)x->max_utilisation);
+    if (x->weakest >= 0) json_int(&j, "weakest_interface", x->weakest);
+    else json_null(&j, "weakest_interface");
+    json_interfaces(&j, r);
+    json_mechanism(&j, r);
+    json_overlaps(&j, r->scene);
+    json_cost(&j, r);
+    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
+    if (r->options->forces) json_forces(&j, r);
+    json_close(&j, '}');
+    fputc('\n', out);
+}
+
+/* --------------------------------------------------------------------------------------------------------------- words */
+
+static const char *capitals(sp_verdict v)
+{
+    return v == SP_STABLE ? "STABLE" : v == SP_UNSTABLE ? "UNSTABLE" : "UNDECIDED";
+}
+
+static const char *why(sp_reason reason)
+{
+    switch (reason) {
+    case SP_REASON_FORCES:     return "forces that the joints can carry hold every block in equilibrium";
+    case SP_REASON_NOTHING:    return "nothing to carry: no free block, or no load";
+    case SP_REASON_NO_CONTACT: return "a block touches nothing";
+    case SP_REASON_NO_SUPPORT: return "a group of blocks has no path to a support";
+    case SP_REASON_MECHANISM:  return "the blocks can move in a way that no force of the joints can resist";
+    case SP_REASON_LIMIT:      return "neither forces nor a motion within tol: the limit is nearer than that";
+    case SP_REASON_BUDGET:     return "the iterations are spent";
+    case SP_REASON_STAGES:     return "the chosen stages can't decide this";
+    default:                   return "";
+    }
+}
+
+/* 1234.5 with a unit of thousands: "1.23 kN". */
+static void scaled(FILE *out, double x, const char *unit)
+{
+    static const char *const prefix[] = { "n", "u", "m", "", "k", "M", "G", "T" };
+    int k = 3;
+    double y = fabs(x);
+    while (y >= 999.5 && k < 7) { y /= 1000; x /= 1000; k++; }
+    while (y > 0 && y < 0.9995 && k > 0) { y *= 1000; x *= 1000; k--; }
+    fprintf(out, "%.3g %s%s", x, prefix[k], unit);
+}
+
+static void row(FILE *out, const char *label) { fprintf(out, "  %-13s", label); }
+
+static void text_certainty(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    row(out, "how sure");
+    if (x->verdict == SP_STABLE) fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->omega, (double)x->tol);
+    else if (x->verdict == SP_UNSTABLE && x->final) fprintf(out, "no forces of any size would do");
+    else if (x->verdict == SP_UNSTABLE)
+        fprintf(out, "at least %.2g of a block's forces stays unbalanced, tol %.2g", (double)x->least_imbalance, (double)x->tol);
+    else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
+    if (x->verdict != SP_UNDECIDED) fprintf(out, x->verified ? "; verified" : "; NOT verified");
+    fputc('\n', out);
+}
+
+static void text_weakest(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    const sp_scene *s = &r->scene->scene;
+    sp_interface_force f;
+    if (x->weakest < 0 || sp_interface_resultant(s, x, x->weakest, &f) != SP_OK) return;
+    row(out, "weakest joint");
+    fprintf(out, "%s - %s", r->scene->name[s->interface[x->weakest].a], r->scene->name[s->interface[x->weakest].b]);
+    if (x->demand[x->weakest].tension > 0) {
+        fputs(": asks for ", out);
+        scaled(out, (double)x->demand[x->weakest].tension, "N");
+        fputs(" of tension\n", out);
+    } else fprintf(out, ": friction used to %.0f %%\n", 100 * (double)f.utilisation);
+}
+
+static void text_mechanism(FILE *out, const report *r)
+{
+    enum { SHOWN = 6 };
+    int32_t moving = 0;
+    if (r->result.verdict != SP_UNSTABLE) return;
+    row(out, "moving");
+    for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
+        if (report_motion(r, b) > 0 && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
+    if (moving > SHOWN) fprintf(out, " and %ld more", (long)(moving - SHOWN));
+    fputc('\n', out);
+}
+
+static void text_overlaps(FILE *out, const host_scene *s)
+{
+    if (s->overlaps == 0) return;
+    row(out, "overlap");
+    fprintf(out, "%s - %s by ", s->name[s->overlap[0].a], s->name[s->overlap[0].b]);
+    scaled(out, (double)s->overlap[0].depth, "m");
+    if (s->overlaps > 1) fprintf(out, " and %ld more pairs", (long)(s->overlaps - 1));
+    fputc('\n', out);
+}
+
+void report_text(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    const sp_capacity *n = &r->scene->scene.count;
+
+    fprintf(out, "%s: %s\n", r->scene->path, capitals(x->verdict));
+    row(out, "why");
+    fprintf(out, "%s\n", why(x->reason));
+    text_certainty(out, r);
+    text_weakest(out, r);
+    text_mechanism(out, r);
+    row(out, "forces");
+    fputs("largest compression ", out);
+    scaled(out, (double)x->max_compression, "N");
+    fputs(x->max_tension > 0 ? ", largest tension asked for " : "", out);
+    if (x->max_tension > 0) scaled(out, (double)x->max_tension, "N");
+    fputc('\n', out);
+    row(out, "scene");
+    fprintf(out, "%ld blocks, %ld free; %ld joints%s, %ld contact points\n", (long)n->blocks, (long)x->free_blocks,
+            (long)x->interfaces, r->scene->found ? " found" : "", (long)x->points);
+    text_overlaps(out, r->scene);
+    row(out, "cost");
+    fprintf(out, "%ld factorisations, ", (long)x->cost.factorisations);
+    scaled(out, (double)x->cost.flops, "flop");
+    fprintf(out, ", %.1f KiB, ", (double)r->bytes / 1024);
+    scaled(out, r->seconds, "s");
+    fprintf(out, ", by %s\n", sp_stage_text(x->stage));
+}

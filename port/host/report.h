@@ -1,0 +1,27 @@
+/* The result of a check in words and as JSON. */
+#ifndef STONEPACK_HOST_REPORT_H
+#define STONEPACK_HOST_REPORT_H
+
+#include <stdio.h>
+#include "options.h"
+#include "scene.h"
+
+/* A check that was made. */
+typedef struct report {
+    const host_scene *scene;
+    const options *options;
+    sp_result result;
+    double seconds;             /* of the check itself, without reading and contacts */
+    size_t bytes;               /* its arena [byte] */
+} report;
+
+void report_text(FILE *out, const report *r);
+void report_json(FILE *out, const report *r);
+
+/* How block b moves in the mechanism: fastest point's speed relative to the largest dq, 0: at rest. */
+double report_motion(const report *r, int32_t b);
+
+/* Exit status of a verdict. */
+int report_exit(sp_verdict verdict);
+
+#endif

@@ -1,0 +1,287 @@
+/* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
+#include "scene.h"
+#include "obj.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Text for messages about a block or a contact. */
+#define NAME(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
+
+static int out_of_memory(const obj_file *f, text_error *error)
+{
+    return text_fail(error, EXIT_MEMORY, f->path, 0, "out of memory: %ld blocks, %ld vertices, %ld contact points",
+                     (long)f->blocks, (long)f->vertices, (long)f->points);
+}
+
+/* ------------------------------------------------------------------------------------------------------- one block's mesh */
+
+/* Room for the largest block, and for each vertex of the file its number in the block being built. */
+typedef struct mesh_room {
+    sp_real *xyz;
+    int32_t *size, *corner, *used, *number;
+} mesh_room;
+
+static int32_t faces_of(const obj_file *f, int32_t b)
+{
+    return (b + 1 < f->blocks ? f->block[b + 1].face : f->faces) - f->block[b].face;
+}
+
+static int32_t corners_of(const obj_file *f, int32_t b)
+{
+    const int32_t end = f->block[b].face + faces_of(f, b);
+    if (faces_of(f, b) == 0) return 0;
+    return (end < f->faces ? f->face[end].corner : f->corners) - f->face[f->block[b].face].corner;
+}
+
+static void free_room(mesh_room *m)
+{
+    free(m->xyz);
+    free(m->size);
+    free(m->corner);
+    free(m->used);
+    free(m->number);
+}
+
+static int make_room(const obj_file *f, mesh_room *m)
+{
+    size_t faces = 1, corners = 1;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        if ((size_t)faces_of(f, b) > faces) faces = (size_t)faces_of(f, b);
+        if ((size_t)corners_of(f, b) > corners) corners = (size_t)corners_of(f, b);
+    }
+    m->xyz = malloc(3 * corners * sizeof *m->xyz);
+    m->size = malloc(faces * sizeof *m->size);
+    m->corner = malloc(corners * sizeof *m->corner);
+    m->used = malloc(corners * sizeof *m->used);
+    m->number = malloc(((size_t)f->vertices + 1) * sizeof *m->number);
+    if (!m->xyz || !m->size || !m->corner || !m->used || !m->number) return 0;
+    for (int32_t v = 0; v < f->vertices; v++) m->number[v] = -1;
+    return 1;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* The mesh of block b with the vertices it uses, in the order of the file. */
+static sp_mesh gather(const obj_file *f, int32_t b, mesh_room *m)
+{
+    const int32_t faces = faces_of(f, b), corners = corners_of(f, b);
+    const int32_t *c = faces ? f->corner + f->face[f->block[b].face].corner : f->corner;
+    sp_mesh mesh = { 0, faces, m->xyz, m->size, m->corner };
+
+    for (int32_t i = 0; i < faces; i++) m->size[i] = f->face[f->block[b].face + i].corners;
+    for (int32_t i = 0; i < corners; i++)
+        if (m->number[c[i]] < 0) {
+            m->number[c[i]] = 0;
+            m->used[mesh.vertices++] = c[i];
+        }
+    if (mesh.vertices > 1) qsort(m->used, (size_t)mesh.vertices, sizeof *m->used, ascending);
+    for (int32_t i = 0; i < mesh.vertices; i++) {
+        m->number[m->used[i]] = i;
+        memcpy(m->xyz + 3 * i, f->vertex[m->used[i]], 3 * sizeof *m->xyz);
+    }
+    for (int32_t i = 0; i < corners; i++) m->corner[i] = m->number[c[i]];
+    for (int32_t i = 0; i < mesh.vertices; i++) m->number[m->used[i]] = -1;
+    return mesh;
+}
+
+/* A support may be a name only: then it has no mesh, and what touches it must be given. */
+static sp_status add_mesh(const obj_file *f, const obj_block *block, const sp_mesh *mesh, sp_scene *scene)
+{
+    const sp_real origin[3] = { 0, 0, 0 };
+    if (mesh->faces == 0 && block->fixed) return sp_scene_body(scene, 0, origin, SP_FIXED, NULL);
+    return sp_scene_block(scene, mesh, block->density > 0 ? block->density : f->density, block->fixed ? SP_FIXED : 0, NULL);
+}
+
+static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, text_error *error)
+{
+    const obj_block *block = &f->block[b];
+    const sp_mesh mesh = gather(f, b, m);
+    const sp_status status = add_mesh(f, block, &mesh, scene);
+    char what[96];
+
+    if (status == SP_OK) return 0;
+    snprintf(what, sizeof what, "block '%.*s%s'", NAME(block->name));
+    if (mesh.faces == 0) return text_fail(error, EXIT_SCENE, f->path, block->line, "%s has no faces", what);
+    return text_fail_status(error, status, f->path, block->line, what);
+}
+
+static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, text_error *error)
+{
+    const obj_contact *c = &f->contact[i];
+    const sp_joint joint = sp_joint_friction(mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu);
+    const sp_real *xyz = f->point[c->point];
+    const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &joint, NULL)
+                                        : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &joint, NULL);
+    char what[192];
+
+    if (status == SP_OK) return 0;
+    snprintf(what, sizeof what, "contact '%.*s%s' '%.*s%s'", NAME(c->name[0]), NAME(c->name[1]));
+    return text_fail_status(error, status, f->path, c->line, what);
+}
+
+/* --------------------------------------------------------------------------------------------------------- whole scene */
+
+/* Exactly what the meshes of the file need; the vertices of a block are those its faces use. */
+static int count_meshes(const obj_file *f, sp_capacity *cap, mesh_room *m)
+{
+    cap->blocks = f->blocks;
+    cap->faces = f->faces;
+    cap->corners = f->corners;
+    cap->vertices = 0;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const int32_t more = gather(f, b, m).vertices;
+        if (more > INT32_MAX - cap->vertices) return 0;
+        cap->vertices += more;
+    }
+    return 1;
+}
+
+/* An empty scene in new memory. */
+static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, text_error *error)
+{
+    sp_arena arena;
+    free(s->memory);
+    s->bytes = sp_scene_memory(cap);
+    s->memory = s->bytes && s->bytes < SIZE_MAX - SP_ALIGN ? malloc(s->bytes + SP_ALIGN) : NULL;
+    if (!s->memory || sp_arena_init(&arena, s->memory, s->bytes + SP_ALIGN) != SP_OK
+        || sp_scene_create(&s->scene, cap, &arena) != SP_OK)
+        return out_of_memory(f, error);
+    memcpy(s->scene.gravity, f->gravity, sizeof f->gravity);
+    return 0;
+}
+
+static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_scene *s, text_error *error)
+{
+    int status = create(f, cap, s, error);
+    for (int32_t b = 0; !status && b < f->blocks; b++) status = add_block(f, b, m, &s->scene, error);
+    return status;
+}
+
+static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_report *report, sp_status *status,
+                     text_error *error)
+{
+    sp_contact_settings settings = sp_contact_settings_default();
+    const size_t bytes = sp_contacts_memory(&s->scene);
+    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    sp_arena scratch;
+
+    settings.joint = sp_joint_friction(mu >= 0 ? mu : f->mu);
+    if (!memory || sp_arena_init(&scratch, memory, bytes + SP_ALIGN) != SP_OK) {
+        free(memory);
+        return out_of_memory(f, error);
+    }
+    *status = sp_contacts_find(&s->scene, &settings, scratch, report);
+    free(memory);
+    return 0;
+}
+
+/* Contacts are found in a scene without room for any, which tells how many there are, then once more with just that room:
+ * memory stays exact. Overlaps are kept on the second pass. */
+static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, host_scene *s, text_error *error)
+{
+    sp_contact_report report = { 0, 0, 0, 0, NULL };
+    sp_status status;
+    int failed = find_once(f, mu, s, &report, &status, error);
+
+    s->found = 1;
+    if (failed) return failed;
+    if (status != SP_OK && status != SP_E_CAPACITY) return text_fail_status(error, status, f->path, f->lines, "contacts");
+    if (report.overlaps > 0) {
+        s->overlap = malloc((size_t)report.overlaps * sizeof *s->overlap);
+        if (!s->overlap) return out_of_memory(f, error);
+    }
+    if (status == SP_OK && report.overlaps == 0) return 0;
+    cap->interfaces = report.interfaces;
+    cap->points = report.points;
+    report.overlap = s->overlap;
+    report.overlap_cap = report.overlaps;
+    failed = build(f, cap, m, s, error);
+    if (!failed) failed = find_once(f, mu, s, &report, &status, error);
+    if (failed) return failed;
+    if (status != SP_OK) return text_fail_status(error, status, f->path, f->lines, "contacts");
+    s->overlaps = report.overlaps;
+    return 0;
+}
+
+static int keep_names(const obj_file *f, host_scene *s, text_error *error)
+{
+    size_t bytes = 0;
+    for (int32_t b = 0; b < f->blocks; b++) bytes += f->block[b].name.n + 1;
+    s->names = malloc(bytes);
+    s->name = malloc((size_t)f->blocks * sizeof *s->name);
+    if (!s->names || !s->name) return out_of_memory(f, error);
+    bytes = 0;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const text_word w = f->block[b].name;
+        s->name[b] = memcpy(s->names + bytes, w.s, w.n);
+        s->names[bytes + w.n] = 0;
+        bytes += w.n + 1;
+    }
+    return 0;
+}
+
+static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+{
+    const int given = contacts == SCENE_GIVEN && f->contacts > 0;
+    sp_capacity cap = { 0, 0, 0, 0, 0, 0 };
+    int status = keep_names(f, s, error);
+
+    if (status) return status;
+    if (!make_room(f, m) || !count_meshes(f, &cap, m)) return out_of_memory(f, error);
+    if (given) {
+        cap.interfaces = f->contacts;
+        cap.points = f->points;
+    }
+    status = build(f, &cap, m, s, error);
+    if (status || !given) return status ? status : find_contacts(f, &cap, m, mu, s, error);
+    for (int32_t i = 0; !status && i < f->contacts; i++) status = add_contact(f, i, mu, &s->scene, error);
+    return status;
+}
+
+/* The file's tables are let go as soon as the scene is built. */
+static int finish(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+{
+    mesh_room m = { NULL, NULL, NULL, NULL, NULL };
+    if (!status) {
+        s->path = malloc(strlen(f->path) + 1);
+        status = s->path ? 0 : out_of_memory(f, error);
+    }
+    if (!status) {
+        strcpy(s->path, f->path);
+        status = from_file(f, &m, mu, contacts, s, error);
+    }
+    free_room(&m);
+    obj_free(f);
+    return status;
+}
+
+int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+{
+    const host_scene empty = { 0 };
+    obj_file f;
+    *s = empty;
+    return finish(&f, obj_read(path, &f, error), mu, contacts, s, error);
+}
+
+int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
+                text_error *error)
+{
+    const host_scene empty = { 0 };
+    obj_file f;
+    *s = empty;
+    return finish(&f, obj_parse(path, text, length, &f, error), mu, contacts, s, error);
+}
+
+void scene_free(host_scene *s)
+{
+    free(s->path);
+    free(s->memory);
+    free(s->name);
+    free(s->names);
+    free(s->overlap);
+}

@@ -1,0 +1,38 @@
+/* A scene with names: the library's scene, the memory it lives in, and what the file called its blocks. */
+#ifndef STONEPACK_HOST_SCENE_H
+#define STONEPACK_HOST_SCENE_H
+
+#include <stdio.h>
+#include "text.h"
+
+typedef struct host_scene {
+    char *path;                 /* as given, "-": standard input */
+    sp_scene scene;             /* its arrays lie in memory */
+    void *memory;
+    size_t bytes;               /* sp_scene_memory of what the scene holds */
+    const char **name;          /* of each block; they lie in names */
+    char *names;
+    int found;                  /* the contacts were found, not given */
+    int32_t overlaps;
+    sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */
+} host_scene;
+
+typedef enum scene_contacts { SCENE_GIVEN, SCENE_FIND } scene_contacts;
+
+/* Read a scene and build it. mu >= 0 overrides every friction of the file, -1: nothing.
+ *   contacts   SCENE_GIVEN: the file's, found if it has none; SCENE_FIND: the file's are left out and contacts are found
+ *   returns    0 or an exit status; free the scene with scene_free in every case */
+int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error);
+
+/* The same from text in memory (malloc's; the scene frees it). */
+int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
+                text_error *error);
+
+/* Write a scene as a file that reads back as the same scene, contacts as `#@ interface` and `#@ points`.
+ *   name      of each block, or NULL: b0 b1 ...
+ *   returns   0; an exit status where a block has no mesh, or is held in some directions only, which the form can't say */
+int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, text_error *error);
+
+void scene_free(host_scene *s);
+
+#endif

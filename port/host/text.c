@@ -1,0 +1,226 @@
+#include "text.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+static int line_end(char c) { return c == '\n' || c == '\r'; }
+static int digit(char c) { return c >= '0' && c <= '9'; }
+
+/* ---------------------------------------------------------------------------------------------------------- messages */
+
+int text_fail(text_error *error, int status, const char *path, int32_t line, const char *format, ...)
+{
+    const size_t room = sizeof error->line;
+    size_t n = 0;
+    va_list args;
+
+    error->status = status;
+    if (path) {
+        n = strlen(path);
+        if (n > 255) { path += n - 255; n = 255; }      /* the end of a long path tells more than its start */
+        memcpy(error->line, path, n);
+        if (line > 0) n += (size_t)snprintf(error->line + n, room - n, ":%ld", (long)line);
+        n += (size_t)snprintf(error->line + n, room - n, ": ");
+    }
+    va_start(args, format);
+    vsnprintf(error->line + n, room - n, format, args);
+    va_end(args);
+    for (char *c = error->line; *c; c++)
+        if ((unsigned char)*c < 32 || *c == 127) *c = '?';
+    return status;
+}
+
+int text_fail_status(text_error *error, sp_status status, const char *path, int32_t line, const char *what)
+{
+    int code = EXIT_SCENE;
+    if (status == SP_E_MEMORY) code = EXIT_MEMORY;
+    if (status == SP_E_ARGUMENT || status == SP_E_CAPACITY) code = EXIT_INTERNAL;
+    return text_fail(error, code, path, line, "%s%s%s", what, what[0] ? ": " : "", sp_status_text(status));
+}
+
+/* -------------------------------------------------------------------------------------------------------- whole files */
+
+/* The first byte of n that no text contains, or NULL; counts the lines before it. */
+static const char *odd_byte(const char *s, size_t n, int32_t *line)
+{
+    for (size_t i = 0; i < n; i++) {
+        const unsigned char c = (unsigned char)s[i];
+        if (c == '\n') (*line)++;
+        else if ((c < 32 && !blank(s[i]) && c != '\r') || c == 127) return s + i;
+    }
+    return NULL;
+}
+
+/* Make room for n + 1 more bytes. */
+static int make_room(char **text, size_t *room, size_t length, size_t n)
+{
+    char *more;
+    if (length + n + 1 <= *room) return 1;
+    while (*room < length + n + 1) *room *= 2;
+    more = realloc(*text, *room);
+    if (!more) return 0;
+    *text = more;
+    return 1;
+}
+
+static int read_all(FILE *in, const char *path, char **text, size_t *length, text_error *error)
+{
+    enum { CHUNK = 1 << 16 };
+    size_t room = 2 * (size_t)CHUNK, n;
+    int32_t line = 1;
+
+    *length = 0;
+    *text = malloc(room);
+    for (;;) {
+        const char *odd;
+        if (!*text || !make_room(text, &room, *length, CHUNK))
+            return text_fail(error, EXIT_MEMORY, path, 0, "out of memory while reading");
+        n = fread(*text + *length, 1, CHUNK, in);
+        odd = odd_byte(*text + *length, n, &line);
+        if (odd)
+            return text_fail(error, EXIT_SCENE, path, line, "byte 0x%02x: this is no text file", (unsigned)*odd & 255u);
+        *length += n;
+        if (*length > TEXT_CAP) return text_fail(error, EXIT_SCENE, path, line, "the file is larger than 1 GiB");
+        if (n < CHUNK) break;
+    }
+    if (ferror(in)) return text_fail(error, EXIT_NO_INPUT, path, 0, "can't read: %s", strerror(errno));
+    (*text)[*length] = 0;
+    return 0;
+}
+
+int text_read(const char *path, char **text, size_t *length, text_error *error)
+{
+    FILE *in = strcmp(path, "-") ? fopen(path, "rb") : stdin;
+    int status;
+
+    *text = NULL;
+    if (!in) return text_fail(error, EXIT_NO_INPUT, path, 0, "can't open: %s", strerror(errno));
+    status = read_all(in, path, text, length, error);
+    if (in != stdin) fclose(in);
+    if (status) {
+        free(*text);
+        *text = NULL;
+    }
+    return status;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- words */
+
+/* Length of the line end at p: 2 for CR LF, 1 for LF or CR, 0 for none. */
+static size_t line_end_length(const char *p, const char *end)
+{
+    if (p == end || !line_end(*p)) return 0;
+    return p[0] == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1;
+}
+
+int text_next_word(text_cursor *c, text_word *word)
+{
+    for (;;) {
+        size_t joined;
+        while (c->p < c->end && blank(*c->p)) c->p++;
+        if (c->p == c->end || *c->p != '\\') break;
+        joined = line_end_length(c->p + 1, c->end);
+        if (!joined) break;
+        c->p += 1 + joined;
+        c->line++;
+    }
+    word->s = c->p;
+    while (c->p < c->end && !blank(*c->p) && !line_end(*c->p)) {
+        if (*c->p == '\\' && line_end_length(c->p + 1, c->end)) break;
+        c->p++;
+    }
+    word->n = (size_t)(c->p - word->s);
+    return word->n > 0;
+}
+
+int text_next_line(text_cursor *c)
+{
+    while (c->p < c->end && !line_end(*c->p)) c->p++;
+    if (c->p == c->end) return 0;
+    c->p += line_end_length(c->p, c->end);
+    c->line++;
+    return c->p < c->end;
+}
+
+int text_is(text_word word, const char *s)
+{
+    return strlen(s) == word.n && memcmp(word.s, s, word.n) == 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------------- numbers */
+
+/* Does all of the word follow [+-] digits [. digits] [e [+-] digits], with a digit before the e? */
+static int decimal(text_word w)
+{
+    size_t i = 0, digits = 0, exponent = 0;
+
+    if (i < w.n && (w.s[i] == '+' || w.s[i] == '-')) i++;
+    for (; i < w.n && digit(w.s[i]); i++) digits++;
+    if (i < w.n && w.s[i] == '.')
+        for (i++; i < w.n && digit(w.s[i]); i++) digits++;
+    if (digits == 0) return 0;
+    if (i == w.n) return 1;
+    if (w.s[i] != 'e' && w.s[i] != 'E') return 0;
+    i++;
+    if (i < w.n && (w.s[i] == '+' || w.s[i] == '-')) i++;
+    for (; i < w.n && digit(w.s[i]); i++) exponent++;
+    return exponent > 0 && i == w.n;
+}
+
+/* A terminated copy for strtod; longer words are no sensible number. */
+static int copy(text_word w, char buffer[128])
+{
+    if (w.n > 127 || !decimal(w)) return 0;
+    memcpy(buffer, w.s, w.n);
+    buffer[w.n] = 0;
+    return 1;
+}
+
+text_number text_double(text_word word, double *x)
+{
+    char buffer[128];
+    double y;
+    if (!copy(word, buffer)) return TEXT_NO_NUMBER;
+    y = strtod(buffer, NULL);                           /* the program never leaves the C locale */
+    if (!(y >= -DBL_MAX && y <= DBL_MAX)) return TEXT_TOO_LARGE;
+    *x = y;
+    return TEXT_NUMBER;
+}
+
+text_number text_real(text_word word, sp_real *x)
+{
+#ifdef SP_REAL_FLOAT
+    char buffer[128];
+    float y;
+    if (!copy(word, buffer)) return TEXT_NO_NUMBER;
+    y = strtof(buffer, NULL);                           /* rounded once */
+    if (!(y >= -FLT_MAX && y <= FLT_MAX)) return TEXT_TOO_LARGE;
+    *x = y;
+    return TEXT_NUMBER;
+#else
+    return text_double(word, x);
+#endif
+}
+
+text_number text_int(text_word word, int32_t *i)
+{
+    int64_t x = 0;
+    size_t k = 0;
+    int minus = 0;
+
+    if (word.n && (word.s[0] == '+' || word.s[0] == '-')) minus = word.s[k++] == '-';
+    if (k == word.n) return TEXT_NO_NUMBER;
+    for (; k < word.n; k++) {
+        if (!digit(word.s[k])) return TEXT_NO_NUMBER;
+        if (x <= INT32_MAX) x = 10 * x + (word.s[k] - '0');
+    }
+    if (x > INT32_MAX) return TEXT_TOO_LARGE;
+    *i = (int32_t)(minus ? -x : x);
+    return TEXT_NUMBER;
+}

@@ -1,0 +1,181 @@
+/* verify: what does a stored result prove? Its forces and mechanism are taken, its verdict is not. */
+#include "commands.h"
+#include "json_in.h"
+#include "json_out.h"
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A result being read, and the scene it is about. */
+typedef struct reading {
+    const char *path;
+    json_tree tree;
+    const json_value *all;
+    const host_scene *scene;
+    text_error *error;
+} reading;
+
+static int fail(const reading *r, const json_value *at, const char *message)
+{
+    return text_fail(r->error, EXIT_SCENE, r->path, at ? at->line : 1, "%s", message);
+}
+
+/* n numbers of an array; 0 if it is not so. */
+static int reals(const reading *r, const json_value *array, int32_t n, sp_real *x)
+{
+    int32_t k = 0;
+    if (!array || array->kind != JSON_ARRAY) return 0;
+    for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next, k++) {
+        if (k == n || r->tree.value[i].kind != JSON_NUMBER) return 0;
+        x[k] = (sp_real)r->tree.value[i].as.number;
+    }
+    return k == n;
+}
+
+/* The question as it was put: cone, friction, gravity. */
+static int read_asked(const reading *r, options *o, sp_real gravity[3])
+{
+    const json_value *asked = json_member(&r->tree, r->all, "asked");
+    const json_value *cone = json_member(&r->tree, asked, "cone"), *mu = json_member(&r->tree, asked, "mu");
+
+    if (!asked) return fail(r, r->all, "no forces in this result: make it with check --json --forces");
+    if (!cone || cone->kind != JSON_STRING || !options_cone(cone->as.string, &o->settings)) return fail(r, asked, "bad cone");
+    snprintf(o->cone, sizeof o->cone, "%s", cone->as.string);
+    if (!mu || (mu->kind != JSON_NULL && (mu->kind != JSON_NUMBER || mu->as.number < 0))) return fail(r, asked, "bad mu");
+    if (mu->kind == JSON_NUMBER) o->mu = (sp_real)mu->as.number;
+    return reals(r, json_member(&r->tree, asked, "gravity"), 3, gravity) ? 0 : fail(r, asked, "bad gravity");
+}
+
+static int read_number(const reading *r, const char *key, sp_real *x)
+{
+    const json_value *v = json_member(&r->tree, r->all, key);
+    if (!v || v->kind != JSON_NUMBER) return text_fail(r->error, EXIT_SCENE, r->path, r->all->line, "no number '%s'", key);
+    *x = (sp_real)v->as.number;
+    return 0;
+}
+
+static int read_forces(const reading *r, sp_real *f)
+{
+    const json_value *forces = json_member(&r->tree, r->all, "forces");
+    const int32_t points = r->scene->scene.count.points;
+    int32_t k = 0;
+
+    if (!forces || forces->kind != JSON_ARRAY) return fail(r, r->all, "no forces in this result: make it with check --json --forces");
+    for (int32_t i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
+        if (k == points || !reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
+    return k == points ? 0 : text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's "
+                                       "%ld contact vertices", (long)points);
+}
+
+/* A name as json_out writes it and json_in reads it: bytes that are no UTF-8 are Latin-1. */
+static int same_name(const char *json, const char *name)
+{
+    while (*name) {
+        const unsigned char c = (unsigned char)*name;
+        const int n = json_utf8(name);
+        if (n) {
+            if (strncmp(json, name, (size_t)n)) return 0;
+            json += n;
+            name += n;
+        } else {
+            if ((unsigned char)json[0] != (0xc0 | c >> 6) || (unsigned char)json[1] != (0x80 | (c & 63))) return 0;
+            json += 2;
+            name++;
+        }
+    }
+    return *json == 0;
+}
+
+/* Blocks stand in the mechanism in the order of the scene; others are at rest. */
+static int read_mechanism(const reading *r, sp_real *dq)
+{
+    const json_value *mechanism = json_member(&r->tree, r->all, "mechanism");
+    int32_t b = 0;
+
+    if (!mechanism || mechanism->kind != JSON_ARRAY) return fail(r, r->all, "no mechanism in this result");
+    for (int32_t i = mechanism->first; i >= 0; i = r->tree.value[i].next) {
+        const json_value *entry = &r->tree.value[i], *name = json_member(&r->tree, entry, "block");
+        if (!name || name->kind != JSON_STRING) return fail(r, entry, "a block of the mechanism has no name");
+        while (b < r->scene->scene.count.blocks && !same_name(name->as.string, r->scene->name[b])) b++;
+        if (b == r->scene->scene.count.blocks)
+            return text_fail(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, or out of order",
+                             name->as.string);
+        if (!reals(r, json_member(&r->tree, entry, "dq"), 6, dq + 6 * (size_t)b)) return fail(r, entry, "bad dq");
+        b++;
+    }
+    return 0;
+}
+
+/* Memory for a claim and its check. */
+static int run(const reading *r, const options *o, sp_evidence *evidence)
+{
+    const sp_capacity *n = &r->scene->scene.count;
+    const size_t bytes = sp_verify_memory(&r->scene->scene);
+    sp_real *f = calloc(3 * (size_t)n->points + 1, sizeof *f), *dq = calloc(6 * (size_t)n->blocks, sizeof *dq);
+    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    int status = 0;
+    sp_status made = SP_E_MEMORY;
+    sp_arena scratch;
+    sp_result claim;
+
+    memset(&claim, 0, sizeof claim);
+    claim.f = f;
+    claim.dq = dq;
+    if (!f || !dq || !memory) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    if (!status) status = read_number(r, "tol", &claim.tol);
+    if (!status) status = read_number(r, "force_bound", &claim.force_bound);
+    if (!status) status = read_forces(r, f);
+    if (!status) status = read_mechanism(r, dq);
+    if (!status) {
+        made = sp_arena_init(&scratch, memory, bytes + SP_ALIGN);
+        if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
+        if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
+    }
+    free(f);
+    free(dq);
+    free(memory);
+    return status;
+}
+
+static int verify(const char *scene_path, const char *path, sp_evidence *evidence, options *o, text_error *error)
+{
+    host_scene s;
+    reading r = { path, { NULL, NULL, 0, 0 }, NULL, &s, error };
+    sp_real gravity[3];
+    int status = json_read(path, &r.tree, error), read = 0;
+
+    if (!status) {
+        r.all = &r.tree.value[0];
+        status = read_asked(&r, o, gravity);
+    }
+    if (!status) {
+        status = scene_read(scene_path, o->mu, SCENE_GIVEN, &s, error);
+        read = 1;
+    }
+    if (!status) {
+        memcpy(s.scene.gravity, gravity, sizeof gravity);
+        status = run(&r, o, evidence);
+    }
+    json_free(&r.tree);
+    if (read) scene_free(&s);
+    return status;
+}
+
+int command_verify(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    options o;
+
+    if (options_read(argc, argv, "", &o, &error) == 0 && o.files != 2)
+        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
+    if (!error.status && verify(o.file[0], o.file[1], &e, &o, &error) == 0) {
+        printf("%s: %s by %s, cone %s: ", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone);
+        if (e.verdict == SP_UNSTABLE) printf("least imbalance " REAL_FORMAT "%s", (double)e.least_imbalance, e.final ? ", final; " : "; ");
+        printf("omega " REAL_FORMAT "\n", (double)e.omega);
+        return report_exit(e.verdict);
+    }
+    fprintf(stderr, "%s\n", error.line);
+    return error.status;
+}

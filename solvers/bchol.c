@@ -1,0 +1,211 @@
+/* bchol: Cholesky factors of a sparse symmetric matrix of 6 x 6 blocks, A = L L'.                    [George, Liu 1981, ch. 5]
+ *
+ * Rows are renumbered by sp__order. Column k of L: its diagonal block (lower triangle, reciprocals on the diagonal) in d, the
+ * blocks below it in x, row numbers ascending in i. A block is stored by columns: entry (r, c) at 6 c + r.
+ * Right-looking: when column k is final, every pair of its blocks updates one block further right.
+ * A pivot below `floor` is raised to it, which moves the solution little in directions that carry nothing.
+ */
+#ifndef SP__BCHOL_C
+#define SP__BCHOL_C
+
+#include "order.c"
+
+typedef struct sp__bchol {
+    int32_t n;
+    int32_t *perm, *inv;                /* k-th eliminated row, and back */
+    int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
+    sp_real *d, *x;                     /* 36 n, 36 p[n] */
+    sp_real *t;                         /* 6 n: right-hand side in elimination order */
+    int64_t flops;                      /* of one factorisation */
+} sp__bchol;
+
+static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
+{
+    f->n = n;
+    f->perm = sp__take(a, (size_t)n, sizeof *f->perm);
+    f->inv = sp__take(a, (size_t)n, sizeof *f->inv);
+    f->p = sp__take(a, (size_t)n + 1, sizeof *f->p);
+}
+
+static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
+{
+    f->i = sp__take(a, (size_t)nnz, sizeof *f->i);
+    f->d = sp__take(a, (size_t)f->n, 36 * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, 36 * sizeof *f->x);
+    f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
+}
+
+/* Walk the pattern of L by rows: row k holds j if a path leads from j up the elimination tree to k. Without `i` the columns
+ * are counted into p (p[j + 1] for column j), with `i` they are filled; p then serves as cursor and is shifted back after. */
+static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark, int32_t *i)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        const int32_t v = f->perm[k];
+        mark[k] = k;
+        if (!i) parent[k] = -1;
+        for (int32_t q = xadj[v]; q < xadj[v + 1]; q++)
+            for (int32_t j = f->inv[adj[q]]; j < k && mark[j] != k; j = parent[j]) {
+                mark[j] = k;
+                if (i) i[f->p[j]++] = k;
+                else {
+                    f->p[j + 1]++;
+                    if (parent[j] < 0) parent[j] = k;
+                }
+            }
+    }
+}
+
+/* Order and count: fills perm, inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
+ * does not fit an int32. Scratch: sp__bchol_scratch bytes; parent (n) is for sp__bchol_pattern. */
+static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
+                                 sp_arena scratch)
+{
+    sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
+    for (int32_t k = 0; k < f->n; k++) { f->inv[f->perm[k]] = k; f->p[k] = 0; }
+    f->p[f->n] = 0;
+    sp__bchol_rows(f, xadj, adj, parent, mark, NULL);
+    int64_t nnz = 0;
+    f->flops = 0;
+    for (int32_t k = 0; k < f->n; k++) {
+        const int64_t c = f->p[k + 1];
+        f->flops += 91 + 216 * c + 432 * (c * (c + 1) / 2);     /* 6x6 Cholesky, c triangular solves, c(c+1)/2 products */
+        nnz += c;
+        if (nnz > INT32_MAX / 36) return -1;
+        f->p[k + 1] = (int32_t)nnz;
+    }
+    return (int32_t)nnz;
+}
+
+static void sp__bchol_pattern(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
+{
+    for (int32_t k = 0; k < f->n; k++) mark[k] = -1;
+    sp__bchol_rows(f, xadj, adj, parent, mark, f->i);
+    for (int32_t k = f->n; k > 0; k--) f->p[k] = f->p[k - 1];
+    f->p[0] = 0;
+}
+
+/* Place of block (row r, column c) of the matrix, r and c unpermuted, r != c; *turned: it is stored as its transpose. */
+static int32_t sp__bchol_slot(const sp__bchol *f, int32_t r, int32_t c, int32_t *turned)
+{
+    int32_t k = f->inv[c], i = f->inv[r];
+    *turned = k > i;
+    if (*turned) { const int32_t s = k; k = i; i = s; }
+    int32_t lo = f->p[k], hi = f->p[k + 1];
+    while (hi - lo > 1) {
+        const int32_t mid = lo + (hi - lo) / 2;
+        if (f->i[mid] <= i) lo = mid; else hi = mid;
+    }
+    return lo;
+}
+
+/* L L' = A for one block, lower triangle in place, reciprocal diagonal. */
+static void sp__bchol_block(sp_real *a, sp_real floor)
+{
+    for (int c = 0; c < 6; c++) {
+        for (int k = 0; k < c; k++) {
+            const sp_real s = a[6 * k + c];
+            for (int r = c; r < 6; r++) a[6 * c + r] -= a[6 * k + r] * s;
+        }
+        const sp_real pivot = a[7 * c] > floor ? a[7 * c] : floor;
+        const sp_real s = (sp_real)1 / SP_SQRT(pivot);
+        a[7 * c] = s;
+        for (int r = c + 1; r < 6; r++) a[6 * c + r] *= s;
+    }
+}
+
+/* X <- X L'^-1, column by column. */
+static void sp__bchol_right(sp_real *x, const sp_real *l)
+{
+    for (int c = 0; c < 6; c++) {
+        sp_real *xc = x + 6 * c;
+        for (int k = 0; k < c; k++) {
+            const sp_real s = l[6 * k + c];
+            const sp_real *xk = x + 6 * k;
+            xc[0] -= xk[0] * s; xc[1] -= xk[1] * s; xc[2] -= xk[2] * s;
+            xc[3] -= xk[3] * s; xc[4] -= xk[4] * s; xc[5] -= xk[5] * s;
+        }
+        const sp_real s = l[7 * c];
+        xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
+    }
+}
+
+/* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
+static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
+{
+    for (int q = 0; q < 6; q++) {
+        sp_real *cq = c + 6 * q;
+        sp_real c0 = cq[0], c1 = cq[1], c2 = cq[2], c3 = cq[3], c4 = cq[4], c5 = cq[5];
+#define SP__STEP(k) { const sp_real s = b[6 * (k) + q]; const sp_real *ak = a + 6 * (k); \
+        c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
+        SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
+#undef SP__STEP
+        cq[0] = c0; cq[1] = c1; cq[2] = c2; cq[3] = c3; cq[4] = c4; cq[5] = c5;
+    }
+}
+
+static void sp__bchol_factor(sp__bchol *f, sp_real floor)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        sp_real *d = f->d + 36 * (size_t)k;
+        sp__bchol_block(d, floor);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) sp__bchol_right(f->x + 36 * (size_t)q, d);
+        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
+            const int32_t j = f->i[b];
+            const sp_real *xb = f->x + 36 * (size_t)b;
+            sp__bchol_update(f->d + 36 * (size_t)j, xb, xb);
+            int32_t to = f->p[j];
+            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
+                while (f->i[to] < f->i[a]) to++;
+                sp__bchol_update(f->x + 36 * (size_t)to, f->x + 36 * (size_t)a, xb);
+            }
+        }
+    }
+}
+
+static void sp__bchol_zero(sp__bchol *f)
+{
+    memset(f->d, 0, (size_t)f->n * 36 * sizeof *f->d);
+    memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
+}
+
+/* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
+static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
+{
+    sp_real *t = f->t;
+    for (int32_t k = 0; k < f->n; k++)
+        for (int r = 0; r < 6; r++) t[6 * (size_t)k + (size_t)r] = b[6 * (size_t)f->perm[k] + (size_t)r];
+    for (int32_t k = 0; k < f->n; k++) {                                        /* L z = b */
+        sp_real *v = t + 6 * (size_t)k;
+        const sp_real *d = f->d + 36 * (size_t)k;
+        for (int c = 0; c < 6; c++) {
+            v[c] *= d[7 * c];
+            for (int r = c + 1; r < 6; r++) v[r] -= d[6 * c + r] * v[c];
+        }
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            sp_real *z = t + 6 * (size_t)f->i[q];
+            const sp_real *l = f->x + 36 * (size_t)q;
+            for (int c = 0; c < 6; c++, l += 6) {
+                const sp_real s = v[c];
+                z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
+            }
+        }
+    }
+    for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
+        sp_real *v = t + 6 * (size_t)k;
+        const sp_real *d = f->d + 36 * (size_t)k;
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp_real *z = t + 6 * (size_t)f->i[q];
+            const sp_real *l = f->x + 36 * (size_t)q;
+            for (int c = 0; c < 6; c++, l += 6)
+                v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
+        }
+        for (int c = 5; c >= 0; c--) {
+            for (int r = c + 1; r < 6; r++) v[c] -= d[6 * c + r] * v[r];
+            v[c] *= d[7 * c];
+        }
+    }
+    for (int32_t k = 0; k < f->n; k++)
+        for (int r = 0; r < 6; r++) x[6 * (size_t)f->perm[k] + (size_t)r] = t[6 * (size_t)k + (size_t)r];
+}
+
+#endif /* SP__BCHOL_C */

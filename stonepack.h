@@ -1,0 +1,436 @@
+/* stonepack: does this assembly of blocks stand, how sure are we, and why?
+ *
+ * Rigid blocks touch in plane polygons. Each polygon vertex carries one force, f = fn n + ft1 t1 + ft2 t2, which acts on
+ * block B (its opposite acts on A); n points from A into B, fn > 0 is compression, |ft| <= mu fn. The library looks for
+ * forces that hold every free block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
+ *
+ *   units      SI: m, kg, s, N; angles never appear; gravity is an argument. Any consistent set works as well.
+ *   memory     one arena given by the caller; no call allocates, prints, reads a clock or keeps state of its own.
+ *   errors     every call returns an sp_status; on failure outputs are untouched unless its text says otherwise.
+ *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
+ *
+ * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
+ *            8 matrices        9 stages
+ *
+ * MIT licence.
+ */
+#ifndef STONEPACK_H
+#define STONEPACK_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SP_VERSION_MAJOR 0
+#define SP_VERSION_MINOR 1
+#define SP_VERSION_PATCH 0
+
+/* 1 ------------------------------------------------------------------------------------------------------ configuration
+ *
+ *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
+ *   SP_REAL_FLOAT   defined: all numbers are float           double
+ *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
+ *   SP_ASSERT(c)    checks of internal assumptions           nothing
+ */
+#ifndef SP_API
+#define SP_API extern
+#endif
+
+#ifdef SP_REAL_FLOAT
+typedef float sp_real;
+#define SP_EPSILON 5.9604644775390625e-08f              /* u, unit roundoff: 2^-24 */
+#define sp_arena_init sp_arena_init_float               /* header and object of different precision do not link */
+#else
+typedef double sp_real;
+#define SP_EPSILON 1.1102230246251565e-16               /* u, unit roundoff: 2^-53 */
+#endif
+
+/* 2 ------------------------------------------------------------------------------------------------------------- status */
+
+typedef enum sp_status {
+    SP_OK = 0,
+    SP_E_ARGUMENT    = -1,      /* a null pointer, a count below zero, an unknown enumerator */
+    SP_E_MEMORY      = -2,      /* the arena is too small */
+    SP_E_CAPACITY    = -3,      /* the scene is full: one of its sp_capacity numbers was reached */
+    SP_E_NOT_FINITE  = -4,      /* an infinity or a NaN in the input, or a size whose square or cube overflows */
+    SP_E_INDEX       = -5,      /* a block, vertex or interface number that does not exist */
+    SP_E_RANGE       = -6,      /* a number outside its range: mu < 0, density <= 0, tol, number of pyramid faces ... */
+    SP_E_OPEN        = -7,      /* the mesh of a free block has an edge without its opposite */
+    SP_E_INWARD      = -8,      /* the mesh of a free block is closed but its faces look inward */
+    SP_E_DEGENERATE  = -9,      /* no volume relative to its size, or a face with fewer than three corners */
+    SP_E_WARPED      = -10,     /* a face out of plane by more than 1e-2 of its block's diameter */
+    SP_E_PLANE       = -11,     /* an interface polygon out of plane by more than 1e-6 of its diameter */
+    SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
+    SP_E_SELF        = -13,     /* an interface between a block and itself */
+    SP_E_EMPTY       = -14,     /* no block at all */
+    SP_E_UNSUPPORTED = -15      /* legal, but not in this version: cohesion, tension or crushing of a joint */
+} sp_status;
+
+/* One sentence on a status, for a message. Never NULL; static storage. */
+SP_API const char *sp_status_text(sp_status status);
+
+/* 3 -------------------------------------------------------------------------------------------------------------- arena */
+
+/* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
+typedef struct sp_arena {
+    unsigned char *base;        /* aligned start */
+    size_t cap, used, peak;     /* [byte] */
+} sp_arena;
+
+#define SP_ALIGN 16             /* [byte] every piece starts at a multiple of this from the base */
+
+/* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
+ * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
+ *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
+SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
+
+/* 4 -------------------------------------------------------------------------------------------------------------- scene */
+
+/* What a scene has room for. Each number >= 0. */
+typedef struct sp_capacity {
+    int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
+    int32_t interfaces, points;                 /* contacts; points: sum of the interfaces' vertex counts */
+} sp_capacity;
+
+/* A closed polygon mesh with outward faces, as the caller has it (copied, not kept). */
+typedef struct sp_mesh {
+    int32_t vertices, faces;
+    const sp_real *xyz;         /* 3 x vertices                                              [m] */
+    const int32_t *size;        /* corners of each face, >= 3 */
+    const int32_t *corner;      /* vertex numbers, 0-based, face after face */
+} sp_mesh;
+
+/* Volume integrals of a closed mesh. */
+typedef struct sp_mass {
+    sp_real volume;             /* [m^3] */
+    sp_real centroid[3];        /* [m] */
+    sp_real diameter;           /* diagonal of the bounding box [m] */
+} sp_mass;
+
+/* What a joint can carry. K_v of each of its vertices: |ft| <= mu fn; the other three are for later versions and must be 0. */
+typedef struct sp_joint {
+    sp_real mu;                 /* friction coefficient, >= 0 [1] */
+    sp_real cohesion;           /* shear strength at no pressure [Pa], 0 */
+    sp_real tension;            /* tensile strength [Pa], 0 */
+    sp_real cap;                /* crushing strength [Pa], 0: unlimited */
+} sp_joint;
+
+#define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
+
+typedef struct sp_block {
+    sp_real mass;               /* [kg] */
+    sp_real centroid[3];        /* [m] */
+    sp_real density;            /* [kg/m^3], 0 for a block given by its mass */
+    sp_real volume, diameter;   /* [m^3], [m] */
+    uint32_t fixed;             /* held directions, SP_FIXED: a support */
+    int32_t vertex, vertices;   /* its part of scene.vertex */
+    int32_t face, faces;        /* its part of scene.face */
+} sp_block;
+
+typedef struct sp_face { int32_t corner, corners; } sp_face;    /* its part of scene.corner; vertex numbers of the scene */
+
+typedef struct sp_interface {
+    int32_t a, b;               /* blocks; n points from a into b */
+    int32_t point, points;      /* its part of scene.point */
+    sp_real n[3], t1[3], t2[3]; /* right-handed frame: t1 along the first true edge, t2 = n x t1 */
+    sp_real area;               /* [m^2], 0 for point and edge contacts */
+    sp_joint joint;
+} sp_interface;
+
+/* The assembly. Read it freely; change it through the calls below (gravity may be set directly). Lives in an arena. */
+typedef struct sp_scene {
+    sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
+    sp_capacity cap, count;
+    sp_block *block;
+    sp_real (*vertex)[3];       /* [m] */
+    sp_face *face;
+    int32_t *corner;
+    sp_interface *interface;
+    sp_real (*point)[3];        /* contact vertices [m] */
+} sp_scene;
+
+/* Bytes a scene of this capacity takes from an arena, exact; 0 if a number is negative or the size overflows. */
+SP_API size_t sp_scene_memory(const sp_capacity *cap);
+
+/* Start an empty scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_MEMORY */
+SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
+
+/* Volume, centroid and size of a closed mesh with outward faces, about a local vertex so that far coordinates lose nothing.
+ *   V = 1/6 sum a.(b x c),  c = 1/(24 V) sum [a.(b x c)](a + b + c)                                    [seed 1.3]
+ * A polygon is fanned about its vertex mean (a triangle is taken as it is). Vertices with equal coordinates are the same.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_DEGENERATE, SP_E_WARPED, SP_E_OPEN, SP_E_INWARD */
+SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass);
+
+/* Add a block of uniform density [kg/m^3]. fixed: held directions; a support (SP_FIXED) may be open or flat. id may be NULL.
+ *   returns what sp_mesh_mass returns, SP_E_RANGE (density <= 0, fixed > SP_FIXED), SP_E_CAPACITY */
+SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id);
+
+/* Add a block without a mesh, known by its mass [kg] (> 0, or >= 0 for a support) and centroid [m].
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
+SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
+
+/* A joint with friction mu and nothing else. */
+SP_API sp_joint sp_joint_friction(sp_real mu);
+
+/* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
+ * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated interfaces are legal.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (mu < 0),
+ *           SP_E_UNSUPPORTED, SP_E_CAPACITY */
+SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+                                    const sp_joint *joint, int32_t *id);
+
+/* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
+ *   returns as sp_scene_interface */
+SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
+                                 const sp_real *xyz, const sp_joint *joint, int32_t *id);
+
+/* Use one friction coefficient for every interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
+
+/* 5 ----------------------------------------------------------------------------------------------------------- contacts */
+
+typedef struct sp_contact_settings {
+    sp_real distance;           /* faces nearer than this touch; relative to the smaller block's diameter     1e-6 */
+    sp_real angle;              /* largest sine of the angle between touching faces                           1e-3 */
+    int32_t absolute;           /* 1: distance is in m                                                           0 */
+    sp_joint joint;             /* given to every contact found                                            mu 0.84 */
+} sp_contact_settings;
+
+typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* two blocks inside each other by `depth` [m] */
+
+typedef struct sp_contact_report {
+    int32_t interfaces, points;         /* found; also when the scene had no room for them */
+    int32_t overlaps;                   /* pairs of blocks inside each other beyond the distance */
+    int32_t overlap_cap;                /* in: room in `overlap`, may be 0 */
+    sp_overlap *overlap;                /* the first overlap_cap of them, by block numbers; may be NULL */
+} sp_contact_report;
+
+SP_API sp_contact_settings sp_contact_settings_default(void);
+
+/* Bytes of scratch sp_contacts_find needs at most for this scene; 0 if that overflows. */
+SP_API size_t sp_contacts_memory(const sp_scene *scene);
+
+/* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
+ * exact common polygon(s), one interface each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
+ * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners.
+ *   scratch   by value: all of it may be overwritten
+ *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY, SP_E_CAPACITY */
+SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
+                                  sp_contact_report *report);
+
+/* 6 --------------------------------------------------------------------------------------------------- check and verify */
+
+typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
+
+typedef enum sp_level { SP_NONE = 0, SP_ADMISSIBLE = 1, SP_COUPLED = 2 } sp_level;  /* how far a STABLE goes: RBE, CRA */
+
+typedef enum sp_reason {
+    SP_REASON_FORCES = 0,       /* stable: an admissible force state was found and verified */
+    SP_REASON_NOTHING,          /* stable: no free block, or no load */
+    SP_REASON_NO_CONTACT,       /* unstable: a block touches nothing */
+    SP_REASON_NO_SUPPORT,       /* unstable: a group of blocks has no path to a support */
+    SP_REASON_MECHANISM,        /* unstable: a motion that no admissible force can resist */
+    SP_REASON_LIMIT,            /* undecided: neither forces nor motion within tol; the limit is nearer than tol can tell */
+    SP_REASON_BUDGET,           /* undecided: iterations spent */
+    SP_REASON_STAGES            /* undecided: the chosen stages cannot decide this */
+} sp_reason;
+
+typedef enum sp_stage_id {
+    SP_STAGE_NONE = 0,
+    SP_STAGE_GATES,             /* no contact, no support, nothing to carry */
+    SP_STAGE_LEAST_SQUARES,     /* the bilateral force, accepted if it happens to be admissible            [seed 2.1] */
+    SP_STAGE_DENSE,             /* the same by one dense Cholesky factor, 36 b^2 / 2 numbers                [seed 2.1] */
+    SP_STAGE_POLISH,            /* alternating projections onto the cone                                   [seed 2.2] */
+    SP_STAGE_EXACT,             /* semismooth Newton on the dual, proximal near collapse */
+    SP_STAGE_CUSTOM             /* the caller's own: settings.custom */
+} sp_stage_id;
+
+#define SP_STAGES_MAX 6
+
+struct sp_stage;
+
+/* Settings of a check. Get them from sp_settings_default() and change what you must. */
+typedef struct sp_settings {
+    sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4 */
+    sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;     0: min(1e6, tol/(10u))
+                                   larger decides nearer to friction locks, smaller decides collapse sooner */
+    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone                                   0 */
+    int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
+    int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
+    sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
+    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted                1 */
+    int32_t iterations;         /* factorisations an exact solve may spend                                           300 */
+    int32_t stage_count;                        /*                                                                     2 */
+    sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
+    const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
+} sp_settings;
+
+SP_API sp_settings sp_settings_default(void);
+
+/* Work done, in units that are the same on every machine. */
+typedef struct sp_cost {
+    int64_t flops;              /* + - * / and square roots on matrices and forces, counted by formula */
+    int32_t factorisations, iterations;
+} sp_cost;
+
+/* What was found about one interface's share of help, from the penalty form. */
+typedef struct sp_demand {
+    sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
+    sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
+} sp_demand;
+
+typedef struct sp_result {
+    sp_verdict verdict;
+    sp_level level;             /* of a STABLE, else SP_NONE */
+    sp_reason reason;
+    int32_t final;              /* of an UNSTABLE: no force of any size would do, for the true cone */
+    int32_t verified;           /* the evidence passed sp_verify's own computation */
+    sp_stage_id stage;          /* that decided */
+    sp_real tol, force_bound;   /* in force */
+    sp_real omega;              /* largest relative imbalance of f; tells for every verdict                             [1] */
+    sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance, else 0 [1] */
+    int32_t free_blocks, interfaces, points;    /* that took part */
+    sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
+    sp_real *dq;                /* 6 x scene.count.blocks: velocity of the centroid, rotation; the mechanism, largest 1 of
+                                   speed and rotation x block size / largest block size; zero unless unstable         [m, 1] */
+    sp_real *y0;                /* 6 x free blocks: potential of the bilateral force, a hint for sp_verify */
+    sp_demand *demand;          /* per interface; zero where not asked for */
+    sp_real max_compression;    /* largest fn [N] */
+    sp_real max_tension;        /* largest demanded tension [N] */
+    sp_real max_utilisation;    /* largest of the interfaces' [1] */
+    int32_t weakest;            /* interface: most tension demanded, else highest utilisation; -1 if there is none */
+    sp_cost cost;               /* all stages */
+    sp_cost by_stage[SP_STAGES_MAX];
+    size_t peak_bytes;          /* of the arena */
+} sp_result;
+
+/* Bytes sp_check takes from an arena for this scene, exact. Runs the symbolic step in `scratch`, which it may overwrite.
+ *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+
+/* Bytes of scratch that sp_memory needs. */
+SP_API size_t sp_memory_scratch(const sp_scene *scene);
+
+/* Does it stand? settings NULL: the default ones.
+ *   result    its arrays live in the arena, before anything else taken from it later
+ *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
+ *             result untouched), SP_E_NOT_FINITE (loads overflow) */
+SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
+
+/* What the evidence of a claim proves, recomputed from the scene by code that shares nothing with the search. */
+typedef struct sp_evidence {
+    sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
+    int32_t final;
+    sp_real omega, least_imbalance;
+} sp_evidence;
+
+SP_API size_t sp_verify_memory(const sp_scene *scene);
+
+/* Re-check a claim: reads its f, dq and (if not NULL) y0, tol and force_bound, nothing else.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY */
+SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
+                           sp_evidence *evidence);
+
+/* 7 --------------------------------------------------------------------------------------------------- reading a result */
+
+typedef struct sp_interface_force {
+    sp_real force[3];           /* resultant on b, world axes [N] */
+    sp_real point[3];           /* where it acts: mean of the vertices weighted by fn [m] */
+    sp_real min_fn, max_fn;     /* [N] */
+    sp_real utilisation;        /* |sum ft| / (mu sum fn), 0 where nothing is carried [1] */
+} sp_interface_force;
+
+/* Resultant of one interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
+                                        sp_interface_force *out);
+
+/* What the contacts do to a block, force [N] and moment about its centroid [N m]: on a support, minus its reaction's demand.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
+                                    sp_real moment[3]);
+
+/* Words for enumerators, lower case, static storage. */
+SP_API const char *sp_verdict_text(sp_verdict verdict);
+SP_API const char *sp_level_text(sp_level level);
+SP_API const char *sp_reason_text(sp_reason reason);
+SP_API const char *sp_stage_text(sp_stage_id stage);
+
+/* 8 ----------------------------------------------------------------------------------------------------------- matrices */
+
+/* One contact of the compiled problem. */
+typedef struct sp_contact {
+    int32_t a, b;               /* rows of the free blocks, -1: a support */
+    int32_t point, points;      /* its part of scene.point and of problem.local */
+    int32_t id;                 /* interface of the scene */
+    sp_real n[3], t1[3], t2[3];
+    sp_real ra[3], rb[3];       /* origin of the contact (mean of its vertices) seen from the two centroids [m] */
+    sp_real mu;
+} sp_contact;
+
+/* A scene made ready: supports dropped, everything relative to centroids. Lives in an arena, refers to the scene. */
+typedef struct sp_problem {
+    const sp_scene *scene;
+    int32_t blocks, contacts, points;   /* free blocks b, contacts that touch one, all contact vertices of the scene v */
+    int32_t *block;                     /* b: their numbers in the scene */
+    sp_contact *contact;
+    sp_real (*local)[3];                /* v x 3: vertex in the contact's frame, (n, t1, t2) from its origin [m] */
+    int32_t loads;                      /* columns of p, 1 */
+    sp_real *p;                         /* 6b x loads: force and moment about the centroid on each free block [N, N m] */
+} sp_problem;
+
+/* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
+SP_API size_t sp_problem_memory(const sp_scene *scene);
+SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_problem *problem);
+
+/* A sparse matrix by entries, in any order, and by columns (row numbers ascending). */
+typedef struct sp_triplets { int32_t rows, cols, count; int32_t *i, *j; sp_real *x; } sp_triplets;
+typedef struct sp_csc { int32_t rows, cols; int32_t *p, *i; sp_real *x; } sp_csc;
+
+/* Aeq, 6b x (columns v): Aeq f + p = 0.                                                               [seed 1.1, 1.2]
+ *   columns   3: fn ft1 ft2;  4: fp fm ft1 ft2 with fn = fp - fm
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE (columns), SP_E_MEMORY */
+SP_API sp_status sp_matrix_aeq(const sp_problem *problem, int32_t columns, sp_arena *arena, sp_triplets *out);
+
+/* Afr, (K v) x (columns v): Afr f <= 0, row k of a vertex cos(2 pi k/K) ft1 + sin(2 pi k/K) ft2 - mu_eff fn.   [seed 1.4]
+ *   settings  faces K = 3..64, inscribed; net: the normal term of 4 columns is fp - fm instead of fp
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY */
+SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *settings, int32_t columns, sp_arena *arena,
+                               sp_triplets *out);
+
+/* Columns of a matrix given by entries; entries at the same place are added in their order.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX, SP_E_MEMORY */
+SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out);
+
+/* 9 ------------------------------------------------------------------------------------------------------------- stages */
+
+/* What stages hand to each other: the best force state and potential so far. */
+typedef struct sp_state {
+    sp_real *f;                 /* 3 x points: in and out, admissible when a stage leaves it */
+    sp_real *y;                 /* 6 x blocks: in and out, f = P_K(Aeq' y) where the stage works that way */
+    sp_real *y0;                /* 6 x blocks: potential of the bilateral force; written by the first stage that knows it */
+    sp_real *dq;                /* 6 x blocks: candidate mechanism */
+    int32_t has_y0;
+    sp_reason reason;           /* why, when a stage claims */
+    sp_cost cost;               /* of the running stage */
+} sp_state;
+
+/* A stage: looks for forces or a motion. It only proposes; sp_check judges what it left in the state by sp_verify's code.
+ *   run    may take memory from the arena (given back after it); sets *claim to SP_STABLE (judge f), SP_UNSTABLE (judge dq) or
+ *          SP_UNDECIDED (f and dq are its best attempts; the next stage goes on)
+ *   need   bytes run takes from an arena, exact; the symbolic step, if there is one, runs in `scratch`; SIZE_MAX: it is too small
+ *   returns SP_OK or SP_E_MEMORY */
+typedef struct sp_stage {
+    sp_status (*run)(const sp_problem *problem, const sp_settings *settings, sp_state *state, sp_arena *arena,
+                     sp_verdict *claim);
+    size_t (*need)(const sp_problem *problem, const sp_settings *settings, sp_arena scratch);
+} sp_stage;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* STONEPACK_H */

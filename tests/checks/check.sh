@@ -1,0 +1,283 @@
+#!/bin/sh
+# check: everything this machine can test. Ends with what it could not run, and `N passed, N failed`.
+#
+#     STRICT=1     what could not be run counts as a failure
+#     ONLY=text    only parts whose function names contain the text
+. tests/checks/tally.sh
+out=build/check
+mkdir -p $out
+CC=${CC:-gcc}
+
+base='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra -Wconversion -Wsign-conversion
+ -Wdouble-promotion -Wshadow -Wvla -Wcast-align -Wcast-qual -Wfloat-equal -Wundef -Wstrict-prototypes -Wmissing-prototypes
+ -Wswitch-enum -Wpointer-arith -Wwrite-strings -Werror'
+gcc_only='-Wfloat-conversion -Wlogical-op -Wduplicated-cond -Wjump-misses-init'
+host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wvla -Wstrict-prototypes -Wpointer-arith
+ -Wwrite-strings -Werror'
+suites=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
+host_c="$(ls port/host/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
+test_c="tests/run.c $(ls tests/test_*.c | tr '\n' ' ')"
+
+run_build() {                                           # run_build COMPILER LIBRARY.c OUTPUT FLAGS...
+    rb_cc=$1 rb_lib=$2 rb_out=$3
+    shift 3
+    # shellcheck disable=SC2086
+    $rb_cc -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES="$suites" "$@" \
+        $test_c $host_c "$rb_lib" -lm -o "$rb_out"
+}
+cli_build() {                                           # cli_build COMPILER OUTPUT FLAGS...
+    cb_cc=$1 cb_out=$2
+    shift 2
+    # shellcheck disable=SC2086
+    $cb_cc -std=c99 -ffp-contract=off -fno-math-errno "$@" port/host/main.c $host_c stonepack.c -lm -o "$cb_out"
+}
+
+# ---------------------------------------------------------------------------------------------------------- warnings
+warn() {                                                # warn COMPILER EXTRA...
+    w_cc=$1
+    shift
+    for w_real in '' -DSP_REAL_FLOAT; do
+        for w_opt in -O0 -O2; do
+            # shellcheck disable=SC2086
+            $w_cc $base "$@" $w_real $w_opt -c stonepack.c -o $out/warn.o || return 1
+        done
+    done
+}
+warn_host() {
+    for w_real in '' -DSP_REAL_FLOAT; do
+        for w_file in $host_c port/host/main.c $test_c tests/bench/*.c; do
+            [ -f "$w_file" ] || continue
+            # shellcheck disable=SC2086
+            "$1" $host $w_real -O2 -Wno-unused-function -DTEST_SUITES="$suites" -c "$w_file" -o $out/warn.o || return 1
+        done
+    done
+}
+check_warnings() {
+    # shellcheck disable=SC2086
+    part "warnings: gcc, library" warn gcc $gcc_only
+    part "warnings: gcc, program and tests" warn_host gcc
+    if have clang; then
+        part "warnings: clang, library" warn clang
+        part "warnings: clang, program and tests" warn_host clang
+    else
+        skip "warnings of clang" clang
+    fi
+}
+
+# ------------------------------------------------------------------------------------------------------------- C++
+cpp_header() {
+    for ch_std in 98 11 17; do
+        for ch_real in '' -DSP_REAL_FLOAT; do
+            # shellcheck disable=SC2086
+            echo '#include "stonepack.h"
+                  int main() { sp_arena a; return sp_arena_init(&a, 0, 0) == SP_OK; }' |
+                "$1" -std=c++$ch_std -pedantic-errors -Wall -Wextra -Werror $ch_real -I. -x c++ -fsyntax-only - || return 1
+        done
+    done
+}
+cpp_link() {
+    echo '#include "stonepack.h"
+          int main() { sp_arena a; return sp_arena_init(&a, 0, 0) == SP_E_ARGUMENT ? 0 : 1; }' > $out/link.cpp
+    g++ -I. $out/link.cpp build/libstonepack.a -o $out/link_cpp && $out/link_cpp
+}
+check_cpp() {
+    if have g++; then
+        part "header as C++98/11/17" cpp_header g++
+        part "C++ links the library" cpp_link
+    else
+        skip "header as C++" g++
+    fi
+}
+
+# --------------------------------------------------------------------------------------------------------- symbols
+# No data of its own; calls memcpy memset memmove sqrt(f) and the compiler's runtime only.
+symbols() {                                             # symbols OBJECT ALLOWED-EXTRA-REGEX [PREFIX]
+    s_nm=${3:-}nm
+    $s_nm "$1" | awk '$2 ~ /^[dDbBC]$/ { print "data: " $0; bad = 1 } END { exit bad }' || return 1
+    $s_nm -u "$1" | awk '{ print $NF }' |
+        grep -Ev "^(memcpy|memset|memmove|sqrt|sqrtf|_GLOBAL_OFFSET_TABLE_${2:+|$2})\$" > $out/undefined && {
+            echo "calls:"; cat $out/undefined; return 1; }
+    return 0
+}
+symbols_host() {
+    for sh_real in '' -DSP_REAL_FLOAT; do
+        for sh_opt in -O0 -O2 -Os; do
+            # shellcheck disable=SC2086
+            $CC -std=c99 -ffp-contract=off -fno-math-errno $sh_opt $sh_real -c stonepack.c -o $out/symbols.o &&
+            symbols $out/symbols.o '' || return 1
+        done
+    done
+}
+freestanding() {
+    # shellcheck disable=SC2086
+    $CC -std=c99 -ffreestanding -ffp-contract=off -O2 -DSP_SQRT=__builtin_sqrt -c stonepack.c -o $out/free.o &&
+    symbols $out/free.o ''
+}
+# gcc's own record of calls: no function reaches itself.
+recursion() {
+    for rc_real in '' -DSP_REAL_FLOAT; do
+        # shellcheck disable=SC2086
+        $CC -std=c99 -O1 -fno-inline $rc_real -fcallgraph-info -c stonepack.c -o $out/graph.o &&
+        awk -f tests/checks/recursion.awk $out/graph.ci || return 1
+    done
+}
+# Scalar or packed double instructions in the assembly of the float build (x86-64).
+double_in_float() {
+    $CC -std=c99 -ffp-contract=off -fno-math-errno -O2 -fno-tree-vectorize -DSP_REAL_FLOAT -S stonepack.c -o $out/float.s &&
+    ! grep -nE '^[[:space:]]+(v?(add|sub|mul|div|sqrt|min|max|ucomi|comi|round)(sd|pd)|v?cvt(ss2sd|sd2ss|si2sd[lq]?|tsd2si[lq]?))[[:space:]]' \
+        $out/float.s
+}
+check_symbols() {
+    part "no data, no foreign calls" symbols_host
+    part "freestanding" freestanding
+    part "no recursion" recursion
+    case $(uname -m) in x86_64) part "no double in the float build" double_in_float ;; esac
+}
+
+# ------------------------------------------------------------------------------------------------------------- Arm
+arm_build() {                                           # arm_build NAME FLAGS...
+    ab_name=$1
+    shift
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc -std=c99 -Os -ffp-contract=off -fno-math-errno -mthumb -mfloat-abi=hard -ffunction-sections \
+        -Wall -Wextra -Wstack-usage=256 -Wvla -Wdouble-promotion -Werror "$@" -c stonepack.c -o $out/$ab_name.o
+}
+arm_symbols() { symbols "$1" '__aeabi_[a-z0-9_]+' arm-none-eabi-; }
+arm_no_double() { ! arm-none-eabi-nm -u "$1" | grep -E '__aeabi_(d|[a-z0-9]+2d|f2d)|df[23]'; }
+arm_sizes() {
+    arm-none-eabi-size $out/m7_double.o $out/m4_float.o | awk '
+        NR > 1 { printf "%-24s %7d bytes of code, %d of data\n", $NF, $1, $2 + $3; if ($2 + $3) bad = 1 } END { exit bad }'
+}
+check_arm() {
+    if ! have arm-none-eabi-gcc; then
+        skip "32-bit Arm: frames of 256 bytes, size, no soft double" "gcc-arm-none-eabi libnewlib-arm-none-eabi"
+        return
+    fi
+    part "Cortex-M7, double: frames, VLA" arm_build m7_double -mcpu=cortex-m7 -mfpu=fpv5-d16
+    part "Cortex-M4F, float: frames, VLA" arm_build m4_float -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -DSP_REAL_FLOAT
+    part "Cortex-M7: calls" arm_symbols $out/m7_double.o
+    part "Cortex-M4F: calls" arm_symbols $out/m4_float.o
+    part "Cortex-M4F: no double routine" arm_no_double $out/m4_float.o
+    SHOW=1
+    part "Arm sizes at -Os" arm_sizes
+    SHOW=
+}
+
+# ------------------------------------------------------------------------------------------------------------ pair
+# Every public function used once: with SP_API static nothing may be left over.
+pair_static() {
+    awk '/^SP_API/ { line = $0; while (line !~ /;/) { if ((getline more) <= 0) break; line = line more }
+                     sub(/\(.*/, "", line); n = split(line, w, /[ *]+/); print w[n] }' build/pair/stonepack.h > $out/public
+    {
+        echo '#define SP_API static'
+        echo '#include "stonepack.c"'
+        echo 'typedef void (*any)(void);'
+        echo 'extern const any all_of_it[];'
+        echo 'const any all_of_it[] = {'
+        sed 's/.*/    (any)&,/' $out/public
+        echo '    (any)0 };'
+    } > build/pair/static.c
+    for ps_std in c99 c11 c2x; do
+        for ps_real in '' -DSP_REAL_FLOAT; do
+            # shellcheck disable=SC2086
+            $CC -std=$ps_std -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 $ps_real -c build/pair/static.c -o $out/static.o ||
+                return 1
+            nm $out/static.o | awk '$2 == "T" { print "visible: " $0; bad = 1 } END { exit bad }' || return 1
+        done
+    done
+}
+pair_standards() {
+    for pp_std in c99 c11 c2x; do
+        for pp_real in '' -DSP_REAL_FLOAT; do
+            # shellcheck disable=SC2086
+            $CC -std=$pp_std -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 $pp_real -c build/pair/stonepack.c -o $out/pair.o ||
+                return 1
+        done
+    done
+}
+pair_tests() {
+    run_build "$CC" build/pair/stonepack.c $out/run_pair -O2 "$@" && $out/run_pair
+}
+check_pair() {
+    sh port/pair/pair.sh stonepack.c build/pair || failed=$((failed + 1))
+    part "pair: C99, C11, C2x, float" pair_standards
+    part "pair: static, nothing left over" pair_static
+    count "pair: tests" pair_tests
+    count "pair: tests, float" pair_tests -DSP_REAL_FLOAT
+}
+
+# ------------------------------------------------------------------------------------------------- sanitizers, valgrind
+sanitized() {                                           # sanitized COMPILER FLAGS...
+    sa_cc=$1
+    shift
+    run_build "$sa_cc" stonepack.c $out/run_san -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$@" && $out/run_san
+}
+bad_sanitized() {
+    cli_build "$CC" $out/stonepack_san -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all &&
+    sh tests/checks/bad.sh $out/stonepack_san
+}
+valgrind_run() { valgrind -q --error-exitcode=9 build/run "$1"; }
+check_sanitizers() {
+    count "tests under ASan and UBSan" sanitized "$CC"
+    count "tests under ASan and UBSan, float" sanitized "$CC" -DSP_REAL_FLOAT
+    if [ -f tests/checks/bad.sh ]; then count "bad scenes under ASan and UBSan" bad_sanitized; fi
+    if have valgrind; then
+        for vg in scene contacts verify memory; do
+            if [ -f tests/test_$vg.c ]; then count "valgrind: $vg" valgrind_run $vg/; fi
+        done
+    else
+        skip "uninitialised values" valgrind
+    fi
+}
+
+# ------------------------------------------------------------------------------------------------------------ same bits
+# Every build gives the same answer to the last digit.
+fingerprint() {                                         # fingerprint PROGRAM
+    for fp in "arch" "arch t=0.1" "wall jitter=0.35 seed=3" "wall tilt=20 azimuth=90" "rubble" "dome" "vault" "diamond"; do
+        # shellcheck disable=SC2086
+        "$1" gen $fp | "$1" check --json --forces - | sed 's/"seconds": *[-+.e0-9]*//g'
+    done
+}
+same_bits() {
+    fingerprint build/stonepack > $out/bits_0 || true
+    for sb_opt in -O0 -O1 -O3 -Os "-O3 -march=native"; do
+        # shellcheck disable=SC2086
+        cli_build gcc $out/stonepack_bits $sb_opt && { fingerprint $out/stonepack_bits > $out/bits_1 || true; }
+        cmp $out/bits_0 $out/bits_1 || { echo "gcc $sb_opt differs"; return 1; }
+    done
+    if have clang; then
+        cli_build clang $out/stonepack_bits -O2 && { fingerprint $out/stonepack_bits > $out/bits_1 || true; }
+        cmp $out/bits_0 $out/bits_1 || { echo "clang differs"; return 1; }
+    fi
+    test -s $out/bits_0
+}
+check_bits() { part "same bits: gcc -O0 -O1 -O2 -O3 -Os native, clang" same_bits; }
+
+# ------------------------------------------------------------------------------------------------------------- the rest
+cppcheck_run() {
+    cppcheck -q --std=c99 --error-exitcode=1 --inline-suppr --enable=warning,portability \
+        --suppress=missingInclude --suppress=missingIncludeSystem stonepack.c
+}
+check_static() {
+    if have cppcheck; then part "cppcheck" cppcheck_run; else skip "cppcheck" cppcheck; fi
+}
+cases() { python3 ../shared/tools/run_cases.py --cli build/stonepack --jobs 2; }
+pictures() {
+    sh tests/checks/demo.sh && for pi in build/demo/*.svg; do rsvg-convert -w 900 "$pi" -o "${pi%.svg}.png" || return 1; done
+}
+check_cases() {
+    if [ ! -d ../shared/cases ]; then return; fi
+    SHOW=1
+    if have python3; then part "cases of known truth" cases; else skip "cases of known truth" python3; fi
+    SHOW=
+}
+check_demo() {
+    if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
+    else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
+}
+
+count "tests, as make test" sh tests/checks/test.sh
+for check in warnings cpp symbols arm pair sanitizers bits static cases demo; do
+    case $check in *"${ONLY:-}"*) check_$check ;; esac
+done
+total

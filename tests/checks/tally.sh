@@ -1,0 +1,57 @@
+# tally: counting for the scripts beside it; sourced, not run.
+#
+#     part NAME COMMAND...       run, show the output if it failed (and its last line if it passed with SHOW=1)
+#     skip WHAT PACKAGE          could not be run here; a failure with STRICT=1
+#     total                      the closing line; the status is that of the whole script
+
+passed=0 failed=0 skipped=''
+tally_log=${TMPDIR:-/tmp}/stonepack-tally.$$
+trap 'rm -f "$tally_log"' EXIT
+
+part() {
+    part_name=$1
+    shift
+    if "$@" > "$tally_log" 2>&1; then
+        passed=$((passed + 1))
+        echo "ok      $part_name"
+        if [ -n "${SHOW:-}" ]; then sed 's/^/        /' "$tally_log"; fi
+    else
+        failed=$((failed + 1))
+        echo "FAILED  $part_name"
+        tail -n 60 "$tally_log" | sed 's/^/        /'
+    fi
+}
+
+# A command that ends with its own `N passed, N failed`: those numbers count.
+count() {
+    count_name=$1
+    shift
+    "$@" > "$tally_log" 2>&1
+    count_status=$?
+    count_line=$(sed -n '$p' "$tally_log")
+    count_p=$(echo "$count_line" | sed -n 's/^\([0-9]*\) passed, [0-9]* failed$/\1/p')
+    count_f=$(echo "$count_line" | sed -n 's/^[0-9]* passed, \([0-9]*\) failed$/\1/p')
+    if [ -z "$count_p" ]; then count_p=0 count_f=1; fi
+    if [ $count_status -ne 0 ] && [ "$count_f" -eq 0 ]; then count_f=1; fi
+    passed=$((passed + count_p)) failed=$((failed + count_f))
+    if [ "$count_f" -eq 0 ]; then
+        echo "ok      $count_name: $count_p passed"
+    else
+        echo "FAILED  $count_name"
+        tail -n 60 "$tally_log" | sed 's/^/        /'
+    fi
+}
+
+skip() {
+    skipped="$skipped
+skipped: $1 (apt-get install $2)"
+    if [ "${STRICT:-0}" = 1 ]; then failed=$((failed + 1)); fi
+}
+
+have() { command -v "$1" > /dev/null 2>&1; }
+
+total() {
+    if [ -n "$skipped" ]; then echo "${skipped#?}"; fi
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}

@@ -1,0 +1,152 @@
+/* run: calls the tests and counts.
+ *
+ *     run [FILTER] [SEED]        tests whose "file/name" contains FILTER; SEED of the random numbers
+ *     run -l                     names only
+ *
+ * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
+ * a board may choose fewer. The last line is `N passed, N failed`; the exit status is 1 if a test failed, or none was run.
+ */
+#include "test.h"
+
+#ifndef TEST_SUITES
+#define TEST_SUITES X(scene) X(matrices) X(clip) X(contacts) X(order) X(chol) X(bchol) X(newton) X(verify) X(closed) \
+                    X(invariants) X(memory)
+#endif
+
+#define X(stem) extern const test_entry test_##stem[];
+TEST_SUITES
+#undef X
+
+static const struct { const char *stem; const test_entry *entry; } suite[] = {
+#define X(stem) { #stem, test_##stem },
+    TEST_SUITES
+#undef X
+};
+
+sp_arena test_arena;
+
+static unsigned char memory[TEST_ARENA_BYTES];
+static uint64_t seed = 20260101u, state;
+static int failures;                                    /* of the running test */
+static const char *running_stem, *running_name;
+
+uint32_t test_random(void)
+{
+    state ^= state >> 12;
+    state ^= state << 25;
+    state ^= state >> 27;
+    return (uint32_t)((state * 2685821657736338717u) >> 32);
+}
+
+int32_t test_random_int(int32_t low, int32_t high)
+{
+    return low + (int32_t)(((uint64_t)test_random() * (uint64_t)(high - low + 1)) >> 32);
+}
+
+sp_real test_random_real(double low, double high)
+{
+    return (sp_real)(low + (high - low) * ((double)test_random() / 4294967296.0));
+}
+
+/* A failed check: the first of a test also names the test and the seed. */
+static void where(const char *file, int line, const char *text)
+{
+    if (failures++ == 0)
+        TEST_PRINT("FAILED %s/%s (seed %lu)\n", running_stem, running_name, (unsigned long)seed);
+    TEST_PRINT("  %s:%d: %s", file, line, text);
+}
+
+int test_check(int held, const char *file, int line, const char *text)
+{
+    if (!held) {
+        where(file, line, text);
+        TEST_PRINT("\n");
+    }
+    return held;
+}
+
+int test_check_int(long long got, long long want, const char *file, int line, const char *text)
+{
+    if (got == want) return 1;
+    where(file, line, text);
+    TEST_PRINT(" = %ld, want %ld\n", (long)got, (long)want);
+    return 0;
+}
+
+/* printf of a small C library has no floating point: TEST_NO_FLOAT prints millionths of the ratio instead. */
+int test_check_near(double got, double want, double tol, int absolute, const char *file, int line, const char *text)
+{
+    const double size = want < 0 ? -want : want, error = got < want ? want - got : got - want;
+    const double allowed = absolute || !(size > 0) ? tol : tol * size;
+    if (error <= allowed) return 1;                     /* a NaN fails */
+    where(file, line, text);
+#ifdef TEST_NO_FLOAT
+    TEST_PRINT(": got/want %ld millionths\n", (long)(1e6 * got / want));
+#else
+    TEST_PRINT(" = %.17g, want %.17g (ratio %.9g, off by %.3g, allowed %.3g)\n", got, want, got / want, error, allowed);
+#endif
+    return 0;
+}
+
+static int equal(const char *a, const char *b)
+{
+    while (*a && *a == *b) a++, b++;
+    return *a == *b;
+}
+
+int test_check_text(const char *got, const char *want, const char *file, int line, const char *text)
+{
+    if (got && equal(got, want)) return 1;
+    where(file, line, text);
+    TEST_PRINT(" = \"%s\", want \"%s\"\n", got ? got : "(null)", want);
+    return 0;
+}
+
+/* Does "stem/name" contain `part`? */
+static int contains(const char *stem, const char *name, const char *part)
+{
+    char full[160];
+    size_t n = 0;
+    for (const char *s = stem; *s && n < 78; s++) full[n++] = *s;
+    full[n++] = '/';
+    for (const char *s = name; *s && n < 159; s++) full[n++] = *s;
+    full[n] = 0;
+    for (size_t i = 0; i <= n; i++) {
+        size_t k = 0;
+        while (part[k] && full[i + k] == part[k]) k++;
+        if (!part[k]) return 1;
+    }
+    return 0;
+}
+
+/* One test from a clean start: whether it passed. */
+static int run(const char *stem, const test_entry *e)
+{
+    running_stem = stem;
+    running_name = e->name;
+    failures = 0;
+    state = seed * 2862933555777941757u + 3037000493u;
+    sp_arena_init(&test_arena, memory, sizeof memory);
+    e->run();
+    return failures == 0;
+}
+
+int main(int argc, char **argv)
+{
+    const int list = argc > 1 && equal(argv[1], "-l");
+    const char *filter = argc > 1 && !list ? argv[1] : "";
+    int passed = 0, failed = 0;
+    if (argc > 2) {
+        seed = 0;
+        for (const char *s = argv[2]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');
+    }
+    for (size_t i = 0; i < sizeof suite / sizeof suite[0]; i++)
+        for (const test_entry *e = suite[i].entry; e->run; e++) {
+            if (!contains(suite[i].stem, e->name, filter)) continue;
+            if (list) TEST_PRINT("%s/%s\n", suite[i].stem, e->name);
+            else if (run(suite[i].stem, e)) passed++;
+            else failed++;
+        }
+    if (!list) TEST_PRINT("%d passed, %d failed\n", passed, failed);
+    return !list && (failed || !passed);
+}

@@ -1,0 +1,78 @@
+/* test: a handful of macros for tests that also run on a bare board.
+ *
+ * No files, no clock, no malloc; text leaves through TEST_PRINT only. A test file looks like this:
+ *
+ *     #include "test.h"
+ *
+ *     TEST(two_and_two_are_four) { CHECK_INT(2 + 2, 4); }
+ *
+ *     TEST_LIST(sums)                             the stem of the file: tests/test_sums.c
+ *         RUN(two_and_two_are_four)
+ *     TEST_END
+ *
+ * Names of tests are claims. A white-box test defines SP_API as static, then includes the one part it looks into:
+ *
+ *     #define SP_API static
+ *     #include "test.h"
+ *     #include "../solvers/chol.c"
+ */
+#ifndef TEST_H
+#define TEST_H
+
+#include "../stonepack.h"
+
+#ifndef TEST_PRINT
+#include <stdio.h>
+#define TEST_PRINT printf
+#endif
+
+#ifndef TEST_ARENA_BYTES
+#define TEST_ARENA_BYTES (64u << 20)                    /* [byte] static memory of the runner; a board asks for less */
+#endif
+
+typedef struct test_entry { const char *name; void (*run)(void); } test_entry;
+
+#define TEST(name)      static void name(void)
+#define TEST_LIST(stem) extern const test_entry test_##stem[]; const test_entry test_##stem[] = {
+#define RUN(name)       { #name, name },
+#define TEST_END        { NULL, NULL } };
+
+/* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */
+extern sp_arena test_arena;
+
+/* Numbers without pattern, the same on every machine; seeded anew for every test, the seed is printed on failure. */
+uint32_t test_random(void);                             /* 0 .. 2^32 - 1                                  [xorshift64*] */
+int32_t  test_random_int(int32_t low, int32_t high);    /* low .. high, both included */
+sp_real  test_random_real(double low, double high);     /* low <= x < high */
+
+/* Each returns whether it held; a failure prints where, what, and for numbers both values and their ratio. */
+int test_check(int held, const char *file, int line, const char *text);
+int test_check_int(long long got, long long want, const char *file, int line, const char *text);
+int test_check_near(double got, double want, double tol, int absolute, const char *file, int line, const char *text);
+int test_check_text(const char *got, const char *want, const char *file, int line, const char *text);
+
+#define CHECK(cond)               test_check(!!(cond), __FILE__, __LINE__, #cond)
+#define CHECK_INT(got, want)      test_check_int((long long)(got), (long long)(want), __FILE__, __LINE__, #got)
+#define CHECK_TEXT(got, want)     test_check_text(got, want, __FILE__, __LINE__, #got)
+
+/* |got - want| <= tol |want|, and <= tol where want is 0. */
+#define CHECK_NEAR(got, want, reltol)  test_check_near((double)(got), (double)(want), (double)(reltol), 0, \
+                                                       __FILE__, __LINE__, #got)
+/* |got - want| <= tol. */
+#define CHECK_WITHIN(got, want, tol)   test_check_near((double)(got), (double)(want), (double)(tol), 1, \
+                                                       __FILE__, __LINE__, #got)
+
+/* Leave the test where going on makes no sense. */
+#define NEED(cond)                do { if (!CHECK(cond)) return; } while (0)
+
+/* The nearest number of this build; keeps -Wconversion quiet in both precisions. */
+#define R(x) ((sp_real)(x))
+
+/* A tolerance that is `d` in double and `f` in float. */
+#ifdef SP_REAL_FLOAT
+#define TOL(d, f) (f)
+#else
+#define TOL(d, f) (d)
+#endif
+
+#endif /* TEST_H */

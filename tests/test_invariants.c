@@ -1,0 +1,314 @@
+/* The verdict does not depend on where the scene is, how it is turned, in which units it is written, in which order its
+ * blocks, interfaces and contact vertices come, or which side is called A; and the forces go with the scene. */
+#include "test.h"
+#include "scenes/gen.h"
+
+#include <math.h>
+
+/* What is done to a scene: x' = scale Q x + shift, and so on. */
+typedef struct change {
+    double q[3][3], shift[3];
+    double scale, density, gravity;                     /* factors: m, kg/m^3, m/s^2 */
+    int permute;                                        /* blocks and interfaces in another order */
+    int turn;                                           /* contact polygons start elsewhere */
+    int swap;                                           /* every other interface from the other side */
+    int twice;                                          /* every interface given two times */
+} change;
+
+static change none(void)
+{
+    change c = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 0, 0, 0 }, 1, 1, 1, 0, 0, 0, 0 };
+    return c;
+}
+
+enum { MOST = 512 };                                    /* blocks and interfaces of the scenes here */
+
+static void move(const change *c, const sp_real x[3], int direction_only, double y[3])
+{
+    for (int i = 0; i < 3; i++) {
+        y[i] = 0;
+        for (int j = 0; j < 3; j++) y[i] += c->q[i][j] * (double)x[j];
+        if (!direction_only) y[i] = c->scale * y[i] + c->shift[i];
+    }
+}
+
+/* 0 .. n-1 in another order                                                                           [Fisher & Yates] */
+static void shuffle(int32_t *p, int32_t n, int really)
+{
+    for (int32_t i = 0; i < n; i++) p[i] = i;
+    for (int32_t i = n - 1; really && i > 0; i--) {
+        const int32_t j = test_random_int(0, i), t = p[i];
+        p[i] = p[j];
+        p[j] = t;
+    }
+}
+
+/* Blocks of `in`, changed, into `out`: place[b] is the new number of block b. */
+static void copy_blocks(const sp_scene *in, const change *c, sp_scene *out, int32_t *place)
+{
+    int32_t order[MOST];
+    shuffle(order, in->count.blocks, c->permute);
+    for (int32_t k = 0; k < in->count.blocks; k++) {
+        const sp_block *b = &in->block[order[k]];
+        sp_real xyz[3 * 64];
+        int32_t size[64], corner[256], n = 0;
+        for (int32_t v = 0; v < b->vertices; v++) {
+            double y[3];
+            move(c, in->vertex[b->vertex + v], 0, y);
+            for (int i = 0; i < 3; i++) xyz[3 * v + i] = R(y[i]);
+        }
+        for (int32_t f = 0; f < b->faces; f++) {
+            const sp_face *face = &in->face[b->face + f];
+            size[f] = face->corners;
+            for (int32_t i = 0; i < face->corners; i++) corner[n++] = in->corner[face->corner + i] - b->vertex;
+        }
+        const sp_mesh mesh = { b->vertices, b->faces, xyz, size, corner };
+        CHECK_INT(sp_scene_block(out, &mesh, R((double)b->density * c->density), b->fixed, &place[order[k]]), SP_OK);
+    }
+}
+
+/* Interfaces: name[j] is the new number of interface j. */
+static void copy_interfaces(const sp_scene *in, const change *c, sp_scene *out, const int32_t *place, int32_t *name)
+{
+    int32_t order[MOST];
+    shuffle(order, in->count.interfaces, c->permute);
+    for (int32_t k = 0; k < in->count.interfaces; k++) {
+        const sp_interface *j = &in->interface[order[k]];
+        const int back = c->swap && order[k] % 2 == 0;
+        const int32_t n = j->points, start = c->turn ? test_random_int(0, n - 1) : 0;
+        sp_real xyz[3 * 16];
+        for (int32_t v = 0; v < n; v++) {
+            const int32_t from = back ? (start + n - v) % n : (start + v) % n;
+            double y[3];
+            move(c, in->point[j->point + from], 0, y);
+            for (int i = 0; i < 3; i++) xyz[3 * v + i] = R(y[i]);
+        }
+        CHECK_INT(sp_scene_interface(out, place[back ? j->b : j->a], place[back ? j->a : j->b], n, xyz, &j->joint,
+                                     &name[order[k]]), SP_OK);
+    }
+}
+
+static void copy(const sp_scene *in, const change *c, sp_scene *out, int32_t *place, int32_t *name)
+{
+    double g[3];
+    sp_capacity cap = in->count;
+    cap.interfaces *= 1 + c->twice;
+    cap.points *= 1 + c->twice;
+    CHECK_INT(sp_scene_create(out, &cap, &test_arena), SP_OK);
+    move(c, in->gravity, 1, g);
+    for (int i = 0; i < 3; i++) out->gravity[i] = R(g[i] * c->gravity);
+    copy_blocks(in, c, out, place);
+    copy_interfaces(in, c, out, place, name);
+    if (c->twice) copy_interfaces(in, c, out, place, name);
+}
+
+/* Resultants of `two` are those of `one`, turned and in new units. A scene that stands has one shortest force state, which
+ * both searches approach: far less exactly than their balance, as the balance of nearby states is as good. */
+static void same_forces(const sp_scene *s1, const sp_result *r1, const sp_scene *s2, const sp_result *r2, const change *c,
+                        const int32_t *name, double tol)
+{
+    const double unit = c->density * c->gravity * c->scale * c->scale * c->scale;
+    double largest = 0, worst = 0;
+    for (int32_t j = 0; j < s1->count.interfaces; j++) {
+        sp_interface_force a, b;
+        double want[3];
+        CHECK_INT(sp_interface_resultant(s1, r1, j, &a), SP_OK);
+        CHECK_INT(sp_interface_resultant(s2, r2, name[j], &b), SP_OK);
+        const double sign = c->swap && j % 2 == 0 ? -unit : unit;
+        move(c, a.force, 1, want);
+        for (int i = 0; i < 3; i++) {
+            const double off = fabs((double)b.force[i] - sign * want[i]);
+            if (off > worst) worst = off;
+            if (fabs(unit * want[i]) > largest) largest = fabs(unit * want[i]);
+        }
+    }
+    CHECK_WITHIN(worst / largest, 0, tol);
+}
+
+static const struct { const char *name, *param; double value; sp_verdict verdict; } sample[] = {
+    { "two-cubes", "offset", 0.3, SP_STABLE },  { "two-cubes", "offset", 0.6, SP_UNSTABLE },
+    { "arch", "t", 0.13, SP_STABLE },           { "arch", "t", 0.095, SP_UNSTABLE },
+    { "wall", "jitter", 0.35, SP_STABLE },      { "wall", "tilt", 35, SP_UNSTABLE },
+    { "rubble", "jitter", 0.6, SP_STABLE },     { "rubble", "tilt", 42, SP_UNSTABLE },
+    { "keystone", "mu", 0.40, SP_STABLE },      { "keystone", "mu", 0.34, SP_UNSTABLE },
+    { "diamond", "mu", 0.30, SP_STABLE },       { "diamond", "mu", 0.26, SP_UNSTABLE }
+};
+
+/* `forces`: how closely the forces must follow, 0: not asked. */
+static void unchanged_by(const change *c, double forces)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        gen_scene g;
+        sp_scene s1, s2;
+        sp_result r1, r2;
+        sp_evidence evidence;
+        int32_t place[MOST], name[MOST];
+        test_arena.used = 0;
+        gen_open(&g, sample[k].name);
+        gen_set(&g, sample[k].param, sample[k].value);
+        NEED(gen_build(&g, &test_arena, &s1) == SP_OK);
+        NEED(s1.count.blocks <= MOST && s1.count.interfaces <= MOST);
+        copy(&s1, c, &s2, place, name);
+        NEED(sp_check(&s1, NULL, &test_arena, &r1) == SP_OK);
+        NEED(sp_check(&s2, NULL, &test_arena, &r2) == SP_OK);
+        if (!CHECK_INT(r1.verdict, sample[k].verdict) || !CHECK_INT(r2.verdict, sample[k].verdict))
+            TEST_PRINT("    %s, %s = %g\n", sample[k].name, sample[k].param, sample[k].value);
+        CHECK(r1.verified && r2.verified);
+        CHECK_INT(r1.final, r2.final);
+        CHECK_INT(sp_verify(&s2, NULL, &r2, test_arena, &evidence), SP_OK);
+        CHECK_INT(evidence.verdict, r2.verdict);
+        if (forces > 0 && r1.verdict == SP_STABLE && r2.verdict == SP_STABLE) same_forces(&s1, &r1, &s2, &r2, c, name, forces);
+    }
+}
+
+/* A turn about a random axis, from a random unit quaternion. */
+static void any_turn(change *c)
+{
+    double w[4], s = 0;
+    do {
+        s = 0;
+        for (int i = 0; i < 4; i++) w[i] = (double)test_random_real(-1, 1), s += w[i] * w[i];
+    } while (s < 0.1 || s > 1);
+    for (int i = 0; i < 4; i++) w[i] /= sqrt(s);
+    const double a = w[0], b = w[1], d = w[2], e = w[3];
+    const double q[3][3] = { { a * a + b * b - d * d - e * e, 2 * (b * d - a * e), 2 * (b * e + a * d) },
+                             { 2 * (b * d + a * e), a * a - b * b + d * d - e * e, 2 * (d * e - a * b) },
+                             { 2 * (b * e - a * d), 2 * (d * e + a * b), a * a - b * b - d * d + e * e } };
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) c->q[i][j] = q[i][j];
+}
+
+static const double close = TOL(1e-6, 2e-2);
+
+TEST(rotating_the_world_turns_the_forces)
+{
+    for (int k = 0; k < 3; k++) {
+        change c = none();
+        any_turn(&c);
+        unchanged_by(&c, close);
+    }
+}
+
+TEST(mirroring_through_two_planes_is_a_rotation)
+{
+    change c = none();
+    c.q[0][0] = c.q[1][1] = -1;
+    unchanged_by(&c, close);
+}
+
+TEST(translating_changes_nothing)
+{
+    change c = none();
+    c.shift[0] = TOL(1000, 10), c.shift[1] = TOL(-2000, -20), c.shift[2] = TOL(500, 5);
+    unchanged_by(&c, close);
+}
+
+TEST(units_change_numbers_only)
+{
+    static const struct { double m, kg_m3, m_s2; } unit[] = {
+        { 1e3, 1e-9, 1e3 },                             /* mm, kg: forces in mN */
+        { 1e3, 1e-12, 1e3 },                            /* mm, tonne: N */
+        { 1e-3, 1e9, 1e-3 },                            /* km, kg */
+        { 1, 1, 1 / 9.80665 },                          /* forces in kg */
+        { 3.2808399, 1 / 35.314667, 3.2808399 }         /* ft */
+    };
+    for (size_t k = 0; k < sizeof unit / sizeof unit[0]; k++) {
+        change c = none();
+        c.scale = unit[k].m, c.density = unit[k].kg_m3, c.gravity = unit[k].m_s2;
+        unchanged_by(&c, close);
+    }
+}
+
+TEST(order_of_blocks_and_interfaces_does_not_matter)
+{
+    for (int k = 0; k < 3; k++) {
+        change c = none();
+        c.permute = 1;
+        unchanged_by(&c, close);
+    }
+}
+
+TEST(first_corner_of_a_joint_does_not_matter)
+{
+    change c = none();
+    c.turn = 1;
+    unchanged_by(&c, close);
+}
+
+TEST(which_side_is_called_a_does_not_matter)
+{
+    change c = none();
+    c.swap = 1;
+    unchanged_by(&c, close);
+}
+
+TEST(all_changes_at_once_change_nothing)
+{
+    for (int k = 0; k < 3; k++) {
+        change c = none();
+        any_turn(&c);
+        for (int i = 0; i < 3; i++) c.shift[i] = (double)test_random_real(-5, 5);
+        c.scale = 12.5, c.density = 0.25, c.gravity = 3;
+        c.permute = c.turn = c.swap = 1;
+        unchanged_by(&c, close);
+    }
+}
+
+TEST(the_same_scene_twice_gives_the_same_bits)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        gen_scene g;
+        sp_scene s;
+        sp_result r1, r2;
+        test_arena.used = 0;
+        gen_open(&g, sample[k].name);
+        gen_set(&g, sample[k].param, sample[k].value);
+        NEED(gen_build(&g, &test_arena, &s) == SP_OK);
+        NEED(sp_check(&s, NULL, &test_arena, &r1) == SP_OK);
+        NEED(sp_check(&s, NULL, &test_arena, &r2) == SP_OK);
+        const unsigned char *a = (const unsigned char *)r1.f, *b = (const unsigned char *)r2.f;
+        int same = 1;
+        for (size_t i = 0; i < sizeof(sp_real) * 3 * (size_t)s.count.points; i++) same = same && a[i] == b[i];
+        CHECK(same);
+        CHECK_INT(r1.cost.flops, r2.cost.flops);
+    }
+}
+
+TEST(joints_given_twice_change_nothing)
+{
+    change c = none();
+    c.twice = 1;
+    unchanged_by(&c, 0);
+}
+
+/* More friction never makes a standing scene fall; less never lifts a fallen one. */
+TEST(friction_helps)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        gen_scene g;
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        gen_open(&g, sample[k].name);
+        gen_set(&g, sample[k].param, sample[k].value);
+        NEED(gen_build(&g, &test_arena, &s) == SP_OK);
+        const double mu = (double)s.interface[0].joint.mu;
+        CHECK_INT(sp_scene_friction(&s, R(sample[k].verdict == SP_STABLE ? 1.5 * mu : 0.7 * mu)), SP_OK);
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, sample[k].verdict);
+    }
+}
+
+TEST_LIST(invariants)
+    RUN(rotating_the_world_turns_the_forces)
+    RUN(mirroring_through_two_planes_is_a_rotation)
+    RUN(translating_changes_nothing)
+    RUN(units_change_numbers_only)
+    RUN(order_of_blocks_and_interfaces_does_not_matter)
+    RUN(first_corner_of_a_joint_does_not_matter)
+    RUN(which_side_is_called_a_does_not_matter)
+    RUN(all_changes_at_once_change_nothing)
+    RUN(the_same_scene_twice_gives_the_same_bits)
+    RUN(joints_given_twice_change_nothing)
+    RUN(friction_helps)
+TEST_END

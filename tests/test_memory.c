@@ -1,0 +1,224 @@
+/* Memory: what the library says it needs is what it takes; one byte less is refused and nothing outside is touched. */
+#include "test.h"
+#include "scenes/gen.h"
+
+enum { GUARD = 256, GUARD_BYTE = 0xa5 };
+
+/* A piece of memory of exactly `bytes` bytes between two guards. */
+typedef struct fenced { unsigned char *at; size_t bytes; } fenced;
+
+static fenced fence(size_t bytes)
+{
+    fenced f;
+    size_t from = (test_arena.used + SP_ALIGN - 1) & ~(size_t)(SP_ALIGN - 1);
+    unsigned char *p = test_arena.base + from;
+    f.at = p + GUARD;
+    f.bytes = bytes;
+    for (size_t k = 0; k < GUARD; k++) p[k] = f.at[bytes + k] = GUARD_BYTE;
+    return f;
+}
+
+static int fence_holds(const fenced *f)
+{
+    for (size_t k = 0; k < GUARD; k++)
+        if (f->at[-1 - (ptrdiff_t)k] != GUARD_BYTE || f->at[f->bytes + k] != GUARD_BYTE) return 0;
+    return 1;
+}
+
+static sp_arena fenced_arena(const fenced *f)
+{
+    sp_arena a = { f->at, f->bytes, 0, 0 };
+    return a;
+}
+
+static void build(const char *name, const char *param, double value, sp_scene *scene)
+{
+    gen_scene g;
+    CHECK_INT(gen_open(&g, name), 1);
+    if (param) CHECK_INT(gen_set(&g, param, value), 1);
+    CHECK_INT(gen_build(&g, &test_arena, scene), SP_OK);
+}
+
+static const struct { const char *name, *param; double value; } sample[] = {
+    { "two-cubes", NULL, 0 }, { "two-cubes", "offset", 0.7 }, { "arch", "n", 7 }, { "arch", "t", 0.09 }, { "h-model", NULL, 0 },
+    { "h-model", "mu", 0 }, { "keystone", NULL, 0 }, { "wall", "size", 54 }, { "wall", "tilt", 40 }, { "diamond", "mu", 0.1 }
+};
+
+/* Exact size works, and all of it was used; one byte less is refused without a trace. */
+TEST(sp_memory_is_exact)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        sp_result result, before;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+
+        fenced f = fence(bytes);
+        sp_arena a = fenced_arena(&f);
+        CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(result.peak_bytes, bytes);
+        CHECK(a.peak <= bytes);
+
+        f = fence(bytes - 1);
+        a = fenced_arena(&f);
+        before = result;
+        CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_E_MEMORY);
+        CHECK(fence_holds(&f));
+        CHECK_INT(a.used, 0);
+        CHECK_INT(a.cap, bytes - 1);
+        CHECK(result.f == before.f && result.verdict == before.verdict && result.peak_bytes == before.peak_bytes);
+    }
+}
+
+TEST(every_smaller_capacity_is_refused_cleanly)
+{
+    sp_scene scene;
+    size_t bytes = 0;
+    build("arch", "n", 3, &scene);
+    NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+    for (size_t cap = 0; cap < bytes; cap++) {
+        sp_result result;
+        const fenced f = fence(cap);
+        sp_arena a = fenced_arena(&f);
+        const sp_status status = sp_check(&scene, NULL, &a, &result);
+        if (!CHECK_INT(status, SP_E_MEMORY) || !CHECK(fence_holds(&f)) || !CHECK_INT(a.used, 0)) {
+            CHECK_INT(cap, -1);                         /* tells at which */
+            return;
+        }
+    }
+}
+
+/* A check takes nothing that is not freed by used = mark, and keeps what was there before. */
+TEST(check_leaves_what_is_in_the_arena)
+{
+    sp_scene scene;
+    sp_result first, second;
+    build("arch", "n", 7, &scene);
+    const size_t mark = test_arena.used;
+    NEED(sp_check(&scene, NULL, &test_arena, &first) == SP_OK);
+    const size_t after = test_arena.used;
+    NEED(sp_check(&scene, NULL, &test_arena, &second) == SP_OK);
+    CHECK(first.f != second.f);
+    CHECK_INT(after - mark, test_arena.used - after);
+    for (int32_t k = 0; k < 3 * scene.count.points; k++)
+        if (!CHECK(first.f[k] <= second.f[k] && first.f[k] >= second.f[k])) return;
+}
+
+TEST(sp_memory_scratch_is_enough_and_less_is_refused)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        size_t bytes = 0, again = 1;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        const size_t need = sp_memory_scratch(&scene);
+        NEED(need > 0);
+        fenced f = fence(need);
+        CHECK_INT(sp_memory(&scene, NULL, fenced_arena(&f), &bytes), SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(sp_memory(&scene, NULL, test_arena, &again), SP_OK);
+        CHECK_INT(bytes, again);
+        for (size_t cap = 0; cap < need; cap += 1 + need / 61) {
+            f = fence(cap);
+            again = 7;
+            const sp_status status = sp_memory(&scene, NULL, fenced_arena(&f), &again);
+            if (status == SP_OK) CHECK_INT(again, bytes);
+            else CHECK_INT(status, SP_E_MEMORY), CHECK_INT(again, 7);
+            CHECK(fence_holds(&f));
+        }
+    }
+}
+
+TEST(scene_memory_is_exact_at_every_capacity)
+{
+    static const sp_capacity cap = { 3, 24, 18, 72, 2, 8 };
+    const size_t bytes = sp_scene_memory(&cap);
+    NEED(bytes > 0);
+    for (size_t given = 0; given <= bytes; given++) {
+        sp_scene scene;
+        const fenced f = fence(given);
+        sp_arena a = fenced_arena(&f);
+        CHECK_INT(sp_scene_create(&scene, &cap, &a), given < bytes ? SP_E_MEMORY : SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(a.used, given < bytes ? 0 : bytes);
+    }
+}
+
+TEST(verify_memory_is_enough_and_less_is_refused)
+{
+    sp_scene scene;
+    sp_result result;
+    sp_evidence evidence;
+    build("arch", "n", 7, &scene);
+    NEED(sp_check(&scene, NULL, &test_arena, &result) == SP_OK);
+    const size_t need = sp_verify_memory(&scene);
+    NEED(need > 0);
+    fenced f = fence(need);
+    CHECK_INT(sp_verify(&scene, NULL, &result, fenced_arena(&f), &evidence), SP_OK);
+    CHECK_INT(evidence.verdict, SP_STABLE);
+    CHECK(fence_holds(&f));
+    for (size_t cap = 0; cap < need; cap++) {
+        f = fence(cap);
+        const sp_status status = sp_verify(&scene, NULL, &result, fenced_arena(&f), &evidence);
+        if (!CHECK_INT(status, SP_E_MEMORY) || !CHECK(fence_holds(&f))) {
+            CHECK_INT(cap, -1);
+            return;
+        }
+    }
+}
+
+TEST(problem_memory_is_exact)
+{
+    sp_scene scene;
+    sp_problem problem;
+    build("wall", "size", 54, &scene);
+    const size_t need = sp_problem_memory(&scene);
+    NEED(need > 0);
+    fenced f = fence(need);
+    sp_arena a = fenced_arena(&f);
+    CHECK_INT(sp_problem_build(&scene, &a, &problem), SP_OK);
+    CHECK_INT(a.used, need);
+    CHECK(fence_holds(&f));
+    f = fence(need - 1);
+    a = fenced_arena(&f);
+    CHECK_INT(sp_problem_build(&scene, &a, &problem), SP_E_MEMORY);
+    CHECK(fence_holds(&f));
+}
+
+TEST(contacts_memory_is_enough_and_less_is_refused)
+{
+    sp_scene scene;
+    sp_contact_settings settings = sp_contact_settings_default();
+    sp_contact_report report = { 0, 0, 0, 0, NULL };
+    build("arch", "n", 7, &scene);
+    const int32_t given = scene.count.interfaces, points = scene.count.points;
+    const size_t need = sp_contacts_memory(&scene);
+    NEED(need > 0);
+    fenced f = fence(need);
+    scene.count.interfaces = scene.count.points = 0;    /* as if there had been none */
+    CHECK_INT(sp_contacts_find(&scene, &settings, fenced_arena(&f), &report), SP_OK);
+    CHECK(fence_holds(&f));
+    CHECK_INT(scene.count.interfaces, given);
+    CHECK_INT(scene.count.points, points);
+    for (size_t cap = 0; cap < need; cap += 1 + need / 199) {
+        f = fence(cap);
+        scene.count.interfaces = scene.count.points = 0;
+        const sp_status status = sp_contacts_find(&scene, &settings, fenced_arena(&f), &report);
+        if (!CHECK(status == SP_E_MEMORY || status == SP_OK) || !CHECK(fence_holds(&f))) return;
+        CHECK_INT(scene.count.interfaces, status == SP_OK ? given : 0);
+    }
+}
+
+TEST_LIST(memory)
+    RUN(sp_memory_is_exact)
+    RUN(every_smaller_capacity_is_refused_cleanly)
+    RUN(check_leaves_what_is_in_the_arena)
+    RUN(sp_memory_scratch_is_enough_and_less_is_refused)
+    RUN(scene_memory_is_exact_at_every_capacity)
+    RUN(verify_memory_is_enough_and_less_is_refused)
+    RUN(problem_memory_is_exact)
+    RUN(contacts_memory_is_enough_and_less_is_refused)
+TEST_END
