@@ -325,15 +325,18 @@ static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t c
 /* Sums over triangles, local: 6V in mass->volume, 24 V c in mass->centroid, 2A; n: twice the vector area of the running face. */
 typedef struct sp__solid { sp_mass *mass; sp_real area, n[3]; } sp__solid;
 
-static void sp__solid_triangle(sp__solid *t, const sp_real a[3], const sp_real b[3], const sp_real c[3])
+/* Triangle of m and the corners i, j. */
+static void sp__solid_triangle(sp__solid *t, const sp__local *l, const sp_real m[3], int32_t i, int32_t j)
 {
-    sp_real n[3] = { 0, 0, 0 };
-    sp__cross3_add(b, c, n);
-    const sp_real v = sp__dot3(a, n);                   /* a . (b x c) */
+    sp_real p[3], q[3], n[3] = { 0, 0, 0 };
+    sp__local_get(l, i, p);
+    sp__local_get(l, j, q);
+    sp__cross3_add(p, q, n);
+    const sp_real v = sp__dot3(m, n);                   /* m . (p x q) */
     t->mass->volume += v;
-    for (int k = 0; k < 3; k++) t->mass->centroid[k] += v * (a[k] + b[k] + c[k]);
-    sp__cross3_add(a, b, n);
-    sp__cross3_add(c, a, n);                            /* a x b + b x c + c x a = (b - a) x (c - a) */
+    for (int k = 0; k < 3; k++) t->mass->centroid[k] += v * (m[k] + p[k] + q[k]);
+    sp__cross3_add(m, p, n);
+    sp__cross3_add(q, m, n);                            /* m x p + p x q + q x m = (p - m) x (q - m) */
     t->area += sp__norm3(n);
     for (int k = 0; k < 3; k++) t->n[k] += n[k];
 }
@@ -343,22 +346,15 @@ static void sp__solid_triangle(sp__solid *t, const sp_real a[3], const sp_real b
  * has no plane, passes. */
 static sp_status sp__solid_face(sp__solid *t, const sp__local *l, const int32_t *corner, int32_t corners)
 {
-    sp_real m[3], p[3], q[3], reach;
+    sp_real m[3], reach;
     if (corners == 3) {
         sp__local_get(l, corner[0], m);
-        sp__local_get(l, corner[1], p);
-        sp__local_get(l, corner[2], q);
-        sp__solid_triangle(t, m, p, q);
+        sp__solid_triangle(t, l, m, corner[1], corner[2]);
         return SP_OK;
     }
     sp__local_mean(l, corner, corners, m);
-    sp__local_get(l, corner[corners - 1], p);
     t->n[0] = t->n[1] = t->n[2] = 0;
-    for (int32_t k = 0; k < corners; k++) {
-        sp__local_get(l, corner[k], q);
-        sp__solid_triangle(t, m, p, q);
-        for (int c = 0; c < 3; c++) p[c] = q[c];
-    }
+    for (int32_t k = 0; k < corners; k++) sp__solid_triangle(t, l, m, corner[k > 0 ? k - 1 : corners - 1], corner[k]);
     const sp_real out = sp__local_warp(l, corner, corners, m, t->n, &reach);
     const sp_real noise = 16 * (sp_real)corners * (l->coarse + SP_EPSILON * l->d) * l->d * reach;
     return out > (sp_real)1e-2 * l->d * sp__norm3(t->n) + noise ? SP_E_WARPED : SP_OK;

@@ -425,6 +425,7 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
         w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
+        w->d[i] = 0;                                                    /* longest arm */
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -440,12 +441,14 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
                 sp_real u[3], m[3];
                 sp__dual_rate(w, V, W, l, u);
                 sp__cross3(x, u, m);
-                const sp_real s = sp__norm3(u);
-                w->size[2 * (size_t)i] += s;
-                w->size[2 * (size_t)i + 1] += sp__norm3(m) + 16 * (sp_real)SP_EPSILON / w->set->tol * s * sp__norm3(x);
+                w->size[2 * (size_t)i] += sp__norm3(u);
+                w->size[2 * (size_t)i + 1] += sp__norm3(m);
+                w->d[i] = sp__max(w->d[i], sp__norm3(x));
             }
         }
     }
+    for (size_t i = 0; i < (size_t)pb->blocks; i++)
+        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->d[i] / w->set->tol;
     sp__dual_count(w, 2 * SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 

@@ -230,6 +230,132 @@ static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_stat
     n->proved = 1;
 }
 
+/* Rigid groups: a mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its
+ * square is what the Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of
+ * them, the root: x_i = (v + w x (c_i - c_root), w), and conjugate gradients on the tied motions remove what the contacts
+ * between groups still resist.                                                             [Hestenes, Stiefel 1952] */
+
+/* up[i + 1]: group of free block i by its lowest number + 1, 0: the ground; joined where no vertex of a contact moves by more
+ * than `play` of its blocks' motion. Blocks held in some directions stay with the ground. */
+static void sp__rigid_groups(const sp__dual *w, const sp_real *x, sp_real play, int32_t *up)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i <= pb->blocks; i++) up[i] = i;
+    for (int32_t i = 0; i < pb->blocks; i++) if (pb->scene->block[pb->block[i]].fixed) sp__join(up, 0, i + 1);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], most = 0, size = 0;
+        sp__dual_twist(w, t, x, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3];
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            most = sp__max(most, sp__norm3(u));
+        }
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            const sp_real *m = x + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+            size = sp__max(size, z[0] * sp__norm3(m) + z[1] * sp__norm3(m + 3) * sp__norm3(side ? t->rb : t->ra));
+        }
+        if (most <= play * size) sp__join(up, t->a + 1, t->b + 1);
+    }
+}
+
+/* The root of i's group and the arm from it; -1: the ground. */
+static int32_t sp__rigid_root(const sp__dual *w, int32_t *up, int32_t i, sp_real arm[3])
+{
+    const sp_problem *pb = w->pb;
+    const int32_t g = sp__root(up, i + 1) - 1;
+    if (g >= 0) sp__sub3(pb->scene->block[pb->block[i]].centroid, pb->scene->block[pb->block[g]].centroid, arm);
+    return g;
+}
+
+/* Every block's weighted motion from its root's, in place. */
+static void sp__rigid_prolong(const sp__dual *w, int32_t *up, sp_real *x)
+{
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        sp_real arm[3], m[6], turn[3], *xi = x + 6 * (size_t)i;
+        const int32_t g = sp__rigid_root(w, up, i, arm);
+        if (g == i) continue;
+        if (g < 0) { memset(xi, 0, 6 * sizeof *xi); continue; }
+        const sp_real *z = w->weight + 2 * (size_t)i, *s = w->weight + 2 * (size_t)g;
+        for (int k = 0; k < 6; k++) m[k] = s[k / 3] * x[6 * (size_t)g + (size_t)k];
+        sp__cross3(m + 3, arm, turn);
+        for (int k = 0; k < 3; k++) { xi[k] = (m[k] + turn[k]) / z[0]; xi[k + 3] = m[k + 3] / z[1]; }
+    }
+}
+
+/* Its transpose: every block's weighted row onto its root's, in place; other rows become 0. */
+static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
+{
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        sp_real arm[3], f[6], turn[3], *ri = r + 6 * (size_t)i;
+        const int32_t g = sp__rigid_root(w, up, i, arm);
+        if (g == i) continue;
+        const sp_real *z = w->weight + 2 * (size_t)i;
+        for (int k = 0; k < 6; k++) { f[k] = ri[k] / z[k / 3]; ri[k] = 0; }
+        if (g < 0) continue;
+        const sp_real *s = w->weight + 2 * (size_t)g;
+        sp_real *rg = r + 6 * (size_t)g;
+        sp__cross3(arm, f, turn);
+        for (int k = 0; k < 3; k++) { rg[k] += s[0] * f[k]; rg[k + 3] += s[1] * (f[k + 3] + turn[k]); }
+    }
+}
+
+/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
+static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
+{
+    const sp_problem *pb = w->pb;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) out[k] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], dV[3], dW[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp__dual_twist(w, t, y, V, W);
+        sp__dual_twist(w, t, x, dV, dW);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *l = pb->local[v];
+            sp_real u[3], D[6], g[3], m[3];
+            sp__dual_rate(w, V, W, l, u);
+            if (sp__cone_derivative(&w->cone, w->mu[c], u, D) == SP__APEX) continue;
+            sp__dual_rate(w, dV, dW, l, u);
+            g[0] = w->S[c] * (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]);
+            g[1] = w->S[c] * (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
+            g[2] = w->S[c] * (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
+            sp__cross3(l, g, m);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+        }
+        sp__dual_scatter(w, t, F, M, out);
+    }
+    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
+}
+
+/* Tie the candidate w->d and sharpen it; w->r, L.t and state->dq are used up.     returns 0 when everything is tied down */
+static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real *x = w->d, *r = w->r, *p = state->dq, *q = w->L.t;
+    sp__rigid_prolong(w, up, x);
+    if (!(sp__dual_norm(w, x) > 0)) return 0;
+    sp__dual_apply(w, w->y, x, r);
+    sp__rigid_restrict(w, up, r);
+    for (size_t k = 0; k < n; k++) p[k] = r[k] = -r[k];
+    sp_real rr = sp__dot(r, r, n);
+    for (int it = 0; it < 40 && rr > 0; it++) {
+        sp__rigid_prolong(w, up, p);
+        sp__dual_apply(w, w->y, p, q);
+        sp__rigid_restrict(w, up, q);
+        const sp_real pq = sp__dot(p, q, n);
+        if (!(pq > 0)) break;
+        const sp_real alpha = rr / pq;
+        for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
+        const sp_real next = sp__dot(r, r, n), beta = next / rr;
+        for (size_t k = 0; k < n; k++) p[k] = r[k] + beta * p[k];
+        rr = next;
+    }
+    sp__rigid_prolong(w, up, x);
+    return 1;
+}
+
 /* After a step: gradient, imbalance, best so far. */
 static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
 {
@@ -241,25 +367,49 @@ static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
     }
 }
 
-/* One Newton step; returns its length. Candidates for a proof on the way: the step, and the part of y that nothing resists,
- * (H + prox)^-1 y, which one more solve brings out. */
+/* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
+static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *state)
+{
+    for (int it = 0; it < 2 && !n->proved; it++) {
+        sp__dual_solve(w, x, x);
+        const sp_real size = sp__dual_norm(w, x);
+        if (!(size > 0)) return;
+        for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) x[k] /= size;
+        sp__newton_try(w, n, x, state);
+    }
+}
+
+/* The candidate in w->d, tied into rigid groups. */
+static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    if (n->proved) return;
+    sp__rigid_groups(w, w->d, (sp_real)1e-6, w->xadj);
+    if (sp__rigid_sharpen(w, w->xadj, state)) sp__newton_try(w, n, w->d, state);
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+}
+
+/* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
 static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
     n->left--;
     state->cost.iterations++;
-    if (n->omega > n->goal && n->prox > 0) {
-        sp__dual_solve(w, w->y, w->d);
-        sp__newton_try(w, n, w->d, state);
+    if (n->prox > 0 && n->prox < (sp_real)1e-4) {
+        memcpy(w->d, w->y, size * sizeof *w->d);
+        sp__newton_purify(w, n, w->d, state);
+        if (n->prox < (sp_real)1e-8) sp__newton_tie(w, n, state);
     }
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
     sp__dual_solve(w, w->d, w->d);
-    if (n->omega > (sp_real)1e-6) sp__newton_try(w, n, w->d, state);
+    sp__newton_try(w, n, w->d, state);
     const sp_real s = sp__newton_search(w, n->prox);
     sp__dual_axpy(w, s, w->d, w->y);
     sp__newton_look(w, n, state);
-    if (n->omega > (sp_real)1e-6) sp__newton_try(w, n, w->y, state);
+    if (n->omega > n->goal && !n->proved) {
+        sp__newton_try(w, n, w->y, state);
+        if (s > 10) sp__newton_purify(w, n, w->d, state);
+    }
     return s;
 }
 
@@ -297,18 +447,17 @@ static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
     n->prox = (sp_real)0.1;
     n->shift = 0;
     sp__newton_look(w, n, state);
-    while (n->left > 0 && n->omega > n->goal && !n->proved) {
+    for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
+        if (n->prox <= SP__SHIFT / 10) { extra--; continue; }
         const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
         for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
         const sp_real inner = sp__dual_norm(w, w->d);
         if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
-        if (n->prox <= SP__SHIFT / 10) return;
         n->prox /= 100;
     }
 }
 
-/* A proof sharpened: (H + shift)^-1 once more on the mechanism takes out what contacts still resist. */
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     sp__dual w;

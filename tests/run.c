@@ -136,6 +136,7 @@ int main(int argc, char **argv)
     const int list = argc > 1 && equal(argv[1], "-l");
     const char *filter = argc > 1 && !list ? argv[1] : "";
     int passed = 0, failed = 0;
+    TEST_START();
     if (argc > 2) {
         seed = 0;
         for (const char *s = argv[2]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');

@@ -24,6 +24,9 @@
 #ifndef TEST_PRINT
 #include <stdio.h>
 #define TEST_PRINT printf
+#define TEST_START() setvbuf(stdout, NULL, _IONBF, 0)  /* what was said before a crash is seen */
+#else
+#define TEST_START() ((void)0)
 #endif
 
 #ifndef TEST_ARENA_BYTES

@@ -83,7 +83,7 @@ TEST(jitter_and_odd_numbers_build_too)
     static const struct { const char *name, *param; double value; } odd[] = {
         { "wall", "jitter", 0.49 }, { "rubble", "jitter", 1 }, { "vault", "jitter", 0.45 }, { "wall", "rows", 1 },
         { "wall", "bricks", 1 }, { "vault", "around", 2 }, { "vault", "n", 1 }, { "dome", "segments", 3 }, { "dome", "segments", 128 },
-        { "arch", "ends", 1 }, { "arch", "half", 60 }, { "keystone", "angle", -20 }, { "two-cubes", "offset", -0.4 },
+        { "arch", "ends", 1 }, { "arch", "half", 60 }, { "arch", "facets", 60 }, { "keystone", "angle", -20 }, { "two-cubes", "offset", -0.4 },
         { "incline", "turn", 22.5 }, { "overhang", "n", 30 }, { "flat-arch", "n", 1 }, { "rubble", "rows", 1 }
     };
     for (size_t k = 0; k < sizeof odd / sizeof odd[0]; k++) {

@@ -257,31 +257,34 @@ static void polar(double r, double angle, double q[2])
     q[1] = r * sin(angle);
 }
 
-/* Voussoir between two radial joints, angles from x; the left one is the larger. Order: right in, right out, left out, in. */
-static void voussoir(double ri, double ro, double left, double right, double q[4][2])
+enum { GEN_FACETS = 60 };                       /* chords of a voussoir's inside and outside, at most */
+
+/* Outline of a voussoir between two radial joints, angles from x, the left one the larger; both arcs as `facets` chords.
+ * Returns the number of corners. */
+static int32_t voussoir(double ri, double ro, double left, double right, int32_t facets, double (*q)[2])
 {
-    polar(ri, right, q[0]);
-    polar(ro, right, q[1]);
-    polar(ro, left, q[2]);
-    polar(ri, left, q[3]);
+    int32_t n = 0;
+    for (int32_t k = 0; k <= facets; k++) polar(ro, (right * (facets - k) + left * k) / facets, q[n++]);
+    for (int32_t k = 0; k <= facets; k++) polar(ri, (left * (facets - k) + right * k) / facets, q[n++]);
+    return n;                                   /* the left joint runs from q[facets + 1] inside to q[facets] outside */
 }
 
-/* n voussoirs with straight sides over an angle of 2 half, from left to right; springers are blocks of their own, or
- * (ends = 1) the first and last voussoirs. */
+/* Angle of joint i of n over 2 half, measured from the crown: left and right are mirror images to the last bit. */
+static double joint_angle(int32_t i, int32_t n, double half) { return 0.5 * gen_pi + (n - 2 * i) * (half / n); }
+
+/* n voussoirs over an angle of 2 half, from left to right; springers are blocks of their own, or (ends = 1) the first and
+ * last voussoirs. */
 static void arch(gen_sink *s, const double *v)
 {
-    const int32_t n = whole(v[0]), ends = whole(v[4]);
+    const int32_t n = whole(v[0]), ends = whole(v[4]), facets = whole(v[6]);
     const double ri = v[2] * (1 - 0.5 * v[1]), ro = v[2] * (1 + 0.5 * v[1]), half = rad(v[3]), depth = v[5];
-    const double step = 2 * half / n;
-    double q[4][2];
+    double q[2 * GEN_FACETS + 2][2];
     int32_t before = -1;
     for (int32_t i = ends ? 0 : -1; i < (ends ? n : n + 1); i++) {
         const int held = ends ? i == 0 || i == n - 1 : i < 0 || i == n;
-        /* measured from the crown, so that left and right are mirror images to the last bit */
-        const double left = 0.5 * gen_pi + (n - 2 * i) * 0.5 * step, right = 0.5 * gen_pi + (n - 2 * i - 2) * 0.5 * step;
-        voussoir(ri, ro, left, right, q);
-        const int32_t b = prism(s, 4, (const double (*)[2])q, 0, depth, held ? SP_FIXED : 0);
-        if (before >= 0 && (!ends || n > 2)) seam(s, before, b, q[3], q[2], 0, depth);
+        const int32_t corners = voussoir(ri, ro, joint_angle(i, n, half), joint_angle(i + 1, n, half), facets, q);
+        const int32_t b = prism(s, corners, (const double (*)[2])q, 0, depth, held ? SP_FIXED : 0);
+        if (before >= 0 && (!ends || n > 2)) seam(s, before, b, q[facets + 1], q[facets], 0, depth);
         before = b;
     }
 }
@@ -449,7 +452,7 @@ static void meet_radial(gen_sink *s, int32_t a, int32_t b, double y0, double y1,
 static void vault(gen_sink *s, const double *v)
 {
     const int32_t around = whole(v[0]), n = whole(v[1]);
-    const double ri = v[3] * (1 - 0.5 * v[2]), ro = v[3] * (1 + 0.5 * v[2]), half = rad(v[4]), step = 2 * half / around;
+    const double ri = v[3] * (1 - 0.5 * v[2]), ro = v[3] * (1 + 0.5 * v[2]), half = rad(v[4]);
     const double length = v[5] / n;
     double y[2][GEN_JOINTS], q[4][2];
     int32_t before = -1, n_before = 0;
@@ -457,7 +460,7 @@ static void vault(gen_sink *s, const double *v)
     for (int32_t i = -1; i <= around; i++) {
         const int held = i < 0 || i == around;
         double *here = y[(i + 1) % 2], *last = y[1 - (i + 1) % 2];
-        voussoir(ri, ro, 0.5 * gen_pi + (around - 2 * i) * 0.5 * step, 0.5 * gen_pi + (around - 2 * i - 2) * 0.5 * step, q);
+        voussoir(ri, ro, joint_angle(i, around, half), joint_angle(i + 1, around, half), 1, q);     /* out, out, in, in */
         const int32_t stones = held ? 1 : course(s, i % 2, n, length, v[7], here), first = s->count.blocks;
         if (held) here[0] = 0, here[1] = n * length;
         for (int32_t k = 0; k < stones; k++) {
@@ -468,7 +471,7 @@ static void vault(gen_sink *s, const double *v)
                 joint(s, b - 1, b, 4, x);
             }
         }
-        const radial t = { q[3], q[2] };
+        const radial t = { q[2], q[1] };
         if (before >= 0) bond(s, before, n_before, last, first, stones, here, meet_radial, &t);
         before = first;
         n_before = stones;
@@ -573,7 +576,7 @@ const gen_entry gen_table[] = {
     { "arch", "a ring of voussoirs with straight sides", arch, {
         { "n", 20, 2, 2000, "voussoirs" }, { "t", 0.12, 1e-4, 1.9, "thickness / mean radius" }, { "radius", 1, 1e-3, 1e6, "mean, m" },
         { "half", 90, 1, 170, "half angle of embrace, degrees" }, { "ends", 0, 0, 1, "1: the end voussoirs are the supports" },
-        { "depth", 0.5, 1e-3, 1e6, "m" }, END } },
+        { "depth", 0.5, 1e-3, 1e6, "m" }, { "facets", 1, 1, GEN_FACETS, "chords of each inside and outside" }, END } },
     { "flat-arch", "wedges under a level top", flat_arch, {
         { "n", 9, 1, 500, "wedges" }, { "span", 2, 1e-3, 1e6, "m, below" }, { "height", 0.4, 1e-3, 1e6, "m" },
         { "half", 25, 0, 60, "lean of the outer joints, degrees" }, { "depth", 0.4, 1e-3, 1e6, "m" }, END } },

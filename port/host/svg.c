@@ -1,0 +1,684 @@
+/* The picture of a scene: an axonometric drawing in the painter's order, joints and forces over it, words around it.
+ *
+ * World lengths become paper lengths by one scale, y downwards. Everything drawn is measured before the scale is chosen.
+ */
+#include "svg.h"
+#include "hidden.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH   900.0                   /* [px] */
+#define MARGIN  36.0
+#define TALLEST 600.0                   /* of the drawing */
+#define HEAD    84.0                    /* of the title */
+#define FOOT    96.0                    /* of the legend */
+
+static const char *const color_force = "#1d5fa6", *const color_weak = "#e07b00", *const color_motion = "#b2182b";
+
+typedef struct edge { int32_t low, high, face; } edge;
+
+/* What the drawing needs to know. */
+typedef struct picture {
+    FILE *out;
+    const report *r;
+    const sp_scene *s;
+    view v;
+    double low[2], high[2];             /* of all that is drawn, on paper in world lengths */
+    double size;                        /* of the scene [m] */
+    double scale, left, top;            /* px = left + scale (x - low), top + scale (high - y) */
+    double force_scale;                 /* length of an arrow per force [m/N] */
+    double largest;                     /* [N] force of a joint */
+    double shift, largest_shift;        /* factor on dq; longest way a corner goes in the drawing [m] */
+    int forces, moving;                 /* is there any? */
+    edge *edge;                         /* of all faces, sorted by block's vertex pairs */
+    int32_t edges;
+    unsigned char *crease;              /* is the edge that follows this corner drawn? */
+} picture;
+
+/* ---------------------------------------------------------------------------------------------------------------- view */
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static double norm_real(const sp_real a[3])
+{
+    return sqrt((double)a[0] * (double)a[0] + (double)a[1] * (double)a[1] + (double)a[2] * (double)a[2]);
+}
+
+/* From above and from the front left; the front is the longer side in plan, and thin walls are seen more squarely. */
+static view choose_view(const sp_scene *s)
+{
+    const double rad = 3.14159265358979323846 / 180;
+    double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+    double dx, dy, dz, ratio, yaw, rise, front[2], side[2];
+    view v;
+
+    for (int32_t k = 0; k < s->count.vertices; k++)
+        for (int c = 0; c < 3; c++) {
+            low[c] = fmin(low[c], (double)s->vertex[k][c]);
+            high[c] = fmax(high[c], (double)s->vertex[k][c]);
+        }
+    dx = high[0] - low[0];
+    dy = high[1] - low[1];
+    dz = high[2] - low[2];
+    ratio = fmin(dx, dy) / fmax(fmax(dx, dy), 1e-300);
+    yaw = (18 + 14 * fmin(1, ratio)) * rad;
+    rise = (dz > 2.5 * fmax(dx, dy) ? 14 : 16 + 12 * fmin(1, ratio)) * rad;
+    front[0] = dx >= dy ? 0 : 1;
+    front[1] = dx >= dy ? -1 : 0;
+    side[0] = -front[1];
+    side[1] = front[0];
+    for (int c = 0; c < 2; c++) {
+        v.right[c] = cos(yaw) * side[c] + sin(yaw) * front[c];
+        v.toward[c] = cos(rise) * (cos(yaw) * front[c] - sin(yaw) * side[c]);
+        v.up[c] = -sin(rise) * (cos(yaw) * front[c] - sin(yaw) * side[c]);
+    }
+    v.right[2] = 0;
+    v.toward[2] = sin(rise);
+    v.up[2] = cos(rise);
+    return v;
+}
+
+static void px(const picture *p, const double at[2], double out[2])
+{
+    out[0] = p->left + p->scale * (at[0] - p->low[0]);
+    out[1] = p->top + p->scale * (p->high[1] - at[1]);
+}
+
+static void world_px(const picture *p, const sp_real x[3], double out[2])
+{
+    double at[2];
+    view_point(&p->v, x, at);
+    px(p, at, out);
+}
+
+static void cover(picture *p, const sp_real x[3])
+{
+    double at[2];
+    view_point(&p->v, x, at);
+    for (int c = 0; c < 2; c++) {
+        p->low[c] = fmin(p->low[c], at[c]);
+        p->high[c] = fmax(p->high[c], at[c]);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------------ creases */
+
+static int compare_edges(const void *pa, const void *pb)
+{
+    const edge *a = pa, *b = pb;
+    if (a->low != b->low) return a->low < b->low ? -1 : 1;
+    if (a->high != b->high) return a->high < b->high ? -1 : 1;
+    return (a->face > b->face) - (a->face < b->face);
+}
+
+static edge edge_after(const sp_scene *s, int32_t face, int32_t k)
+{
+    const sp_face *f = &s->face[face];
+    const int32_t a = s->corner[f->corner + k], b = s->corner[f->corner + (k + 1) % f->corners];
+    const edge e = { a < b ? a : b, a < b ? b : a, face };
+    return e;
+}
+
+/* The other face at an edge of this face, -1: none, or more than one. */
+static int32_t neighbour(const picture *p, edge e)
+{
+    const edge first = { e.low, e.high, -1 };
+    int32_t low = 0, high = p->edges, n = 0;
+    while (low < high) {
+        const int32_t middle = low + (high - low) / 2;
+        if (compare_edges(&p->edge[middle], &first) < 0) low = middle + 1;
+        else high = middle;
+    }
+    while (low + n < p->edges && p->edge[low + n].low == e.low && p->edge[low + n].high == e.high) n++;
+    if (n != 2) return -1;
+    return p->edge[low].face == e.face ? p->edge[low + 1].face : p->edge[low].face;
+}
+
+/* An edge is drawn where the faces bend by more than 10 degrees, one of them looks away, or there is no other. */
+static int is_crease(const picture *p, int32_t face, int32_t k)
+{
+    const int32_t other = neighbour(p, edge_after(p->s, face, k));
+    double a[3], b[3], c;
+    if (other < 0) return 1;
+    view_normal(p->s, face, a);
+    view_normal(p->s, other, b);
+    c = dot(a, b) / sqrt(fmax(dot(a, a) * dot(b, b), 1e-300));
+    return c < 0.985 || dot(b, p->v.toward) <= 0;
+}
+
+static int find_creases(picture *p)
+{
+    const sp_scene *s = p->s;
+    p->edge = malloc(((size_t)s->count.corners + 1) * sizeof *p->edge);
+    p->crease = malloc((size_t)s->count.corners + 1);
+    if (!p->edge || !p->crease) return 0;
+    for (int32_t f = 0; f < s->count.faces; f++)
+        for (int32_t k = 0; k < s->face[f].corners; k++) p->edge[p->edges++] = edge_after(s, f, k);
+    qsort(p->edge, (size_t)p->edges, sizeof *p->edge, compare_edges);
+    for (int32_t f = 0; f < s->count.faces; f++)
+        for (int32_t k = 0; k < s->face[f].corners; k++)
+            p->crease[s->face[f].corner + k] = (unsigned char)is_crease(p, f, k);
+    return 1;
+}
+
+/* -------------------------------------------------------------------------------------------------------------- blocks */
+
+static int32_t block_of(const sp_scene *s, int32_t face)
+{
+    int32_t low = 0, high = s->count.blocks - 1;
+    while (low < high) {                                /* the last block whose faces begin at or before this one */
+        const int32_t middle = low + (high - low + 1) / 2;
+        if (s->block[middle].face <= face) low = middle;
+        else high = middle - 1;
+    }
+    return low;
+}
+
+/* Lambert's law with a light from the upper left, a little of the block's own tint. */
+static void shade(const picture *p, int32_t face, int32_t block, int rgb[3])
+{
+    static const double stone[3] = { 226, 213, 190 }, support[3] = { 158, 166, 174 };
+    double n[3], light[3], bright, tint;
+    const uint32_t hash = ((uint32_t)block + 1) * 2654435761u;
+
+    for (int c = 0; c < 3; c++) light[c] = 0.62 * p->v.up[c] + 0.66 * p->v.toward[c] - 0.42 * p->v.right[c];
+    view_normal(p->s, face, n);
+    bright = dot(n, light) / sqrt(fmax(dot(n, n) * dot(light, light), 1e-300));
+    tint = ((hash >> 16) % 1000) / 1000.0 - 0.5;
+    bright = 0.60 + 0.44 * fmax(0, bright) + 0.05 * tint;
+    for (int c = 0; c < 3; c++) {
+        const double base = p->s->block[block].fixed ? support[c] : stone[c];
+        rgb[c] = (int)fmin(255, base * bright + (c == 0 ? 4 * tint : 0));
+    }
+}
+
+static void outline(const picture *p, int32_t face)
+{
+    const sp_face *f = &p->s->face[face];
+    for (int32_t k = 0; k < f->corners; k++) {
+        double at[2];
+        world_px(p, p->s->vertex[p->s->corner[f->corner + k]], at);
+        fprintf(p->out, "%s%.1f %.1f", k ? "L" : "M", at[0], at[1]);
+    }
+    fputs("Z", p->out);
+}
+
+/* The drawn edges of a face as runs of lines. */
+static void creases(const picture *p, int32_t face)
+{
+    const sp_face *f = &p->s->face[face];
+    int pen = 0;
+    for (int32_t k = 0; k < f->corners; k++) {
+        double a[2], b[2];
+        if (!p->crease[f->corner + k]) { pen = 0; continue; }
+        world_px(p, p->s->vertex[p->s->corner[f->corner + k]], a);
+        world_px(p, p->s->vertex[p->s->corner[f->corner + (k + 1) % f->corners]], b);
+        if (!pen) fprintf(p->out, "M%.1f %.1f", a[0], a[1]);
+        fprintf(p->out, "L%.1f %.1f", b[0], b[1]);
+        pen = 1;
+    }
+}
+
+static int any_crease(const picture *p, int32_t face)
+{
+    for (int32_t k = 0; k < p->s->face[face].corners; k++)
+        if (p->crease[p->s->face[face].corner + k]) return 1;
+    return 0;
+}
+
+static int draw_blocks(picture *p)
+{
+    int32_t *order;
+    const int32_t n = hidden_order(p->s, &p->v, &order);
+    if (n < 0) return 0;
+    fprintf(p->out, "<g stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"%.2f\">\n", n > 2000 ? 0.5 : 1.0);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t block = block_of(p->s, order[i]);
+        int c[3];
+        shade(p, order[i], block, c);
+        fprintf(p->out, "<path fill=\"#%02x%02x%02x\" stroke=\"#%02x%02x%02x\" d=\"", c[0], c[1], c[2], c[0], c[1], c[2]);
+        outline(p, order[i]);
+        fputs("\"/>\n", p->out);
+        if (p->s->block[block].fixed) {
+            fputs("<path fill=\"url(#hatch)\" d=\"", p->out);
+            outline(p, order[i]);
+            fputs("\"/>\n", p->out);
+        }
+        if (!any_crease(p, order[i])) continue;
+        fprintf(p->out, "<path fill=\"none\" stroke=\"#%02x%02x%02x\" d=\"", c[0] * 45 / 100, c[1] * 43 / 100, c[2] * 42 / 100);
+        creases(p, order[i]);
+        fputs("\"/>\n", p->out);
+    }
+    fputs("</g>\n", p->out);
+    free(order);
+    return 1;
+}
+
+/* -------------------------------------------------------------------------------------------------------------- joints */
+
+static void draw_weakest(const picture *p)
+{
+    const int32_t weakest = p->r->result.weakest;
+    const sp_interface *c;
+    double at[2];
+
+    if (weakest < 0) return;
+    c = &p->s->interface[weakest];
+    fprintf(p->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\" d=\"",
+            color_weak, color_weak);
+    for (int32_t k = 0; k < c->points; k++) {
+        world_px(p, p->s->point[c->point + k], at);
+        fprintf(p->out, "%s%.1f %.1f", k ? "L" : "M", at[0], at[1]);
+    }
+    fputs(c->points > 2 ? "Z\"/>\n" : "\"/>\n", p->out);
+    for (int32_t k = 0; k < c->points && c->points < 3; k++) {
+        world_px(p, p->s->point[c->point + k], at);
+        fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", at[0], at[1], color_weak);
+    }
+}
+
+/* The force of a joint on the block it holds up: the one it pushes against gravity. */
+static int joint_force(const picture *p, int32_t i, sp_real from[3], sp_real to[3], double *size)
+{
+    sp_interface_force f;
+    double lift = 0, sign;
+    if (sp_interface_resultant(p->s, &p->r->result, i, &f) != SP_OK) return 0;
+    *size = norm_real(f.force);
+    if (!(*size > 0)) return 0;
+    for (int c = 0; c < 3; c++) lift -= (double)f.force[c] * (double)p->s->gravity[c];
+    sign = lift < 0 ? -1 : 1;
+    for (int c = 0; c < 3; c++) {
+        from[c] = f.point[c];
+        to[c] = (sp_real)((double)f.point[c] + sign * p->force_scale * (double)f.force[c]);
+    }
+    return 1;
+}
+
+static void arrow(FILE *out, const double a[2], const double b[2], const char *color, double width, double head)
+{
+    const double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
+    const double h = fmin(head, 0.6 * length), ux = dx / fmax(length, 1e-9), uy = dy / fmax(length, 1e-9);
+    if (length < 1) return;
+    for (int halo = 1; halo >= 0; halo--) {
+        const char *ink = halo ? "#ffffff" : color;
+        const double w = halo ? width + 1.8 : width;
+        fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"%.1f\"%s fill=\"none\"/>", a[0], a[1],
+                b[0] - ux * h * 0.8, b[1] - uy * h * 0.8, ink, w, halo ? " stroke-opacity=\"0.75\"" : "");
+        fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fZ\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%.1f\"%s/>\n", b[0], b[1],
+                b[0] - ux * h - uy * h * 0.36, b[1] - uy * h + ux * h * 0.36, b[0] - ux * h + uy * h * 0.36,
+                b[1] - uy * h - ux * h * 0.36, ink, ink, halo ? 1.8 : 0.0, halo ? " stroke-opacity=\"0.75\"" : "");
+    }
+}
+
+static void draw_forces(const picture *p)
+{
+    const double width = p->s->count.interfaces > 400 ? 1.0 : 1.7, head = p->s->count.interfaces > 400 ? 5 : 8;
+    if (!p->forces) return;
+    for (int32_t i = 0; i < p->s->count.interfaces; i++) {
+        sp_real from[3], to[3];
+        double a[2], b[2], size;
+        if (!joint_force(p, i, from, to, &size)) continue;
+        world_px(p, from, a);
+        world_px(p, to, b);
+        arrow(p->out, a, b, color_force, width, head);
+        if (p->s->count.interfaces <= 400)
+            fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2\" fill=\"%s\"/>\n", a[0], a[1], color_force);
+    }
+}
+
+/* ----------------------------------------------------------------------------------------------------------- mechanism */
+
+/* Where a corner of block b goes: x -> c + R (x - c) + shift v, R the rotation by shift w.                  [Rodrigues] */
+static void moved(const picture *p, int32_t b, const sp_real x[3], double shift, sp_real out[3])
+{
+    const sp_real *dq = p->r->result.dq + 6 * (size_t)b, *o = p->s->block[b].centroid;
+    const double rate = norm_real(dq + 3), angle = shift * rate, k = rate > 0 ? 1 / rate : 0;
+    const double w[3] = { k * (double)dq[3], k * (double)dq[4], k * (double)dq[5] };
+    double d[3], along;
+    for (int c = 0; c < 3; c++) d[c] = (double)x[c] - (double)o[c];
+    along = dot(w, d);
+    for (int c = 0; c < 3; c++) {
+        const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+        const double turned = d[c] * cos(angle) + (w[c1] * d[c2] - w[c2] * d[c1]) * sin(angle) + w[c] * along * (1 - cos(angle));
+        out[c] = (sp_real)((double)o[c] + (rate > 0 ? turned : d[c]) + shift * (double)dq[c]);
+    }
+}
+
+/* Does this face look towards the viewer after it moved? Tells by its area on paper. */
+static int moved_seen(const picture *p, int32_t b, int32_t face)
+{
+    const sp_face *f = &p->s->face[face];
+    double area = 0, first[2] = { 0, 0 }, before[2] = { 0, 0 };
+    for (int32_t k = 0; k < f->corners; k++) {
+        sp_real x[3];
+        double at[2];
+        moved(p, b, p->s->vertex[p->s->corner[f->corner + k]], p->shift, x);
+        view_point(&p->v, x, at);
+        if (k == 0) { first[0] = at[0]; first[1] = at[1]; }
+        if (k > 1) area += (before[0] - first[0]) * (at[1] - first[1]) - (before[1] - first[1]) * (at[0] - first[0]);
+        before[0] = at[0];
+        before[1] = at[1];
+    }
+    return area > 0;
+}
+
+static void draw_mechanism(const picture *p)
+{
+    if (!p->moving) return;
+    fprintf(p->out, "<g fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\" stroke-linejoin=\"round\">\n",
+            color_motion);
+    for (int32_t b = 0; b < p->s->count.blocks; b++) {
+        if (!(report_motion(p->r, b) > 1e-3)) continue;
+        fputs("<path d=\"", p->out);
+        for (int32_t i = p->s->block[b].face; i < p->s->block[b].face + p->s->block[b].faces; i++) {
+            const sp_face *f = &p->s->face[i];
+            if (!moved_seen(p, b, i)) continue;
+            for (int32_t k = 0; k < f->corners; k++) {
+                sp_real x[3], y[3];
+                double a[2], c[2];
+                if (!p->crease[f->corner + k]) continue;
+                moved(p, b, p->s->vertex[p->s->corner[f->corner + k]], p->shift, x);
+                moved(p, b, p->s->vertex[p->s->corner[f->corner + (k + 1) % f->corners]], p->shift, y);
+                world_px(p, x, a);
+                world_px(p, y, c);
+                fprintf(p->out, "M%.1f %.1fL%.1f %.1f", a[0], a[1], c[0], c[1]);
+            }
+        }
+        fputs("\"/>\n", p->out);
+    }
+    fputs("</g>\n", p->out);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- scales */
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Diameter that half of the free blocks exceed. */
+static double median_block(const picture *p)
+{
+    double *d = malloc(((size_t)p->s->count.blocks + 1) * sizeof *d), m;
+    size_t n = 0;
+    if (!d) return p->size / 10;
+    for (int32_t b = 0; b < p->s->count.blocks; b++)
+        if (!p->s->block[b].fixed && p->s->block[b].diameter > 0) d[n++] = (double)p->s->block[b].diameter;
+    qsort(d, n, sizeof *d, ascending);
+    m = n ? d[n / 2] : p->size / 10;
+    free(d);
+    return m;
+}
+
+/* Arrows: the largest is about as long as a block. */
+static void scale_forces(picture *p)
+{
+    const double length = fmin(fmax(0.9 * median_block(p), 0.05 * p->size), 0.2 * p->size);
+    for (int32_t i = 0; i < p->s->count.interfaces; i++) {
+        sp_real from[3], to[3];
+        double size;
+        if (joint_force(p, i, from, to, &size)) p->largest = fmax(p->largest, size);
+    }
+    p->forces = p->largest > 0;
+    if (p->forces) p->force_scale = length / p->largest;
+    for (int32_t i = 0; i < p->s->count.interfaces && p->forces; i++) {
+        sp_real from[3], to[3];
+        double size;
+        if (joint_force(p, i, from, to, &size)) cover(p, to);
+    }
+}
+
+static double farthest(const picture *p, double shift)
+{
+    double most = 0;
+    for (int32_t b = 0; b < p->s->count.blocks; b++)
+        for (int32_t k = 0; k < p->s->block[b].vertices && report_motion(p->r, b) > 0; k++) {
+            const sp_real *x = p->s->vertex[p->s->block[b].vertex + k];
+            sp_real y[3], d[3];
+            moved(p, b, x, shift, y);
+            for (int c = 0; c < 3; c++) d[c] = y[c] - x[c];
+            most = fmax(most, norm_real(d));
+        }
+    return most;
+}
+
+/* Motion: the corner that goes farthest goes a third of a block, at least 4 and at most 12 % of the scene. */
+static void scale_motion(picture *p)
+{
+    const double length = fmin(fmax(median_block(p) / 3, 0.04 * p->size), 0.12 * p->size);
+    double probe, rate;
+    if (p->r->result.verdict != SP_UNSTABLE) return;
+    probe = 1e-3 * p->size;
+    rate = farthest(p, probe) / probe;
+    if (!(rate > 0)) return;
+    p->moving = 1;
+    p->shift = length / rate;
+    p->largest_shift = farthest(p, p->shift);
+    for (int32_t b = 0; b < p->s->count.blocks; b++)
+        for (int32_t k = 0; k < p->s->block[b].vertices && report_motion(p->r, b) > 1e-3; k++) {
+            sp_real y[3];
+            moved(p, b, p->s->vertex[p->s->block[b].vertex + k], p->shift, y);
+            cover(p, y);
+        }
+}
+
+static void scale_paper(picture *p)
+{
+    double w, h;
+    if (!(p->high[0] >= p->low[0])) p->low[0] = p->low[1] = p->high[0] = p->high[1] = 0;
+    w = fmax(p->high[0] - p->low[0], 1e-12 * p->size);
+    h = fmax(p->high[1] - p->low[1], 1e-12 * p->size);
+    p->scale = fmin((WIDTH - 2 * MARGIN) / w, TALLEST / h);
+    if (!(p->scale < HUGE_VAL)) p->scale = 1;
+    p->left = (WIDTH - p->scale * w) / 2;
+    p->top = HEAD + MARGIN / 2;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- words */
+
+/* Text inside an element: markup escaped, bytes that are no plain text shown as '?'. */
+static void escaped(FILE *out, const char *s, size_t most)
+{
+    size_t n = 0;
+    for (; *s && n < most; s++, n++) {
+        const unsigned char c = (unsigned char)*s;
+        if (c == '<') fputs("&lt;", out);
+        else if (c == '>') fputs("&gt;", out);
+        else if (c == '&') fputs("&amp;", out);
+        else if (c < 32 || c > 126) fputc('?', out);
+        else fputc(c, out);
+    }
+    if (*s) fputs("...", out);
+}
+
+static void quantity(FILE *out, double x, const char *unit)
+{
+    static const char *const prefix[] = { "n", "&#181;", "m", "", "k", "M", "G", "T" };
+    int k = 3;
+    while (fabs(x) >= 999.5 && k < 7) { x /= 1000; k++; }
+    while (fabs(x) > 0 && fabs(x) < 0.9995 && k > 0) { x *= 1000; k--; }
+    fprintf(out, "%.3g %s%s", x, prefix[k], unit);
+}
+
+/* The largest 1, 2 or 5 times a power of ten below x. */
+static double round_below(double x)
+{
+    const double ten = pow(10, floor(log10(x)));
+    return ten * (x / ten >= 5 ? 5 : x / ten >= 2 ? 2 : 1);
+}
+
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static void friction(const picture *p)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int32_t i = 0; i < p->s->count.interfaces; i++) {
+        low = fmin(low, (double)p->s->interface[i].joint.mu);
+        high = fmax(high, (double)p->s->interface[i].joint.mu);
+    }
+    if (!(low <= high)) return;
+    fprintf(p->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);
+}
+
+static void title(const picture *p)
+{
+    const sp_result *x = &p->r->result;
+    const char *word = x->verdict == SP_STABLE ? "stable" : x->verdict == SP_UNSTABLE ? "unstable" : "undecided";
+    const char *color = x->verdict == SP_STABLE ? "#1b7837" : x->verdict == SP_UNSTABLE ? color_motion : "#8a6d00";
+
+    fprintf(p->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"%s\">%s"
+            "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", MARGIN, color, word);
+    escaped(p->out, file_name(p->r->scene->path), 60);
+    fprintf(p->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", MARGIN);
+    fprintf(p->out, "%ld blocks, %ld of them free, %ld joints", (long)p->s->count.blocks, (long)x->free_blocks, (long)x->interfaces);
+    friction(p);
+    fputs("; largest compression ", p->out);
+    quantity(p->out, (double)x->max_compression, "N");
+    fputs("</text>\n", p->out);
+    fprintf(p->out, "<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", MARGIN);
+    if (x->verdict == SP_STABLE) fprintf(p->out, "largest imbalance of a block %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+    else if (x->verdict == SP_UNSTABLE && x->final) fputs("no joint forces of any size balance it", p->out);
+    else if (x->verdict == SP_UNSTABLE) fprintf(p->out, "at best a block stays unbalanced by %.2g of its forces", (double)x->least_imbalance);
+    else fprintf(p->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+    if (x->verdict != SP_UNDECIDED) fputs(x->verified ? ", verified" : ", not verified", p->out);
+    fputs("</text>\n", p->out);
+}
+
+/* A word of the legend at x, y. */
+static void label(FILE *out, double x, double y) { fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"13\" fill=\"#333\">", x, y); }
+
+static void legend_forces(const picture *p, double x, double y)
+{
+    const double force = round_below(p->largest), length = force * p->force_scale * p->scale;
+    const double a[2] = { x, y - 4 }, b[2] = { x + length, y - 4 };
+    arrow(p->out, a, b, color_force, 1.7, 8);
+    label(p->out, x + length + 10, y);
+    quantity(p->out, force, "N");
+    fputs(p->r->result.verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
+                                            : ", best forces the joints can give</text>\n", p->out);
+}
+
+static void legend_weakest(const picture *p, double x, double y)
+{
+    const int32_t i = p->r->result.weakest;
+    sp_interface_force f;
+    fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
+            "stroke-width=\"2\"/>\n", x, y - 11, color_weak, color_weak);
+    label(p->out, x + 36, y);
+    fputs("weakest joint ", p->out);
+    escaped(p->out, p->r->scene->name[p->s->interface[i].a], 20);
+    fputs(" | ", p->out);
+    escaped(p->out, p->r->scene->name[p->s->interface[i].b], 20);
+    if (p->r->result.demand[i].tension > 0) {
+        fputs(", lacks ", p->out);
+        quantity(p->out, (double)p->r->result.demand[i].tension, "N");
+        fputs(" of tension", p->out);
+    } else if (sp_interface_resultant(p->s, &p->r->result, i, &f) == SP_OK)
+        fprintf(p->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
+    fputs("</text>\n", p->out);
+}
+
+static void legend_motion(const picture *p, double x, double y)
+{
+    fprintf(p->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
+            "stroke-dasharray=\"5 3\"/>\n", x, y - 11, color_motion);
+    label(p->out, x + 36, y);
+    fputs("how it starts to move, drawn to ", p->out);
+    quantity(p->out, p->largest_shift, "m");
+    fputs(" at most</text>\n", p->out);
+}
+
+static void legend_support(const picture *p, double x, double y)
+{
+    fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"#9ea6ae\"/><rect x=\"%.1f\" y=\"%.1f\" "
+            "width=\"26\" height=\"13\" fill=\"url(#hatch)\" stroke=\"#555\"/>\n", x, y - 11, x, y - 11);
+    label(p->out, x + 36, y);
+    fputs("fixed</text>\n", p->out);
+}
+
+/* A length on the paper's horizontal, which parallel projection keeps. */
+static void legend_length(const picture *p, double x, double y)
+{
+    const double length = round_below(150 / p->scale), w = length * p->scale;
+    fprintf(p->out, "<path d=\"M%.1f %.1fv8m0 -4h%.1fm0 -4v8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.3\"/>\n", x, y - 9, w);
+    label(p->out, x + w + 8, y);
+    quantity(p->out, length, "m");
+    fputs("</text>\n", p->out);
+}
+
+/* Gravity where it is not straight down. */
+static void legend_gravity(const picture *p)
+{
+    const sp_real origin[3] = { 0, 0, 0 };
+    const double size = norm_real(p->s->gravity);
+    double o[2], g[2], a[2] = { WIDTH - 70, 26 }, b[2];
+    if (!(size > 0) || (double)p->s->gravity[2] < -size * (1 - 1e-12)) return;
+    view_point(&p->v, origin, o);
+    view_point(&p->v, p->s->gravity, g);
+    b[0] = a[0] + 44 * (g[0] - o[0]) / size;
+    b[1] = a[1] - 44 * (g[1] - o[1]) / size;
+    arrow(p->out, a, b, "#333333", 1.7, 8);
+    label(p->out, a[0] + 12, a[1] + 6);
+    fputs("gravity</text>\n", p->out);
+}
+
+static void legend(const picture *p, double y)
+{
+    const double second = 470;
+    legend_support(p, MARGIN, y);
+    legend_length(p, MARGIN + 110, y);
+    if (p->forces) legend_forces(p, second, y);
+    if (p->r->result.weakest >= 0) legend_weakest(p, MARGIN, y + 26);
+    if (p->moving) legend_motion(p, second, y + 26);
+    legend_gravity(p);
+}
+
+static void page_start(const picture *p, double height)
+{
+    fprintf(p->out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
+            "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n", WIDTH, height, WIDTH, height);
+    fputs("<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
+          "<path d=\"M0 0V7\" stroke=\"#2f3942\" stroke-width=\"1.6\" stroke-opacity=\"0.55\"/></pattern></defs>\n", p->out);
+    fprintf(p->out, "<rect width=\"%.0f\" height=\"%.0f\" fill=\"#fcfbf8\"/>\n", WIDTH, height);
+}
+
+int svg_write(FILE *out, const report *r)
+{
+    picture p;
+    double height;
+    int good;
+
+    memset(&p, 0, sizeof p);
+    p.out = out;
+    p.r = r;
+    p.s = &r->scene->scene;
+    p.v = choose_view(p.s);
+    for (int c = 0; c < 2; c++) { p.low[c] = HUGE_VAL; p.high[c] = -HUGE_VAL; }
+    for (int32_t k = 0; k < p.s->count.vertices; k++) cover(&p, p.s->vertex[k]);
+    for (int32_t k = 0; k < p.s->count.points; k++) cover(&p, p.s->point[k]);
+    p.size = fmax(fmax(p.high[0] - p.low[0], p.high[1] - p.low[1]), 1e-300);
+    scale_forces(&p);
+    scale_motion(&p);
+    scale_paper(&p);
+    height = floor(p.top + p.scale * (p.high[1] - p.low[1]) + FOOT);
+    page_start(&p, height);
+    good = find_creases(&p) && draw_blocks(&p);
+    if (good) {
+        draw_weakest(&p);
+        draw_forces(&p);
+        draw_mechanism(&p);
+        title(&p);
+        legend(&p, height - FOOT + 46);
+    }
+    fputs("</svg>\n", out);
+    free(p.edge);
+    free(p.crease);
+    return good;
+}

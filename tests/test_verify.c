@@ -1,0 +1,270 @@
+/* Evidence: what is true is accepted, and nothing else is, whatever a claim says. */
+#include "test.h"
+#include "scenes/gen.h"
+
+#include <math.h>
+
+static void build(const char *name, const char *param, double value, sp_scene *scene)
+{
+    gen_scene g;
+    CHECK_INT(gen_open(&g, name), 1);
+    if (param) CHECK_INT(gen_set(&g, param, value), 1);
+    CHECK_INT(gen_build(&g, &test_arena, scene), SP_OK);
+}
+
+static sp_verdict judged(const sp_scene *scene, const sp_result *claim)
+{
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    CHECK_INT(sp_verify(scene, NULL, claim, test_arena, &e), SP_OK);
+    return e.verdict;
+}
+
+/* A claim of nothing: no forces, no motion; fill in what is to be judged. */
+static sp_result empty_claim(const sp_scene *scene)
+{
+    static sp_real f[3 * 4096], dq[6 * 512];
+    const sp_settings settings = sp_settings_default();
+    sp_result r;
+    for (int32_t k = 0; k < 3 * scene->count.points && k < 3 * 4096; k++) f[k] = 0;
+    for (int32_t k = 0; k < 6 * scene->count.blocks && k < 6 * 512; k++) dq[k] = 0;
+    unsigned char *raw = (unsigned char *)&r;
+    for (size_t k = 0; k < sizeof r; k++) raw[k] = 0;
+    r.f = f;
+    r.dq = dq;
+    r.y0 = NULL;
+    r.tol = settings.tol;
+    return r;
+}
+
+static const struct { const char *name, *param; double value; sp_verdict verdict; } sample[] = {
+    { "two-cubes", "offset", 0.3, SP_STABLE }, { "two-cubes", "offset", 0.6, SP_UNSTABLE }, { "arch", "t", 0.14, SP_STABLE },
+    { "arch", "t", 0.09, SP_UNSTABLE }, { "wall", "size", 54, SP_STABLE }, { "h-model", "mu", 0.5, SP_STABLE },
+    { "keystone", "mu", 0.5, SP_STABLE }, { "keystone", "mu", 0.3, SP_UNSTABLE }
+};
+enum { SAMPLES = sizeof sample / sizeof sample[0] };
+
+static int checked(int k, sp_scene *scene, sp_result *result)
+{
+    test_arena.used = 0;
+    build(sample[k].name, sample[k].param, sample[k].value, scene);
+    if (!CHECK_INT(sp_check(scene, NULL, &test_arena, result), SP_OK)) return 0;
+    return CHECK_INT(result->verdict, sample[k].verdict);
+}
+
+TEST(true_evidence_is_accepted_with_and_without_its_hint)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        if (!checked(k, &s, &r)) continue;
+        CHECK_INT(judged(&s, &r), r.verdict);
+        r.y0 = NULL;
+        CHECK_INT(judged(&s, &r), r.verdict);
+    }
+}
+
+TEST(a_wrong_hint_neither_helps_nor_breaks)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        if (!checked(k, &s, &r)) continue;
+        for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = test_random_real(-1e6, 1e6);
+        const sp_verdict v = judged(&s, &r);
+        CHECK(v == r.verdict || v == SP_UNDECIDED);
+        for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = R(NAN);
+        const sp_verdict w = judged(&s, &r);
+        CHECK(w == r.verdict || w == SP_UNDECIDED);
+    }
+}
+
+TEST(nothing_is_no_evidence)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &s);
+        const sp_result r = empty_claim(&s);
+        CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+    }
+}
+
+TEST(numbers_that_are_none_prove_nothing)
+{
+    const double odd[] = { NAN, INFINITY, -INFINITY, TOL(1e308, 1e38), TOL(-1e308, -1e38), TOL(1e200, 1e25) };
+    for (int k = 0; k < SAMPLES; k++)
+        for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++)
+            for (int all = 0; all < 2; all++) {
+                sp_scene s;
+                sp_result r;
+                if (!checked(k, &s, &r)) continue;
+                const int32_t nf = 3 * s.count.points, nq = 6 * s.count.blocks;
+                if (r.verdict == SP_STABLE) {
+                    for (int32_t j = all ? 0 : test_random_int(0, nf - 1); j < nf; j += all ? 1 : nf) r.f[j] = R(odd[i]);
+                    if (all) CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+                    else judged(&s, &r);                /* one shear may be cut off again; it must only not crash */
+                } else {
+                    const int32_t block = s.count.blocks - 1;
+                    for (int32_t j = all ? 0 : 6 * block; j < nq; j += all ? 1 : nq) r.dq[j] = R(odd[i]);
+                    if (!isfinite(odd[i]) && all) CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+                    else judged(&s, &r);
+                }
+            }
+}
+
+TEST(one_normal_force_that_is_no_number_spoils_a_claim)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        if (!checked(k, &s, &r) || r.verdict != SP_STABLE) continue;
+        for (int32_t v = 0; v < s.count.points; v += 5) {
+            const sp_real kept = r.f[3 * v];
+            r.f[3 * v] = R(NAN);
+            CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+            r.f[3 * v] = kept;
+        }
+        CHECK_INT(judged(&s, &r), SP_STABLE);
+    }
+}
+
+TEST(forces_scaled_or_turned_round_are_refused)
+{
+    static const double factor[] = { -1, 0, 0.99, 1.01, 2, 1e6 };
+    for (int k = 0; k < SAMPLES; k++)
+        for (size_t i = 0; i < sizeof factor / sizeof factor[0]; i++) {
+            sp_scene s;
+            sp_result r;
+            if (!checked(k, &s, &r) || r.verdict != SP_STABLE) continue;
+            for (int32_t j = 0; j < 3 * s.count.points; j++) r.f[j] = R((double)r.f[j] * factor[i]);
+            CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+        }
+}
+
+/* A standing scene has no mechanism, so no motion whatever may prove one. */
+TEST(no_motion_proves_that_a_standing_scene_falls)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        if (sample[k].verdict != SP_STABLE) continue;
+        for (int trial = 0; trial < 200; trial++) {
+            sp_scene s;
+            test_arena.used = 0;
+            build(sample[k].name, sample[k].param, sample[k].value, &s);
+            sp_result r = empty_claim(&s);
+            const double size = pow(10, (double)test_random_real(-8, 8));
+            const int sparse = trial % 3;
+            for (int32_t b = 0; b < s.count.blocks; b++)
+                for (int c = 0; c < 6; c++)
+                    if (!sparse || test_random_int(0, 2) == 0) r.dq[6 * b + c] = test_random_real(-size, size);
+            CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+        }
+    }
+}
+
+TEST(a_mechanism_reversed_is_refused)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        if (!checked(k, &s, &r) || r.verdict != SP_UNSTABLE) continue;
+        for (int32_t j = 0; j < 6 * s.count.blocks; j++) r.dq[j] = -r.dq[j];
+        CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+    }
+}
+
+/* However large a mechanism is written, it proves the same. */
+TEST(the_length_of_a_mechanism_does_not_matter)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        if (!checked(k, &s, &r) || r.verdict != SP_UNSTABLE) continue;
+        for (int32_t j = 0; j < 6 * s.count.blocks; j++) r.dq[j] *= 1024;
+        CHECK_INT(judged(&s, &r), SP_UNSTABLE);
+        for (int32_t j = 0; j < 6 * s.count.blocks; j++) r.dq[j] /= 1048576;
+        CHECK_INT(judged(&s, &r), SP_UNSTABLE);
+    }
+}
+
+/* A block in a slot without friction, squeezed: no squeeze, however hard, carries its weight within tolerance. */
+TEST(a_squeezed_block_in_a_slippery_slot_does_not_stand)
+{
+    for (double times = 1; times < TOL(1e13, 1e9); times *= 10) {
+        sp_scene s;
+        test_arena.used = 0;
+        build("h-model", "mu", 0, &s);
+        sp_result r = empty_claim(&s);
+        const double weight = (double)s.block[2].mass * 9.80665;
+        for (int32_t v = 0; v < s.count.points; v++) r.f[3 * v] = R(times * weight / 4);
+        CHECK_INT(judged(&s, &r), SP_UNDECIDED);
+    }
+}
+
+/* A pebble on the sloping roof of something far heavier, known by masses and joints only. */
+static void pebble(double ratio, double mu, sp_scene *s)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 8 };
+    const double c = cos(0.3), d = sin(0.3);
+    const sp_real low[3] = { 0, 0, -1 }, middle[3] = { 0, 0, 5 }, high[3] = { R(0.01 * d), 0, R(10 + 0.01 * c) };
+    const sp_real foot[12] = { -10, -10, 0, 10, -10, 0, 10, 10, 0, -10, 10, 0 };
+    sp_real roof[12];
+    for (int k = 0; k < 4; k++) {
+        const double x = k == 1 || k == 2 ? 0.02 : -0.02, y = k >= 2 ? 0.02 : -0.02;
+        roof[3 * k] = R(c * x);
+        roof[3 * k + 1] = R(y);
+        roof[3 * k + 2] = R(10 - d * x);
+    }
+    const sp_joint firm = sp_joint_friction(R(0.84)), joint = sp_joint_friction(R(mu));
+    int32_t ground, cathedral, stone;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(s, 0, low, SP_FIXED, &ground), SP_OK);
+    CHECK_INT(sp_scene_body(s, R(0.01 * ratio), middle, 0, &cathedral), SP_OK);
+    CHECK_INT(sp_scene_body(s, R(0.01), high, 0, &stone), SP_OK);
+    CHECK_INT(sp_scene_interface(s, ground, cathedral, 4, foot, &firm, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(s, cathedral, stone, 4, roof, &joint, NULL), SP_OK);
+}
+
+TEST(a_pebble_is_judged_by_its_own_weight)
+{
+    for (double ratio = 1; ratio < 1e16; ratio *= 1e3) {
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        pebble(ratio, 0.30, &s);                        /* tan 0.3 = .3093 */
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, SP_UNSTABLE);
+        test_arena.used = 0;
+        pebble(ratio, 0.32, &s);
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, SP_STABLE);
+    }
+}
+
+TEST(verify_says_which_argument_it_cannot_use)
+{
+    sp_scene s;
+    sp_evidence e = { SP_STABLE, 1, 2, 3 };
+    build("two-cubes", NULL, 0, &s);
+    sp_result r = empty_claim(&s);
+    CHECK_INT(sp_verify(NULL, NULL, &r, test_arena, &e), SP_E_ARGUMENT);
+    CHECK_INT(sp_verify(&s, NULL, NULL, test_arena, &e), SP_E_ARGUMENT);
+    CHECK_INT(sp_verify(&s, NULL, &r, test_arena, NULL), SP_E_ARGUMENT);
+    r.f = NULL;
+    CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_E_ARGUMENT);
+    CHECK_INT(e.verdict, SP_STABLE);
+}
+
+TEST_LIST(verify)
+    RUN(true_evidence_is_accepted_with_and_without_its_hint)
+    RUN(a_wrong_hint_neither_helps_nor_breaks)
+    RUN(nothing_is_no_evidence)
+    RUN(numbers_that_are_none_prove_nothing)
+    RUN(one_normal_force_that_is_no_number_spoils_a_claim)
+    RUN(forces_scaled_or_turned_round_are_refused)
+    RUN(no_motion_proves_that_a_standing_scene_falls)
+    RUN(a_mechanism_reversed_is_refused)
+    RUN(the_length_of_a_mechanism_does_not_matter)
+    RUN(a_squeezed_block_in_a_slippery_slot_does_not_stand)
+    RUN(a_pebble_is_judged_by_its_own_weight)
+    RUN(verify_says_which_argument_it_cannot_use)
+TEST_END
