@@ -59,6 +59,13 @@ static void sp__cross3_add(const sp_real a[3], const sp_real b[3], sp_real c[3])
     c[2] += sp__minor(a[0], a[1], b[0], b[1]);
 }
 
+/* b = a / |a|, b may be a; divided, not multiplied by 1 / |a|: what lies along an axis becomes exactly 0 and +-1. */
+static void sp__unit3(const sp_real a[3], sp_real b[3])
+{
+    const sp_real length = sp__norm3(a);
+    for (int k = 0; k < 3; k++) b[k] = a[k] / length;
+}
+
 /* Unit vector across n (unit): the world axis least aligned with n, the first of equals, made orthogonal to it. */
 static void sp__across3(const sp_real n[3], sp_real t[3])
 {
@@ -67,7 +74,7 @@ static void sp__across3(const sp_real n[3], sp_real t[3])
     if (sp__abs(n[2]) < sp__abs(n[k])) k = 2;
     sp__scale3(-n[k], n, t);
     t[k] += (sp_real)1;
-    sp__scale3((sp_real)1 / sp__norm3(t), t, t);
+    sp__unit3(t, t);
 }
 
 /* 2 -------------------------------------------------------------------------------------------------------------- words */
@@ -127,7 +134,8 @@ SP_API const char *sp_reason_text(sp_reason reason)
 SP_API const char *sp_stage_text(sp_stage_id stage)
 {
     const int k = (int)stage;
-    return sp__word("none\0" "gates\0" "least squares\0" "polish\0" "exact\0" "custom\0" "unknown", k >= 0 && k <= 5 ? k : 6);
+    return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "custom\0" "unknown",
+                    k >= 0 && k <= 6 ? k : 7);
 }
 
 /* 3 -------------------------------------------------------------------------------------------------------- scene, empty */
@@ -529,7 +537,7 @@ static void sp__polygon_tangent(const sp__local *l, int32_t points, sp_real peri
         for (int c = 0; c < 3; c++) { t[c] -= out * n[c]; p[c] = q[c]; }
         const sp_real in = sp__norm3(t);
         if (length > (sp_real)1e-9 * perimeter && in > length / 2) {
-            sp__scale3((sp_real)1 / in, t, t);
+            sp__unit3(t, t);
             return;
         }
     }
@@ -548,7 +556,7 @@ static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_interf
     f->area = twice / 2 * l.s * l.s;
     if (!sp__finite(f->area)) return SP_E_NOT_FINITE;
     if (!(f->area > 0)) return SP_E_AREA;               /* underflow */
-    sp__scale3((sp_real)1 / twice, f->n, f->n);
+    sp__unit3(f->n, f->n);
     sp__local_mean(&l, NULL, points, m);
     if (sp__local_warp(&l, NULL, points, m, f->n, &reach) > (sp_real)1e-6 * l.d + noise) return SP_E_PLANE;
     sp__polygon_tangent(&l, points, perimeter, f->n, f->t1);
@@ -564,7 +572,7 @@ static sp_status sp__points_frame(const sp_real n[3], sp_interface *f)
     if (!(most > 0)) return SP_E_AREA;
     const sp_real s = sp__power_of_two(most);
     for (int c = 0; c < 3; c++) f->n[c] = n[c] / s;
-    sp__scale3((sp_real)1 / sp__norm3(f->n), f->n, f->n);
+    sp__unit3(f->n, f->n);
     sp__across3(f->n, f->t1);
     sp__cross3(f->n, f->t1, f->t2);
     f->area = 0;

@@ -131,7 +131,7 @@ static const struct { const char *name, *param; double value; sp_verdict verdict
     { "wall", "jitter", 0.35, SP_STABLE },      { "wall", "tilt", 35, SP_UNSTABLE },
     { "rubble", "jitter", 0.6, SP_STABLE },     { "rubble", "tilt", 42, SP_UNSTABLE },
     { "keystone", "mu", 0.40, SP_STABLE },      { "keystone", "mu", 0.34, SP_UNSTABLE },
-    { "diamond", "mu", 0.30, SP_STABLE },       { "diamond", "mu", 0.26, SP_UNSTABLE }
+    { "diamond", "mu", TOL(0.30, 0.40), SP_STABLE }, { "diamond", "mu", TOL(0.26, 0.18), SP_UNSTABLE }
 };
 
 /* `forces`: how closely the forces must follow, 0: not asked. */
@@ -154,7 +154,7 @@ static void unchanged_by(const change *c, double forces)
         if (!CHECK_INT(r1.verdict, sample[k].verdict) || !CHECK_INT(r2.verdict, sample[k].verdict))
             TEST_PRINT("    %s, %s = %g\n", sample[k].name, sample[k].param, sample[k].value);
         CHECK(r1.verified && r2.verified);
-        CHECK_INT(r1.final, r2.final);
+        if (TOL(1, 0)) CHECK_INT(r1.final, r2.final);
         CHECK_INT(sp_verify(&s2, NULL, &r2, test_arena, &evidence), SP_OK);
         CHECK_INT(evidence.verdict, r2.verdict);
         if (forces > 0 && r1.verdict == SP_STABLE && r2.verdict == SP_STABLE) same_forces(&s1, &r1, &s2, &r2, c, name, forces);

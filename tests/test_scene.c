@@ -3,7 +3,7 @@
 #include <string.h>
 #include <math.h>
 
-#define U SP_EPSILON
+#define U ((double)SP_EPSILON)
 
 /* A box [0,1]^3 as six quads or twelve triangles, outward. Vertex v: bits 0 1 2 of v are x y z. */
 static const int32_t box_size[6] = { 4, 4, 4, 4, 4, 4 };
@@ -142,9 +142,10 @@ TEST(words_follow_their_enumerators)
     CHECK_TEXT(sp_reason_text(SP_REASON_STAGES), "stages");
     CHECK_TEXT(sp_reason_text((sp_reason)8), "unknown");
     CHECK_TEXT(sp_stage_text(SP_STAGE_NONE), "none");
+    CHECK_TEXT(sp_stage_text(SP_STAGE_LEAST_SQUARES), "least squares");
     CHECK_TEXT(sp_stage_text(SP_STAGE_EXACT), "exact");
     CHECK_TEXT(sp_stage_text(SP_STAGE_CUSTOM), "custom");
-    CHECK_TEXT(sp_stage_text((sp_stage_id)6), "unknown");
+    CHECK_TEXT(sp_stage_text((sp_stage_id)(SP_STAGE_CUSTOM + 1)), "unknown");
 }
 
 /* ------------------------------------------------------------------------------------------------------------ memory */
@@ -263,7 +264,7 @@ TEST(far_from_the_origin_nothing_is_lost)
     const double far[3] = { 1e6, -1e6, 1048576 };
     for (int k = 0; k < 50; k++) {
         sp_real near_xyz[24], far_xyz[24];
-        const double step = TOL(0.125, 0.125);          /* exact at 1e6 in both precisions */
+        const double step = 0.125;                      /* exact at 1e6 in both precisions */
         for (int v = 0; v < 8; v++)
             for (int c = 0; c < 3; c++) {
                 const double x = (v >> c & 1 ? 16 : 0) + test_random_int(-2, 2);
@@ -639,8 +640,8 @@ TEST(supports_need_not_be_solid)
     CHECK_INT(sp_scene_block(&scene, &solid, R(10), SP_FIXED, NULL), SP_OK);
     for (int k = 0; k < 4; k++) {
         const sp_block *b = &scene.block[k];
-        CHECK_NEAR(b->mass, k == 3 ? 10 : 0, 8 * U);
-        CHECK_NEAR(b->volume, k == 3 ? 1 : 0, 8 * U);
+        CHECK_NEAR(b->mass, k == 3 ? R(10) : R(0), 8 * U);
+        CHECK_NEAR(b->volume, k == 3 ? R(1) : R(0), 8 * U);
         CHECK_NEAR(b->diameter, sqrt(3), 4 * U);
         for (int c = 0; c < 3; c++) CHECK_NEAR(b->centroid[c], 1.5 + c, 8 * U);
     }
@@ -806,7 +807,7 @@ TEST(polygons_are_plane_to_a_millionth)
     sp_real xyz[12] = { 0, 0, 0,  1, 0, 0,  1, 1, 0,  0, 1, 0 };
     xyz[8] = R(4 * 0.8e-6 * sqrt(2));                   /* each corner is a quarter of it off */
     CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL), SP_OK);
-    xyz[8] = R(4 * TOL(1.2e-6, 3e-6f) * sqrt(2));
+    xyz[8] = R(4 * (double)TOL(1.2e-6, 3e-6f) * sqrt(2));
     REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, &id), SP_E_PLANE);
     xyz[8] = R(0.1);
     REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, &id), SP_E_PLANE);

@@ -176,7 +176,7 @@ static void scaled(FILE *out, double x, const char *unit)
     fprintf(out, "%.3g %s%s", x, prefix[k], unit);
 }
 
-static void row(FILE *out, const char *label) { fprintf(out, "  %-13s", label); }
+static void row(FILE *out, const char *label) { fprintf(out, "  %-15s", label); }
 
 static void text_certainty(FILE *out, const report *r)
 {

@@ -26,7 +26,7 @@ typedef struct picture {
     const sp_scene *s;
     view v;
     double low[2], high[2];             /* of all that is drawn, on paper in world lengths */
-    double size;                        /* of the scene [m] */
+    double size, block;                 /* of the scene, of a usual block [m] */
     double scale, left, top;            /* px = left + scale (x - low), top + scale (high - y) */
     double force_scale;                 /* length of an arrow per force [m/N] */
     double largest;                     /* [N] force of a joint */
@@ -34,7 +34,8 @@ typedef struct picture {
     int forces, moving;                 /* is there any? */
     edge *edge;                         /* of all faces, sorted by block's vertex pairs */
     int32_t edges;
-    unsigned char *crease;              /* is the edge that follows this corner drawn? */
+    unsigned char *bend;                /* do the faces bend at the edge that follows this corner? */
+    unsigned char *crease;              /* is it drawn: a bend, or the rim of what is seen? */
 } picture;
 
 /* ---------------------------------------------------------------------------------------------------------------- view */
@@ -46,38 +47,61 @@ static double norm_real(const sp_real a[3])
     return sqrt((double)a[0] * (double)a[0] + (double)a[1] * (double)a[1] + (double)a[2] * (double)a[2]);
 }
 
-/* From above and from the front left; the front is the longer side in plan, and thin walls are seen more squarely. */
+/* How squarely the joints are seen from a direction, 0: all edge on, which shows best how the blocks stand on each other. */
+static double joints_seen(const sp_scene *s, const double toward[3])
+{
+    double sum = 0, area = 0;
+    for (int32_t i = 0; i < s->count.interfaces; i++) {
+        const sp_interface *c = &s->interface[i];
+        double t = 0;
+        for (int k = 0; k < 3; k++) t += toward[k] * (double)c->n[k];
+        sum += fabs(t) * (double)c->area;
+        area += (double)c->area;
+    }
+    return area > 0 ? sum / area : 0;
+}
+
+/* From `yaw` to the left of the front (0: -y, 1: +x) and `rise` above the horizon. */
+static view look(int front, double yaw, double rise)
+{
+    const double f[2] = { front ? 1 : 0, front ? 0 : -1 }, side[2] = { front ? 0 : 1, front ? 1 : 0 };
+    view v;
+    for (int c = 0; c < 2; c++) {
+        const double level = cos(yaw) * f[c] - sin(yaw) * side[c];
+        v.right[c] = cos(yaw) * side[c] + sin(yaw) * f[c];
+        v.toward[c] = cos(rise) * level;
+        v.up[c] = -sin(rise) * level;
+    }
+    v.right[2] = 0;
+    v.toward[2] = sin(rise);
+    v.up[2] = cos(rise);
+    return v;
+}
+
+/* From above and from the front left; the front is the longer side in plan, of two equal ones that from where joints are seen
+ * more edge on. Thin walls are seen more squarely, towers from lower down. */
 static view choose_view(const sp_scene *s)
 {
     const double rad = 3.14159265358979323846 / 180;
     double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-    double dx, dy, dz, ratio, yaw, rise, front[2], side[2];
-    view v;
+    double d[3], ratio, yaw, rise;
+    int front;
 
     for (int32_t k = 0; k < s->count.vertices; k++)
         for (int c = 0; c < 3; c++) {
             low[c] = fmin(low[c], (double)s->vertex[k][c]);
             high[c] = fmax(high[c], (double)s->vertex[k][c]);
         }
-    dx = high[0] - low[0];
-    dy = high[1] - low[1];
-    dz = high[2] - low[2];
-    ratio = fmin(dx, dy) / fmax(fmax(dx, dy), 1e-300);
-    yaw = (18 + 14 * fmin(1, ratio)) * rad;
-    rise = (dz > 2.5 * fmax(dx, dy) ? 14 : 16 + 12 * fmin(1, ratio)) * rad;
-    front[0] = dx >= dy ? 0 : 1;
-    front[1] = dx >= dy ? -1 : 0;
-    side[0] = -front[1];
-    side[1] = front[0];
-    for (int c = 0; c < 2; c++) {
-        v.right[c] = cos(yaw) * side[c] + sin(yaw) * front[c];
-        v.toward[c] = cos(rise) * (cos(yaw) * front[c] - sin(yaw) * side[c]);
-        v.up[c] = -sin(rise) * (cos(yaw) * front[c] - sin(yaw) * side[c]);
+    for (int c = 0; c < 3; c++) d[c] = fmax(high[c] - low[c], 0);
+    ratio = fmin(d[0], d[1]) / fmax(fmax(d[0], d[1]), 1e-300);
+    yaw = (18 + 14 * ratio) * rad;
+    rise = (d[2] > 2.5 * fmax(d[0], d[1]) ? 14 : 16 + 10 * ratio) * rad;
+    front = d[1] > d[0];
+    if (ratio > 0.7) {
+        const view v0 = look(0, yaw, rise), v1 = look(1, yaw, rise);
+        front = joints_seen(s, v1.toward) < 0.9 * joints_seen(s, v0.toward);
     }
-    v.right[2] = 0;
-    v.toward[2] = sin(rise);
-    v.up[2] = cos(rise);
-    return v;
+    return look(front, yaw, rise);
 }
 
 static void px(const picture *p, const double at[2], double out[2])
@@ -136,16 +160,17 @@ static int32_t neighbour(const picture *p, edge e)
     return p->edge[low].face == e.face ? p->edge[low + 1].face : p->edge[low].face;
 }
 
-/* An edge is drawn where the faces bend by more than 10 degrees, one of them looks away, or there is no other. */
-static int is_crease(const picture *p, int32_t face, int32_t k)
+/* Faces bend at an edge by more than 10 degrees, or there is no other face; it is drawn, too, if the other looks away. */
+static void judge_edge(const picture *p, int32_t face, int32_t k)
 {
-    const int32_t other = neighbour(p, edge_after(p->s, face, k));
-    double a[3], b[3], c;
-    if (other < 0) return 1;
+    const int32_t other = neighbour(p, edge_after(p->s, face, k)), at = p->s->face[face].corner + k;
+    double a[3], b[3];
+    p->bend[at] = p->crease[at] = 1;
+    if (other < 0) return;
     view_normal(p->s, face, a);
     view_normal(p->s, other, b);
-    c = dot(a, b) / sqrt(fmax(dot(a, a) * dot(b, b), 1e-300));
-    return c < 0.985 || dot(b, p->v.toward) <= 0;
+    p->bend[at] = dot(a, b) < 0.985 * sqrt(dot(a, a) * dot(b, b));
+    p->crease[at] = p->bend[at] || dot(b, p->v.toward) <= 0;
 }
 
 static int find_creases(picture *p)
@@ -153,13 +178,13 @@ static int find_creases(picture *p)
     const sp_scene *s = p->s;
     p->edge = malloc(((size_t)s->count.corners + 1) * sizeof *p->edge);
     p->crease = malloc((size_t)s->count.corners + 1);
-    if (!p->edge || !p->crease) return 0;
+    p->bend = malloc((size_t)s->count.corners + 1);
+    if (!p->edge || !p->crease || !p->bend) return 0;
     for (int32_t f = 0; f < s->count.faces; f++)
         for (int32_t k = 0; k < s->face[f].corners; k++) p->edge[p->edges++] = edge_after(s, f, k);
     qsort(p->edge, (size_t)p->edges, sizeof *p->edge, compare_edges);
     for (int32_t f = 0; f < s->count.faces; f++)
-        for (int32_t k = 0; k < s->face[f].corners; k++)
-            p->crease[s->face[f].corner + k] = (unsigned char)is_crease(p, f, k);
+        for (int32_t k = 0; k < s->face[f].corners; k++) judge_edge(p, f, k);
     return 1;
 }
 
@@ -183,14 +208,14 @@ static void shade(const picture *p, int32_t face, int32_t block, int rgb[3])
     double n[3], light[3], bright, tint;
     const uint32_t hash = ((uint32_t)block + 1) * 2654435761u;
 
-    for (int c = 0; c < 3; c++) light[c] = 0.62 * p->v.up[c] + 0.66 * p->v.toward[c] - 0.42 * p->v.right[c];
+    for (int c = 0; c < 3; c++) light[c] = 0.55 * p->v.up[c] + 0.75 * p->v.toward[c] - 0.25 * p->v.right[c];
     view_normal(p->s, face, n);
     bright = dot(n, light) / sqrt(fmax(dot(n, n) * dot(light, light), 1e-300));
     tint = ((hash >> 16) % 1000) / 1000.0 - 0.5;
-    bright = 0.60 + 0.44 * fmax(0, bright) + 0.05 * tint;
+    bright = 0.66 + 0.38 * fmax(0, bright) + 0.05 * tint;
     for (int c = 0; c < 3; c++) {
         const double base = p->s->block[block].fixed ? support[c] : stone[c];
-        rgb[c] = (int)fmin(255, base * bright + (c == 0 ? 4 * tint : 0));
+        rgb[c] = (int)fmin(255, base * bright + (c == 0 ? 3 * tint : 0));
     }
 }
 
@@ -312,20 +337,44 @@ static void arrow(FILE *out, const double a[2], const double b[2], const char *c
     }
 }
 
-static void draw_forces(const picture *p)
+typedef struct drawn_force { double depth, a[2], b[2]; } drawn_force;
+
+static int nearer(const void *pa, const void *pb)
 {
-    const double width = p->s->count.interfaces > 400 ? 1.0 : 1.7, head = p->s->count.interfaces > 400 ? 5 : 8;
-    if (!p->forces) return;
-    for (int32_t i = 0; i < p->s->count.interfaces; i++) {
+    const drawn_force *a = pa, *b = pb;
+    return (a->depth > b->depth) - (a->depth < b->depth);
+}
+
+/* Far ones first and, where the scene is many blocks deep, fainter. */
+static int draw_forces(const picture *p)
+{
+    const int many = p->s->count.interfaces > 400;
+    drawn_force *f = malloc(((size_t)p->s->count.interfaces + 1) * sizeof *f);
+    int32_t n = 0;
+    double range;
+
+    if (!f) return 0;
+    for (int32_t i = 0; p->forces && i < p->s->count.interfaces; i++) {
         sp_real from[3], to[3];
-        double a[2], b[2], size;
+        double size;
         if (!joint_force(p, i, from, to, &size)) continue;
-        world_px(p, from, a);
-        world_px(p, to, b);
-        arrow(p->out, a, b, color_force, width, head);
-        if (p->s->count.interfaces <= 400)
-            fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2\" fill=\"%s\"/>\n", a[0], a[1], color_force);
+        world_px(p, from, f[n].a);
+        world_px(p, to, f[n].b);
+        f[n].depth = 0;
+        for (int c = 0; c < 3; c++) f[n].depth += p->v.toward[c] * (double)from[c];
+        n++;
     }
+    qsort(f, (size_t)n, sizeof *f, nearer);
+    range = n ? f[n - 1].depth - f[0].depth : 0;
+    for (int32_t i = 0; i < n; i++) {
+        const double far = range > 3 * p->block ? (f[n - 1].depth - f[i].depth) / range : 0;
+        fprintf(p->out, "<g opacity=\"%.2f\">", 1 - 0.85 * far);
+        arrow(p->out, f[i].a, f[i].b, color_force, many ? 1.0 : 1.7, many ? 5 : 8);
+        if (!many) fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>", f[i].a[0], f[i].a[1], color_force);
+        fputs("</g>\n", p->out);
+    }
+    free(f);
+    return 1;
 }
 
 /* ----------------------------------------------------------------------------------------------------------- mechanism */
@@ -364,28 +413,34 @@ static int moved_seen(const picture *p, int32_t b, int32_t face)
     return area > 0;
 }
 
+/* The outline of a moved face; an edge between two seen faces is drawn with the first of them only. */
+static void moved_outline(const picture *p, int32_t b, int32_t face)
+{
+    const sp_face *f = &p->s->face[face];
+    for (int32_t k = 0; k < f->corners; k++) {
+        const int32_t other = neighbour(p, edge_after(p->s, face, k));
+        sp_real x[3], y[3];
+        double from[2], to[2];
+        if (other >= 0 && moved_seen(p, b, other) && (other < face || !p->bend[f->corner + k])) continue;
+        moved(p, b, p->s->vertex[p->s->corner[f->corner + k]], p->shift, x);
+        moved(p, b, p->s->vertex[p->s->corner[f->corner + (k + 1) % f->corners]], p->shift, y);
+        world_px(p, x, from);
+        world_px(p, y, to);
+        fprintf(p->out, "M%.1f %.1fL%.1f %.1f", from[0], from[1], to[0], to[1]);
+    }
+}
+
 static void draw_mechanism(const picture *p)
 {
     if (!p->moving) return;
     fprintf(p->out, "<g fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\" stroke-linejoin=\"round\">\n",
             color_motion);
     for (int32_t b = 0; b < p->s->count.blocks; b++) {
+        const int32_t end = p->s->block[b].face + p->s->block[b].faces;
         if (!(report_motion(p->r, b) > 1e-3)) continue;
         fputs("<path d=\"", p->out);
-        for (int32_t i = p->s->block[b].face; i < p->s->block[b].face + p->s->block[b].faces; i++) {
-            const sp_face *f = &p->s->face[i];
-            if (!moved_seen(p, b, i)) continue;
-            for (int32_t k = 0; k < f->corners; k++) {
-                sp_real x[3], y[3];
-                double a[2], c[2];
-                if (!p->crease[f->corner + k]) continue;
-                moved(p, b, p->s->vertex[p->s->corner[f->corner + k]], p->shift, x);
-                moved(p, b, p->s->vertex[p->s->corner[f->corner + (k + 1) % f->corners]], p->shift, y);
-                world_px(p, x, a);
-                world_px(p, y, c);
-                fprintf(p->out, "M%.1f %.1fL%.1f %.1f", a[0], a[1], c[0], c[1]);
-            }
-        }
+        for (int32_t i = p->s->block[b].face; i < end; i++)
+            if (moved_seen(p, b, i)) moved_outline(p, b, i);
         fputs("\"/>\n", p->out);
     }
     fputs("</g>\n", p->out);
@@ -416,7 +471,7 @@ static double median_block(const picture *p)
 /* Arrows: the largest is about as long as a block. */
 static void scale_forces(picture *p)
 {
-    const double length = fmin(fmax(0.9 * median_block(p), 0.05 * p->size), 0.2 * p->size);
+    const double length = fmin(fmax(0.75 * p->block, 0.05 * p->size), 0.2 * p->size);
     for (int32_t i = 0; i < p->s->count.interfaces; i++) {
         sp_real from[3], to[3];
         double size;
@@ -448,7 +503,7 @@ static double farthest(const picture *p, double shift)
 /* Motion: the corner that goes farthest goes a third of a block, at least 4 and at most 12 % of the scene. */
 static void scale_motion(picture *p)
 {
-    const double length = fmin(fmax(median_block(p) / 3, 0.04 * p->size), 0.12 * p->size);
+    const double length = fmin(fmax(p->block / 3, 0.04 * p->size), 0.12 * p->size);
     double probe, rate;
     if (p->r->result.verdict != SP_UNSTABLE) return;
     probe = 1e-3 * p->size;
@@ -537,7 +592,8 @@ static void title(const picture *p)
             "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", MARGIN, color, word);
     escaped(p->out, file_name(p->r->scene->path), 60);
     fprintf(p->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", MARGIN);
-    fprintf(p->out, "%ld blocks, %ld of them free, %ld joints", (long)p->s->count.blocks, (long)x->free_blocks, (long)x->interfaces);
+    fprintf(p->out, "%ld block%s, %ld of them free, %ld joint%s", (long)p->s->count.blocks, p->s->count.blocks == 1 ? "" : "s",
+            (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s");
     friction(p);
     fputs("; largest compression ", p->out);
     quantity(p->out, (double)x->max_compression, "N");
@@ -664,15 +720,16 @@ int svg_write(FILE *out, const report *r)
     for (int32_t k = 0; k < p.s->count.vertices; k++) cover(&p, p.s->vertex[k]);
     for (int32_t k = 0; k < p.s->count.points; k++) cover(&p, p.s->point[k]);
     p.size = fmax(fmax(p.high[0] - p.low[0], p.high[1] - p.low[1]), 1e-300);
+    p.block = median_block(&p);
     scale_forces(&p);
     scale_motion(&p);
     scale_paper(&p);
     height = floor(p.top + p.scale * (p.high[1] - p.low[1]) + FOOT);
     page_start(&p, height);
     good = find_creases(&p) && draw_blocks(&p);
+    if (good) draw_weakest(&p);
+    good = good && draw_forces(&p);
     if (good) {
-        draw_weakest(&p);
-        draw_forces(&p);
         draw_mechanism(&p);
         title(&p);
         legend(&p, height - FOOT + 46);
@@ -680,5 +737,6 @@ int svg_write(FILE *out, const report *r)
     fputs("</svg>\n", out);
     free(p.edge);
     free(p.crease);
+    free(p.bend);
     return good;
 }

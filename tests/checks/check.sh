@@ -93,6 +93,7 @@ check_cpp() {
 # No data of its own; calls memcpy memset memmove sqrt(f) and the compiler's runtime only.
 symbols() {                                             # symbols OBJECT ALLOWED-EXTRA-REGEX [PREFIX]
     s_nm=${3:-}nm
+    [ -f "$1" ] || return 1
     $s_nm "$1" | awk '$2 ~ /^[dDbBC]$/ { print "data: " $0; bad = 1 } END { exit bad }' || return 1
     $s_nm -u "$1" | awk '{ print $NF }' |
         grep -Ev "^(memcpy|memset|memmove|sqrt|sqrtf|_GLOBAL_OFFSET_TABLE_${2:+|$2})\$" > $out/undefined && {
@@ -138,26 +139,32 @@ check_symbols() {
 arm_build() {                                           # arm_build NAME FLAGS...
     ab_name=$1
     shift
-    # shellcheck disable=SC2086
+    rm -f $out/$ab_name.*
     arm-none-eabi-gcc -std=c99 -Os -ffp-contract=off -fno-math-errno -mthumb -mfloat-abi=hard -ffunction-sections \
-        -Wall -Wextra -Wstack-usage=256 -Wvla -Wdouble-promotion -Werror "$@" -c stonepack.c -o $out/$ab_name.o
+        -Wall -Wextra -Wvla -Wdouble-promotion -Werror -fstack-usage "$@" -c stonepack.c -o $out/$ab_name.o
 }
-arm_symbols() { symbols "$1" '__aeabi_[a-z0-9_]+' arm-none-eabi-; }
-arm_no_double() { ! arm-none-eabi-nm -u "$1" | grep -E '__aeabi_(d|[a-z0-9]+2d|f2d)|df[23]'; }
+arm_frames() { awk -v limit=256 -f tests/checks/frames.awk $out/"$1".su; }
+arm_symbols() { symbols $out/"$1".o '__aeabi_[a-z0-9_]+' arm-none-eabi-; }
+arm_no_double() {
+    arm-none-eabi-nm -u $out/"$1".o > $out/undefined &&
+    ! grep -E '__aeabi_(d(add|sub|rsub|mul|div$|neg|cmp|2)|cd|f2d|u?i2d|u?l2d)|df[23]' $out/undefined
+}
 arm_sizes() {
-    arm-none-eabi-size $out/m7_double.o $out/m4_float.o | awk '
-        NR > 1 { printf "%-24s %7d bytes of code, %d of data\n", $NF, $1, $2 + $3; if ($2 + $3) bad = 1 } END { exit bad }'
+    arm-none-eabi-size $out/m7_double.o $out/m4_float.o > $out/sizes && awk '
+        NR > 1 { printf "%-28s %7d bytes of code, %d of data\n", $NF, $1, $2 + $3; if ($2 + $3) bad = 1 } END { exit bad }' $out/sizes
 }
 check_arm() {
     if ! have arm-none-eabi-gcc; then
         skip "32-bit Arm: frames of 256 bytes, size, no soft double" "gcc-arm-none-eabi libnewlib-arm-none-eabi"
         return
     fi
-    part "Cortex-M7, double: frames, VLA" arm_build m7_double -mcpu=cortex-m7 -mfpu=fpv5-d16
-    part "Cortex-M4F, float: frames, VLA" arm_build m4_float -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -DSP_REAL_FLOAT
-    part "Cortex-M7: calls" arm_symbols $out/m7_double.o
-    part "Cortex-M4F: calls" arm_symbols $out/m4_float.o
-    part "Cortex-M4F: no double routine" arm_no_double $out/m4_float.o
+    part "Cortex-M7, double: compiles" arm_build m7_double -mcpu=cortex-m7 -mfpu=fpv5-d16
+    part "Cortex-M4F, float: compiles" arm_build m4_float -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -DSP_REAL_FLOAT
+    part "Cortex-M7: frames of 256 bytes" arm_frames m7_double
+    part "Cortex-M4F: frames of 256 bytes" arm_frames m4_float
+    part "Cortex-M7: calls" arm_symbols m7_double
+    part "Cortex-M4F: calls" arm_symbols m4_float
+    part "Cortex-M4F: no double routine" arm_no_double m4_float
     SHOW=1
     part "Arm sizes at -Os" arm_sizes
     SHOW=
