@@ -14,6 +14,7 @@
 #include "solvers/pyramid.c"
 #include "solvers/cone.c"
 #include "solvers/order.c"
+#include "solvers/chol.c"
 #include "solvers/bchol.c"
 #include "solvers/sort.c"
 #include "solvers/clip.c"

@@ -366,9 +366,8 @@ typedef struct sp_contact {
     int32_t a, b;               /* rows of the free blocks, -1: a support */
     int32_t point, points;      /* its part of scene.point and of problem.local */
     int32_t id;                 /* interface of the scene */
-    sp_real n[3], t1[3], t2[3];
+    const sp_interface *joint;  /* that interface: frame and friction */
     sp_real ra[3], rb[3];       /* origin of the contact (mean of its vertices) seen from the two centroids [m] */
-    sp_real mu;
 } sp_contact;
 
 /* A scene made ready: supports dropped, everything relative to centroids. Lives in an arena, refers to the scene. */

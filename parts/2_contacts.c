@@ -29,6 +29,12 @@ typedef struct sp__body {       /* what the search knows of a block */
 
 typedef struct sp__found { int32_t start, size; } sp__found;    /* a polygon of the present pair */
 
+/* The largest of a number over the blocks, and the largest of the others. */
+typedef struct sp__two { int32_t first, second; } sp__two;
+
+/* Edges of one patch, of a block; patches of a block. */
+typedef struct sp__most { sp__two side, total, patches; } sp__most;
+
 /* Memory of the search. */
 typedef struct sp__all {
     sp__body *body;
@@ -46,7 +52,6 @@ typedef struct sp__all {
 
 /* Memory of one pair of blocks. */
 typedef struct sp__pair {
-    sp__clip clip;
     int32_t *near_a, *near_b;                   /* patches near the other block's box */
     sp_real (*point)[3];                        /* polygons found */
     sp__found *found;
@@ -62,41 +67,50 @@ typedef struct sp__touch {
     sp_status status;
     int32_t full;                               /* the scene had no room for something */
     sp__all all;
+    sp__clip clip;
     sp__pair pair;
+    sp__most most;
     int32_t patches, bounds, leaves;
+    sp_real lo[3], hi[3];                       /* box of everything */
     int32_t block, vertex0, face0, edges;       /* of the block whose patches are being made */
     int32_t a, b, points, founds;               /* present pair, and what was found */
     sp_real near, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
     sp_real e1[3], e2[3];                       /* axes of that plane */
 } sp__touch;
 
+static void sp__contact_default(sp_contact_settings *s)
+{
+    memset(s, 0, sizeof *s);
+    s->distance = (sp_real)1e-6;
+    s->angle = (sp_real)1e-3;
+    s->joint.mu = (sp_real)0.84;
+}
+
 SP_API sp_contact_settings sp_contact_settings_default(void)
 {
-    const sp_contact_settings s = { (sp_real)1e-6, (sp_real)1e-3, 0, { (sp_real)0.84, 0, 0, 0 } };
+    sp_contact_settings s;
+    sp__contact_default(&s);
     return s;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- memory */
 
-/* The largest of a number over the blocks, and the largest of the others. */
-typedef struct sp__two { int64_t first, second; } sp__two;
+/* Crossings of boundaries of p and q edges that there is room for: all up to 16-gons; otherwise 8 (p + q), four times what a
+ * convex one can have with any other. Combs across combs may need more: SP_E_MEMORY. */
+static int64_t sp__crossings(const sp__two *t)
+{
+    const int64_t all = (int64_t)t->first * t->second, most = 8 * ((int64_t)t->first + t->second);
+    return all < most ? all : most;
+}
 
-static void sp__two_add(sp__two *t, int64_t x)
+static void sp__two_add(sp__two *t, int32_t x)
 {
     if (x > t->first) { t->second = t->first; t->first = x; }
     else if (x > t->second) t->second = x;
 }
 
-/* Crossings of boundaries of p and q edges that there is room for: all up to 16-gons; otherwise 8 (p + q), four times what a
- * convex one can have with any other. Combs across combs may need more: SP_E_MEMORY. */
-static int64_t sp__crossings(sp__two t)
-{
-    const int64_t all = t.first * t.second, most = 8 * (t.first + t.second);
-    return all < most ? all : most;
-}
-
 /* Corners of the faces of a block. */
-static int64_t sp__block_corners(const sp_scene *scene, int32_t block)
+static int32_t sp__block_corners(const sp_scene *scene, int32_t block)
 {
     const sp_face *f = scene->face + scene->block[block].face;
     const int32_t n = scene->block[block].faces;
@@ -106,10 +120,10 @@ static int64_t sp__block_corners(const sp_scene *scene, int32_t block)
 static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
 {
     const sp_capacity *n = &scene->count;
-    int64_t vertices = 0, faces = 0, corners = 0;
+    int32_t vertices = 0, faces = 0, corners = 0;
     for (int32_t i = 0; i < n->blocks; i++) {
         const sp_block *k = &scene->block[i];
-        const int64_t c = sp__block_corners(scene, i);
+        const int32_t c = sp__block_corners(scene, i);
         vertices = k->vertices > vertices ? k->vertices : vertices;
         faces = k->faces > faces ? k->faces : faces;
         corners = c > corners ? c : corners;
@@ -132,39 +146,41 @@ static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
     l->code = sp__take(a, blocks, sizeof *l->code);
 }
 
-/* For patches of `side` edges on blocks of `total` edges and `patches` patches. */
-static void sp__pair_carve(sp__pair *p, sp__two side, sp__two total, sp__two patches, sp_arena *a)
+static void sp__pair_carve(sp__pair *p, const sp__most *most, sp_arena *a)
 {
-    const int64_t room = 2 * (total.first + total.second) + 2 * sp__crossings(total) + 64;
+    const int64_t room = 2 * ((int64_t)most->total.first + most->total.second + sp__crossings(&most->side)) + 64;
     p->room = room < INT32_MAX ? (int32_t)room : 0;
-    sp__clip_carve(&p->clip, side.first, side.second, sp__crossings(side), a);
-    p->near_a = sp__take(a, (size_t)patches.first, sizeof *p->near_a);
-    p->near_b = sp__take(a, (size_t)patches.first, sizeof *p->near_b);
+    p->near_a = sp__take(a, (size_t)most->patches.first, sizeof *p->near_a);
+    p->near_b = sp__take(a, (size_t)most->patches.first, sizeof *p->near_b);
     p->point = sp__take(a, (size_t)room, sizeof *p->point);
     p->found = sp__take(a, (size_t)room, sizeof *p->found);
     p->rank = sp__take(a, (size_t)room, sizeof *p->rank);
 }
 
-/* Before the patches are known: no block has more than one a face, nor more edges round it than it has corners. */
-static void sp__pair_carve_most(const sp_scene *scene, sp_arena *a)
+/* Before the patches are known: a block has no more of them than faces, and no more edges than corners. Of a closed block one
+ * patch has at most half of these, because their opposites bound others. */
+static void sp__most_guess(sp__most *most, const sp_scene *scene)
 {
-    sp__pair p;
-    sp__two corners = { 0, 0 }, faces = { 0, 0 };
+    memset(most, 0, sizeof *most);
     for (int32_t i = 0; i < scene->count.blocks; i++) {
-        sp__two_add(&corners, sp__block_corners(scene, i));
-        sp__two_add(&faces, scene->block[i].faces);
+        const int32_t corners = sp__block_corners(scene, i);
+        sp__two_add(&most->side, scene->block[i].volume > 0 ? corners / 2 : corners);
+        sp__two_add(&most->total, corners);
+        sp__two_add(&most->patches, scene->block[i].faces);
     }
-    sp__pair_carve(&p, corners, corners, faces, a);
 }
 
 SP_API size_t sp_contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
-    sp__all all;
+    union { sp__all all; sp__clip clip; sp__pair pair; } none;
+    sp__most most;
     if (!scene) return 0;
+    sp__most_guess(&most, scene);
     (void)sp__take(&dry, 1, sizeof(sp__touch));
-    sp__all_carve(&all, scene, &dry);
-    sp__pair_carve_most(scene, &dry);
+    sp__all_carve(&none.all, scene, &dry);
+    sp__clip_carve(&none.clip, most.side.first, most.side.second, sp__crossings(&most.side), &dry);
+    sp__pair_carve(&none.pair, &most, &dry);
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
@@ -228,7 +244,8 @@ static void sp__touch_plane(sp__touch *t, int32_t f)
     const sp_face *face = &t->scene->face[t->face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;
     const sp_real *o = t->scene->vertex[corner[0]];
-    sp_real n[3] = { 0, 0, 0 }, m[3] = { 0, 0, 0 }, p[3], q[3];
+    sp_real *n = t->all.normal[f], *m = t->all.middle[f], p[3], q[3];
+    for (int c = 0; c < 3; c++) n[c] = m[c] = 0;
     for (int32_t k = 0; k < face->corners; k++) {
         sp__sub3(t->scene->vertex[corner[k]], o, p);
         sp__sub3(t->scene->vertex[corner[k + 1 < face->corners ? k + 1 : 0]], o, q);
@@ -238,8 +255,8 @@ static void sp__touch_plane(sp__touch *t, int32_t f)
     const sp_real twice = sp__norm3(n);
     t->all.area[f] = twice;
     for (int c = 0; c < 3; c++) {
-        t->all.normal[f][c] = twice > 0 ? n[c] / twice : 0;
-        t->all.middle[f][c] = o[c] + m[c] / (sp_real)face->corners;
+        n[c] = twice > 0 ? n[c] / twice : 0;
+        m[c] = o[c] + m[c] / (sp_real)face->corners;
     }
 }
 
@@ -421,7 +438,7 @@ static int sp__number_before(const void *what, int32_t i, int32_t j)
 /* Leaves: the blocks with faces along a Morton curve through the middles of their boxes, 1024 steps a side. */
 static void sp__tree_leaves(sp__touch *t)
 {
-    sp_real lo[3] = { 0, 0, 0 }, hi[3] = { 0, 0, 0 };
+    sp_real *lo = t->lo, *hi = t->hi;
     t->leaves = 0;
     for (int32_t i = 0; i < t->scene->count.blocks; i++) {
         const sp__body *k = &t->all.body[i];
@@ -505,15 +522,15 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
         sp_real from[2], to[2];
         sp__pair_flat(t, plane, t->scene->vertex[u], from);
         sp__pair_flat(t, plane, t->scene->vertex[v], to);
-        sp__clip_add(&t->pair.clip, side, from, to, u, v);
+        sp__clip_add(&t->clip, side, from, to, u, v);
     }
 }
 
 /* A corner of the result in space: on A's plane; a vertex that is there already stays what it is, to the bit. */
 static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
 {
-    const sp_real *xy = t->pair.clip.corner[corner];
-    const int32_t name = t->pair.clip.name[corner];
+    const sp_real *xy = t->clip.corner[corner];
+    const int32_t name = t->clip.name[corner];
     int exact = name >= 0;
     for (int c = 0; c < 3; c++) {
         x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
@@ -546,7 +563,7 @@ static void sp__pair_canonical(sp__touch *t, int32_t start, int32_t size)
 /* Keep loop l of the clipper if B's plane is near in its middle: gap g along n_A, n_B . (o_B - m - g n_A) = 0. */
 static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
-    const int32_t from = t->pair.clip.loop[l], size = t->pair.clip.loop[l + 1] - from;
+    const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
     sp_real m[3] = { 0, 0, 0 };
     if (size > t->pair.room - t->points || t->founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
     for (int32_t k = 0; k < size; k++) {
@@ -581,11 +598,11 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
 {
     sp__across3(p->n, t->e1);
     sp__cross3(p->n, t->e1, t->e2);
-    sp__clip_clear(&t->pair.clip);
+    sp__clip_clear(&t->clip);
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->pair.clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
-    for (int32_t l = 0; l < t->pair.clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
+    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
 
 /* Patches of one block near the box of another. Returns how many. */
@@ -711,36 +728,25 @@ static int sp__ray_edge(const sp_real x[3], const sp_real p[3], const sp_real q[
     return side > 0 ? (up ? 1 : -1) : 0;
 }
 
-/* Squared distance of x from the segment a b. */
-static sp_real sp__segment_far2(const sp_real x[3], const sp_real a[3], const sp_real b[3])
-{
-    sp_real e[3], d[3];
-    sp__sub3(b, a, e);
-    sp__sub3(x, a, d);
-    const sp_real len2 = sp__dot3(e, e), along = sp__dot3(d, e);
-    const sp_real s = along <= 0 || !(len2 > 0) ? 0 : along >= len2 ? (sp_real)1 : along / len2;
-    for (int c = 0; c < 3; c++) d[c] -= s * e[c];
-    return sp__dot3(d, d);
-}
-
-/* Squared distance of x from the triangle v[0] v[1] v[2] with normal n (not 0). */
+/* Squared distance of x from the triangle v[0] v[1] v[2] with normal n (not 0): from its plane over its inside, else from the
+ * nearest edge, d - s e with s = clamp(d . e / e . e). */
 static sp_real sp__triangle_far2(const sp_real x[3], const sp_real *const v[3], const sp_real n[3])
 {
-    sp_real e[3], d[3], least = -1;
+    sp_real e[3], d[3], c[3], least = -1, h = 0;
     int inside = 1;
     for (int k = 0; k < 3; k++) {
         sp__sub3(v[(k + 1) % 3], v[k], e);
         sp__sub3(x, v[k], d);
-        const sp_real h = sp__dot3(d, n);
-        sp__cross3(e, d, d);
-        if (sp__dot3(d, n) < 0) inside = 0;
-        if (k == 2 && inside) return h * h / sp__dot3(n, n);
-    }
-    for (int k = 0; k < 3; k++) {
-        const sp_real far2 = sp__segment_far2(x, v[k], v[(k + 1) % 3]);
+        h = sp__dot3(d, n);
+        sp__cross3(e, d, c);
+        if (sp__dot3(c, n) < 0) inside = 0;
+        const sp_real len2 = sp__dot3(e, e), along = sp__dot3(d, e);
+        const sp_real s = along <= 0 || !(len2 > 0) ? 0 : along >= len2 ? (sp_real)1 : along / len2;
+        for (int i = 0; i < 3; i++) d[i] -= s * e[i];
+        const sp_real far2 = sp__dot3(d, d);
         if (least < 0 || far2 < least) least = far2;
     }
-    return least;
+    return inside ? h * h / sp__dot3(n, n) : least;
 }
 
 /* How deep x lies inside a closed block: 0 if outside, or not deeper than `flat`. Inside: the faces above wind round it. */
@@ -867,17 +873,18 @@ static void sp__touch_pair(sp__touch *t, int32_t b)
 /* Patches of all blocks, then what the largest pair needs. */
 static void sp__touch_blocks(sp__touch *t, sp_arena *scratch)
 {
-    sp__two side = { 0, 0 }, total = { 0, 0 }, patches = { 0, 0 };
-    t->patches = t->bounds = 0;
+    sp__most *most = &t->most;
     for (int32_t i = 0; i < t->scene->count.blocks; i++) {
-        int64_t most = 0;
+        int32_t side = 0;
         sp__touch_block(t, i);
-        for (int32_t p = t->all.body[i].patch; p < t->patches; p++) most = t->all.patch[p].edges > most ? t->all.patch[p].edges : most;
-        sp__two_add(&side, most);
-        sp__two_add(&total, t->all.body[i].edges);
-        sp__two_add(&patches, t->all.body[i].patches);
+        for (int32_t p = t->all.body[i].patch; p < t->patches; p++)
+            if (t->all.patch[p].edges > side) side = t->all.patch[p].edges;
+        sp__two_add(&most->side, side);
+        sp__two_add(&most->total, t->all.body[i].edges);
+        sp__two_add(&most->patches, t->all.body[i].patches);
     }
-    sp__pair_carve(&t->pair, side, total, patches, scratch);
+    sp__clip_carve(&t->clip, most->side.first, most->side.second, sp__crossings(&most->side), scratch);
+    sp__pair_carve(&t->pair, most, scratch);
     if (sp__failed(scratch)) t->status = SP_E_MEMORY;
 }
 
@@ -895,7 +902,8 @@ SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *se
     sp__touch *t = sp__take(&scratch, 1, sizeof *t);
     if (!t) return SP_E_MEMORY;
     memset(t, 0, sizeof *t);
-    t->set = settings ? *settings : sp_contact_settings_default();
+    if (settings) t->set = *settings;
+    else sp__contact_default(&t->set);
     t->status = sp__contact_settings_check(&t->set);
     if (t->status) return t->status;
     t->scene = scene;

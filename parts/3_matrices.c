@@ -79,11 +79,10 @@ static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact 
     contact->b = sp__problem_row(problem, f->b);
     contact->point = f->point;
     contact->points = f->points;
-    contact->mu = f->joint.mu;
+    contact->joint = f;
     sp__contact_local(problem, f, contact->ra);
     const sp_real *first = scene->point[f->point], *ca = scene->block[f->a].centroid, *cb = scene->block[f->b].centroid;
     for (int c = 0; c < 3; c++) {
-        contact->n[c] = f->n[c]; contact->t1[c] = f->t1[c]; contact->t2[c] = f->t2[c];
         contact->rb[c] = (first[c] - cb[c]) + contact->ra[c];
         contact->ra[c] = (first[c] - ca[c]) + contact->ra[c];
     }
@@ -166,7 +165,7 @@ static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_c
     sp__sub3(scene->point[v], scene->block[f->a].centroid, ra);
     sp__sub3(scene->point[v], scene->block[f->b].centroid, rb);
     for (int32_t c = 0; c < columns; c++) {
-        const sp_real *e = c <= extra ? contact->n : c - extra == 1 ? contact->t1 : contact->t2;
+        const sp_real *e = c <= extra ? contact->joint->n : c - extra == 1 ? contact->joint->t1 : contact->joint->t2;
         const sp_real s = c == 1 && extra ? (sp_real)-1 : (sp_real)1;
         if (contact->b >= 0) sp__aeq_column(t, contact->b, columns * v + c, s, rb, e);
         if (contact->a >= 0) sp__aeq_column(t, contact->a, columns * v + c, -s, ra, e);
@@ -222,7 +221,7 @@ static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_
     for (int32_t k = 0; k < problem->contacts; k++) {
         const sp_contact *contact = &problem->contact[k];
         for (int32_t q = 0; q < contact->points; q++)
-            sp__afr_vertex(t, settings->faces, contact->point + q, columns, shrink * contact->mu, settings->net);
+            sp__afr_vertex(t, settings->faces, contact->point + q, columns, shrink * contact->joint->joint.mu, settings->net);
     }
 }
 

@@ -242,7 +242,7 @@ static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 /* Nearest admissible force along the normal's plane: fn kept, ft shortened onto the cone; no tension, no more than `cap`. */
 static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
-    const sp_real mu = t->mu * j->mu_factor;
+    const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = j->set->faces;
     sp_real most = 0;                                   /* the largest tangential share any face sees */
     if (!faces) most = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
@@ -277,7 +277,7 @@ static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitte
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
             sp__judge_admit(j, t, f + 3 * (size_t)v, g);
-            for (int k = 0; k < 3; k++) F[k] = g[0] * t->n[k] + g[1] * t->t1[k] + g[2] * t->t2[k];
+            for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
             sp__point_force(pb, t->b, v, F, 1, j->r, j->q);
             sp__point_force(pb, t->a, v, F, -1, j->r, j->q);
             if (admitted) memcpy(admitted + 3 * (size_t)v, g, sizeof g);
@@ -302,7 +302,7 @@ static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitte
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
 static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
 {
-    const sp_real mu = t->mu * j->mu_factor;
+    const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = j->set->faces;
     const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
     if (!faces) {
@@ -360,7 +360,7 @@ static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, i
             sp__point_velocity(pb, NULL, t->a, v, j->x, -1, a);
             const sp_real moved = sp__norm3(w) + sp__norm3(a);
             for (int k = 0; k < 3; k++) w[k] -= a[k];
-            const sp_real u[3] = { sp__dot3(w, t->n), sp__dot3(w, t->t1), sp__dot3(w, t->t2) };
+            const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
             resist += cap * P;
             if (P > 64 * (sp_real)SP_EPSILON * moved) *final = 0;       /* below that: rounding of u */

@@ -14,12 +14,12 @@ typedef struct sp__dual {
     const sp_settings *set;
     sp__cone cone;
     sp__bchol L;                        /* factor of the Hessian + shift */
+    sp_real *dense;                     /* or, not NULL, its dense factor */
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
-    sp_real unit;                       /* force of one unit [N] */
+    sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real *mu, *S;                    /* per contact: coefficient in force, metric */
     int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
     sp_real *z;                         /* 6b: row weights, 0 where held */
-    sp_real *p;                         /* 6b: weighted load */
     sp_real *weight;                    /* 2b: of force and moment rows, held or not */
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
@@ -41,15 +41,15 @@ static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
     w->mark = sp__take(a, b, sizeof *w->mark);
 }
 
-static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int32_t nnz, sp_arena *a)
+static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int32_t nnz, int dense, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
+    w->dense = dense ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
     sp__cone_carve(&w->cone, faces, a);
     w->mu = sp__take(a, c, sizeof *w->mu);
     w->S = sp__take(a, c, sizeof *w->S);
     w->slot = sp__take(a, c, sizeof *w->slot);
     w->z = sp__take(a, b, 6 * sizeof *w->z);
-    w->p = sp__take(a, b, 6 * sizeof *w->p);
     w->weight = sp__take(a, b, 2 * sizeof *w->weight);
     w->size = sp__take(a, b, 2 * sizeof *w->size);
     w->y = sp__take(a, b, 6 * sizeof *w->y);
@@ -114,14 +114,14 @@ static size_t sp__dual_scratch(const sp_problem *pb)
 }
 
 /* Bytes of the whole dual: the symbolic step and the factor share the space behind the graph. */
-static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, sp_arena scratch)
 {
     sp__dual w;
     const int32_t nnz = sp__dual_analyse(&w, pb, &scratch);
     if (nnz < 0) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
     sp__dual_carve_graph(&w, pb, &dry);
-    sp__dual_carve(&w, pb, set->faces, nnz, &dry);
+    sp__dual_carve(&w, pb, set->faces, nnz, dense, &dry);
     const size_t symbolic = sp__dual_scratch(pb);
     return dry.peak > symbolic ? dry.peak : symbolic;
 }
@@ -138,7 +138,7 @@ static void sp__dual_weights(sp__dual *w)
             if (i < 0) continue;
             sp_real o[3], *z = w->z + 6 * (size_t)i;
             const sp_real *arm = side ? t->rb : t->ra;
-            o[0] = sp__dot3(arm, t->n); o[1] = sp__dot3(arm, t->t1); o[2] = sp__dot3(arm, t->t2);
+            o[0] = sp__dot3(arm, t->joint->n); o[1] = sp__dot3(arm, t->joint->t1); o[2] = sp__dot3(arm, t->joint->t2);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *l = pb->local[v];
                 const sp_real x = o[0] + l[0], y = o[1] + l[1], s = o[2] + l[2];
@@ -155,9 +155,20 @@ static void sp__dual_weights(sp__dual *w)
     }
 }
 
-static void sp__dual_load(sp__dual *w)
+/* r <- the weighted load in units. */
+static void sp__dual_load(const sp__dual *w, sp_real *r)
 {
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->p[k] = w->z[k] * (w->pb->p[k] / w->unit);
+    const sp_real unit = 1 / w->unit;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->z[k] * (w->pb->p[k] * unit);
+}
+
+/* load . y */
+static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
+{
+    const sp_real unit = 1 / w->unit;
+    sp_real s = 0;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->z[k] * (w->pb->p[k] * unit) * y[k];
+    return s;
 }
 
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
@@ -175,8 +186,8 @@ static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real
         v[2] += sign * (z[2] * yi[2] + a * arm[1] - b * arm[0]);
         o[0] += sign * a; o[1] += sign * b; o[2] += sign * c;
     }
-    V[0] = sp__dot3(v, t->n); V[1] = sp__dot3(v, t->t1); V[2] = sp__dot3(v, t->t2);
-    W[0] = sp__dot3(o, t->n); W[1] = sp__dot3(o, t->t1); W[2] = sp__dot3(o, t->t2);
+    V[0] = sp__dot3(v, t->joint->n); V[1] = sp__dot3(v, t->joint->t1); V[2] = sp__dot3(v, t->joint->t2);
+    W[0] = sp__dot3(o, t->joint->n); W[1] = sp__dot3(o, t->joint->t1); W[2] = sp__dot3(o, t->joint->t2);
 }
 
 /* u = V + W x l, friction weighed. */
@@ -200,8 +211,8 @@ static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_re
 {
     sp_real f[3], m[3];
     for (int k = 0; k < 3; k++) {
-        f[k] = F[0] * t->n[k] + F[1] * t->t1[k] + F[2] * t->t2[k];
-        m[k] = M[0] * t->n[k] + M[1] * t->t1[k] + M[2] * t->t2[k];
+        f[k] = F[0] * t->joint->n[k] + F[1] * t->joint->t1[k] + F[2] * t->joint->t2[k];
+        m[k] = M[0] * t->joint->n[k] + M[1] * t->joint->t1[k] + M[2] * t->joint->t2[k];
     }
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
@@ -234,7 +245,7 @@ typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE } sp__law;     /* f = S u, 
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) r[k] = w->p[k];
+    sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
@@ -277,7 +288,7 @@ static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, s
         sum += part;
     }
     sp__dual_count(w, SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
-    return sum + sp__dot(w->p, d, 6 * (size_t)pb->blocks);
+    return sum + sp__dual_work(w, d);
 }
 
 /* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each. */
@@ -314,7 +325,7 @@ static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, 
 /* out = R m R', R = (n, t1, t2): from the contact's frame to the world's. out may not be m. */
 static void sp__rotate(const sp_contact *t, const sp_real *m, sp_real *out)
 {
-    const sp_real *R[3] = { t->n, t->t1, t->t2 };
+    const sp_real *R[3] = { t->joint->n, t->joint->t1, t->joint->t2 };
     sp_real a[9];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) a[3 * i + j] = R[0][i] * m[j] + R[1][i] * m[3 + j] + R[2][i] * m[6 + j];
@@ -345,22 +356,41 @@ static void sp__cross_right(const sp_real c[3], const sp_real *a, int turn, cons
     }
 }
 
-/* block += sign zr [ vv vw ; wv ww ] zc, by columns; wv is given as its transpose. `turn`: the block is stored transposed. */
-static void sp__dual_add(sp_real *block, int turn, sp_real sign, const sp_real *zr, const sp_real *zc, const sp_real *vv,
-                         const sp_real *vw, const sp_real *wvt, const sp_real *ww)
+/* to(r, c) += zr[r] zc[c] m(r, c), 3 x 3; to has strides tr, tc, m is by rows or, mc = 3, by columns. */
+static void sp__add9(sp_real *to, int tr, int tc, const sp_real zr[3], const sp_real zc[3], const sp_real *m, int mr, int mc)
 {
-    for (int r = 0; r < 6; r++)
-        for (int c = 0; c < 6; c++) {
-            const sp_real k = r < 3 ? (c < 3 ? vv[3 * r + c] : vw[3 * r + c - 3])
-                                    : (c < 3 ? wvt[3 * c + r - 3] : ww[3 * (r - 3) + c - 3]);
-            block[turn ? 6 * r + c : 6 * c + r] += sign * zr[r] * zc[c] * k;
-        }
+    for (int c = 0; c < 3; c++) {
+        const sp_real z = zc[c];
+        to[tc * c]          += zr[0] * z * m[mc * c];
+        to[tc * c + tr]     += zr[1] * z * m[mc * c + mr];
+        to[tc * c + 2 * tr] += zr[2] * z * m[mc * c + 2 * mr];
+    }
 }
 
-/* L L' = Aeq S DP Aeq' + shift: every contact's H moved to the centroids of its blocks,
+/* Diagonal block += Z [ vv . ; vw' ww ] Z, its lower triangle by columns. */
+static void sp__add_diagonal(sp_real *block, const sp_real *z, const sp_real *vv, const sp_real *vw, const sp_real *ww)
+{
+    sp__add9(block, 1, 6, z, z, vv, 3, 1);
+    sp__add9(block + 3, 1, 6, z + 3, z, vw, 1, 3);
+    sp__add9(block + 21, 1, 6, z + 3, z + 3, ww, 3, 1);
+}
+
+/* Block -= Za [ vv qb ; qa' ww ] Zb, by columns, or by rows where it is stored transposed. */
+static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
+                             const sp_real *qa, const sp_real *qb, const sp_real *ww)
+{
+    const int tr = turn ? 6 : 1, tc = turn ? 1 : 6;
+    const sp_real minus[6] = { -za[0], -za[1], -za[2], -za[3], -za[4], -za[5] };
+    sp__add9(block, tr, tc, minus, zb, vv, 3, 1);
+    sp__add9(block + 3 * tc, tr, tc, minus, zb + 3, qb, 3, 1);
+    sp__add9(block + 3 * tr, tr, tc, minus + 3, zb, qa, 1, 3);
+    sp__add9(block + 3 * tr + 3 * tc, tr, tc, minus + 3, zb + 3, ww, 3, 1);
+}
+
+/* Aeq S DP Aeq' + shift into L: every contact's H moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
-static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
@@ -376,32 +406,67 @@ static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real 
             sp__cross_right(t->ra, vv, 0, vw, qa);                          /* K_vw = vw - vv [arm]x */
             sp__cross_right(t->ra, vw, 1, ww, nb);                          /* ww - vw' [arm]x */
             sp__cross_left(t->ra, qa, nb, k);                               /* K_ww */
-            sp__dual_add(w->L.d + 36 * (size_t)w->L.inv[t->a], 0, 1, za, za, vv, qa, qa, k);
+            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->a], za, vv, qa, k);
         }
         if (t->b >= 0) {
             sp__cross_right(t->rb, vv, 0, vw, qb);
             sp__cross_right(t->rb, vw, 1, ww, nb);
             sp__cross_left(t->rb, qb, nb, k);
-            sp__dual_add(w->L.d + 36 * (size_t)w->L.inv[t->b], 0, 1, zb, zb, vv, qb, qb, k);
+            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->b], zb, vv, qb, k);
         }
         if (w->slot[c] != INT32_MIN) {
             const int turn = w->slot[c] < 0;
             sp__cross_left(t->ra, qb, nb, k);
-            sp__dual_add(w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]), turn, -1, za, zb, vv, qb, qa, k);
+            sp__add_coupling(w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]), turn, za, zb, vv, qa, qb, k);
         }
     }
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
         for (size_t q = 0; q < 6; q++) w->L.d[36 * i + 7 * q] += shift;
-    sp__bchol_factor(&w->L, 4 * (sp_real)SP_EPSILON);
     sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
-    w->cost->flops += w->L.flops;
+}
+
+/* The assembled blocks as one dense lower triangle, in elimination order. */
+static void sp__dual_spread(sp__dual *w)
+{
+    const sp__bchol *L = &w->L;
+    const size_t n = 6 * (size_t)L->n;
+    memset(w->dense, 0, n * (n + 1) / 2 * sizeof *w->dense);
+    for (int32_t k = 0; k < L->n; k++)
+        for (int32_t q = L->p[k] - 1; q < L->p[k + 1]; q++) {
+            const int diagonal = q < L->p[k];
+            const int32_t i = diagonal ? k : L->i[q];
+            const sp_real *block = diagonal ? L->d + 36 * (size_t)k : L->x + 36 * (size_t)q;
+            for (size_t r = 0; r < 6; r++)
+                for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
+                    const size_t row = 6 * (size_t)i + r;
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = block[6 * c + r];
+                }
+        }
+}
+
+/* L L' = Aeq S DP Aeq' + shift */
+static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_real floor = 4 * (sp_real)SP_EPSILON;
+    const int64_t n = 6 * (int64_t)w->L.n;
+    sp__dual_assemble(w, law, y, shift);
+    if (w->dense) {
+        sp__dual_spread(w);
+        sp__chol_factor(w->dense, 6 * w->L.n, floor);
+    } else sp__bchol_factor(&w->L, floor);
+    w->cost->flops += w->dense ? n * n * n / 3 : w->L.flops;
     w->cost->factorisations++;
 }
 
+/* x <- (L L')^-1 b; x may be b. */
 static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 {
-    sp__bchol_solve(&w->L, b, x);
-    w->cost->flops += 144 * (int64_t)w->L.p[w->L.n] + 72 * (int64_t)w->L.n;
+    const int64_t n = 6 * (int64_t)w->L.n;
+    w->cost->flops += w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n;
+    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    for (size_t k = 0; k < (size_t)n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
+    sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
+    for (size_t k = 0; k < (size_t)n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
 }
 
 /* Weighted imbalance relative to sbar and Sbar: the largest over the blocks. */
@@ -435,7 +500,7 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
             const sp_real *arm = side ? t->rb : t->ra;
-            const sp_real o[3] = { sp__dot3(arm, t->n), sp__dot3(arm, t->t1), sp__dot3(arm, t->t2) };
+            const sp_real o[3] = { sp__dot3(arm, t->joint->n), sp__dot3(arm, t->joint->t1), sp__dot3(arm, t->joint->t2) };
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *l = pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
                 sp_real u[3], m[3];
@@ -474,12 +539,15 @@ static int sp__dual_metric(sp__dual *w)
     return needed;
 }
 
+typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY } sp__form;
+
 /* Everything but the numbers of a metric: cone, coefficients, slots, unit of force. */
-static sp_status sp__dual_open(sp__dual *w, const sp_problem *pb, const sp_settings *set, int penalty, sp_cost *cost, sp_arena *a)
+static sp_status sp__dual_open(sp__dual *w, const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
 {
+    const int penalty = form == SP__PENALTY;
     const int32_t nnz = sp__dual_analyse(w, pb, a);
     if (nnz < 0) return SP_E_MEMORY;
-    sp__dual_carve(w, pb, set->faces, nnz, a);
+    sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
     if (sp__failed(a)) return SP_E_MEMORY;
     sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
     w->set = set;
@@ -492,7 +560,7 @@ static sp_status sp__dual_open(sp__dual *w, const sp_problem *pb, const sp_setti
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         int32_t turned = 0;
-        w->mu[c] = t->mu * factor / w->slide;
+        w->mu[c] = t->joint->joint.mu * factor / w->slide;
         w->S[c] = 1;
         w->slot[c] = INT32_MIN;
         if (t->a < 0 || t->b < 0) continue;

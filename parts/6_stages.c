@@ -106,13 +106,15 @@ static void sp__dual_bilateral(sp__dual *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp__dual_weights(w);
-    sp__dual_load(w);
-    sp__dual_factor(w, SP__BILATERAL, w->p, SP__SHIFT);
-    const sp_real load = sp__dual_norm(w, w->p), small = 64 * (sp_real)SP_EPSILON * load;
+    for (size_t k = 0; k < n; k++) w->y[k] = 0;
+    sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
+    sp__dual_load(w, w->r);
+    w->load = sp__dual_norm(w, w->r);
+    const sp_real load = w->load, small = 64 * (sp_real)SP_EPSILON * load;
     int singular = 0;
     sp_real last = SP__HUGE;
     for (int it = 0; it < 6; it++) {
-        if (!it) for (size_t k = 0; k < n; k++) { w->y[k] = 0; w->r[k] = w->p[k]; }
+        if (!it) { for (size_t k = 0; k < n; k++) w->y[k] = 0; sp__dual_load(w, w->r); }
         sp__bilateral_correct(w, singular);
         sp__dual_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         const sp_real now = sp__dual_norm(w, w->r);
@@ -139,15 +141,95 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
     }
 }
 
-static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
-                                       sp_verdict *claim)
+static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
+                                   sp_arena *arena, sp_verdict *claim)
 {
     sp__dual w;
-    if (sp__dual_open(&w, pb, set, 0, &state->cost, arena)) return SP_E_MEMORY;
+    if (sp__dual_open(&w, pb, set, form, &state->cost, arena)) return SP_E_MEMORY;
     sp__dual_bilateral(&w);
     sp__dual_hint(&w, state);
     sp__dual_forces(&w, SP__BILATERAL, w.y, state);
     *claim = SP_STABLE;
+    state->reason = SP_REASON_STAGES;
+    return SP_OK;
+}
+
+static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                                       sp_verdict *claim)
+{
+    return sp__bilateral_run(pb, set, SP__EXACT, state, arena, claim);
+}
+
+static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    return sp__bilateral_run(pb, set, SP__EXACT_DENSE, state, arena, claim);
+}
+
+static size_t sp__sparse_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return sp__dual_need(pb, set, 0, scratch);
+}
+
+static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return sp__dual_need(pb, set, 1, scratch);
+}
+
+/* Polish ----------------------------------------------------------------------------------------------------------------
+ * Alternating projections between the cones and E = { Aeq f + p = 0 }:  f <- P_K(f),  f <- f - Aeq' G^-1 (Aeq f + p), one
+ * factor of G = Aeq Aeq'. Ends when the forces in the cones balance, or when 250 rounds gain less than 5 %: an empty
+ * intersection never ends by itself, so this stage can only say STABLE.                                  [seed 2.2] */
+
+#define SP__POLISH_WINDOW 250           /* rounds between looks at the progress */
+#define SP__POLISH_ROUNDS 20000
+#define SP__POLISH_GAIN ((sp_real)0.95)
+
+/* f <- P_K(f) and r = Aeq f + p of it; with y also first f <- f + Aeq' y. */
+static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
+{
+    const sp_problem *pb = w->pb;
+    sp__dual_load(w, r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, u[3], m[3];
+        sp__dual_twist(w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *g = f + 3 * (size_t)v;
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            for (int k = 0; k < 3; k++) u[k] += g[k];
+            sp__cone_project(&w->cone, w->mu[c], u, g);
+            sp__cross3(pb->local[v], g, m);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+        }
+        sp__dual_scatter(w, t, F, M, r);
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+}
+
+static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    sp__dual w;
+    if (sp__dual_open(&w, pb, set, SP__EXACT, &state->cost, arena)) return SP_E_MEMORY;
+    const size_t n = 6 * (size_t)pb->blocks;
+    sp__dual_bilateral(&w);
+    sp__dual_hint(&w, state);
+    sp__dual_sizes(&w, w.y);
+    memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
+    sp__polish_round(&w, w.y, state->f, w.r);
+    sp_real omega = sp__dual_omega(&w, w.r), last = omega;
+    for (int round = 1; omega > set->tol / 4 && round <= SP__POLISH_ROUNDS; round++) {
+        sp__dual_solve(&w, w.r, w.y);
+        for (size_t k = 0; k < n; k++) w.y[k] = -w.y[k];
+        sp__polish_round(&w, w.y, state->f, w.r);
+        omega = sp__dual_omega(&w, w.r);
+        state->cost.iterations++;
+        if (round % SP__POLISH_WINDOW) continue;
+        if (omega > SP__POLISH_GAIN * last) break;
+        last = omega;
+    }
+    for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w.unit;
+    *claim = omega <= set->tol ? SP_STABLE : SP_UNDECIDED;
+    state->reason = SP_REASON_STAGES;
     return SP_OK;
 }
 
@@ -171,7 +253,7 @@ static sp_real sp__newton_search(sp__dual *w, sp_real prox)
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp_real yd = prox * sp__dot(w->y, w->d, n), dd = prox * sp__dot(w->d, w->d, n);
     const sp_real start = sp__dot(w->r, w->d, n) + yd;
-    const sp_real noise = 64 * (sp_real)SP_EPSILON * sp__dual_norm(w, w->p) * sp__dual_norm(w, w->d);
+    const sp_real noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
     const sp_real enough = sp__max((sp_real)0.2 * sp__abs(start), noise);
     sp_real lo = 0, flo = start, hi = 0, fhi = 0, s = 1;
     if (!(start < -noise)) return 1;
@@ -202,7 +284,7 @@ static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
         scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
-    const sp_real work = -sp__dot(w->p, y, 6 * (size_t)pb->blocks);
+    const sp_real work = -sp__dual_work(w, y);
     if (!(work > 0)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -462,7 +544,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
 {
     sp__dual w;
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0 };
-    if (sp__dual_open(&w, pb, set, 0, &state->cost, arena)) return SP_E_MEMORY;
+    if (sp__dual_open(&w, pb, set, SP__EXACT, &state->cost, arena)) return SP_E_MEMORY;
     sp__dual_bilateral(&w);
     sp__dual_hint(&w, state);
     sp__dual_sizes(&w, w.y);
@@ -474,11 +556,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     if (!n.proved && n.omega <= n.goal) sp__newton_finish(&w, &n, state);
     sp__dual_forces(&w, SP__ADMISSIBLE, state->y, state);
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
-    state->reason = n.proved ? SP_REASON_MECHANISM : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
+                  : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;
     return SP_OK;
-}
-
-static size_t sp__dual_stage_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
-{
-    return sp__dual_need(pb, set, scratch);
 }

@@ -15,7 +15,7 @@ static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
             sp_real u[3], f[3];
             sp__dual_rate(w, V, W, w->pb->local[v], u);
             sp__dual_force(w, c, u, f);
-            const sp_real slip = SP_SQRT(f[1] * f[1] + f[2] * f[2]) - t->mu * sp__max(0, f[0]);
+            const sp_real slip = SP_SQRT(f[1] * f[1] + f[2] * f[2]) - t->joint->joint.mu * sp__max(0, f[0]);
             o->tension = sp__max(o->tension, -f[0] * w->unit);
             o->friction = sp__max(o->friction, slip * w->unit);
         }
@@ -26,7 +26,7 @@ static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, s
 {
     sp__dual w;
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1 };   /* proved: no proofs are sought */
-    if (sp__dual_open(&w, pb, set, 1, &state->cost, arena)) return SP_E_MEMORY;
+    if (sp__dual_open(&w, pb, set, SP__PENALTY, &state->cost, arena)) return SP_E_MEMORY;
     sp__dual_bilateral(&w);
     sp__dual_sizes(&w, w.y);
     if (sp__dual_metric(&w)) sp__dual_bilateral(&w);
@@ -79,9 +79,11 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
 
 static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 {
-    sp_stage s = { sp__exact_run, sp__dual_stage_need };
+    sp_stage s = { sp__exact_run, sp__sparse_need };
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
     if (id == SP_STAGE_LEAST_SQUARES) s.run = sp__least_squares_run;
+    if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
+    if (id == SP_STAGE_POLISH) s.run = sp__polish_run;
     if (id == SP_STAGE_CUSTOM) s = *set->custom;
     return s;
 }
@@ -98,7 +100,6 @@ static void sp__result_carve(sp_result *r, const sp_scene *scene, int32_t free_b
 static void sp__state_carve(sp_state *s, int32_t free_blocks, sp_arena *a)
 {
     s->y = sp__take(a, (size_t)free_blocks, 6 * sizeof *s->y);
-    s->dq = sp__take(a, (size_t)free_blocks, 6 * sizeof *s->dq);
 }
 
 static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
@@ -133,7 +134,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
         if (need > most) most = need;
     }
     if (set.localise && pb.blocks) {
-        const size_t need = sp__dual_need(&pb, &set, scratch);
+        const size_t need = sp__sparse_need(&pb, &set, scratch);
         if (need == SIZE_MAX) return SP_E_MEMORY;
         if (need > most) most = need;
     }
@@ -165,6 +166,7 @@ static int sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_r
         const sp_real *m = j->x + 6 * (size_t)i;
         largest = sp__max(largest, sp__max(sp__norm3(m) / block, sp__norm3(m + 3) * j->scale[i].arm / block));
     }
+    memset(r->dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *r->dq);
     for (int32_t i = 0; i < pb->blocks; i++)
         for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = j->x[6 * (size_t)i + k] / largest;
     r->least_imbalance = proof;
@@ -325,11 +327,11 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (sp__failed(&a)) return SP_E_MEMORY;
     state.f = r.f;
     state.y0 = r.y0;
+    state.dq = r.dq;                                    /* free blocks first; spread over the scene's once it is a proof */
     memset(r.f, 0, 3 * (size_t)scene->count.points * sizeof *r.f);
     memset(r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r.dq);
     memset(r.y0, 0, 6 * (size_t)pb.blocks * sizeof *r.y0);
     memset(r.demand, 0, (size_t)scene->count.interfaces * sizeof *r.demand);
-    memset(state.dq, 0, 6 * (size_t)pb.blocks * sizeof *state.dq);
     memset(state.y, 0, 6 * (size_t)pb.blocks * sizeof *state.y);
     r.tol = set.tol;
     r.force_bound = set.force_bound;
@@ -341,6 +343,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     r.verified = !pb.blocks;
     if (pb.blocks) status = sp__check_run(&pb, &set, &state, &a, &r);
     if (status) return status;
+    if (r.verdict != SP_UNSTABLE) memset(r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r.dq);
     if (r.verdict == SP_STABLE) r.level = SP_ADMISSIBLE;
     sp__check_read(scene, &r);
     r.peak_bytes = a.peak;

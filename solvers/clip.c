@@ -29,6 +29,7 @@ typedef struct sp__clip {
     int32_t opening;            /* in the strips of part 4 */
     int32_t torn;               /* loops that did not close, or holes that cuts did not open; 0 unless rounding won */
     sp_real eps, thin, snap;    /* snap: eps of this attempt */
+    sp_real lo[2], hi[2];       /* the strip of part 4 */
     sp_real (*segment)[4];      /* input: from, to; later the pieces of a result that has holes */
     int32_t (*tag)[3];          /* input: the caller's number of from and to (-1: none), region */
     sp_real (*xy)[2];           /* nodes */
@@ -147,17 +148,19 @@ static void sp__clip_cross(sp__clip *c, int32_t i, int32_t j)
     (void)sp__clip_node(c, x, -1);
 }
 
-/* Does node k lie on the inside of edge e, nearer than eps? */
+/* Does node k lie on the inside of edge e, nearer than eps? Only if both parts are shorter than e, so that splitting ends: of
+ * three nodes a little more than eps apart each may be near the edge between the others. */
 static int sp__clip_on(const sp__clip *c, const sp__clip_edge *e, int32_t k)
 {
     if (k == e->from || k == e->to) return 0;
     const sp_real *a = c->xy[e->from], *b = c->xy[e->to], *p = c->xy[k];
     const sp_real dx = b[0] - a[0], dy = b[1] - a[1], len2 = dx * dx + dy * dy;
-    const sp_real along = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy, turn = sp__clip_turn(a, b, p);
-    return along > 0 && along < len2 && turn * turn <= c->snap * c->snap * len2;
+    const sp_real x = p[0] - a[0], y = p[1] - a[1], along = x * dx + y * dy, turn = dx * y - dy * x;
+    if (!(along > 0 && along < len2 && turn * turn <= c->snap * c->snap * len2)) return 0;
+    return x * x + y * y < len2 && x * x + y * y < 2 * along;
 }
 
-/* Split every edge at the nodes on it. An edge only gets shorter, so this ends. Returns whether anything changed. */
+/* Split every edge at the nodes on it. Returns whether anything changed. */
 static int sp__clip_split(sp__clip *c)
 {
     const int32_t before = c->edges;
@@ -451,14 +454,16 @@ static int32_t sp__clip_again(sp__clip *c)
     return c->segments;
 }
 
-/* Add the rectangle x0 <= x <= x1, y0 <= y <= y1 as region Q. */
-static void sp__clip_strip(sp__clip *c, sp_real x0, sp_real x1, sp_real y0, sp_real y1)
+/* Add the box lo .. hi as region Q, anticlockwise. */
+static void sp__clip_strip(sp__clip *c)
 {
-    const sp_real p[2] = { x0, y0 }, q[2] = { x1, y0 }, r[2] = { x1, y1 }, s[2] = { x0, y1 };
-    sp__clip_add(c, 1, p, q, -1, -1);
-    sp__clip_add(c, 1, q, r, -1, -1);
-    sp__clip_add(c, 1, r, s, -1, -1);
-    sp__clip_add(c, 1, s, p, -1, -1);
+    sp_real from[2] = { c->lo[0], c->lo[1] }, to[2] = { c->lo[0], c->lo[1] };
+    for (int k = 0; k < 4; k++) {
+        const int along = k & 1;                                    /* right, up, left, down */
+        to[along] = k < 2 ? c->hi[along] : c->lo[along];
+        sp__clip_add(c, 1, from, to, -1, -1);
+        from[along] = to[along];
+    }
 }
 
 /* Clip the region found to the strips between the cuts: no hole is left whole. Forces at corners that the lines add are
@@ -466,19 +471,26 @@ static void sp__clip_strip(sp__clip *c, sp_real x0, sp_real x1, sp_real y0, sp_r
 static void sp__clip_open(sp__clip *c)
 {
     const int32_t cuts = c->cuts, pieces = sp__clip_again(c);
-    sp_real lo[2] = { c->segment[0][0], c->segment[0][1] }, hi[2] = { lo[0], lo[1] };
-    for (int32_t s = 0; s < pieces; s++)
-        for (int k = 0; k < 2; k++) {
-            if (c->segment[s][k] < lo[k]) lo[k] = c->segment[s][k];
-            if (c->segment[s][k] > hi[k]) hi[k] = c->segment[s][k];
+    for (int k = 0; k < 2; k++) {
+        c->lo[k] = c->hi[k] = c->segment[0][k];
+        for (int32_t s = 0; s < pieces; s++) {
+            const sp_real x = c->segment[s][k];
+            c->lo[k] = x < c->lo[k] ? x : c->lo[k];
+            c->hi[k] = x > c->hi[k] ? x : c->hi[k];
         }
-    const sp_real pad = (hi[0] - lo[0]) + (hi[1] - lo[1]);
+        const sp_real wide = c->hi[k] - c->lo[k];
+        c->lo[k] -= wide;
+        c->hi[k] += wide;
+    }
+    const sp_real end = c->hi[0];
     c->thin = c->eps;
     c->opening = 1;
     for (int32_t k = 0; k <= cuts && !c->full; k++) {
         c->segments = pieces;
-        sp__clip_strip(c, k ? c->cut[k - 1] : lo[0] - pad, k < cuts ? c->cut[k] : hi[0] + pad, lo[1] - pad, hi[1] + pad);
+        c->hi[0] = k < cuts ? c->cut[k] : end;
+        sp__clip_strip(c);
         sp__clip_once(c);
+        c->lo[0] = c->hi[0];
     }
     c->torn += c->holes;
 }

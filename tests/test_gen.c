@@ -122,9 +122,62 @@ TEST(unknown_names_and_numbers_out_of_range_are_refused)
     CHECK_INT(gen_set(&g, "mu", 0.5), 1);
 }
 
+/* What the contact search finds is what the generator said: the same pairs, the same areas. */
+static void found_as_given(const gen_scene *g)
+{
+    sp_scene s;
+    sp_contact_report report = { 0, 0, 0, 0, NULL };
+    const sp_contact_settings settings = sp_contact_settings_default();
+    test_arena.used = 0;
+    NEED(gen_build(g, &test_arena, &s) == SP_OK);
+    const int32_t given = s.count.interfaces, points = s.count.points;
+    sp_interface *want = s.interface, *found;           /* room for the found ones besides */
+    sp_capacity cap = s.count;
+    sp_scene t;
+    cap.interfaces *= 2;
+    cap.points *= 4;
+    NEED(sp_scene_create(&t, &cap, &test_arena) == SP_OK);
+    for (int32_t b = 0; b < s.count.blocks; b++) {
+        sp_real xyz[3 * 512];
+        int32_t size[512], corner[2048], n = 0;
+        const sp_block *k = &s.block[b];
+        for (int32_t v = 0; v < k->vertices; v++)
+            for (int c = 0; c < 3; c++) xyz[3 * v + c] = s.vertex[k->vertex + v][c];
+        for (int32_t f = 0; f < k->faces; f++) {
+            size[f] = s.face[k->face + f].corners;
+            for (int32_t i = 0; i < size[f]; i++) corner[n++] = s.corner[s.face[k->face + f].corner + i] - k->vertex;
+        }
+        const sp_mesh mesh = { k->vertices, k->faces, xyz, size, corner };
+        NEED(sp_scene_block(&t, &mesh, k->density, k->fixed, NULL) == SP_OK);
+    }
+    NEED(sp_contacts_find(&t, &settings, test_arena, &report) == SP_OK);
+    CHECK_INT(report.overlaps, 0);
+    found = t.interface;
+    if (!CHECK_INT(report.interfaces, given) || !CHECK(report.points >= points)) CHECK_TEXT("", g->entry->name);
+    for (int32_t i = 0; i < given; i++) {
+        int32_t j = 0;
+        const int32_t a = want[i].a < want[i].b ? want[i].a : want[i].b, b = want[i].a + want[i].b - a;
+        while (j < t.count.interfaces && !((found[j].a == a && found[j].b == b) || (found[j].a == b && found[j].b == a))) j++;
+        if (!CHECK(j < t.count.interfaces)) return;
+        CHECK_NEAR(found[j].area, want[i].area, TOL(1e-9, 1e-3));
+    }
+}
+
+TEST(contacts_found_are_the_joints_given)
+{
+    static const char *const name[] = { "two-cubes", "incline", "overhang", "tower", "arch", "flat-arch", "keystone", "h-model", "wall",
+                                        "rubble", "vault", "dome" };
+    for (size_t k = 0; k < sizeof name / sizeof name[0]; k++) {
+        gen_scene g;
+        NEED(gen_open(&g, name[k]));
+        if (gen_set(&g, "jitter", 0.3) >= 0) found_as_given(&g);
+    }
+}
+
 TEST_LIST(gen)
     RUN(every_scene_builds_with_joints_in_its_blocks_faces)
     RUN(jitter_and_odd_numbers_build_too)
     RUN(known_walls_have_the_interfaces_of_the_speed_tables)
+    RUN(contacts_found_are_the_joints_given)
     RUN(unknown_names_and_numbers_out_of_range_are_refused)
 TEST_END

@@ -66,9 +66,9 @@ void json_string(json_out *j, const char *key, const char *s)
 
 void json_real(json_out *j, const char *key, double x)
 {
+    char text[32];
     key_of(j, key);
-    if (x >= -DBL_MAX && x <= DBL_MAX) fprintf(j->out, REAL_FORMAT, x);
-    else fputs("null", j->out);
+    fputs(x >= -DBL_MAX && x <= DBL_MAX ? text_shortest((sp_real)x, text) : "null", j->out);
 }
 
 void json_int(json_out *j, const char *key, int64_t x)

@@ -1,6 +1,7 @@
 /* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
 #include "obj.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,9 @@ typedef struct reader {
     obj_file *f;
     text_cursor at;
     text_error *error;
+    int in_block;               /* the line is about the block it stands in */
+    int in_contact;             /* or about a contact of these two */
+    text_word pair[2];
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------ messages */
@@ -21,18 +25,13 @@ typedef struct reader {
 #define WORD(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
 #define WORD_FORMAT "'%.*s%s'"
 
-/* " in block 'X'" of the block being read, or nothing. */
-static const char *where(const reader *r, char text[96])
+/* " in block 'X'" or " of 'A' and 'B'", or nothing: what the line being read is about. */
+static const char *where(const reader *r, char text[160])
 {
-    static const char before[] = " in block '";
     text[0] = 0;
-    if (r->f->blocks > 0) {
-        const text_word name = r->f->block[r->f->blocks - 1].name;
-        const size_t n = name.n < 60 ? name.n : 60;
-        memcpy(text, before, sizeof before - 1);
-        memcpy(text + sizeof before - 1, name.s, n);
-        memcpy(text + sizeof before - 1 + n, "'", 2);
-    }
+    if (r->in_contact) snprintf(text, 160, " (contact of " WORD_FORMAT " and " WORD_FORMAT ")", WORD(r->pair[0]), WORD(r->pair[1]));
+    else if (r->in_block && r->f->blocks > 0)
+        snprintf(text, 160, " in block " WORD_FORMAT, WORD(r->f->block[r->f->blocks - 1].name));
     return text;
 }
 
@@ -41,15 +40,15 @@ static int fail(reader *r, const char *message)
     return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s", message);
 }
 
-static int fail_in_block(reader *r, const char *message)
+static int fail_in_line(reader *r, const char *message)
 {
-    char text[96];
+    char text[160];
     return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, where(r, text));
 }
 
 static int fail_word(reader *r, const char *message, text_word w)
 {
-    char text[96];
+    char text[160];
     return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w), where(r, text));
 }
 
@@ -108,7 +107,7 @@ static int reals(reader *r, int n, sp_real *x, const char *what)
     for (int i = 0; i < n; i++) {
         text_word w;
         int status;
-        if (!text_next_word(&r->at, &w)) return fail_in_block(r, what);
+        if (!text_next_word(&r->at, &w)) return fail_in_line(r, what);
         status = as_real(r, w, x + i);
         if (status) return status;
     }
@@ -129,7 +128,10 @@ static int read_vertex(reader *r)
 {
     sp_real x[3], ignored;
     text_word w;
-    int status = reals(r, 3, x, "a vertex needs three numbers");
+    int status;
+
+    r->in_block = 1;
+    status = reals(r, 3, x, "a vertex needs three numbers");
     while (!status && text_next_word(&r->at, &w) && w.s[0] != '#') status = as_real(r, w, &ignored);   /* weight, colour */
     if (status) return status;
     return append_triple(r, &r->f->vertex, &r->f->vertices, &r->f->room.vertex, x);
@@ -165,9 +167,10 @@ static int read_face(reader *r)
     obj_face face = { r->at.line, r->f->corners, 0 };
     text_word w;
 
+    r->in_block = 1;
     if (r->f->blocks == 0) return fail(r, "a face before the first block: an 'o NAME' line must start one");
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
-        int32_t i;
+        int32_t i = 0;
         int status = corner_index(r, w, &i);
         if (status) return status;
         if (i == 0) return fail_word(r, "vertices are counted from 1, not from", w);
@@ -176,7 +179,7 @@ static int read_face(reader *r)
         APPEND(r, corner, corners, room.corner, i);
         face.corners++;
     }
-    if (face.corners < 3) return fail_in_block(r, "a face needs at least three corners");
+    if (face.corners < 3) return fail_in_line(r, "a face needs at least three corners");
     APPEND(r, face, faces, room.face, face);
     return 0;
 }
@@ -216,9 +219,12 @@ static int read_gravity(reader *r)
 static int read_density(reader *r)
 {
     sp_real density;
-    int status = reals(r, 1, &density, "density needs a number");
+    int status;
+
+    r->in_block = 1;
+    status = reals(r, 1, &density, "density needs a number");
     if (status) return status;
-    if (!(density > 0)) return fail_in_block(r, "density must be positive");
+    if (!(density > 0)) return fail_in_line(r, "density must be positive");
     if (r->f->blocks > 0) r->f->block[r->f->blocks - 1].density = density;
     else r->f->density = density;
     return line_is_over(r);
@@ -240,6 +246,9 @@ static int read_contact(reader *r, int polygon)
 
     if (!text_next_word(&r->at, &c.name[0]) || !text_next_word(&r->at, &c.name[1]))
         return fail(r, "a contact needs the names of two blocks");
+    r->in_contact = 1;
+    r->pair[0] = c.name[0];
+    r->pair[1] = c.name[1];
     if (!polygon) {
         status = reals(r, 3, c.n, "points need a normal of three numbers");
         if (status) return status;
@@ -252,8 +261,8 @@ static int read_contact(reader *r, int polygon)
         if (status) return status;
         c.points++;
     }
-    if (polygon && c.points < 3) return fail(r, "an interface needs at least three points");
-    if (c.points < 1) return fail(r, "a contact needs at least one point");
+    if (polygon && c.points < 3) return fail_in_line(r, "an interface needs at least three points");
+    if (c.points < 1) return fail_in_line(r, "a contact needs at least one point");
     APPEND(r, contact, contacts, room.contact, c);
     return 0;
 }
@@ -279,6 +288,8 @@ static int read_line(reader *r)
     static const char *const ignored[] = { "vn", "vt", "g", "s", "usemtl", "mtllib" };
     text_word w;
 
+    r->in_contact = 0;
+    r->in_block = 0;
     if (!text_next_word(&r->at, &w)) return 0;
     if (w.s[0] == '#') {
         const text_word rest = { w.s + 2, w.n - 2 };
@@ -387,7 +398,7 @@ static int find_contact_blocks(reader *r)
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error)
 {
     const obj_file empty = { 0 };
-    reader r = { file, { text, text + length, 1 }, error };
+    reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } } };
     int status, more;
 
     *file = empty;

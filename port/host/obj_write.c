@@ -3,7 +3,15 @@
 
 static void triple(FILE *out, const char *before, const sp_real x[3])
 {
-    fprintf(out, "%s " REAL_FORMAT " " REAL_FORMAT " " REAL_FORMAT, before, (double)x[0], (double)x[1], (double)x[2]);
+    char text[32];
+    fputs(before, out);
+    for (int c = 0; c < 3; c++) fprintf(out, " %s", text_shortest(x[c], text));
+}
+
+static void setting(FILE *out, const char *word, sp_real x)
+{
+    char text[32];
+    fprintf(out, "#@ %s %s\n", word, text_shortest(x, text));
 }
 
 static void name_of(FILE *out, const char *const *name, int32_t b)
@@ -20,7 +28,7 @@ static void write_block(FILE *out, const sp_scene *s, int32_t b, const char *con
     name_of(out, name, b);
     fputs("\n", out);
     if (block->fixed) fputs("#@ fixed\n", out);
-    if (own_density && block->density > 0) fprintf(out, "#@ density " REAL_FORMAT "\n", (double)block->density);
+    if (own_density && block->density > 0) setting(out, "density", block->density);
     for (int32_t v = 0; v < block->vertices; v++) {
         triple(out, "v", s->vertex[block->vertex + v]);
         fputs("\n", out);
@@ -41,7 +49,7 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
     if (!(c->area > 0)) triple(out, "", c->n);
     for (int32_t k = 0; k < c->points; k++) triple(out, "", s->point[c->point + k]);
     fputs("\n", out);
-    if (own_mu) fprintf(out, "#@ mu " REAL_FORMAT "\n", (double)c->joint.mu);
+    if (own_mu) setting(out, "mu", c->joint.mu);
 }
 
 static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
@@ -62,8 +70,8 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
     }
     for (int32_t i = 1; i < s->count.interfaces; i++)
         one_mu = one_mu && same(s->interface[i].joint.mu, s->interface[0].joint.mu);
-    if (one_mu) fprintf(out, "#@ mu " REAL_FORMAT "\n", (double)s->interface[0].joint.mu);
-    if (one_density && density > 0) fprintf(out, "#@ density " REAL_FORMAT "\n", (double)density);
+    if (one_mu) setting(out, "mu", s->interface[0].joint.mu);
+    if (one_density && density > 0) setting(out, "density", density);
     triple(out, "#@ gravity", s->gravity);
     fputs("\n", out);
     for (int32_t b = 0; b < s->count.blocks; b++) write_block(out, s, b, name, !one_density);

@@ -4,6 +4,7 @@
  */
 #include "svg.h"
 #include "hidden.h"
+#include "json_out.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -47,15 +48,16 @@ static double norm_real(const sp_real a[3])
     return sqrt((double)a[0] * (double)a[0] + (double)a[1] * (double)a[1] + (double)a[2] * (double)a[2]);
 }
 
-/* How squarely the joints are seen from a direction, 0: all edge on, which shows best how the blocks stand on each other. */
+/* How badly joints are seen from a direction: best from a little above, which shows how the blocks stand on each other. */
 static double joints_seen(const sp_scene *s, const double toward[3])
 {
+    const double best = 0.35;           /* sine of the angle between joint and view */
     double sum = 0, area = 0;
     for (int32_t i = 0; i < s->count.interfaces; i++) {
         const sp_interface *c = &s->interface[i];
         double t = 0;
         for (int k = 0; k < 3; k++) t += toward[k] * (double)c->n[k];
-        sum += fabs(t) * (double)c->area;
+        sum += fabs((c->n[2] < 0 ? -t : t) - best) * (double)c->area;
         area += (double)c->area;
     }
     return area > 0 ? sum / area : 0;
@@ -78,14 +80,14 @@ static view look(int front, double yaw, double rise)
     return v;
 }
 
-/* From above and from the front left; the front is the longer side in plan, of two equal ones that from where joints are seen
- * more edge on. Thin walls are seen more squarely, towers from lower down. */
+/* From above and from the front left; the front is the longer side in plan. Where the plan is about square, the other side, the front right and
+ * directions nearer to square on are tried, too. Thin walls are seen more squarely, towers from lower down. */
 static view choose_view(const sp_scene *s)
 {
     const double rad = 3.14159265358979323846 / 180;
     double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
     double d[3], ratio, yaw, rise;
-    int front;
+    view best;
 
     for (int32_t k = 0; k < s->count.vertices; k++)
         for (int c = 0; c < 3; c++) {
@@ -96,12 +98,12 @@ static view choose_view(const sp_scene *s)
     ratio = fmin(d[0], d[1]) / fmax(fmax(d[0], d[1]), 1e-300);
     yaw = (18 + 14 * ratio) * rad;
     rise = (d[2] > 2.5 * fmax(d[0], d[1]) ? 14 : 16 + 10 * ratio) * rad;
-    front = d[1] > d[0];
-    if (ratio > 0.7) {
-        const view v0 = look(0, yaw, rise), v1 = look(1, yaw, rise);
-        front = joints_seen(s, v1.toward) < 0.9 * joints_seen(s, v0.toward);
+    best = look(d[1] > d[0], yaw, rise);
+    for (int k = 1; k < 8 && ratio > 0.5; k++) {
+        const view other = look(k & 1 ? d[1] <= d[0] : d[1] > d[0], (k & 2 ? -yaw : yaw) * (k & 4 ? 0.4 : 1), rise);
+        if (joints_seen(s, other.toward) < 0.9 * joints_seen(s, best.toward)) best = other;
     }
-    return look(front, yaw, rise);
+    return best;
 }
 
 static void px(const picture *p, const double at[2], double out[2])
@@ -321,12 +323,13 @@ static int joint_force(const picture *p, int32_t i, sp_real from[3], sp_real to[
     return 1;
 }
 
+/* Thin ones are many: they have no light rim. */
 static void arrow(FILE *out, const double a[2], const double b[2], const char *color, double width, double head)
 {
     const double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
     const double h = fmin(head, 0.6 * length), ux = dx / fmax(length, 1e-9), uy = dy / fmax(length, 1e-9);
     if (length < 1) return;
-    for (int halo = 1; halo >= 0; halo--) {
+    for (int halo = width > 1; halo >= 0; halo--) {
         const char *ink = halo ? "#ffffff" : color;
         const double w = halo ? width + 1.8 : width;
         fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"%.1f\"%s fill=\"none\"/>", a[0], a[1],
@@ -345,10 +348,22 @@ static int nearer(const void *pa, const void *pb)
     return (a->depth > b->depth) - (a->depth < b->depth);
 }
 
+/* Are the two sides in plan of a size? Then joints lie behind each other. */
+static int deep(const picture *p)
+{
+    double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL };
+    for (int32_t k = 0; k < p->s->count.vertices; k++)
+        for (int c = 0; c < 2; c++) {
+            low[c] = fmin(low[c], (double)p->s->vertex[k][c]);
+            high[c] = fmax(high[c], (double)p->s->vertex[k][c]);
+        }
+    return fmin(high[0] - low[0], high[1] - low[1]) > 3 * p->block;
+}
+
 /* Far ones first and, where the scene is many blocks deep, fainter. */
 static int draw_forces(const picture *p)
 {
-    const int many = p->s->count.interfaces > 400;
+    const int many = p->s->count.interfaces > 400, fade = deep(p);
     drawn_force *f = malloc(((size_t)p->s->count.interfaces + 1) * sizeof *f);
     int32_t n = 0;
     double range;
@@ -360,6 +375,7 @@ static int draw_forces(const picture *p)
         if (!joint_force(p, i, from, to, &size)) continue;
         world_px(p, from, f[n].a);
         world_px(p, to, f[n].b);
+        if (hypot(f[n].b[0] - f[n].a[0], f[n].b[1] - f[n].a[1]) < 2) continue;
         f[n].depth = 0;
         for (int c = 0; c < 3; c++) f[n].depth += p->v.toward[c] * (double)from[c];
         n++;
@@ -367,7 +383,7 @@ static int draw_forces(const picture *p)
     qsort(f, (size_t)n, sizeof *f, nearer);
     range = n ? f[n - 1].depth - f[0].depth : 0;
     for (int32_t i = 0; i < n; i++) {
-        const double far = range > 3 * p->block ? (f[n - 1].depth - f[i].depth) / range : 0;
+        const double far = fade && range > 0 ? (f[n - 1].depth - f[i].depth) / range : 0;
         fprintf(p->out, "<g opacity=\"%.2f\">", 1 - 0.85 * far);
         arrow(p->out, f[i].a, f[i].b, color_force, many ? 1.0 : 1.7, many ? 5 : 8);
         if (!many) fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>", f[i].a[0], f[i].a[1], color_force);
@@ -534,17 +550,17 @@ static void scale_paper(picture *p)
 
 /* --------------------------------------------------------------------------------------------------------------- words */
 
-/* Text inside an element: markup escaped, bytes that are no plain text shown as '?'. */
+/* Text inside an element, at most so many characters: markup escaped, bytes that are no UTF-8 shown as '?'. */
 static void escaped(FILE *out, const char *s, size_t most)
 {
-    size_t n = 0;
-    for (; *s && n < most; s++, n++) {
-        const unsigned char c = (unsigned char)*s;
-        if (c == '<') fputs("&lt;", out);
-        else if (c == '>') fputs("&gt;", out);
-        else if (c == '&') fputs("&amp;", out);
-        else if (c < 32 || c > 126) fputc('?', out);
-        else fputc(c, out);
+    for (size_t n = 0; *s && n < most; n++) {
+        const int bytes = json_utf8(s);
+        if (*s == '<') fputs("&lt;", out);
+        else if (*s == '>') fputs("&gt;", out);
+        else if (*s == '&') fputs("&amp;", out);
+        else if (bytes == 0 || (unsigned char)*s < 32 || *s == 127) fputc('?', out);
+        else fwrite(s, 1, (size_t)bytes, out);
+        s += bytes ? bytes : 1;
     }
     if (*s) fputs("...", out);
 }

@@ -224,3 +224,15 @@ text_number text_int(text_word word, int32_t *i)
     *i = (int32_t)(minus ? -x : x);
     return TEXT_NUMBER;
 }
+
+const char *text_shortest(sp_real x, char text[32])
+{
+    const int most = sizeof(sp_real) == 8 ? 17 : 9;
+    for (int digits = most - 3; digits <= most; digits++) {
+        sp_real y = 0;
+        text_word w = { text, 0 };
+        w.n = (size_t)snprintf(text, 32, "%.*g", digits, (double)x);
+        if (text_real(w, &y) == TEXT_NUMBER && !(y < x) && !(y > x)) break;
+    }
+    return text;
+}

@@ -16,11 +16,8 @@ enum { EXIT_STABLE = 0, EXIT_UNSTABLE = 1, EXIT_UNDECIDED = 2, EXIT_USAGE = 64, 
 
 #define TEXT_CAP ((size_t)1 << 30)      /* [byte] longest file read */
 
-#ifdef SP_REAL_FLOAT
-#define REAL_FORMAT "%.9g"              /* digits that read back as the same number */
-#else
-#define REAL_FORMAT "%.17g"
-#endif
+/* The shortest decimal that reads back as x, of finite x; returns text.           text: room for 32 bytes */
+const char *text_shortest(sp_real x, char text[32]);
 
 /* What went wrong: exit status and one line without its newline. */
 typedef struct text_error {

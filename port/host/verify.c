@@ -171,9 +171,11 @@ int command_verify(int argc, char **argv)
     if (options_read(argc, argv, "", &o, &error) == 0 && o.files != 2)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (!error.status && verify(o.file[0], o.file[1], &e, &o, &error) == 0) {
+        char omega[32], least[32];
         printf("%s: %s by %s, cone %s: ", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone);
-        if (e.verdict == SP_UNSTABLE) printf("least imbalance " REAL_FORMAT "%s", (double)e.least_imbalance, e.final ? ", final; " : "; ");
-        printf("omega " REAL_FORMAT "\n", (double)e.omega);
+        if (e.verdict == SP_UNSTABLE)
+            printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
+        printf("omega %s\n", text_shortest(e.omega, omega));
         return report_exit(e.verdict);
     }
     fprintf(stderr, "%s\n", error.line);

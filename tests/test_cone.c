@@ -1,0 +1,147 @@
+/* Friction cones: the nearest point is in the cone, is itself nearest to itself, and leaves a rest at right angles that no
+ * admissible force can use (Moreau); the derivative is that of the map. */
+#define SP_API static
+#include "test.h"
+
+#include <math.h>
+#ifndef SP_SQRT
+#ifdef SP_REAL_FLOAT
+#define SP_SQRT(x) sqrtf(x)
+#else
+#define SP_SQRT(x) sqrt(x)
+#endif
+#endif
+
+#include "../solvers/arena.c"
+#include "../solvers/cone.c"
+
+static const int32_t faces[] = { 0, 3, 4, 5, 6, 7, 8, 12, 16, 31, 64 };
+enum { KINDS = sizeof faces / sizeof faces[0] };
+
+static void open_cone(int kind, sp__cone *k)
+{
+    sp__cone_carve(k, faces[kind], &test_arena);
+    sp__cone_make(k);
+}
+
+/* How far f is outside, relative to its size. */
+static double outside(const sp__cone *k, double mu, const double f[3])
+{
+    double most = k->faces ? -1e300 : sqrt(f[1] * f[1] + f[2] * f[2]);
+    for (int32_t i = 0; i < k->faces; i++) {
+        const double angle = 6.283185307179586477 * i / k->faces, d = cos(angle) * f[1] + sin(angle) * f[2];
+        if (d > most) most = d;
+    }
+    const double size = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    return size > 0 ? (most - mu * f[0]) / size : 0;
+}
+
+static void random_force(double mu, sp_real u[3])
+{
+    const double size = pow(10, (double)test_random_real(-3, 3));
+    u[0] = R(size * (double)test_random_real(-1, 1));
+    u[1] = R(size * (1 + mu) * (double)test_random_real(-1, 1));
+    u[2] = R(size * (1 + mu) * (double)test_random_real(-1, 1));
+    if (test_random_int(0, 9) == 0) u[test_random_int(0, 2)] = 0;
+}
+
+TEST(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < 2000; trial++) {
+            static const double mus[] = { 0, 1e-3, 0.3, 0.84, 3 };
+            const double mu = (double)R(mus[trial % 5]);
+            sp_real u[3], f[3], again[3];
+            random_force(mu, u);
+            sp__cone_project(&k, R(mu), u, f);
+            sp__cone_project(&k, R(mu), f, again);
+            double fd[3], rest[3], dot = 0, size = 0, moved = 0;
+            for (int c = 0; c < 3; c++) {
+                fd[c] = (double)f[c], rest[c] = (double)u[c] - fd[c];
+                dot += rest[c] * fd[c], size += (double)u[c] * (double)u[c];
+                moved += fabs((double)again[c] - fd[c]);
+            }
+            const double eps = 64 * (double)SP_EPSILON;
+            if (!CHECK_WITHIN(dot / size, 0, eps) || !CHECK_WITHIN(moved / sqrt(size), 0, eps) ||
+                !CHECK(outside(&k, mu, fd) <= eps)) {
+                TEST_PRINT("    %d faces, mu %g, u %.17g %.17g %.17g\n", (int)k.faces, mu, (double)u[0], (double)u[1], (double)u[2]);
+                return;
+            }
+            for (int c = 0; c < 12; c++) {              /* rest . g <= 0 for admissible g */
+                const double angle = (double)test_random_real(0, 6.2831853), reach = k.faces ? cos(3.14159265358979 / k.faces) : 1;
+                const double use = rest[0] + mu * reach * (cos(angle) * rest[1] + sin(angle) * rest[2]);
+                if (!CHECK(use <= eps * (1 + mu) * sqrt(size))) return;
+            }
+        }
+    }
+}
+
+TEST(derivative_is_that_of_the_projection)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < 300; trial++) {
+            sp_real u[3], D[6];
+            random_force(0.5, u);
+            const double size = sqrt((double)u[0] * (double)u[0] + (double)u[1] * (double)u[1] + (double)u[2] * (double)u[2]);
+            const double h = TOL(1e-6, 2e-3) * size;
+            const sp__region here = sp__cone_derivative(&k, R(0.5), u, D);
+            const double full[3][3] = { { (double)D[0], (double)D[1], (double)D[2] }, { (double)D[1], (double)D[3], (double)D[4] },
+                                        { (double)D[2], (double)D[4], (double)D[5] } };
+            for (int c = 0; c < 3; c++) {
+                sp_real lo[3], hi[3], f[3], e[3];
+                for (int i = 0; i < 3; i++) lo[i] = hi[i] = u[i];
+                lo[c] = R((double)u[c] - h), hi[c] = R((double)u[c] + h);
+                if (sp__cone_project(&k, R(0.5), lo, f) != here || sp__cone_project(&k, R(0.5), hi, e) != here) continue;
+                const double step = (double)hi[c] - (double)lo[c];
+                double off = 0;
+                for (int i = 0; i < 3; i++) off += fabs(((double)e[i] - (double)f[i]) / step - full[i][c]);
+                /* a pyramid's faces are flat, but neighbours share a region's name */
+                if (k.faces == 0) CHECK_WITHIN(off, 0, TOL(1e-6, 5e-2) * (1 + size * size / (1e-300 + (double)u[1] * (double)u[1] + (double)u[2] * (double)u[2])));
+                else if (off > TOL(1e-6, 5e-2)) CHECK(off < 4);
+            }
+        }
+    }
+}
+
+TEST(projection_scales_with_the_force)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < 200; trial++) {
+            sp_real u[3], v[3], f[3], g[3];
+            random_force(0.7, u);
+            for (int c = 0; c < 3; c++) v[c] = 8 * u[c];
+            sp__cone_project(&k, R(0.7), u, f);
+            sp__cone_project(&k, R(0.7), v, g);
+            for (int c = 0; c < 3; c++) CHECK(g[c] <= 8 * f[c] && g[c] >= 8 * f[c]);
+        }
+    }
+}
+
+TEST(directions_of_a_pyramid_are_evenly_spaced_unit_vectors)
+{
+    for (int32_t K = SP__FACES_MIN; K <= SP__FACES_MAX; K++) {
+        sp_real c, t;
+        sp__pyramid_half(K, &c, &t);
+        CHECK_NEAR(c, cos(3.14159265358979323846 / K), 4 * (double)SP_EPSILON);
+        CHECK_NEAR(t, tan(3.14159265358979323846 / K), 8 * (double)SP_EPSILON);
+        for (int32_t k = 0; k < K; k++) {
+            sp_real d[2];
+            sp__pyramid_direction(K, k, d);
+            CHECK_WITHIN(d[0], cos(6.28318530717958647692 * k / K), 8 * (double)SP_EPSILON + 2e-15);
+            CHECK_WITHIN(d[1], sin(6.28318530717958647692 * k / K), 8 * (double)SP_EPSILON + 2e-15);
+        }
+    }
+}
+
+TEST_LIST(cone)
+    RUN(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
+    RUN(derivative_is_that_of_the_projection)
+    RUN(projection_scales_with_the_force)
+    RUN(directions_of_a_pyramid_are_evenly_spaced_unit_vectors)
+TEST_END

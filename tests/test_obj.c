@@ -1,0 +1,252 @@
+/* Scene files: what is read, what is written, what is refused and where. Host only. */
+#include "test.h"
+#include "../port/host/json_in.h"
+#include "../port/host/json_out.h"
+#include "../port/host/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define GROUND "o ground\n#@ fixed\nv 0 0 -1\nv 1 0 -1\nv 1 1 -1\nv 0 1 -1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" \
+               "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+#define STONE  "o stone\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" \
+               "f -5 -6 -7 -8\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n"
+#define JOINT  "#@ interface ground stone 0 0 0 1 0 0 1 1 0 0 1 0\n"
+
+static text_error error;
+
+static int parse(const char *text, sp_real mu, scene_contacts contacts, host_scene *s)
+{
+    const size_t n = strlen(text);
+    char *copy = malloc(n + 1);
+    if (!copy) return EXIT_MEMORY;
+    memcpy(copy, text, n + 1);
+    error.line[0] = 0;
+    return scene_parse("t.obj", copy, n, mu, contacts, s, &error);
+}
+
+/* A text must be refused with this message. */
+static void refuse(const char *text, const char *message)
+{
+    host_scene s;
+    CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), EXIT_SCENE);
+    CHECK_TEXT(error.line, message);
+    scene_free(&s);
+}
+
+/* What scene_write writes, malloc's. */
+static char *written(const host_scene *s)
+{
+    FILE *f = tmpfile();
+    char *text = NULL;
+    if (!f || scene_write(f, &s->scene, s->name, "t.obj", &error) != 0) return NULL;
+    const long n = ftell(f);
+    rewind(f);
+    text = calloc((size_t)n + 1, 1);
+    if (text && fread(text, 1, (size_t)n, f) != (size_t)n) text[0] = 0;
+    fclose(f);
+    return text;
+}
+
+TEST(a_scene_is_read)
+{
+    host_scene s;
+    CHECK_INT(parse("#@ mu 0.5\n#@ density 1000\n#@ gravity 0 0 -1\n" GROUND STONE "#@ density 2000\n" JOINT "#@ mu 0.7\n", -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.blocks, 2);
+    CHECK_INT(s.scene.count.vertices, 16);
+    CHECK_INT(s.scene.count.interfaces, 1);
+    CHECK_INT(s.scene.block[0].fixed, SP_FIXED);
+    CHECK_INT(s.scene.block[1].fixed, 0);
+    CHECK_TEXT(s.name[1], "stone");
+    CHECK_NEAR(s.scene.block[0].density, 1000, 0);
+    CHECK_NEAR(s.scene.block[1].mass, 2000, 1e-6);
+    CHECK_NEAR(s.scene.block[1].centroid[2], 0.5, 1e-6);
+    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.7, 0);
+    CHECK_NEAR(s.scene.interface[0].n[2], 1, 1e-6);
+    CHECK_NEAR(s.scene.gravity[2], -1, 0);
+    CHECK_INT(s.found, 0);
+    scene_free(&s);
+}
+
+TEST(defaults_are_those_of_stone_on_earth)
+{
+    host_scene s;
+    CHECK_INT(parse(GROUND STONE JOINT, -1, SCENE_GIVEN, &s), 0);
+    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.84, 0);
+    CHECK_NEAR(s.scene.block[1].density, 2400, 0);
+    CHECK_NEAR(s.scene.gravity[2], (sp_real)-9.80665, 0);
+    scene_free(&s);
+}
+
+TEST(mu_of_the_caller_overrides_every_joint)
+{
+    host_scene s;
+    CHECK_INT(parse(GROUND STONE JOINT "#@ mu 0.7\n" JOINT, (sp_real)0.25, SCENE_GIVEN, &s), 0);
+    CHECK_NEAR(s.scene.interface[0].joint.mu, 0.25, 0);
+    CHECK_NEAR(s.scene.interface[1].joint.mu, 0.25, 0);
+    scene_free(&s);
+}
+
+TEST(contacts_are_found_where_none_are_given)
+{
+    host_scene s;
+    CHECK_INT(parse("#@ mu 0.3\n" GROUND STONE, -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.found, 1);
+    CHECK_INT(s.scene.count.interfaces, 1);
+    CHECK_INT(s.scene.count.points, 4);
+    CHECK_NEAR(s.scene.interface[0].area, 1, 1e-6);
+    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.3, 0);
+    scene_free(&s);
+}
+
+TEST(joints_may_name_blocks_of_later_lines)
+{
+    host_scene s;
+    CHECK_INT(parse(JOINT GROUND STONE, -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.interface[0].a, 0);
+    CHECK_INT(s.scene.interface[0].b, 1);
+    scene_free(&s);
+}
+
+TEST(vertices_no_face_uses_are_left_out)
+{
+    host_scene s;
+    CHECK_INT(parse("v 1e6 1e6 1e6\nv 7 7 7\n" "o lone\n#@ fixed\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 3 4 5\n", -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.vertices, 3);
+    scene_free(&s);
+}
+
+/* Written, read and written again: the same bytes; and in between the same numbers. */
+TEST(what_is_written_reads_back_the_same)
+{
+    static const char text[] = "#@ gravity 0.1 -1e-3 -9.7\n" GROUND STONE "#@ density 1234.5678901234567\n" JOINT "#@ mu 0.1\n"
+                               "#@ points ground stone 0 0 2 0.333333333333333333 0.1 0\n#@ mu 0.2\n";
+    host_scene s, t;
+    CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
+    char *first = written(&s);
+    CHECK(first != NULL);
+    CHECK_INT(parse(first ? first : "", -1, SCENE_GIVEN, &t), 0);
+    CHECK_INT(memcmp(s.scene.vertex, t.scene.vertex, (size_t)s.scene.count.vertices * sizeof *s.scene.vertex), 0);
+    CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
+    CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
+    CHECK_NEAR(t.scene.interface[1].joint.mu, s.scene.interface[1].joint.mu, 0);
+    char *second = written(&t);
+    CHECK(first && second && strcmp(first, second) == 0);
+    free(first);
+    free(second);
+    scene_free(&s);
+    scene_free(&t);
+}
+
+TEST(every_refusal_tells_line_and_block)
+{
+    refuse("", "t.obj:1: the scene has no block");
+    refuse("o a\nv 0 0 nan\n", "t.obj:2: not a number: 'nan' in block 'a'");
+    refuse("o a\nv 0 0\n", "t.obj:2: a vertex needs three numbers in block 'a'");
+    refuse("o a\nv 0 0 0\nf 1 1 2\n", "t.obj:3: no such vertex: 2, there are 1; in block 'a'");
+    refuse("o a\no b\r\no a", "t.obj:3: block 'a' has the name of the one in line 1");
+    refuse(GROUND STONE "#@ interface ground wall 0 0 0 1 0 0 1 1 0\n", "t.obj:32: contact with block 'wall', which does not exist");
+    refuse(GROUND STONE "#@ interface stone stone 0 0 0 1 0 0 1 1 0\n",
+           "t.obj:32: contact 'stone' 'stone': an interface between a block and itself");
+    refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite");
+    refuse("#@ load a 0 0 1 0 0 0\n", "t.obj:1: loads beyond weight are not in this version: 'load'");
+}
+
+static text_number real(const char *text, sp_real *x)
+{
+    const text_word w = { text, strlen(text) };
+    return text_real(w, x);
+}
+
+TEST(numbers_are_strict)
+{
+    static const char *const no[] = { "", "+", "-", ".", "e1", "1e", "1e+", "nan", "inf", "0x1", "1.2.3", "1f", "1,5", "--1", "1d0" };
+    static const char *const yes[] = { "0", "-0", "+1", "1.", ".5", "-1.25e+2", "1E-3", "00012" };
+    sp_real x;
+    for (size_t k = 0; k < sizeof no / sizeof *no; k++) CHECK_INT(real(no[k], &x), TEXT_NO_NUMBER);
+    for (size_t k = 0; k < sizeof yes / sizeof *yes; k++) CHECK_INT(real(yes[k], &x), TEXT_NUMBER);
+    CHECK_INT(real("1e999", &x), TEXT_TOO_LARGE);
+    CHECK_INT(real("-1.25e+2", &x), TEXT_NUMBER);
+    CHECK_NEAR(x, -125, 0);
+}
+
+TEST(the_shortest_decimal_reads_back)
+{
+    char text[32];
+    CHECK_TEXT(text_shortest((sp_real)0.84, text), "0.84");
+    for (int k = 0; k < 1000; k++) {
+        const sp_real x = test_random_real(-1, 1) * (k % 2 ? (sp_real)1e-20 : (sp_real)1e9);
+        sp_real y = 0;
+        CHECK_INT(real(text_shortest(x, text), &y), TEXT_NUMBER);
+        CHECK(!(x < y) && !(x > y));
+    }
+}
+
+/* One string through json_out and json_in; what comes out must be UTF-8. */
+static void json_trip(const char *in, const char *want)
+{
+    FILE *f = tmpfile();
+    char *text = calloc(256, 1);
+    json_tree tree;
+    if (!f || !text) { CHECK(0); return; }
+    json_out j = { f, 0 };
+    json_open(&j, NULL, '[');
+    json_string(&j, NULL, in);
+    json_close(&j, ']');
+    const long n = ftell(f);
+    rewind(f);
+    CHECK(n < 256 && fread(text, 1, (size_t)n, f) == (size_t)n);
+    fclose(f);
+    CHECK_INT(json_parse("t.json", text, (size_t)n, &tree, &error), 0);
+    CHECK_TEXT(tree.value[1].as.string, want);
+    json_free(&tree);
+}
+
+TEST(json_strings_are_escaped_and_valid)
+{
+    json_trip("plain", "plain");
+    json_trip("\"\\\t\x01\x7f/", "\"\\\t\x01\x7f/");
+    json_trip("gr\xc3\xbcn \xe2\x82\xac \xf0\x9f\xa7\xb1", "gr\xc3\xbcn \xe2\x82\xac \xf0\x9f\xa7\xb1");
+    json_trip("\xfc\xff", "\xc3\xbc\xc3\xbf");                          /* no UTF-8: taken as Latin-1 */
+    json_trip("\xc0\xaf\xed\xa0\x80", "\xc3\x80\xc2\xaf\xc3\xad\xc2\xa0\xc2\x80");
+}
+
+static int json_status(const char *text)
+{
+    json_tree tree;
+    char *copy = malloc(strlen(text) + 1);
+    if (!copy) return EXIT_MEMORY;
+    strcpy(copy, text);
+    const int status = json_parse("t.json", copy, strlen(text), &tree, &error);
+    json_free(&tree);
+    return status;
+}
+
+TEST(json_is_read_strictly)
+{
+    static const char *const no[] = { "", "{", "[1,]", "{\"a\" 1}", "{a: 1}", "[01]", "[+1]", "[.5]", "[1.]", "[nan]", "[1e999]", "[1] 2",
+                                      "\"\\x\"", "\"\\ud800\"", "\"\\u12\"", "\"open", "[\"a\nb\"]", "tru", "[1 2]", "'a'" };
+    static const char *const yes[] = { "1", "[]", "{}", " [ -1.5e-3 , 0 ] ", "{\"a\": {\"b\": [true, false, null]}}",
+                                       "\"\\ud83e\\uddf1\\n\"" };
+    char deep[200];
+    for (size_t k = 0; k < sizeof no / sizeof *no; k++) CHECK_INT(json_status(no[k]), EXIT_SCENE);
+    for (size_t k = 0; k < sizeof yes / sizeof *yes; k++) CHECK_INT(json_status(yes[k]), 0);
+    memset(deep, '[', 199);
+    deep[199] = 0;
+    CHECK_INT(json_status(deep), EXIT_SCENE);
+}
+
+TEST_LIST(obj)
+    RUN(a_scene_is_read)
+    RUN(defaults_are_those_of_stone_on_earth)
+    RUN(mu_of_the_caller_overrides_every_joint)
+    RUN(contacts_are_found_where_none_are_given)
+    RUN(joints_may_name_blocks_of_later_lines)
+    RUN(vertices_no_face_uses_are_left_out)
+    RUN(what_is_written_reads_back_the_same)
+    RUN(every_refusal_tells_line_and_block)
+    RUN(numbers_are_strict)
+    RUN(the_shortest_decimal_reads_back)
+    RUN(json_strings_are_escaped_and_valid)
+    RUN(json_is_read_strictly)
+TEST_END
