@@ -200,8 +200,12 @@ static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, i
         a->used = mark;
         state->cost.flops += 90 * (int64_t)j.sweeps * pb->points;
         r->verdict = *done ? claim : SP_UNDECIDED;
-        if (*done) { r->stage = set->stage[k]; r->reason = state->reason; r->verified = 1; }
-        else if (last) r->reason = claim ? SP_REASON_LIMIT : state->reason;
+        if (*done) {
+            r->stage = set->stage[k];
+            r->reason = claim == SP_STABLE && state->reason != SP_REASON_NOTHING ? SP_REASON_FORCES : state->reason;
+            r->verified = 1;
+        }
+        if (!*done && last) r->reason = set->stage[k] == SP_STAGE_EXACT && claim ? SP_REASON_LIMIT : state->reason;
     }
     r->by_stage[k] = state->cost;
     sp__cost_add(&r->cost, &state->cost);

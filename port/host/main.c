@@ -14,7 +14,7 @@ static const char help_check[] =
 "  --tol X            largest imbalance of a block relative to its forces          1e-9\n"
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
 "  --mu X             friction of every joint, whatever the scene says\n"
-"  --stages LIST      of gates,least-squares,polish,exact                          gates,exact\n"
+"  --stages LIST      of gates,least-squares,dense,polish,exact                    gates,exact\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const stage_name[] = { "", "gates", "least-squares", "polish", "exact" };
+static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact" };
 
 static int usage(text_error *error, const char *option, const char *message)
 {
@@ -83,7 +83,7 @@ static int take(options *o, const char *name, const char *value, text_error *err
             return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
         snprintf(o->cone, sizeof o->cone, "%s", value);
     } else if (strcmp(name, "--stages") == 0) {
-        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,polish,exact");
+        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact");
     } else if (strcmp(name, "--tilt") == 0) {
         if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
     }

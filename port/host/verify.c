@@ -59,12 +59,12 @@ static int read_forces(const reading *r, sp_real *f)
 {
     const json_value *forces = json_member(&r->tree, r->all, "forces");
     const int32_t points = r->scene->scene.count.points;
-    int32_t k = 0;
+    int32_t k = 0, i;
 
     if (!forces || forces->kind != JSON_ARRAY) return fail(r, r->all, "no forces in this result: make it with check --json --forces");
-    for (int32_t i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
+    for (i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
         if (k == points || !reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
-    return k == points ? 0 : text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's "
+    return k == points && i < 0 ? 0 : text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's "
                                        "%ld contact vertices", (long)points);
 }
 
