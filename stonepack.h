@@ -331,7 +331,7 @@ typedef struct sp_evidence {
 SP_API size_t sp_verify_memory(const sp_scene *scene);
 
 /* Re-check a claim: reads its f, dq and (if not NULL) y0, tol and force_bound, nothing else.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY */
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_NOT_FINITE (in f or dq; such a y0 is ignored) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 

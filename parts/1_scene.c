@@ -7,7 +7,22 @@ static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
 static int sp__finite(sp_real x) { return x - x >= 0; }
 
 static sp_real sp__dot3(const sp_real a[3], const sp_real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-static sp_real sp__norm3(const sp_real a[3]) { return SP_SQRT(sp__dot3(a, a)); }
+
+/* |a|, also where its square would over- or underflow. */
+static sp_real sp__norm3(const sp_real a[3])
+{
+#ifdef SP_REAL_FLOAT
+    const sp_real low = (sp_real)1e-12, high = (sp_real)1e12;
+#else
+    const sp_real low = (sp_real)1e-140, high = (sp_real)1e140;
+#endif
+    const sp_real x = sp__abs(a[0]), y = sp__abs(a[1]), z = sp__abs(a[2]), m = sp__max(x, sp__max(y, z));
+    if (m > low && m < high) return SP_SQRT(sp__dot3(a, a));
+    if (!(m > 0) || !(m - m >= 0)) return m;
+    const sp_real p = x / m, q = y / m, r = z / m;
+    return m * SP_SQRT(p * p + q * q + r * r);
+}
+
 static int sp__finite3(const sp_real a[3]) { return sp__finite(a[0]) && sp__finite(a[1]) && sp__finite(a[2]); }
 
 /* c = a - b, c = s a, c = a x b; c may be a, in the first two also b. */

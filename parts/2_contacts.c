@@ -5,7 +5,7 @@
  *   noise      16 u (|coordinate| + diameter): no tolerance is below it, so float and far coordinates work          [m]
  *   near       settings' distance of a pair of blocks, at least the noise                                           [m]
  *
- *   distance   of two patches: along A's normal, in the middle of what they share
+ *   distance   of two patches: along A's normal, in the middle of what they share; the angle bounds the rest
  *   in-plane   corners nearer than min(near, 1e-6 diameter)/8 are one; what is narrower than `near` is an edge contact, and
  *              left out
  *
@@ -289,10 +289,14 @@ static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
         t->all.mine[f] = -1;
         if (!(t->all.area[f] > 0)) continue;
         for (; p < t->patches; p++)
-            if (sp__dot3(t->all.patch[p].n, t->all.normal[f]) > 0 && sp__touch_off(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
+            if (sp__dot3(t->all.patch[p].n, t->all.normal[f]) > 0
+                && sp__touch_off(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
         t->all.mine[f] = p;
         if (p < t->patches) continue;
-        for (int c = 0; c < 3; c++) { t->all.patch[p].n[c] = t->all.normal[f][c]; t->all.patch[p].o[c] = t->all.middle[f][c]; }
+        for (int c = 0; c < 3; c++) {
+            t->all.patch[p].n[c] = t->all.normal[f][c];
+            t->all.patch[p].o[c] = t->all.middle[f][c];
+        }
         t->patches++;
     }
 }
@@ -701,10 +705,11 @@ static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
     const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];
     for (int32_t i = p->edge; i < p->edge + p->edges; i++)
         for (int32_t j = q->edge; j < q->edge + q->edges; j++) {
+            const int32_t *u = t->all.bound[i], *v = t->all.bound[j];
             sp_real d[3], e[3];
-            if (t->all.bound[i][0] > t->all.bound[i][1] || t->all.bound[j][0] > t->all.bound[j][1]) continue;   /* each edge once */
-            sp__sub3(t->scene->vertex[t->all.bound[i][1]], t->scene->vertex[t->all.bound[i][0]], d);
-            sp__sub3(t->scene->vertex[t->all.bound[j][1]], t->scene->vertex[t->all.bound[j][0]], e);
+            if (u[0] > u[1] || v[0] > v[1]) continue;               /* each edge once */
+            sp__sub3(t->scene->vertex[u[1]], t->scene->vertex[u[0]], d);
+            sp__sub3(t->scene->vertex[v[1]], t->scene->vertex[v[0]], e);
             const sp_real size = sp__norm3(d) * sp__norm3(e);
             sp__cross3(d, e, d);
             const sp_real length = sp__norm3(d);
@@ -757,7 +762,8 @@ static sp_real sp__depth(const sp__touch *t, int32_t block, const sp_real x[3], 
     sp_real least2 = k->diameter * k->diameter;
     int wind = 0;
     if (!(k->volume > 0)) return 0;
-    for (int c = 0; c < 3; c++) if (x[c] < t->all.body[block].lo[c] + flat || x[c] > t->all.body[block].hi[c] - flat) return 0;
+    const sp__body *body = &t->all.body[block];
+    for (int c = 0; c < 3; c++) if (x[c] < body->lo[c] + flat || x[c] > body->hi[c] - flat) return 0;
     for (int32_t f = k->face; f < k->face + k->faces; f++)
         for (int32_t i = 1; i + 1 < s->face[f].corners; i++) {
             const int32_t *corner = s->corner + s->face[f].corner;

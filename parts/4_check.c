@@ -28,6 +28,7 @@ typedef struct sp__judge {
     sp_real (*direction)[2];            /* of the pyramid's faces */
     sp__scale *scale;                   /* b */
     sp_real *x, *r, *p, *q, *g;         /* 6b each: solution, residual, direction, G p, G r */
+    sp_real unit;                       /* of force [N]; everything below is counted in it */
     sp_real cap;                        /* of the contact at hand */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
 } sp__judge;
@@ -45,10 +46,32 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
+/* a / b for a, b >= 0; 0 / 0 is 0; SP__HUGE for what is larger or no number. */
 static sp_real sp__ratio(sp_real a, sp_real b)
 {
-    if (!(a > 0)) return a < 0 ? -sp__ratio(-a, b) : 0;
+    if (a <= 0 && a >= 0) return 0;
     return a < SP__HUGE * b ? a / b : SP__HUGE;
+}
+
+/* A unit of force in which no square over- or underflows: the largest component of a load, of a couple where there are none. */
+static sp_real sp__load_unit(const sp_problem *pb)
+{
+    sp_real force = 0, couple = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
+        const sp_real x = sp__abs(pb->p[k]);
+        if (k % 6 < 3) force = sp__max(force, x);
+        else couple = sp__max(couple, x);
+    }
+    return force > 0 ? force : couple > 0 ? couple : 1;
+}
+
+/* sbar of the free blocks of a contact, the smaller. */
+static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
+{
+    if (t->a < 0) return s[stride * (size_t)t->b];
+    if (t->b < 0) return s[stride * (size_t)t->a];
+    const sp_real a = s[stride * (size_t)t->a], b = s[stride * (size_t)t->b];
+    return a < b ? a : b;
 }
 
 /* The directions in which free block i is held do not count. */
@@ -98,6 +121,12 @@ static void sp__point_force(const sp_problem *pb, int32_t i, int32_t v, const sp
     if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
 }
 
+/* The load of free block i in units. */
+static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
+{
+    for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
+}
+
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
  * not depend on units or axes. */
 static void sp__judge_weights(sp__judge *j)
@@ -105,8 +134,10 @@ static void sp__judge_weights(sp__judge *j)
     const sp_problem *pb = j->pb;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
-        s->load = sp__norm3(pb->p + 6 * (size_t)i);
-        s->couple = sp__norm3(pb->p + 6 * (size_t)i + 3);
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        s->load = sp__norm3(p);
+        s->couple = sp__norm3(p + 3);
         s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -177,10 +208,13 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     for (size_t k = 0; k < n; k++) {
         const sp__scale *s = &j->scale[k / 6];
         const sp_real w = k % 6 < 3 ? s->wf : s->wm;
-        j->x[k] = y0 && w > 0 ? y0[k] / w : 0;
-        j->p[k] = pb->p[k];
+        j->x[k] = y0 && w > 0 ? y0[k] / j->unit / w : 0;
+        if (!sp__finite(j->x[k] * j->x[k])) j->x[k] = 0;
     }
-    for (int32_t i = 0; i < pb->blocks; i++) sp__release(pb, i, j->x + 6 * (size_t)i);
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__release(pb, i, j->x + 6 * (size_t)i);
+        sp__judge_load(j, i, j->p + 6 * (size_t)i);
+    }
     sp__judge_weigh(j, j->p);
     const sp_real load = sp__dot(j->p, j->p, n);
     sp__judge_normal(j, j->x, j->r);
@@ -191,7 +225,7 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL;
     for (int32_t it = 0; ; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (!(rr > small * load) || !(gg > small * small * rr)) return 1;
+        if (rr <= small * load || gg <= small * small * rr) return 1;
         if (it >= 1000 + pb->blocks * 6 || !(qq > 0) || !(rg > 0)) return 0;
         const sp_real alpha = rg / qq;
         for (size_t k = 0; k < n; k++) { j->x[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
@@ -233,32 +267,28 @@ static int sp__judge_scales(sp__judge *j, const sp_real *y0)
 /* c_v of the vertices of a contact. */
 static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 {
-    sp_real s = SP__HUGE;
-    if (t->a >= 0) s = j->scale[t->a].s;
-    if (t->b >= 0 && j->scale[t->b].s < s) s = j->scale[t->b].s;
-    return j->set->force_bound * s;
+    return j->set->force_bound * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
 }
 
-/* Nearest admissible force along the normal's plane: fn kept, ft shortened onto the cone; no tension, no more than `cap`. */
+/* An admissible force near f: fn kept, ft shortened onto the cone; no tension, no more than the cap. out may be f. */
 static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = j->set->faces;
-    sp_real most = 0;                                   /* the largest tangential share any face sees */
-    if (!faces) most = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+    const sp_real slip[3] = { 0, f[1], f[2] };
+    sp_real most = faces ? 0 : sp__norm3(slip);         /* the largest tangential share any face sees */
     for (int32_t k = 0; k < faces; k++) {
         const sp_real *d = j->direction[k];
         const sp_real s = d[0] * f[1] + d[1] * f[2];
         if (s > most) most = s;
     }
     const sp_real fn = f[0] > 0 ? f[0] : 0, room = mu * fn;
-    sp_real share = most > room ? room / most : 1;
-    const sp_real size = SP_SQRT(fn * fn + share * share * (f[1] * f[1] + f[2] * f[2]));
-    const sp_real cap = j->cap;
-    const sp_real shrink = size > cap ? cap / size : 1;
-    out[0] = fn * shrink;
-    out[1] = f[1] * share * shrink;
-    out[2] = f[2] * share * shrink;
+    const sp_real share = most > room ? room / most : 1;
+    out[0] = fn;
+    out[1] = f[1] * share;
+    out[2] = f[2] * share;
+    const sp_real size = sp__norm3(out);
+    if (size > j->cap) sp__scale3(j->cap / size, out, out);
 }
 
 /* omega of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
@@ -266,21 +296,21 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
 static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
-    for (int32_t i = 0; i < pb->blocks; i++)
-        for (int k = 0; k < 6; k++) {
-            j->r[6 * (size_t)i + (size_t)k] = pb->p[6 * (size_t)i + (size_t)k];
-            j->q[6 * (size_t)i + (size_t)k] = 0;
-        }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__judge_load(j, i, j->r + 6 * (size_t)i);
+        memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
+    }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         j->cap = sp__judge_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
-            sp__judge_admit(j, t, f + 3 * (size_t)v, g);
+            sp__scale3(1 / j->unit, f + 3 * (size_t)v, g);
+            sp__judge_admit(j, t, g, g);
             for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
             sp__point_force(pb, t->b, v, F, 1, j->r, j->q);
             sp__point_force(pb, t->a, v, F, -1, j->r, j->q);
-            if (admitted) memcpy(admitted + 3 * (size_t)v, g, sizeof g);
+            if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
         }
     }
     j->sweeps++;
@@ -347,7 +377,9 @@ static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, i
     sp_real work = 0, scale = 0, resist = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
-        work += sp__dot(pb->p + 6 * (size_t)i, m, 6);
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        work += sp__dot(p, m, 6);
         scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
     }
     *final = 1;
@@ -368,7 +400,7 @@ static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, i
     }
     j->sweeps++;
     if (j->set->faces && j->set->inscribed) *final = 0;
-    return sp__ratio(work - resist, scale);
+    return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
 /* The best proof a motion gives, with smaller motions held at 1e-12, 1e-9, 1e-6, 1e-3, 0.5 of the largest. The motion that
@@ -376,7 +408,7 @@ static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, i
 static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
 {
     static const sp_real rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
-    sp_real best = -SP__HUGE, held = 0;
+    sp_real best = -1, held = 0;
     for (int k = 0; k < 6; k++) {
         const sp_real value = sp__judge_motion(j, dq, rest[k], final);
         if (value > best) { best = value; held = rest[k]; }
@@ -389,6 +421,8 @@ static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *fin
 static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, sp_arena *a)
 {
     sp__judge_carve(j, pb, set->faces, a);
+    if (sp__failed(a)) return 0;
+    j->unit = sp__load_unit(pb);
     j->set = set;
     j->mu_factor = 1;
     j->tan_half = 0;

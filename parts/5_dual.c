@@ -108,6 +108,7 @@ static size_t sp__dual_scratch(const sp_problem *pb)
     sp__dual w;
     sp__order order;
     sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof w);
     sp__dual_carve_graph(&w, pb, &dry);
     sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &dry);
     return dry.peak;
@@ -116,14 +117,17 @@ static size_t sp__dual_scratch(const sp_problem *pb)
 /* Bytes of the whole dual: the symbolic step and the factor share the space behind the graph. */
 static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, sp_arena scratch)
 {
-    sp__dual w;
-    const int32_t nnz = sp__dual_analyse(&w, pb, &scratch);
+    sp__order order;
+    sp__dual *w = sp__take(&scratch, 1, sizeof *w);
+    const int32_t nnz = w ? sp__dual_analyse(w, pb, &scratch) : -1;
     if (nnz < 0) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
-    sp__dual_carve_graph(&w, pb, &dry);
-    sp__dual_carve(&w, pb, set->faces, nnz, dense, &dry);
-    const size_t symbolic = sp__dual_scratch(pb);
-    return dry.peak > symbolic ? dry.peak : symbolic;
+    sp__take(&dry, 1, sizeof *w);
+    sp__dual_carve_graph(w, pb, &dry);
+    sp_arena symbolic = dry;
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &symbolic);
+    sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
+    return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
 /* Row weights: 1 / sqrt(sum S) for forces, 1 / sqrt(2/3 sum S |r_v - c|^2) for moments: unit diagonal on average. */
@@ -291,6 +295,24 @@ static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, s
     return sum + sp__dual_work(w, d);
 }
 
+/* h += (I, -[l]x)' D (I, -[l]x), row by row: x = l x D_i is row i of -D [l]x, and [l]x of those rows makes ww. */
+static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
+{
+    const int at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+    for (int i = 0; i < 3; i++) {
+        const int up = (i + 2) % 3, down = (i + 1) % 3;
+        const sp_real row[3] = { D[at[i][0]], D[at[i][1]], D[at[i][2]] };
+        sp_real x[3];
+        sp__cross3(l, row, x);
+        for (int j = 0; j < 3; j++) {
+            h[3 * i + j] += row[j];
+            h[9 + 3 * i + j] += x[j];
+            h[18 + 3 * down + j] += l[up] * x[j];
+            h[18 + 3 * up + j] -= l[down] * x[j];
+        }
+    }
+}
+
 /* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each. */
 static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
@@ -309,16 +331,7 @@ static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, 
             else if (region == SP__APEX) continue;
         }
         D[0] *= S; D[1] *= S * k; D[2] *= S * k; D[3] *= S * k * k; D[4] *= S * k * k; D[5] *= S * k * k;
-        const sp_real row[3][3] = { { D[0], D[1], D[2] }, { D[1], D[3], D[4] }, { D[2], D[4], D[5] } };
-        sp_real *vv = h, *vw = h + 9, *ww = h + 18, X[3][3];
-        for (int i = 0; i < 3; i++) sp__cross3(l, row[i], X[i]);            /* rows of -D [l]x */
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) { vv[3 * i + j] += row[i][j]; vw[3 * i + j] += X[i][j]; }
-        for (int j = 0; j < 3; j++) {                                       /* columns of [l]x (-D [l]x) */
-            ww[j]     += l[1] * X[2][j] - l[2] * X[1][j];
-            ww[3 + j] += l[2] * X[0][j] - l[0] * X[2][j];
-            ww[6 + j] += l[0] * X[1][j] - l[1] * X[0][j];
-        }
+        sp__vertex_hessian(D, l, h);
     }
 }
 
@@ -454,7 +467,7 @@ static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real 
         sp__dual_spread(w);
         sp__chol_factor(w->dense, 6 * w->L.n, floor);
     } else sp__bchol_factor(&w->L, floor);
-    w->cost->flops += w->dense ? n * n * n / 3 : w->L.flops;
+    w->cost->flops += w->dense ? n * n * 2 * w->L.n : w->L.flops;
     w->cost->factorisations++;
 }
 
@@ -524,12 +537,7 @@ static int sp__dual_metric(sp__dual *w)
     const sp_problem *pb = w->pb;
     sp_real least = SP__HUGE, most = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        sp_real s = SP__HUGE;
-        for (int side = 0; side < 2; side++) {
-            const int32_t i = side ? t->b : t->a;
-            if (i >= 0 && w->size[2 * (size_t)i] < s) s = w->size[2 * (size_t)i];
-        }
+        const sp_real s = sp__lesser(&pb->contact[c], w->size, 2);
         w->S[c] = s;
         if (s < least) least = s;
         if (s > most) most = s;
@@ -541,14 +549,15 @@ static int sp__dual_metric(sp__dual *w)
 
 typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY } sp__form;
 
-/* Everything but the numbers of a metric: cone, coefficients, slots, unit of force. */
-static sp_status sp__dual_open(sp__dual *w, const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
+/* A dual in `a`, everything but the numbers of a metric.     returns NULL when the arena is too small */
+static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
 {
     const int penalty = form == SP__PENALTY;
-    const int32_t nnz = sp__dual_analyse(w, pb, a);
-    if (nnz < 0) return SP_E_MEMORY;
+    sp__dual *w = sp__take(a, 1, sizeof *w);
+    const int32_t nnz = w ? sp__dual_analyse(w, pb, a) : -1;
+    if (nnz < 0) return NULL;
     sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
-    if (sp__failed(a)) return SP_E_MEMORY;
+    if (sp__failed(a)) return NULL;
     sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
     w->set = set;
     w->cost = cost;
@@ -567,11 +576,6 @@ static sp_status sp__dual_open(sp__dual *w, const sp_problem *pb, const sp_setti
         w->slot[c] = sp__bchol_slot(&w->L, t->a, t->b, &turned);
         if (turned) w->slot[c] = -1 - w->slot[c];
     }
-    w->unit = 0;
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real s = sp__norm3(pb->p + 6 * (size_t)i);
-        if (s > w->unit) w->unit = s;
-    }
-    if (!(w->unit > 0)) w->unit = 1;
-    return SP_OK;
+    w->unit = sp__load_unit(pb);
+    return w;
 }

@@ -1,9 +1,11 @@
 /* 7 ---------------------------------------------------------------------------------------------------------- stages */
 
 #ifdef SP_REAL_FLOAT
-#define SP__SHIFT ((sp_real)1e-6)       /* smallest diagonal shift that keeps a semidefinite matrix of unit size factorable */
+#define SP__SHIFT ((sp_real)1e-6)       /* diagonal shift that keeps a semidefinite matrix of unit size factorable */
+#define SP__PROX ((sp_real)3e-7)        /* end of the proximal path: a few roundings of the diagonal */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
+#define SP__PROX ((sp_real)1e-15)
 #endif
 
 /* Gates ---------------------------------------------------------------------------------------------------------------
@@ -144,11 +146,11 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
 static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
                                    sp_arena *arena, sp_verdict *claim)
 {
-    sp__dual w;
-    if (sp__dual_open(&w, pb, set, form, &state->cost, arena)) return SP_E_MEMORY;
-    sp__dual_bilateral(&w);
-    sp__dual_hint(&w, state);
-    sp__dual_forces(&w, SP__BILATERAL, w.y, state);
+    sp__dual *w = sp__dual_open(pb, set, form, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_forces(w, SP__BILATERAL, w->y, state);
     *claim = SP_STABLE;
     state->reason = SP_REASON_STAGES;
     return SP_OK;
@@ -208,26 +210,26 @@ static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real 
 
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__dual w;
-    if (sp__dual_open(&w, pb, set, SP__EXACT, &state->cost, arena)) return SP_E_MEMORY;
+    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
     const size_t n = 6 * (size_t)pb->blocks;
-    sp__dual_bilateral(&w);
-    sp__dual_hint(&w, state);
-    sp__dual_sizes(&w, w.y);
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_sizes(w, w->y);
     memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
-    sp__polish_round(&w, w.y, state->f, w.r);
-    sp_real omega = sp__dual_omega(&w, w.r), last = omega;
+    sp__polish_round(w, w->y, state->f, w->r);
+    sp_real omega = sp__dual_omega(w, w->r), last = omega;
     for (int round = 1; omega > set->tol / 4 && round <= SP__POLISH_ROUNDS; round++) {
-        sp__dual_solve(&w, w.r, w.y);
-        for (size_t k = 0; k < n; k++) w.y[k] = -w.y[k];
-        sp__polish_round(&w, w.y, state->f, w.r);
-        omega = sp__dual_omega(&w, w.r);
+        sp__dual_solve(w, w->r, w->y);
+        for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
+        sp__polish_round(w, w->y, state->f, w->r);
+        omega = sp__dual_omega(w, w->r);
         state->cost.iterations++;
         if (round % SP__POLISH_WINDOW) continue;
         if (omega > SP__POLISH_GAIN * last) break;
         last = omega;
     }
-    for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w.unit;
+    for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w->unit;
     *claim = omega <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = SP_REASON_STAGES;
     return SP_OK;
@@ -288,7 +290,7 @@ static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
     if (!(work > 0)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real V[3], W[3], sum = 0, cap = SP__HUGE;
+        sp_real V[3], W[3], sum = 0;
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3];
@@ -296,12 +298,10 @@ static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
             sp__cone_project(&w->cone, w->mu[c], u, u);
             sum += sp__norm3(u);
         }
-        if (t->a >= 0) cap = w->size[2 * (size_t)t->a];
-        if (t->b >= 0 && w->size[2 * (size_t)t->b] < cap) cap = w->size[2 * (size_t)t->b];
-        resist += w->set->force_bound * cap * sum;
+        resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
     }
     sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
-    return sp__ratio(work - resist, scale);
+    return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
 /* Keep y as the mechanism if it is a proof. */
@@ -531,30 +531,30 @@ static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
     sp__newton_look(w, n, state);
     for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
-        if (n->prox <= SP__SHIFT / 10) { extra--; continue; }
+        if (n->prox <= SP__SHIFT) { extra--; continue; }
         const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
         for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
         const sp_real inner = sp__dual_norm(w, w->d);
         if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
-        n->prox /= 100;
+        n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
 }
 
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__dual w;
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0 };
-    if (sp__dual_open(&w, pb, set, SP__EXACT, &state->cost, arena)) return SP_E_MEMORY;
-    sp__dual_bilateral(&w);
-    sp__dual_hint(&w, state);
-    sp__dual_sizes(&w, w.y);
-    if (sp__dual_metric(&w)) sp__dual_bilateral(&w);
-    sp__newton_try(&w, &n, w.y, state);
-    sp__newton_look(&w, &n, state);
-    sp__newton_plain(&w, &n, state);
-    if (!n.proved && n.omega > n.goal) sp__newton_path(&w, &n, state);
-    if (!n.proved && n.omega <= n.goal) sp__newton_finish(&w, &n, state);
-    sp__dual_forces(&w, SP__ADMISSIBLE, state->y, state);
+    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_sizes(w, w->y);
+    if (sp__dual_metric(w)) sp__dual_bilateral(w);
+    sp__newton_try(w, &n, w->y, state);
+    sp__newton_look(w, &n, state);
+    sp__newton_plain(w, &n, state);
+    if (!n.proved && n.omega > n.goal) sp__newton_path(w, &n, state);
+    if (!n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
+    sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
                   : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;

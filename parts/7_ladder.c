@@ -24,16 +24,16 @@ static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 
 static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_demand *demand)
 {
-    sp__dual w;
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1 };   /* proved: no proofs are sought */
-    if (sp__dual_open(&w, pb, set, SP__PENALTY, &state->cost, arena)) return SP_E_MEMORY;
-    sp__dual_bilateral(&w);
-    sp__dual_sizes(&w, w.y);
-    if (sp__dual_metric(&w)) sp__dual_bilateral(&w);
-    sp__newton_look(&w, &n, state);
+    sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_sizes(w, w->y);
+    if (sp__dual_metric(w)) sp__dual_bilateral(w);
+    sp__newton_look(w, &n, state);
     n.shift = SP__SHIFT;
-    while (n.left > 0 && n.omega > n.goal) sp__newton_step(&w, &n, state);
-    sp__penalty_demand(&w, demand);
+    while (n.left > 0 && n.omega > n.goal) sp__newton_step(w, &n, state);
+    sp__penalty_demand(w, demand);
     return SP_OK;
 }
 
@@ -110,40 +110,51 @@ static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
     return dry.peak;
 }
 
+/* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
+typedef struct sp__check {
+    sp_settings set;
+    sp_problem pb;
+    sp_state state;
+    sp_result r;
+} sp__check;
+
 SP_API size_t sp_memory_scratch(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    return sp_problem_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+    return sizeof(sp__check) + SP_ALIGN + sp_problem_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+}
+
+/* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
+static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    size_t most = sp__judge_need(pb, set);
+    for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
+        if (k == set->stage_count && !set->localise) break;
+        const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
+                                                 : sp__sparse_need(pb, set, scratch);
+        if (need > most) most = need;
+    }
+    return most;
 }
 
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
-    if (!scene || !bytes) return SP_E_ARGUMENT;
-    sp_settings set;
-    sp_problem pb;
-    const sp_status bad = sp__settings_resolve(settings, &set);
-    if (bad) return bad;
-    const sp_status built = sp_problem_build(scene, &scratch, &pb);
-    if (built) return built;
-    size_t most = sp__judge_need(&pb, &set);
-    for (int32_t k = 0; k < set.stage_count && pb.blocks; k++) {
-        const size_t need = sp__stage(&set, set.stage[k]).need(&pb, &set, scratch);
-        if (need == SIZE_MAX) return SP_E_MEMORY;
-        if (need > most) most = need;
-    }
-    if (set.localise && pb.blocks) {
-        const size_t need = sp__sparse_need(&pb, &set, scratch);
-        if (need == SIZE_MAX) return SP_E_MEMORY;
-        if (need > most) most = need;
-    }
-    sp_result r;
-    sp_state s;
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    sp_status status = sp__settings_resolve(settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    const size_t most = sp__stages_need(&c->pb, &c->set, scratch);
+    if (most == SIZE_MAX) return SP_E_MEMORY;
     sp_arena dry = sp__arena_dry();
-    sp__result_carve(&r, scene, pb.blocks, &dry);
+    sp__result_carve(&c->r, scene, c->pb.blocks, &dry);
+    sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sp_problem_memory(scene));
-    sp__state_carve(&s, pb.blocks, &dry);
+    sp__state_carve(&c->state, c->pb.blocks, &dry);
     sp__take(&dry, 1, most);
     *bytes = dry.used;
     return SP_OK;
@@ -308,52 +319,69 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
     return status;
 }
 
+/* An empty result of this problem in c->r, its arrays zero; the state's arrays with it. */
+static void sp__check_clear(const sp_scene *scene, sp__check *c)
+{
+    sp_result *r = &c->r;
+    const size_t b = (size_t)c->pb.blocks;
+    memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
+    memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+    memset(r->y0, 0, 6 * b * sizeof *r->y0);
+    memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
+    memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
+    c->state.f = r->f;
+    c->state.y0 = r->y0;
+    c->state.dq = r->dq;                                /* free blocks first; spread over the scene's once it is a proof */
+    r->tol = c->set.tol;
+    r->force_bound = c->set.force_bound;
+    r->free_blocks = c->pb.blocks;
+    r->interfaces = c->pb.contacts;
+    for (int32_t k = 0; k < c->pb.contacts; k++) r->points += c->pb.contact[k].points;
+    r->verdict = b ? SP_UNDECIDED : SP_STABLE;
+    r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
+    r->verified = !b;
+}
+
+/* Everything of a check in arena `a`, which may be used up.     *out: where the result is found on SP_OK, *kept: end of its arrays */
+static sp_status sp__check_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **out, size_t *kept)
+{
+    sp_problem count;
+    sp_result arrays;
+    sp__problem_count(scene, &count);
+    memset(&arrays, 0, sizeof arrays);
+    sp__result_carve(&arrays, scene, count.blocks, a);
+    *kept = a->used;
+    sp__check *c = sp__take(a, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    memset(c, 0, sizeof *c);
+    c->r = arrays;
+    sp_status status = sp__settings_resolve(settings, &c->set);
+    if (!status) status = sp_problem_build(scene, a, &c->pb);
+    if (status) return status;
+    sp__state_carve(&c->state, c->pb.blocks, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__check_clear(scene, c);
+    *out = c;
+    return SP_OK;
+}
+
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
-    sp_settings set;
-    sp_problem pb;
-    sp_state state;
-    sp_result r;
-    sp_status status = sp__settings_resolve(settings, &set);
-    if (status) return status;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__check *c = NULL;
+    size_t kept = 0;
     sp_arena a = *arena;
-    memset(&r, 0, sizeof r);
-    memset(&state, 0, sizeof state);
-    sp__problem_count(scene, &pb);
-    sp__result_carve(&r, scene, pb.blocks, &a);
-    if (sp__failed(&a)) return SP_E_MEMORY;
-    const size_t kept = a.used;
-    status = sp_problem_build(scene, &a, &pb);
+    sp_status status = sp__check_build(scene, settings, &a, &c, &kept);
+    if (!status && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
     if (status) return status;
-    sp__state_carve(&state, pb.blocks, &a);
-    if (sp__failed(&a)) return SP_E_MEMORY;
-    state.f = r.f;
-    state.y0 = r.y0;
-    state.dq = r.dq;                                    /* free blocks first; spread over the scene's once it is a proof */
-    memset(r.f, 0, 3 * (size_t)scene->count.points * sizeof *r.f);
-    memset(r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r.dq);
-    memset(r.y0, 0, 6 * (size_t)pb.blocks * sizeof *r.y0);
-    memset(r.demand, 0, (size_t)scene->count.interfaces * sizeof *r.demand);
-    memset(state.y, 0, 6 * (size_t)pb.blocks * sizeof *state.y);
-    r.tol = set.tol;
-    r.force_bound = set.force_bound;
-    r.free_blocks = pb.blocks;
-    r.interfaces = pb.contacts;
-    for (int32_t c = 0; c < pb.contacts; c++) r.points += pb.contact[c].points;
-    r.verdict = pb.blocks ? SP_UNDECIDED : SP_STABLE;
-    r.reason = pb.blocks ? SP_REASON_STAGES : SP_REASON_NOTHING;
-    r.verified = !pb.blocks;
-    if (pb.blocks) status = sp__check_run(&pb, &set, &state, &a, &r);
-    if (status) return status;
-    if (r.verdict != SP_UNSTABLE) memset(r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r.dq);
-    if (r.verdict == SP_STABLE) r.level = SP_ADMISSIBLE;
-    sp__check_read(scene, &r);
-    r.peak_bytes = a.peak;
+    if (c->r.verdict != SP_UNSTABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
+    if (c->r.verdict == SP_STABLE) c->r.level = SP_ADMISSIBLE;
+    sp__check_read(scene, &c->r);
+    c->r.peak_bytes = a.peak;
     arena->used = kept;
     arena->peak = a.peak;
-    *result = r;
+    *result = c->r;
     return SP_OK;
 }
 
@@ -365,6 +393,12 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     set.faces = 64;
     sp__problem_count(scene, &pb);
     return sp_problem_memory(scene) + SP_ALIGN + sp__judge_need(&pb, &set) + 6 * (size_t)pb.blocks * sizeof(sp_real) + SP_ALIGN;
+}
+
+static int sp__all_finite(const sp_real *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
+    return 1;
 }
 
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
@@ -382,6 +416,8 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (status) return status;
     sp_real *dq = sp__take(&scratch, (size_t)pb.blocks, 6 * sizeof *dq);
     if (sp__failed(&scratch)) return SP_E_MEMORY;
+    if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
     for (int32_t i = 0; i < pb.blocks; i++) memcpy(dq + 6 * (size_t)i, claim->dq + 6 * (size_t)pb.block[i], 6 * sizeof *dq);
     const int settled = sp__judge_open(&j, &pb, &set, claim->y0, &scratch);
     if (sp__failed(&scratch)) return SP_E_MEMORY;

@@ -3,7 +3,8 @@
  * Rows are renumbered by sp__order. Column k of L: its diagonal block (lower triangle, reciprocals on the diagonal) in d, the
  * blocks below it in x, row numbers ascending in i. A block is stored by columns: entry (r, c) at 6 c + r.
  * Right-looking: when column k is final, every pair of its blocks updates one block further right.
- * A pivot below `floor` is raised to it, which moves the solution little in directions that carry nothing.
+ * A pivot below `floor` is raised to it and the rest of its column dropped: such a direction carries nothing, and what rounding
+ * left of the column would grow. Its reciprocal is marked by a minus sign.
  */
 #ifndef SP__BCHOL_C
 #define SP__BCHOL_C
@@ -106,10 +107,10 @@ static void sp__bchol_block(sp_real *a, sp_real floor)
             const sp_real s = a[6 * k + c];
             for (int r = c; r < 6; r++) a[6 * c + r] -= a[6 * k + r] * s;
         }
-        const sp_real pivot = a[7 * c] > floor ? a[7 * c] : floor;
-        const sp_real s = (sp_real)1 / SP_SQRT(pivot);
-        a[7 * c] = s;
-        for (int r = c + 1; r < 6; r++) a[6 * c + r] *= s;
+        const int carries = a[7 * c] > floor;
+        const sp_real s = (sp_real)1 / SP_SQRT(carries ? a[7 * c] : floor);
+        a[7 * c] = carries ? s : -s;
+        for (int r = c + 1; r < 6; r++) a[6 * c + r] *= carries ? s : 0;
     }
 }
 
@@ -124,7 +125,7 @@ static void sp__bchol_right(sp_real *x, const sp_real *l)
             xc[0] -= xk[0] * s; xc[1] -= xk[1] * s; xc[2] -= xk[2] * s;
             xc[3] -= xk[3] * s; xc[4] -= xk[4] * s; xc[5] -= xk[5] * s;
         }
-        const sp_real s = l[7 * c];
+        const sp_real s = l[7 * c] > 0 ? l[7 * c] : 0;
         xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
     }
 }
@@ -178,7 +179,7 @@ static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
         sp_real *v = t + 6 * (size_t)k;
         const sp_real *d = f->d + 36 * (size_t)k;
         for (int c = 0; c < 6; c++) {
-            v[c] *= d[7 * c];
+            v[c] *= d[7 * c] > 0 ? d[7 * c] : -d[7 * c];
             for (int r = c + 1; r < 6; r++) v[r] -= d[6 * c + r] * v[c];
         }
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
@@ -201,7 +202,7 @@ static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
         }
         for (int c = 5; c >= 0; c--) {
             for (int r = c + 1; r < 6; r++) v[c] -= d[6 * c + r] * v[r];
-            v[c] *= d[7 * c];
+            v[c] *= d[7 * c] > 0 ? d[7 * c] : -d[7 * c];
         }
     }
     for (int32_t k = 0; k < f->n; k++)

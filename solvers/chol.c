@@ -1,11 +1,14 @@
 /* chol: Cholesky factor of a dense symmetric positive matrix, A = L L'.                    [Golub, Van Loan, alg. 4.2.1]
  *
- * The lower triangle row after row: entry (i, j), j <= i, at i (i + 1) / 2 + j. A pivot below `floor` is raised to it.
+ * The lower triangle row after row: entry (i, j), j <= i, at i (i + 1) / 2 + j. A pivot below `floor` is made SP__NEVER:
+ * that unknown comes out 0.
  */
 #ifndef SP__CHOL_C
 #define SP__CHOL_C
 
 #include "arena.c"
+
+#define SP__NEVER ((sp_real)1e30)
 
 /* In place; n^3 / 3 flops. */
 static void sp__chol_factor(sp_real *a, int32_t n, sp_real floor)
@@ -16,7 +19,7 @@ static void sp__chol_factor(sp_real *a, int32_t n, sp_real floor)
             const sp_real *rj = a + (size_t)j * ((size_t)j + 1) / 2;
             sp_real s = ri[j];
             for (int32_t k = 0; k < j; k++) s -= ri[k] * rj[k];
-            ri[j] = j < i ? s / rj[j] : SP_SQRT(s > floor ? s : floor);
+            ri[j] = j < i ? s / rj[j] : s > floor ? SP_SQRT(s) : SP__NEVER;
         }
     }
 }

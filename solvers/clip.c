@@ -336,7 +336,11 @@ static void sp__clip_straighten(sp__clip *c)
     for (int32_t k = from, calm = 0; calm < c->corners - from && c->corners - from > 3; ) {
         const int32_t n = c->corners - from, i = (k - from) % n;
         const int32_t prev = from + (i + n - 1) % n, next = from + (i + 1) % n, at = from + i;
-        if (sp__clip_far2(c->corner[at], c->corner[prev], c->corner[next]) > c->snap * c->snap) { k = at + 1; calm++; continue; }
+        if (sp__clip_far2(c->corner[at], c->corner[prev], c->corner[next]) > c->snap * c->snap) {
+            k = at + 1;
+            calm++;
+            continue;
+        }
         for (int32_t j = at; j + 1 < c->corners; j++) {
             c->corner[j][0] = c->corner[j + 1][0];
             c->corner[j][1] = c->corner[j + 1][1];

@@ -89,11 +89,9 @@ static int simple(const sp__clip *c)
 /* A star-shaped polygon about (x, y): directions evenly turned by `turn`, radii lo .. hi. */
 static void star(int32_t n, sp_real (*xy)[2], double x, double y, double lo, double hi)
 {
-    double c = 1, s = 0;                                /* by half-angle free rotation: cos, sin of 2 pi / n from its series */
     const double t = 6.283185307179586 / n;
-    double ct = 1, st = t, term = 1;
-    ct = 0; st = 0;
-    for (int k = 0; k < 30; k++) {
+    double c = 1, s = 0, ct = 0, st = 0, term = 1;
+    for (int k = 0; k < 30; k++) {                      /* cos and sin of t by their series */
         if (k % 2 == 0) ct += (k % 4 == 0 ? term : -term);
         else st += (k % 4 == 1 ? term : -term);
         term *= t / (k + 1);

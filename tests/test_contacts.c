@@ -20,7 +20,8 @@ static frame turned(double w, double x, double y, double z, double shift, double
     const double s = 2 / (w * w + x * x + y * y + z * z);
     frame f = { { { 1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w) },
                   { s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w) },
-                  { s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y) } }, { shift, -shift, 2 * shift }, unit };
+                  { s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y) } },
+                { shift, -shift, 2 * shift }, unit };
     return f;
 }
 
@@ -117,7 +118,10 @@ static int has_corner(int32_t k, const sp_real p[3], double tol)
     const sp_interface *f = &scene.interface[k];
     for (int32_t i = f->point; i < f->point + f->points; i++) {
         double d = 0;
-        for (int c = 0; c < 3; c++) d += ((double)scene.point[i][c] - (double)p[c]) * ((double)scene.point[i][c] - (double)p[c]);
+        for (int c = 0; c < 3; c++) {
+            const double x = (double)scene.point[i][c] - (double)p[c];
+            d += x * x;
+        }
         if (d <= tol * tol) return 1;
     }
     return 0;

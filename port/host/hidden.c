@@ -252,19 +252,39 @@ static void each_cell(grid *g, const piece *q, int32_t id)
         }
 }
 
-static int grid_make(const paint *p, grid *g)
+/* Cells that all pieces touch together. */
+static double touched(const paint *p, const grid *g)
+{
+    double sum = 0;
+    for (int32_t k = 0; k < p->pieces; k++) {
+        const piece *q = &p->piece[k];
+        sum += (1.0 + cell_of(g, q->high[0], 0) - cell_of(g, q->low[0], 0)) * (1.0 + cell_of(g, q->high[1], 1) - cell_of(g, q->low[1], 1));
+    }
+    return sum;
+}
+
+/* About as many cells as pieces; fewer where pieces are so large that the lists would run away. */
+static void grid_choose(const paint *p, grid *g)
 {
     double high[2] = { -HUGE_VAL, -HUGE_VAL };
-    int32_t cells, k;
-
     g->low[0] = g->low[1] = HUGE_VAL;
-    for (k = 0; k < p->pieces; k++)
+    for (int32_t k = 0; k < p->pieces; k++)
         for (int c = 0; c < 2; c++) {
             g->low[c] = fmin(g->low[c], p->piece[k].low[c]);
             high[c] = fmax(high[c], p->piece[k].high[c]);
         }
-    g->n = 1 + (int32_t)sqrt((double)(p->pieces < 250000 ? p->pieces : 250000));
-    for (int c = 0; c < 2; c++) g->cell[c] = high[c] > g->low[c] ? (high[c] - g->low[c]) / g->n : 1;
+    g->n = 2 + 2 * (int32_t)sqrt((double)(p->pieces < 250000 ? p->pieces : 250000));
+    do {
+        g->n /= 2;
+        for (int c = 0; c < 2; c++) g->cell[c] = high[c] > g->low[c] ? (high[c] - g->low[c]) / g->n : 1;
+    } while (g->n > 1 && touched(p, g) > 64.0 * p->pieces);
+}
+
+static int grid_make(const paint *p, grid *g)
+{
+    int32_t cells, k;
+
+    grid_choose(p, g);
     cells = g->n * g->n;
     g->start = calloc((size_t)cells + 2, sizeof *g->start);
     if (!g->start) return 0;

@@ -246,11 +246,12 @@ void report_text(FILE *out, const report *r)
     if (x->max_tension > 0) scaled(out, (double)x->max_tension, "N");
     fputc('\n', out);
     row(out, "scene");
-    fprintf(out, "%ld blocks, %ld free; %ld joints%s, %ld contact points\n", (long)n->blocks, (long)x->free_blocks,
-            (long)x->interfaces, r->scene->found ? " found" : "", (long)x->points);
+    fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)n->blocks, n->blocks == 1 ? "" : "s",
+            (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "",
+            (long)x->points);
     text_overlaps(out, r->scene);
     row(out, "cost");
-    fprintf(out, "%ld factorisations, ", (long)x->cost.factorisations);
+    fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");
     scaled(out, (double)x->cost.flops, "flop");
     fprintf(out, ", %.1f KiB, ", (double)r->bytes / 1024);
     scaled(out, r->seconds, "s");

@@ -634,7 +634,7 @@ static void legend_forces(const picture *p, double x, double y)
     label(p->out, x + length + 10, y);
     quantity(p->out, force, "N");
     fputs(p->r->result.verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
-                                            : ", best forces the joints can give</text>\n", p->out);
+                                            : ", best force that joints can give</text>\n", p->out);
 }
 
 static void legend_weakest(const picture *p, double x, double y)
@@ -703,12 +703,12 @@ static void legend_gravity(const picture *p)
 
 static void legend(const picture *p, double y)
 {
-    const double second = 470;
+    const double second = 400;
     legend_support(p, MARGIN, y);
     legend_length(p, MARGIN + 110, y);
     if (p->forces) legend_forces(p, second, y);
     if (p->r->result.weakest >= 0) legend_weakest(p, MARGIN, y + 26);
-    if (p->moving) legend_motion(p, second, y + 26);
+    if (p->moving) legend_motion(p, MARGIN, y + 52);
     legend_gravity(p);
 }
 
@@ -724,7 +724,7 @@ static void page_start(const picture *p, double height)
 int svg_write(FILE *out, const report *r)
 {
     picture p;
-    double height;
+    double height, foot;
     int good;
 
     memset(&p, 0, sizeof p);
@@ -740,7 +740,8 @@ int svg_write(FILE *out, const report *r)
     scale_forces(&p);
     scale_motion(&p);
     scale_paper(&p);
-    height = floor(p.top + p.scale * (p.high[1] - p.low[1]) + FOOT);
+    foot = FOOT + (p.moving ? 26 : 0);
+    height = floor(p.top + p.scale * (p.high[1] - p.low[1]) + foot);
     page_start(&p, height);
     good = find_creases(&p) && draw_blocks(&p);
     if (good) draw_weakest(&p);
@@ -748,7 +749,7 @@ int svg_write(FILE *out, const report *r)
     if (good) {
         draw_mechanism(&p);
         title(&p);
-        legend(&p, height - FOOT + 46);
+        legend(&p, height - foot + 46);
     }
     fputs("</svg>\n", out);
     free(p.edge);

@@ -55,6 +55,17 @@ static int read_number(const reading *r, const char *key, sp_real *x)
     return 0;
 }
 
+/* A tolerance that a check would have refused proves nothing. */
+static int read_accuracy(const reading *r, sp_result *claim)
+{
+    int status = read_number(r, "tol", &claim->tol);
+    if (!status) status = read_number(r, "force_bound", &claim->force_bound);
+    if (status) return status;
+    if (!(claim->tol >= 4 * SP_EPSILON && claim->tol <= (sp_real)0.1) || !(claim->force_bound > 0))
+        return fail(r, r->all, "tol or force_bound outside its range");
+    return 0;
+}
+
 static int read_forces(const reading *r, sp_real *f)
 {
     const json_value *forces = json_member(&r->tree, r->all, "forces");
@@ -108,7 +119,7 @@ static int read_mechanism(const reading *r, sp_real *dq)
 }
 
 /* Memory for a claim and its check. */
-static int run(const reading *r, const options *o, sp_evidence *evidence)
+static int run(const reading *r, options *o, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     const size_t bytes = sp_verify_memory(&r->scene->scene);
@@ -123,8 +134,7 @@ static int run(const reading *r, const options *o, sp_evidence *evidence)
     claim.f = f;
     claim.dq = dq;
     if (!f || !dq || !memory) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
-    if (!status) status = read_number(r, "tol", &claim.tol);
-    if (!status) status = read_number(r, "force_bound", &claim.force_bound);
+    if (!status) status = read_accuracy(r, &claim);
     if (!status) status = read_forces(r, f);
     if (!status) status = read_mechanism(r, dq);
     if (!status) {
@@ -132,6 +142,7 @@ static int run(const reading *r, const options *o, sp_evidence *evidence)
         if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
         if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
     }
+    o->settings.tol = claim.tol;
     free(f);
     free(dq);
     free(memory);
@@ -172,7 +183,7 @@ int command_verify(int argc, char **argv)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (!error.status && verify(o.file[0], o.file[1], &e, &o, &error) == 0) {
         char omega[32], least[32];
-        printf("%s: %s by %s, cone %s: ", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone);
+        printf("%s: %s by %s, cone %s, tol %.2g: ", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
         if (e.verdict == SP_UNSTABLE)
             printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
         printf("omega %s\n", text_shortest(e.omega, omega));

@@ -1,0 +1,29 @@
+#!/bin/sh
+# figures: every picture of the README, from the program itself and from the bench's CSV.
+#
+#     tests/bench/figures/*.svg           scenes, drawn by build/stonepack
+#     tests/bench/results/MACHINE/*.svg   curves, of the bench.csv beside them; need python3-matplotlib
+set -eu
+cli=build/stonepack
+out=tests/bench/figures
+mkdir -p $out build/figures
+draw() {                                                # draw NAME GEN-ARGUMENTS...
+    name=$1
+    shift
+    "$cli" gen "$@" > "build/figures/$name.obj"
+    "$cli" check --svg "$out/$name.svg" "build/figures/$name.obj" > "build/figures/$name.txt" || [ $? -le 2 ]
+    echo "$out/$name.svg"
+}
+draw arch arch n=15 t=0.14
+draw arch-falling arch n=15 t=0.09
+draw overhang-falling overhang n=6 factor=1.05
+draw wall rubble rows=7 bricks=6
+
+python=/usr/bin/python3                                 # Debian's own, the one its python3-matplotlib belongs to
+if ! $python -c 'import matplotlib' 2> /dev/null; then
+    echo "figures: no curves without python3-matplotlib" >&2
+    exit 0
+fi
+for csv in tests/bench/results/*/bench.csv; do
+    if [ -f "$csv" ]; then $python tests/bench/plot.py "$csv" "${csv%/bench.csv}"; fi
+done
