@@ -8,7 +8,7 @@ STRICTC  = -std=c99 -ffp-contract=off -fno-math-errno
 WARN     = -Wall -Wextra -Wshadow
 ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
-PARTS    = stonepack.c stonepack.h $(wildcard parts/*.c solvers/*.c)
+PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
@@ -76,20 +76,20 @@ pair: build/pair/stonepack.c
 build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
 	sh port/pair/pair.sh stonepack.c build/pair
 
-check: all pair build/run build/run_float
+check: all pair build/run build/run_float build/bench
 	@sh tests/checks/check.sh
 
 deps:
 	sh tests/checks/deps.sh
 
 build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
-	$(CC) $(ALL_C) $^ -lm -o $@
+	$(CC) $(ALL_C) -DBENCH_FLAGS='"$(CFLAGS)"' $^ -lm -o $@
 
 bench: build/bench
-	@build/bench
+	@sh tests/bench/bench.sh
 
 figures: build/stonepack
-	@sh tests/checks/figures.sh
+	@sh tests/bench/figures.sh
 
 clean:
 	rm -rf build

@@ -1,16 +1,48 @@
+/* stonepack.c: the mechanics of rigid blocks, bottom-up; read it from the top like the paper. Mathematics that has never heard
+ * of a stone is in solvers/ and comes first. `cc -O2 -ffp-contract=off -c stonepack.c` is the whole build.
+ *
+ *    1  words                            texts of enumerators
+ *    2  scene, empty                     room for blocks and interfaces
+ *    3  local coordinates                polygons seen from one of their points
+ *    4  mesh and mass                    volume and centroid, closed and outward [seed 1.3]
+ *    5  scene, blocks                    adding stones and supports
+ *    6  scene, interfaces                adding joints: frames, planarity
+ *    7  contacts                         what touches what: patches, box tree, clipping, overlaps
+ *    8  problem                          a scene made ready: rows, arms, loads
+ *    9  matrices                         Aeq, Afr [seed 1.1, 1.2, 1.4]
+ *   10  certificate check                what forces and motions prove; shares nothing with the search
+ *   11  the dual                         D(y), its gradient and Hessian, sizes and metric
+ *   12  search constants
+ *   13  gates                            no contact, no support, no load
+ *   14  bilateral force                  least squares, sparse and dense [seed 2.1]
+ *   15  polish                           alternating projections [seed 2.2]
+ *   16  exact stage: search and proof
+ *   17  exact stage: rigid groups
+ *   18  exact stage: steps               semismooth Newton, proximal path
+ *   19  penalty form                     where help is wanted [seed 1.5]
+ *   20  ladder                           settings, stages, memory, judgement
+ *   21  reading a result                 resultants, utilisation, weakest joint
+ *   22  check                            sp_check
+ *   23  verify                           sp_verify
+ *
+ * Symbols                       code            shape                           unit
+ *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
+ *   delta q; u = -delta d       dq; u           6 per block; 3 per vertex       m and rad; m
+ *   y, the dual of Aeq f + p    y = -dq         6b
+ *   K, P_K, mu                  cone, project   cone of a vertex, nearest point
+ *   b, v                        blocks, points  free blocks, contact vertices
+ * A row of a block is (Fx Fy Fz Mx My Mz) about its centroid, a force (fn, ft1, ft2) acts on B, fn > 0 presses.
+ *
+ * Sources: [seed n] the document the system was specified by, section n; [DESIGN n] its design. The others by name:
+ *   Kao, Iannuzzo, Thomaszewski, Coros, Van Mele, Block 2022, Computer-Aided Design 146:103216; Heyman 1966; Qi, Sun 1993,
+ *   Math. Programming 58; Rockafellar 1976, SIAM J. Control Optim. 14; Amestoy, Davis, Duff 1996, SIAM J. Matrix Anal. 17;
+ *   Hestenes, Stiefel 1952; Stiefel 1955; Dekker 1971, Numer. Math. 18; Davis 2006, Direct Methods for Sparse Linear Systems.
+ */
 #include "stonepack.h"
 
-#include <string.h>
-#ifndef SP_SQRT
-#include <math.h>
-#ifdef SP_REAL_FLOAT
-#define SP_SQRT(x) sqrtf(x)
-#else
-#define SP_SQRT(x) sqrt(x)
-#endif
-#endif
-
 #include "solvers/arena.c"
+#include "solvers/real.c"
+#include "solvers/csc.c"
 #include "solvers/pyramid.c"
 #include "solvers/cone.c"
 #include "solvers/order.c"
@@ -18,10 +50,3783 @@
 #include "solvers/bchol.c"
 #include "solvers/sort.c"
 #include "solvers/clip.c"
-#include "parts/1_scene.c"
-#include "parts/2_contacts.c"
-#include "parts/3_matrices.c"
-#include "parts/4_check.c"
-#include "parts/5_dual.c"
-#include "parts/6_stages.c"
-#include "parts/7_ladder.c"
+
+/* 1 ---------------------------------------------------------------------------------------------------------------- words */
+
+/* The k-th of zero-terminated words that follow each other: no table of pointers, so nothing to relocate. */
+static const char *sp__word(const char *words, int k)
+{
+    for (; k > 0; k--) {
+        while (*words) words++;
+        words++;
+    }
+    return words;
+}
+
+/* In the order of the enumerators of stonepack.h. */
+SP_API const char *sp_status_text(sp_status status)
+{
+    const int k = -(int)status;
+    return sp__word("no error\0"
+                    "bad argument: a null pointer, a negative count or an unknown choice\0"
+                    "not enough memory in the arena\0"
+                    "the scene is full\0"
+                    "a number is infinite, not a number, or too large to be squared\0"
+                    "a block, vertex or interface of that number does not exist\0"
+                    "a number is outside its range\0"
+                    "the mesh is open: an edge lacks its opposite\0"
+                    "the mesh is inside out: its faces look inward\0"
+                    "the mesh encloses no volume, or a face has fewer than three corners\0"
+                    "a face is out of plane\0"
+                    "the interface polygon is out of plane\0"
+                    "the interface has no area, or its normal no length\0"
+                    "an interface between a block and itself\0"
+                    "the scene has no block\0"
+                    "cohesion, tension and crushing of joints are not supported yet\0"
+                    "unknown status", k >= 0 && k <= 15 ? k : 16);
+}
+
+SP_API const char *sp_verdict_text(sp_verdict verdict)
+{
+    const int k = (int)verdict;
+    return sp__word("undecided\0" "stable\0" "unstable\0" "unknown", k >= 0 && k <= 2 ? k : 3);
+}
+
+SP_API const char *sp_level_text(sp_level level)
+{
+    const int k = (int)level;
+    return sp__word("none\0" "admissible\0" "coupled\0" "unknown", k >= 0 && k <= 2 ? k : 3);
+}
+
+SP_API const char *sp_reason_text(sp_reason reason)
+{
+    const int k = (int)reason;
+    return sp__word("forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0"
+                    "unknown", k >= 0 && k <= 7 ? k : 8);
+}
+
+SP_API const char *sp_stage_text(sp_stage_id stage)
+{
+    const int k = (int)stage;
+    return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "custom\0" "unknown",
+                    k >= 0 && k <= 6 ? k : 7);
+}
+
+/* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
+
+static void sp__scene_carve(sp_scene *scene, sp_arena *a)
+{
+    const sp_capacity *c = &scene->cap;
+    scene->block = sp__take(a, (size_t)c->blocks, sizeof *scene->block);
+    scene->vertex = sp__take(a, (size_t)c->vertices, sizeof *scene->vertex);
+    scene->face = sp__take(a, (size_t)c->faces, sizeof *scene->face);
+    scene->corner = sp__take(a, (size_t)c->corners, sizeof *scene->corner);
+    scene->interface = sp__take(a, (size_t)c->interfaces, sizeof *scene->interface);
+    scene->point = sp__take(a, (size_t)c->points, sizeof *scene->point);
+}
+
+static int sp__capacity_valid(const sp_capacity *c)
+{
+    return c && c->blocks >= 0 && c->vertices >= 0 && c->faces >= 0 && c->corners >= 0 && c->interfaces >= 0 && c->points >= 0;
+}
+
+SP_API size_t sp_scene_memory(const sp_capacity *cap)
+{
+    if (!sp__capacity_valid(cap)) return 0;
+    sp_scene scene;
+    sp_arena dry = sp__arena_dry();
+    scene.cap = *cap;
+    sp__scene_carve(&scene, &dry);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena)
+{
+    if (!scene || !sp__capacity_valid(cap) || !arena || !arena->base) return SP_E_ARGUMENT;
+    sp_arena a = *arena;
+    sp_scene s;
+    memset(&s, 0, sizeof s);
+    s.gravity[2] = (sp_real)-9.80665;
+    s.cap = *cap;
+    sp__scene_carve(&s, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    *arena = a;
+    *scene = s;
+    return SP_OK;
+}
+
+/* 3 ---------------------------------------------------------------------------------------------------- local coordinates */
+
+/* Points seen from the first of them, in units of a power of two: far or odd-sized coordinates lose nothing, and squares and
+ * cubes of what is left can neither over- nor underflow. */
+typedef struct sp__local {
+    const sp_real *xyz;
+    sp_real o[3], s;            /* origin and unit [m] */
+    sp_real d;                  /* diagonal of the bounding box, 1 .. 2 sqrt(3), or 0                     [s] */
+    sp_real coarse;             /* u (largest |coordinate|): what the coordinates themselves are good for [s] */
+} sp__local;
+
+static void sp__local_get(const sp__local *l, int32_t k, sp_real p[3])
+{
+    for (int c = 0; c < 3; c++) p[c] = (l->xyz[3 * (size_t)k + (size_t)c] - l->o[c]) / l->s;
+}
+
+/* Largest power of two not above x, x finite and > 0. */
+static sp_real sp__power_of_two(sp_real x)
+{
+    sp_real s = (sp_real)1;
+    while (s <= x / 2) s *= 2;
+    while (s > x) s /= 2;
+    return s;
+}
+
+/* Of the `count` >= 1 points pick[0], pick[1] ... (pick NULL: 0, 1 ...). SP_E_NOT_FINITE: they are too far apart. */
+static sp_status sp__local_start(sp__local *l, const sp_real *xyz, const int32_t *pick, int32_t count)
+{
+    sp_real extent[3], far = 0;
+    l->xyz = xyz;
+    l->s = (sp_real)1;
+    for (int c = 0; c < 3; c++) {
+        sp_real lo = xyz[3 * (size_t)(pick ? pick[0] : 0) + (size_t)c], hi = lo;
+        l->o[c] = lo;
+        for (int32_t k = 1; k < count; k++) {
+            const sp_real x = xyz[3 * (size_t)(pick ? pick[k] : k) + (size_t)c];
+            if (x < lo) lo = x;
+            if (x > hi) hi = x;
+        }
+        extent[c] = hi - lo;
+        far = sp__max(far, sp__max(sp__abs(lo), sp__abs(hi)));
+    }
+    const sp_real most = sp__max(extent[0], sp__max(extent[1], extent[2]));
+    if (!sp__finite(2 * most)) return SP_E_NOT_FINITE;
+    if (most > 0) l->s = sp__power_of_two(most);
+    for (int c = 0; c < 3; c++) extent[c] /= l->s;
+    l->d = sp__norm3(extent);
+    l->coarse = SP_EPSILON * (far / l->s);
+    return SP_OK;
+}
+
+/* 4 -------------------------------------------------------------------------------------------------------- mesh and mass */
+
+static sp_status sp__finite_points(const sp_real *xyz, int32_t points)
+{
+    for (size_t k = 0; k < 3 * (size_t)points; k++)
+        if (!sp__finite(xyz[k])) return SP_E_NOT_FINITE;
+    return SP_OK;
+}
+
+/* What is asked of every mesh, supports too: numbers are numbers, faces have corners, corners exist. */
+static sp_status sp__mesh_check(const sp_mesh *mesh, int32_t *corners)
+{
+    if (!mesh || mesh->vertices < 0 || mesh->faces < 0 || (mesh->vertices > 0 && !mesh->xyz)) return SP_E_ARGUMENT;
+    if (mesh->faces > 0 && (!mesh->size || !mesh->corner)) return SP_E_ARGUMENT;
+    if (sp__finite_points(mesh->xyz, mesh->vertices)) return SP_E_NOT_FINITE;
+    int32_t sum = 0;
+    for (int32_t k = 0; k < mesh->faces; k++) {
+        if (mesh->size[k] < 3) return SP_E_DEGENERATE;
+        if (mesh->size[k] > INT32_MAX - sum) return SP_E_ARGUMENT;
+        sum += mesh->size[k];
+    }
+    for (int32_t k = 0; k < sum; k++)
+        if (mesh->corner[k] < 0 || mesh->corner[k] >= mesh->vertices) return SP_E_INDEX;
+    *corners = sum;
+    return mesh->vertices > 0 ? SP_OK : SP_E_DEGENERATE;
+}
+
+/* Scrambles 64 bits one to one.                                                        [Stafford 2011, variant 13] */
+static uint64_t sp__mix(uint64_t h)
+{
+    h = (h ^ (h >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    h = (h ^ (h >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return h ^ (h >> 31);
+}
+
+/* A number for a place. Equal coordinates give equal numbers, -0 counts as 0; taken from values, so byte order is no matter. */
+static uint64_t sp__place_hash(const sp_real x[3])
+{
+    uint64_t h = 0;
+    for (int c = 0; c < 3; c++) {
+        const sp_real v = x[c] + (sp_real)0;            /* -0 + 0 = +0 */
+#ifdef SP_REAL_FLOAT
+        uint32_t bits;
+#else
+        uint64_t bits;
+#endif
+        memcpy(&bits, &v, sizeof bits);
+        h = sp__mix(h + UINT64_C(0x9e3779b97f4a7c15) + bits);
+    }
+    return h;
+}
+
+/* Closed: every directed edge p -> q has its opposite. Give each edge g(p, q) = -g(q, p) = F(p, q) - F(q, p) with a scrambling
+ * F of the end points' places; then opposite edges cancel, and anything left over leaves a sum that is 0 by accident once in
+ * 2^64. It needs no memory, one pass, and takes vertices of equal coordinates for the same without welding them. */
+static int sp__mesh_closed(const sp_mesh *mesh)
+{
+    uint64_t sum = 0;
+    const int32_t *corner = mesh->corner;
+    for (int32_t k = 0; k < mesh->faces; corner += mesh->size[k++]) {
+        uint64_t p = sp__place_hash(mesh->xyz + 3 * (size_t)corner[mesh->size[k] - 1]);
+        for (int32_t i = 0; i < mesh->size[k]; i++) {
+            const uint64_t q = sp__place_hash(mesh->xyz + 3 * (size_t)corner[i]);
+            sum += sp__mix(p + sp__mix(q)) - sp__mix(q + sp__mix(p));
+            p = q;
+        }
+    }
+    return sum == 0;
+}
+
+/* Mean of points, local. */
+static void sp__local_mean(const sp__local *l, const int32_t *pick, int32_t count, sp_real m[3])
+{
+    m[0] = m[1] = m[2] = 0;
+    for (int32_t k = 0; k < count; k++) {
+        sp_real p[3];
+        sp__local_get(l, pick ? pick[k] : k, p);
+        for (int c = 0; c < 3; c++) m[c] += p[c];
+    }
+    sp__scale3((sp_real)1 / (sp_real)count, m, m);
+}
+
+/* Farthest corner from the plane through m with normal n, times |n|; reach: the farthest from m. */
+static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t count, const sp_real m[3], const sp_real n[3],
+                              sp_real *reach)
+{
+    sp_real most = 0, far = 0;
+    for (int32_t k = 0; k < count; k++) {
+        sp_real p[3];
+        sp__local_get(l, pick ? pick[k] : k, p);
+        sp__sub3(p, m, p);
+        most = sp__max(most, sp__abs(sp__dot3(p, n)));
+        far = sp__max(far, sp__dot3(p, p));
+    }
+    *reach = SP_SQRT(far);
+    return most;
+}
+
+/* Sums over triangles, local: 6V in mass->volume, 24 V c in mass->centroid, 2A; n: twice the vector area of the running face. */
+typedef struct sp__solid { sp_mass *mass; sp_real area, n[3]; } sp__solid;
+
+/* Triangle of m and the corners i, j. */
+static void sp__solid_triangle(sp__solid *t, const sp__local *l, const sp_real m[3], int32_t i, int32_t j)
+{
+    sp_real p[3], q[3], n[3] = { 0, 0, 0 };
+    sp__local_get(l, i, p);
+    sp__local_get(l, j, q);
+    sp__cross3_add(p, q, n);
+    const sp_real v = sp__dot3(m, n);                   /* m . (p x q) */
+    t->mass->volume += v;
+    for (int k = 0; k < 3; k++) t->mass->centroid[k] += v * (m[k] + p[k] + q[k]);
+    sp__cross3_add(m, p, n);
+    sp__cross3_add(q, m, n);                            /* m x p + p x q + q x m = (p - m) x (q - m) */
+    t->area += sp__norm3(n);
+    for (int k = 0; k < 3; k++) t->n[k] += n[k];
+}
+
+/* A triangle as it is, a larger polygon fanned about its vertex mean m. Then each of its corners p has to be within 1e-2 of the
+ * block's diameter from its plane. What rounding alone may do to (p - m) . n is allowed on top, so a face without area, which
+ * has no plane, passes. */
+static sp_status sp__solid_face(sp__solid *t, const sp__local *l, const int32_t *corner, int32_t corners)
+{
+    sp_real m[3], reach;
+    if (corners == 3) {
+        sp__local_get(l, corner[0], m);
+        sp__solid_triangle(t, l, m, corner[1], corner[2]);
+        return SP_OK;
+    }
+    sp__local_mean(l, corner, corners, m);
+    t->n[0] = t->n[1] = t->n[2] = 0;
+    for (int32_t k = 0; k < corners; k++) sp__solid_triangle(t, l, m, corner[k > 0 ? k - 1 : corners - 1], corner[k]);
+    const sp_real out = sp__local_warp(l, corner, corners, m, t->n, &reach);
+    const sp_real noise = 16 * (sp_real)corners * (l->coarse + SP_EPSILON * l->d) * l->d * reach;
+    return out > (sp_real)1e-2 * l->d * sp__norm3(t->n) + noise ? SP_E_WARPED : SP_OK;
+}
+
+/* Is 6V more than error? Coordinates good to e leave the volume of a surface A uncertain by e A, and rounding here acts as if
+ * the corners had moved by u d; measured on flat bodies of all shapes and places: `least` / `sure` at most. So a body
+ * that passes has its volume to a percent in double; float takes what can be told from flat at all, plates of 1e-6 among it. */
+static sp_status sp__solid_judge(const sp__solid *t, const sp__local *l)
+{
+#ifdef SP_REAL_FLOAT
+    const sp_real sure = (sp_real)1;
+#else
+    const sp_real sure = (sp_real)50;
+#endif
+    const sp_real least = 3 * sure * (l->coarse + SP_EPSILON * l->d) * t->area;
+    if (t->mass->volume > least) return SP_OK;
+    return t->mass->volume < -least ? SP_E_INWARD : SP_E_DEGENERATE;
+}
+
+/* Volume, centroid and size of a checked mesh. The diameter is set whenever it is a number. */
+static sp_status sp__mesh_measure(const sp_mesh *mesh, int32_t corners, sp_mass *mass)
+{
+    sp__local l;
+    sp__solid t = { mass, 0, { 0, 0, 0 } };
+    if (sp__local_start(&l, mesh->xyz, corners ? mesh->corner : NULL, corners ? corners : mesh->vertices)) return SP_E_NOT_FINITE;
+    mass->volume = mass->centroid[0] = mass->centroid[1] = mass->centroid[2] = 0;
+    mass->diameter = l.d * l.s;
+    if (!sp__finite(mass->diameter * mass->diameter * mass->diameter)) return SP_E_NOT_FINITE;
+    const int32_t *corner = mesh->corner;
+    for (int32_t k = 0; k < mesh->faces; corner += mesh->size[k++]) {
+        const sp_status status = sp__solid_face(&t, &l, corner, mesh->size[k]);
+        if (status) return status;
+    }
+    if (!sp__mesh_closed(mesh)) return SP_E_OPEN;
+    const sp_status status = sp__solid_judge(&t, &l);
+    if (status) return status;
+    for (int c = 0; c < 3; c++) mass->centroid[c] = l.o[c] + l.s * (mass->centroid[c] / (4 * mass->volume));
+    mass->volume = mass->volume / 6 * l.s * l.s * l.s;
+    return mass->volume > 0 ? SP_OK : SP_E_DEGENERATE;  /* underflow */
+}
+
+SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass)
+{
+    int32_t corners;
+    sp_mass found;
+    if (!mass) return SP_E_ARGUMENT;
+    sp_status status = sp__mesh_check(mesh, &corners);
+    if (!status) status = sp__mesh_measure(mesh, corners, &found);
+    if (!status) *mass = found;
+    return status;
+}
+
+/* A support need not enclose anything: then it has no mass and sits at its vertex mean. */
+static sp_status sp__mesh_support(const sp_mesh *mesh, int32_t corners, sp_mass *mass)
+{
+    const sp_status status = sp__mesh_measure(mesh, corners, mass);
+    if (status != SP_E_OPEN && status != SP_E_INWARD && status != SP_E_DEGENERATE) return status;
+    sp__local l;
+    if (sp__local_start(&l, mesh->xyz, NULL, mesh->vertices)) return SP_E_NOT_FINITE;
+    sp__local_mean(&l, NULL, mesh->vertices, mass->centroid);
+    for (int c = 0; c < 3; c++) mass->centroid[c] = l.o[c] + l.s * mass->centroid[c];
+    mass->volume = 0;
+    return SP_OK;
+}
+
+/* 5 -------------------------------------------------------------------------------------------------------- scene, blocks */
+
+/* Copy a mesh into the scene; room was checked. */
+static void sp__scene_copy(sp_scene *scene, const sp_mesh *mesh, int32_t corners)
+{
+    sp_capacity *n = &scene->count;
+    if (mesh->vertices) memcpy(scene->vertex + n->vertices, mesh->xyz, (size_t)mesh->vertices * sizeof *scene->vertex);
+    for (int32_t k = 0; k < corners; k++) scene->corner[n->corners + k] = n->vertices + mesh->corner[k];
+    for (int32_t k = 0; k < mesh->faces; k++) {
+        scene->face[n->faces + k].corner = n->corners;
+        scene->face[n->faces + k].corners = mesh->size[k];
+        n->corners += mesh->size[k];
+    }
+    n->vertices += mesh->vertices;
+    n->faces += mesh->faces;
+}
+
+static int sp__scene_room(const sp_scene *scene, const sp_mesh *mesh, int32_t corners)
+{
+    const sp_capacity *cap = &scene->cap, *n = &scene->count;
+    return n->blocks < cap->blocks && mesh->vertices <= cap->vertices - n->vertices
+        && mesh->faces <= cap->faces - n->faces && corners <= cap->corners - n->corners;
+}
+
+SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id)
+{
+    int32_t corners;
+    sp_mass m;
+    if (!scene) return SP_E_ARGUMENT;
+    sp_status status = sp__mesh_check(mesh, &corners);
+    if (status) return status;
+    if (!sp__finite(density)) return SP_E_NOT_FINITE;
+    if (!(density > 0) || fixed > SP_FIXED) return SP_E_RANGE;
+    status = fixed == SP_FIXED ? sp__mesh_support(mesh, corners, &m) : sp__mesh_measure(mesh, corners, &m);
+    if (status) return status;
+    const sp_real mass = density * m.volume;
+    if (!sp__finite(mass)) return SP_E_NOT_FINITE;
+    if (!(mass > 0) && fixed != SP_FIXED) return SP_E_DEGENERATE;       /* underflow */
+    if (!sp__scene_room(scene, mesh, corners)) return SP_E_CAPACITY;
+    const sp_capacity n = scene->count;
+    const sp_block block = { mass, { m.centroid[0], m.centroid[1], m.centroid[2] }, density, m.volume, m.diameter, fixed,
+                             n.vertices, mesh->vertices, n.faces, mesh->faces };
+    scene->block[n.blocks] = block;
+    sp__scene_copy(scene, mesh, corners);
+    if (id) *id = n.blocks;
+    scene->count.blocks++;
+    return SP_OK;
+}
+
+SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id)
+{
+    if (!scene || !centroid) return SP_E_ARGUMENT;
+    if (!sp__finite(mass) || !sp__finite3(centroid)) return SP_E_NOT_FINITE;
+    if (mass < 0 || (!(mass > 0) && fixed != SP_FIXED) || fixed > SP_FIXED) return SP_E_RANGE;
+    const sp_capacity n = scene->count;
+    if (n.blocks >= scene->cap.blocks) return SP_E_CAPACITY;
+    const sp_block block = { mass, { centroid[0], centroid[1], centroid[2] }, 0, 0, 0, fixed, n.vertices, 0, n.faces, 0 };
+    scene->block[n.blocks] = block;
+    if (id) *id = n.blocks;
+    scene->count.blocks++;
+    return SP_OK;
+}
+
+/* 6 ---------------------------------------------------------------------------------------------------- scene, interfaces */
+
+SP_API sp_joint sp_joint_friction(sp_real mu)
+{
+    const sp_joint joint = { mu, 0, 0, 0 };
+    return joint;
+}
+
+static sp_status sp__joint_check(const sp_joint *joint)
+{
+    const sp_real rest[3] = { joint->cohesion, joint->tension, joint->cap };
+    if (!sp__finite(joint->mu) || !sp__finite3(rest)) return SP_E_NOT_FINITE;
+    if (joint->mu < 0) return SP_E_RANGE;
+    return sp__abs(rest[0]) + sp__abs(rest[1]) + sp__abs(rest[2]) > 0 ? SP_E_UNSUPPORTED : SP_OK;
+}
+
+/* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
+static sp_real sp__polygon_normal(const sp__local *l, int32_t points, sp_real n[3])
+{
+    sp_real p[3], q[3], perimeter = 0;
+    n[0] = n[1] = n[2] = 0;
+    sp__local_get(l, points - 1, p);
+    for (int32_t k = 0; k < points; k++) {
+        sp__local_get(l, k, q);
+        sp__cross3_add(p, q, n);
+        sp__sub3(q, p, p);
+        perimeter += sp__norm3(p);
+        for (int c = 0; c < 3; c++) p[c] = q[c];
+    }
+    return perimeter;
+}
+
+/* t1 along the first edge longer than 1e-9 of the perimeter, made orthogonal to n (unit); an edge that stands across the plane
+ * by more than it lies in it (it can be that short) is passed over. */
+static void sp__polygon_tangent(const sp__local *l, int32_t points, sp_real perimeter, const sp_real n[3], sp_real t[3])
+{
+    sp_real p[3], q[3];
+    sp__local_get(l, 0, p);
+    for (int32_t k = 1; k <= points; k++) {
+        sp__local_get(l, k < points ? k : 0, q);
+        sp__sub3(q, p, t);
+        const sp_real length = sp__norm3(t), out = sp__dot3(t, n);
+        for (int c = 0; c < 3; c++) { t[c] -= out * n[c]; p[c] = q[c]; }
+        const sp_real in = sp__norm3(t);
+        if (length > (sp_real)1e-9 * perimeter && in > length / 2) {
+            sp__unit3(t, t);
+            return;
+        }
+    }
+    sp__across3(n, t);
+}
+
+/* Normal, tangents and area of a contact polygon; plane to 1e-6 of its diameter and what its coordinates are good for. */
+static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_interface *f)
+{
+    sp__local l;
+    sp_real m[3], reach;
+    if (sp__local_start(&l, xyz, NULL, points)) return SP_E_NOT_FINITE;
+    const sp_real perimeter = sp__polygon_normal(&l, points, f->n), twice = sp__norm3(f->n);
+    const sp_real noise = 4 * (l.coarse + SP_EPSILON * l.d);
+    if (!(twice > noise * perimeter)) return SP_E_AREA;
+    f->area = twice / 2 * l.s * l.s;
+    if (!sp__finite(f->area)) return SP_E_NOT_FINITE;
+    if (!(f->area > 0)) return SP_E_AREA;               /* underflow */
+    sp__unit3(f->n, f->n);
+    sp__local_mean(&l, NULL, points, m);
+    if (sp__local_warp(&l, NULL, points, m, f->n, &reach) > (sp_real)1e-6 * l.d + noise) return SP_E_PLANE;
+    sp__polygon_tangent(&l, points, perimeter, f->n, f->t1);
+    sp__cross3(f->n, f->t1, f->t2);
+    return SP_OK;
+}
+
+/* The same for points that share a given normal of any length. */
+static sp_status sp__points_frame(const sp_real n[3], sp_interface *f)
+{
+    const sp_real most = sp__max(sp__abs(n[0]), sp__max(sp__abs(n[1]), sp__abs(n[2])));
+    if (!sp__finite3(n)) return SP_E_NOT_FINITE;
+    if (!(most > 0)) return SP_E_AREA;
+    const sp_real s = sp__power_of_two(most);
+    for (int c = 0; c < 3; c++) f->n[c] = n[c] / s;
+    sp__unit3(f->n, f->n);
+    sp__across3(f->n, f->t1);
+    sp__cross3(f->n, f->t1, f->t2);
+    f->area = 0;
+    return SP_OK;
+}
+
+/* What polygons and points have in common. The new interface is made in the scene's next free place, which is nobody's until
+ * sp__interface_add counts it. */
+static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+                                     const sp_joint *joint)
+{
+    if (!scene || !xyz || !joint || points < 0) return SP_E_ARGUMENT;
+    if (a < 0 || b < 0 || a >= scene->count.blocks || b >= scene->count.blocks) return SP_E_INDEX;
+    if (a == b) return SP_E_SELF;
+    sp_status status = sp__joint_check(joint);
+    if (!status) status = sp__finite_points(xyz, points);
+    if (status) return status;
+    const sp_capacity *n = &scene->count;
+    if (n->interfaces >= scene->cap.interfaces || points > scene->cap.points - n->points) return SP_E_CAPACITY;
+    sp_interface *f = &scene->interface[n->interfaces];
+    f->a = a; f->b = b;
+    f->point = n->points;
+    f->points = points;
+    f->joint = *joint;
+    return SP_OK;
+}
+
+static void sp__interface_add(sp_scene *scene, int32_t points, const sp_real *xyz, int32_t *id)
+{
+    memcpy(scene->point + scene->count.points, xyz, (size_t)points * sizeof *scene->point);
+    if (id) *id = scene->count.interfaces;
+    scene->count.interfaces++;
+    scene->count.points += points;
+}
+
+SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+                                    const sp_joint *joint, int32_t *id)
+{
+    sp_status status = sp__interface_start(scene, a, b, points, xyz, joint);
+    if (!status) status = points < 3 ? SP_E_AREA : sp__polygon_frame(points, xyz, &scene->interface[scene->count.interfaces]);
+    if (!status) sp__interface_add(scene, points, xyz, id);
+    return status;
+}
+
+SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
+                                 const sp_real *xyz, const sp_joint *joint, int32_t *id)
+{
+    if (!n) return SP_E_ARGUMENT;
+    sp_status status = sp__interface_start(scene, a, b, points, xyz, joint);
+    if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->interface[scene->count.interfaces]);
+    if (!status) sp__interface_add(scene, points, xyz, id);
+    return status;
+}
+
+SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu)
+{
+    if (!scene) return SP_E_ARGUMENT;
+    if (!sp__finite(mu)) return SP_E_NOT_FINITE;
+    if (mu < 0) return SP_E_RANGE;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) scene->interface[k].joint.mu = mu;
+    return SP_OK;
+}
+
+/* 7 ------------------------------------------------------------------------------------------------------------- contacts */
+
+/* Which faces of which blocks touch, and in what polygons.
+ *
+ *   patch      all faces of one block in one plane and with one direction; bounded by the edges that do not cancel
+ *   bound      boundary edges of the patches, vertex numbers of the scene, patch on the left seen from outside
+ *   noise      16 u (|coordinate| + diameter): no tolerance is below it, so float and far coordinates work          [m]
+ *   near       settings' distance of a pair of blocks, at least the noise                                           [m]
+ *
+ *   distance   of two patches: along A's normal, in the middle of what they share; the angle bounds the rest
+ *   in-plane   corners nearer than min(near, 1e-6 diameter)/8 are one; what is narrower than `near` is an edge contact, and
+ *              left out
+ *
+ * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything
+ * costs its own pairs and no more.
+ */
+
+typedef struct sp__patch {
+    sp_real n[3], o[3];         /* plane: outward unit normal and a point of the largest face */
+    sp_real lo[3], hi[3];       /* box */
+    int32_t edge, edges;        /* its part of bound */
+} sp__patch;
+
+typedef struct sp__body {       /* what the search knows of a block */
+    sp_real lo[3], hi[3];       /* box, of its faces only */
+    sp_real noise, reach;       /* see above; its own settings' distance */
+    sp_real warp;               /* farthest corner of a face from the face's plane */
+    int32_t patch, patches, edge, edges;
+    int32_t convex;             /* closed and nothing beyond any of its faces */
+} sp__body;
+
+typedef struct sp__found { int32_t start, size; } sp__found;    /* a polygon of the present pair */
+
+/* The largest of a number over the blocks, and the largest of the others. */
+typedef struct sp__two { int32_t first, second; } sp__two;
+
+/* Edges of one patch, of a block; patches of a block. */
+typedef struct sp__most { sp__two side, total, patches; } sp__most;
+
+/* Memory of the search. */
+typedef struct sp__all {
+    sp__body *body;
+    sp__patch *patch;
+    int32_t (*bound)[2];
+    int32_t *same;                              /* vertex -> the vertex that stands for all at its place */
+    int32_t *order, *mine;                      /* of one block: vertices, faces or edges in order; face -> patch */
+    int32_t (*edge)[2];                         /* of one block */
+    sp_real (*normal)[3], (*middle)[3], *area;  /* of the faces of one block */
+    int32_t width;                              /* of the tree: power of two, not below the number of blocks */
+    sp_real (*box)[6];                          /* of the tree's nodes, 1 the top, children 2k and 2k + 1 */
+    int32_t *leaf, *hit;                        /* block of each leaf; blocks that may touch the present one */
+    uint32_t *code;                             /* Morton code of each block */
+} sp__all;
+
+/* Memory of one pair of blocks. */
+typedef struct sp__pair {
+    int32_t *near_a, *near_b;                   /* patches near the other block's box */
+    sp_real (*point)[3];                        /* polygons found */
+    sp__found *found;
+    int32_t *rank;                              /* their order */
+    int32_t room;                               /* of the last three */
+} sp__pair;
+
+typedef struct sp__touch {
+    sp_scene *scene;
+    sp_contact_settings set;
+    sp_contact_report report;
+    sp_capacity before;                         /* the scene's count at the start */
+    sp_status status;
+    int32_t full;                               /* the scene had no room for something */
+    sp__all all;
+    sp__clip clip;
+    sp__pair pair;
+    sp__most most;
+    int32_t patches, bounds, leaves;
+    sp_real lo[3], hi[3];                       /* box of everything */
+    int32_t block, vertex0, face0, edges;       /* of the block whose patches are being made */
+    int32_t a, b, points, founds;               /* present pair, and what was found */
+    sp_real near, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
+    sp_real e1[3], e2[3];                       /* axes of that plane */
+} sp__touch;
+
+static void sp__contact_default(sp_contact_settings *s)
+{
+    memset(s, 0, sizeof *s);
+    s->distance = (sp_real)1e-6;
+    s->angle = (sp_real)1e-3;
+    s->joint.mu = (sp_real)0.84;
+}
+
+SP_API sp_contact_settings sp_contact_settings_default(void)
+{
+    sp_contact_settings s;
+    sp__contact_default(&s);
+    return s;
+}
+
+/* ------------------------------------------------------------------------------------------------------------- memory */
+
+/* Crossings of boundaries of p and q edges that there is room for: all up to 16-gons; otherwise 8 (p + q), four times what a
+ * convex one can have with any other. Combs across combs may need more: SP_E_MEMORY. */
+static int64_t sp__crossings(const sp__two *t)
+{
+    const int64_t all = (int64_t)t->first * t->second, most = 8 * ((int64_t)t->first + t->second);
+    return all < most ? all : most;
+}
+
+static void sp__two_add(sp__two *t, int32_t x)
+{
+    if (x > t->first) { t->second = t->first; t->first = x; }
+    else if (x > t->second) t->second = x;
+}
+
+/* Corners of the faces of a block. */
+static int32_t sp__block_corners(const sp_scene *scene, int32_t block)
+{
+    const sp_face *f = scene->face + scene->block[block].face;
+    const int32_t n = scene->block[block].faces;
+    return n ? f[n - 1].corner + f[n - 1].corners - f[0].corner : 0;
+}
+
+static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
+{
+    const sp_capacity *n = &scene->count;
+    int32_t vertices = 0, faces = 0, corners = 0;
+    for (int32_t i = 0; i < n->blocks; i++) {
+        const sp_block *k = &scene->block[i];
+        const int32_t c = sp__block_corners(scene, i);
+        vertices = k->vertices > vertices ? k->vertices : vertices;
+        faces = k->faces > faces ? k->faces : faces;
+        corners = c > corners ? c : corners;
+    }
+    const size_t blocks = (size_t)n->blocks, face = (size_t)faces;
+    for (l->width = 1; l->width < n->blocks && l->width < 1 << 29; l->width *= 2) { }
+    l->body = sp__take(a, blocks, sizeof *l->body);
+    l->patch = sp__take(a, (size_t)n->faces, sizeof *l->patch);
+    l->bound = sp__take(a, (size_t)n->corners, sizeof *l->bound);
+    l->same = sp__take(a, (size_t)n->vertices, sizeof *l->same);
+    l->order = sp__take(a, (size_t)(vertices > corners ? vertices : corners), sizeof *l->order);
+    l->mine = sp__take(a, face, sizeof *l->mine);
+    l->edge = sp__take(a, (size_t)corners, sizeof *l->edge);
+    l->normal = sp__take(a, face, sizeof *l->normal);
+    l->middle = sp__take(a, face, sizeof *l->middle);
+    l->area = sp__take(a, face, sizeof *l->area);
+    l->box = sp__take(a, 2 * (size_t)l->width, sizeof *l->box);
+    l->leaf = sp__take(a, blocks, sizeof *l->leaf);
+    l->hit = sp__take(a, blocks, sizeof *l->hit);
+    l->code = sp__take(a, blocks, sizeof *l->code);
+}
+
+static void sp__pair_carve(sp__pair *p, const sp__most *most, sp_arena *a)
+{
+    const int64_t room = 2 * ((int64_t)most->total.first + most->total.second + sp__crossings(&most->side)) + 64;
+    p->room = room < INT32_MAX ? (int32_t)room : 0;
+    p->near_a = sp__take(a, (size_t)most->patches.first, sizeof *p->near_a);
+    p->near_b = sp__take(a, (size_t)most->patches.first, sizeof *p->near_b);
+    p->point = sp__take(a, (size_t)room, sizeof *p->point);
+    p->found = sp__take(a, (size_t)room, sizeof *p->found);
+    p->rank = sp__take(a, (size_t)room, sizeof *p->rank);
+}
+
+/* Before the patches are known: a block has no more of them than faces, and no more edges than corners. Of a closed block one
+ * patch has at most half of these, because their opposites bound others. */
+static void sp__most_guess(sp__most *most, const sp_scene *scene)
+{
+    memset(most, 0, sizeof *most);
+    for (int32_t i = 0; i < scene->count.blocks; i++) {
+        const int32_t corners = sp__block_corners(scene, i);
+        sp__two_add(&most->side, scene->block[i].volume > 0 ? corners / 2 : corners);
+        sp__two_add(&most->total, corners);
+        sp__two_add(&most->patches, scene->block[i].faces);
+    }
+}
+
+SP_API size_t sp_contacts_memory(const sp_scene *scene)
+{
+    sp_arena dry = sp__arena_dry();
+    union { sp__all all; sp__clip clip; sp__pair pair; } none;
+    sp__most most;
+    if (!scene) return 0;
+    sp__most_guess(&most, scene);
+    (void)sp__take(&dry, 1, sizeof(sp__touch));
+    sp__all_carve(&none.all, scene, &dry);
+    sp__clip_carve(&none.clip, most.side.first, most.side.second, sp__crossings(&most.side), &dry);
+    sp__pair_carve(&none.pair, &most, &dry);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ patches */
+
+/* Lexicographic order of places; 0: the same. */
+static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
+{
+    for (int c = 0; c < 3; c++) {
+        if (p[c] < q[c] - eps) return -1;
+        if (p[c] > q[c] + eps) return 1;
+    }
+    return 0;
+}
+
+static int sp__vertex_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    const int o = sp__place_order(t->scene->vertex[t->vertex0 + i], t->scene->vertex[t->vertex0 + j], 0);
+    return o ? o < 0 : i < j;
+}
+
+/* Larger faces first: the largest of a plane is the most exact. Equal ones by place, so face order does not matter. */
+static int sp__face_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    if (t->all.area[i] > t->all.area[j]) return 1;
+    if (t->all.area[i] < t->all.area[j]) return 0;
+    const int o = sp__place_order(t->all.middle[i], t->all.middle[j], 0);
+    return o ? o < 0 : i < j;
+}
+
+/* Edges between the same two vertices stand together. */
+static int sp__edge_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    const int32_t *p = t->all.edge[i], *q = t->all.edge[j];
+    const int32_t plo = p[0] < p[1] ? p[0] : p[1], qlo = q[0] < q[1] ? q[0] : q[1];
+    const int32_t phi = p[0] + p[1] - plo, qhi = q[0] + q[1] - qlo;
+    if (plo != qlo) return plo < qlo;
+    return phi != qhi ? phi < qhi : i < j;
+}
+
+/* same[v]: the first vertex, in order, at v's place. */
+static void sp__touch_weld(sp__touch *t)
+{
+    const sp_block *k = &t->scene->block[t->block];
+    for (int32_t v = 0; v < k->vertices; v++) t->all.order[v] = v;
+    sp__sort(t->all.order, k->vertices, sp__vertex_before, t);
+    int32_t first = 0;
+    for (int32_t i = 0; i < k->vertices; i++) {
+        const int32_t v = t->vertex0 + t->all.order[i];
+        if (!i || sp__place_order(t->scene->vertex[first], t->scene->vertex[v], 0)) first = v;
+        t->all.same[v] = first;
+    }
+}
+
+/* Plane of a face through its vertex mean, by Newell's normal about its first corner; normal 0 and area 0 without one. */
+static void sp__touch_plane(sp__touch *t, int32_t f)
+{
+    const sp_face *face = &t->scene->face[t->face0 + f];
+    const int32_t *corner = t->scene->corner + face->corner;
+    const sp_real *o = t->scene->vertex[corner[0]];
+    sp_real *n = t->all.normal[f], *m = t->all.middle[f], p[3], q[3];
+    for (int c = 0; c < 3; c++) n[c] = m[c] = 0;
+    for (int32_t k = 0; k < face->corners; k++) {
+        sp__sub3(t->scene->vertex[corner[k]], o, p);
+        sp__sub3(t->scene->vertex[corner[k + 1 < face->corners ? k + 1 : 0]], o, q);
+        sp__cross3_add(p, q, n);
+        for (int c = 0; c < 3; c++) m[c] += p[c];
+    }
+    const sp_real twice = sp__norm3(n);
+    t->all.area[f] = twice;
+    for (int c = 0; c < 3; c++) {
+        n[c] = twice > 0 ? n[c] / twice : 0;
+        m[c] = o[c] + m[c] / (sp_real)face->corners;
+    }
+}
+
+/* Farthest corner of a face from a plane. */
+static sp_real sp__touch_off(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
+{
+    const sp_face *face = &t->scene->face[t->face0 + f];
+    sp_real most = 0;
+    for (int32_t k = 0; k < face->corners; k++) {
+        sp_real d[3];
+        sp__sub3(t->scene->vertex[t->scene->corner[face->corner + k]], o, d);
+        most = sp__max(most, sp__abs(sp__dot3(d, n)));
+    }
+    return most;
+}
+
+/* Give each face with area its patch: the first whose plane all its corners keep to, or a new one. */
+static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
+{
+    const sp_real flat = sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
+    for (int32_t f = 0; f < faces; f++) {
+        sp__touch_plane(t, f);
+        body->warp = sp__max(body->warp, sp__touch_off(t, f, t->all.normal[f], t->all.middle[f]));
+        t->all.order[f] = f;
+    }
+    sp__sort(t->all.order, faces, sp__face_before, t);
+    for (int32_t i = 0; i < faces; i++) {
+        const int32_t f = t->all.order[i];
+        int32_t p = body->patch;
+        t->all.mine[f] = -1;
+        if (!(t->all.area[f] > 0)) continue;
+        for (; p < t->patches; p++)
+            if (sp__dot3(t->all.patch[p].n, t->all.normal[f]) > 0
+                && sp__touch_off(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
+        t->all.mine[f] = p;
+        if (p < t->patches) continue;
+        for (int c = 0; c < 3; c++) {
+            t->all.patch[p].n[c] = t->all.normal[f][c];
+            t->all.patch[p].o[c] = t->all.middle[f][c];
+        }
+        t->patches++;
+    }
+}
+
+/* All edges of a face, by the vertices that stand for their places. */
+static void sp__touch_edges(sp__touch *t, int32_t f)
+{
+    const sp_face *face = &t->scene->face[t->face0 + f];
+    const int32_t *corner = t->scene->corner + face->corner;
+    for (int32_t k = 0; k < face->corners; k++) {
+        t->all.edge[t->edges][0] = t->all.same[corner[k]];
+        t->all.edge[t->edges][1] = t->all.same[corner[k + 1 < face->corners ? k + 1 : 0]];
+        t->edges++;
+    }
+}
+
+static void sp__box_start(sp_real lo[3], sp_real hi[3], const sp_real p[3])
+{
+    for (int c = 0; c < 3; c++) lo[c] = hi[c] = p[c];
+}
+
+static void sp__box_add(sp_real lo[3], sp_real hi[3], const sp_real p[3])
+{
+    for (int c = 0; c < 3; c++) {
+        lo[c] = p[c] < lo[c] ? p[c] : lo[c];
+        hi[c] = hi[c] < p[c] ? p[c] : hi[c];
+    }
+}
+
+/* Boundary of a patch from t->all.edge: of the edges between two vertices those that their opposites do not cancel. */
+static void sp__touch_bound(sp__touch *t, sp__patch *p)
+{
+    int32_t *order = t->all.order;
+    p->edge = t->bounds;
+    for (int32_t k = 0; k < t->edges; k++) order[k] = k;
+    sp__sort(order, t->edges, sp__edge_before, t);
+    for (int32_t k = 0; k < t->edges; ) {
+        const int32_t u = t->all.edge[order[k]][0], v = t->all.edge[order[k]][1];
+        int32_t net = 0;
+        for (; k < t->edges; k++) {
+            const int32_t *e = t->all.edge[order[k]];
+            if (e[0] == u && e[1] == v) net++;
+            else if (e[0] == v && e[1] == u) net--;
+            else break;
+        }
+        for (; net && u != v; net += net < 0 ? 1 : -1) {
+            t->all.bound[t->bounds][0] = net > 0 ? u : v;
+            t->all.bound[t->bounds++][1] = net > 0 ? v : u;
+        }
+    }
+    p->edges = t->bounds - p->edge;
+    for (int32_t k = 0; k < p->edges; k++) {
+        const sp_real *x = t->scene->vertex[t->all.bound[p->edge + k][0]];
+        if (k == 0) sp__box_start(p->lo, p->hi, x);
+        sp__box_add(p->lo, p->hi, x);
+    }
+}
+
+/* Nothing of a closed block beyond a face of it? */
+static int sp__touch_convex(const sp__touch *t, const sp__body *body)
+{
+    const sp_block *k = &t->scene->block[t->block];
+    const sp_real flat = sp__max(body->noise, (sp_real)1e-6 * k->diameter / 8) + 2 * body->warp;
+    if (!(k->volume > 0)) return 0;
+    for (int32_t p = body->patch; p < body->patch + body->patches; p++)
+        for (int32_t e = body->edge; e < body->edge + body->edges; e++) {
+            sp_real d[3];
+            sp__sub3(t->scene->vertex[t->all.bound[e][0]], t->all.patch[p].o, d);
+            if (sp__dot3(d, t->all.patch[p].n) > flat) return 0;
+        }
+    return 1;
+}
+
+/* Box and noise of a block from its patches. */
+static void sp__touch_size(sp__touch *t, sp__body *body)
+{
+    const sp_real diameter = t->scene->block[t->block].diameter;
+    sp_real far = 0;
+    for (int32_t v = 0; v < t->scene->block[t->block].vertices; v++)
+        for (int c = 0; c < 3; c++) far = sp__max(far, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
+    body->noise = 16 * SP_EPSILON * (far + diameter);
+    body->reach = sp__max(body->noise, t->set.absolute ? t->set.distance : t->set.distance * diameter);
+}
+
+/* Patches of one block. */
+static void sp__touch_block(sp__touch *t, int32_t block)
+{
+    const sp_block *k = &t->scene->block[block];
+    sp__body *body = &t->all.body[block];
+    t->block = block;
+    t->vertex0 = k->vertex;
+    t->face0 = k->face;
+    body->warp = 0;
+    body->patch = t->patches;
+    body->edge = t->bounds;
+    sp__touch_size(t, body);
+    sp__touch_weld(t);
+    sp__touch_group(t, body, k->faces);
+    body->patches = t->patches - body->patch;
+    for (int32_t p = body->patch; p < t->patches; p++) {
+        t->edges = 0;
+        for (int32_t f = 0; f < k->faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
+        sp__touch_bound(t, &t->all.patch[p]);
+    }
+    body->edges = t->bounds - body->edge;
+    for (int32_t e = body->edge; e < t->bounds; e++) {
+        if (e == body->edge) sp__box_start(body->lo, body->hi, t->scene->vertex[t->all.bound[e][0]]);
+        sp__box_add(body->lo, body->hi, t->scene->vertex[t->all.bound[e][0]]);
+    }
+    body->convex = sp__touch_convex(t, body);
+}
+
+/* --------------------------------------------------------------------------------------------------------------- tree */
+
+/* Do two boxes come nearer than d? */
+static int sp__boxes_near(const sp_real lo[3], const sp_real hi[3], const sp_real lo2[3], const sp_real hi2[3], sp_real d)
+{
+    for (int c = 0; c < 3; c++) if (lo[c] > hi2[c] + d || lo2[c] > hi[c] + d) return 0;
+    return 1;
+}
+
+/* Every third bit from bit 0. */
+static uint32_t sp__spread(uint32_t x)
+{
+    x = (x | x << 16) & UINT32_C(0x030000ff);
+    x = (x | x << 8) & UINT32_C(0x0300f00f);
+    x = (x | x << 4) & UINT32_C(0x030c30c3);
+    return (x | x << 2) & UINT32_C(0x09249249);
+}
+
+static int sp__code_before(const void *what, int32_t i, int32_t j)
+{
+    const uint32_t *code = what;
+    return code[i] != code[j] ? code[i] < code[j] : i < j;
+}
+
+static int sp__number_before(const void *what, int32_t i, int32_t j)
+{
+    (void)what;
+    return i < j;
+}
+
+/* Leaves: the blocks with faces along a Morton curve through the middles of their boxes, 1024 steps a side. */
+static void sp__tree_leaves(sp__touch *t)
+{
+    sp_real *lo = t->lo, *hi = t->hi;
+    t->leaves = 0;
+    for (int32_t i = 0; i < t->scene->count.blocks; i++) {
+        const sp__body *k = &t->all.body[i];
+        if (!k->edges) continue;
+        if (!t->leaves) sp__box_start(lo, hi, k->lo);
+        sp__box_add(lo, hi, k->lo);
+        sp__box_add(lo, hi, k->hi);
+        t->all.leaf[t->leaves++] = i;
+    }
+    for (int32_t l = 0; l < t->leaves; l++) {
+        const sp__body *k = &t->all.body[t->all.leaf[l]];
+        uint32_t code = 0;
+        for (int c = 0; c < 3; c++) {
+            const sp_real wide = hi[c] - lo[c], at = (k->lo[c] - lo[c]) / 2 + (k->hi[c] - lo[c]) / 2;
+            const uint32_t step = wide > 0 ? (uint32_t)(int32_t)(1023 * (at / wide)) : 0;
+            code |= sp__spread(step < 1023 ? step : 1023) << c;
+        }
+        t->all.code[t->all.leaf[l]] = code;
+    }
+    sp__sort(t->all.leaf, t->leaves, sp__code_before, t->all.code);
+}
+
+/* Boxes bottom-up; an empty one has low above high. */
+static void sp__tree_build(sp__touch *t)
+{
+    sp__tree_leaves(t);
+    for (int32_t k = 2 * t->all.width - 1; k > 0; k--) {
+        sp_real *box = t->all.box[k];
+        box[0] = (sp_real)1;
+        box[3] = (sp_real)0;
+        if (k >= t->all.width) {
+            if (k - t->all.width >= t->leaves) continue;
+            const sp__body *b = &t->all.body[t->all.leaf[k - t->all.width]];
+            for (int c = 0; c < 3; c++) { box[c] = b->lo[c] - b->reach; box[3 + c] = b->hi[c] + b->reach; }
+            continue;
+        }
+        const sp_real *left = t->all.box[2 * k], *right = t->all.box[2 * k + 1];
+        if (left[0] > left[3]) continue;
+        for (int c = 0; c < 6; c++) box[c] = left[c];
+        if (right[0] > right[3]) continue;
+        sp__box_add(box, box + 3, right);
+        sp__box_add(box, box + 3, right + 3);
+    }
+}
+
+/* Blocks above a whose boxes come near a's, in order. Returns how many. */
+static int32_t sp__tree_ask(sp__touch *t, int32_t a)
+{
+    const sp__body *body = &t->all.body[a];
+    int32_t hits = 0, k = 1;
+    if (!body->edges) return 0;
+    while (k > 0) {
+        const sp_real *box = t->all.box[k];
+        if (!(box[0] > box[3]) && sp__boxes_near(body->lo, body->hi, box, box + 3, body->reach)) {
+            if (k < t->all.width) { k *= 2; continue; }
+            if (t->all.leaf[k - t->all.width] > a) t->all.hit[hits++] = t->all.leaf[k - t->all.width];
+        }
+        while (k & 1) k >>= 1;                          /* up from right children, past the top to 0 */
+        if (k) k++;
+    }
+    sp__sort(t->all.hit, hits, sp__number_before, NULL);
+    return hits;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- pair */
+
+/* Coordinates of x in the plane of patch p, e1 and e2 from o, in units. */
+static void sp__pair_flat(const sp__touch *t, const sp__patch *p, const sp_real x[3], sp_real xy[2])
+{
+    sp_real d[3];
+    sp__sub3(x, p->o, d);
+    xy[0] = sp__dot3(t->e1, d) / t->unit;
+    xy[1] = sp__dot3(t->e2, d) / t->unit;
+}
+
+/* Give the boundary of a patch to the clipper: A's as it is, B's in A's plane, turned round. */
+static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patch *p, int32_t side)
+{
+    for (int32_t e = p->edge; e < p->edge + p->edges; e++) {
+        const int32_t u = t->all.bound[e][side], v = t->all.bound[e][1 - side];
+        sp_real from[2], to[2];
+        sp__pair_flat(t, plane, t->scene->vertex[u], from);
+        sp__pair_flat(t, plane, t->scene->vertex[v], to);
+        sp__clip_add(&t->clip, side, from, to, u, v);
+    }
+}
+
+/* A corner of the result in space: on A's plane; a vertex that is there already stays what it is, to the bit. */
+static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
+{
+    const sp_real *xy = t->clip.corner[corner];
+    const int32_t name = t->clip.name[corner];
+    int exact = name >= 0;
+    for (int c = 0; c < 3; c++) {
+        x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
+        if (exact && sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) exact = 0;
+    }
+    for (int c = 0; c < 3 && exact; c++) x[c] = t->scene->vertex[name][c];
+}
+
+static void sp__reverse(sp_real (*p)[3], int32_t from, int32_t to)
+{
+    for (to--; from < to; from++, to--)
+        for (int c = 0; c < 3; c++) {
+            const sp_real x = p[from][c];
+            p[from][c] = p[to][c];
+            p[to][c] = x;
+        }
+}
+
+/* Start the polygon at its first corner in order of x, y, z. */
+static void sp__pair_canonical(sp__touch *t, int32_t start, int32_t size)
+{
+    sp_real (*p)[3] = t->pair.point + start;
+    int32_t first = 0;
+    for (int32_t k = 1; k < size; k++) if (sp__place_order(p[k], p[first], t->snap) < 0) first = k;
+    sp__reverse(p, 0, first);
+    sp__reverse(p, first, size);
+    sp__reverse(p, 0, size);
+}
+
+/* Keep loop l of the clipper if B's plane is near in its middle: gap g along n_A, n_B . (o_B - m - g n_A) = 0. */
+static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
+{
+    const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
+    sp_real m[3] = { 0, 0, 0 };
+    if (size > t->pair.room - t->points || t->founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
+    for (int32_t k = 0; k < size; k++) {
+        sp_real d[3];
+        sp__pair_corner(t, p, from + k, t->pair.point[t->points + k]);
+        sp__sub3(q->o, t->pair.point[t->points + k], d);
+        for (int c = 0; c < 3; c++) m[c] += d[c] / (sp_real)size;
+    }
+    if (sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->near) return;
+    sp__pair_canonical(t, t->points, size);
+    t->pair.found[t->founds].start = t->points;
+    t->pair.found[t->founds].size = size;
+    t->points += size;
+    t->founds++;
+}
+
+/* Can patches p and q touch: opposed to within the angle, boxes and planes near? Between planes at angle s the distance
+ * changes by s times the way. */
+static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__patch *q)
+{
+    sp_real x[3], d[3];
+    if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->near)) return 0;
+    sp__cross3(p->n, q->n, x);
+    const sp_real s = sp__norm3(x);
+    if (s > t->set.angle) return 0;
+    sp__sub3(q->o, p->o, d);
+    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->near + 2 * s * sp__norm3(d);
+}
+
+/* Polygons of two patches. */
+static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
+{
+    sp__across3(p->n, t->e1);
+    sp__cross3(p->n, t->e1, t->e2);
+    sp__clip_clear(&t->clip);
+    sp__pair_region(t, p, p, 0);
+    sp__pair_region(t, p, q, 1);
+    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
+}
+
+/* Patches of one block near the box of another. Returns how many. */
+static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__body *other, int32_t *list)
+{
+    int32_t n = 0;
+    for (int32_t k = own->patch; k < own->patch + own->patches; k++) {
+        const sp__patch *p = &t->all.patch[k];
+        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->near)) list[n++] = k;
+    }
+    return n;
+}
+
+static int sp__found_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    const sp__found *f = &t->pair.found[i], *g = &t->pair.found[j];
+    for (int32_t k = 0; k < f->size && k < g->size; k++) {
+        const int o = sp__place_order(t->pair.point[f->start + k], t->pair.point[g->start + k], t->snap);
+        if (o) return o < 0;
+    }
+    return f->size != g->size ? f->size < g->size : i < j;
+}
+
+/* Append what was found to the scene, in the order of corners; where there is no room, count. */
+static void sp__pair_append(sp__touch *t)
+{
+    for (int32_t k = 0; k < t->founds; k++) t->pair.rank[k] = k;
+    sp__sort(t->pair.rank, t->founds, sp__found_before, t);
+    for (int32_t k = 0; k < t->founds; k++) {
+        const sp__found *f = &t->pair.found[t->pair.rank[k]];
+        const sp_status s = sp_scene_interface(t->scene, t->a, t->b, f->size, t->pair.point[f->start], &t->set.joint, NULL);
+        if (s != SP_OK && s != SP_E_CAPACITY) continue;             /* too small for its coordinates */
+        t->full |= s == SP_E_CAPACITY;
+        t->report.interfaces++;
+        t->report.points += f->size;
+    }
+}
+
+/* Tolerances of the pair. */
+static void sp__pair_start(sp__touch *t, int32_t b)
+{
+    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
+    const sp_real d = t->scene->block[t->a].diameter, e = t->scene->block[b].diameter, small = d < e ? d : e;
+    t->b = b;
+    t->points = t->founds = 0;
+    t->noise = sp__max(p->noise, q->noise);
+    t->near = sp__max(t->noise, p->reach < q->reach ? p->reach : q->reach);
+    t->snap = (sp_real)1e-6 * small < t->near ? (sp_real)1e-6 * small : t->near;
+    t->snap = sp__max(t->noise, t->snap / 8);
+    t->unit = small > 0 ? sp__power_of_two(small) : (sp_real)1;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ overlap */
+
+/* By how much the blocks' shadows on an axis overlap, of any length; below 0 they are apart. */
+static sp_real sp__shadow(const sp__touch *t, const sp_real axis[3])
+{
+    sp_real lo[2] = { 0, 0 }, hi[2] = { 0, 0 };
+    const sp_real *o = t->all.body[t->a].lo;
+    for (int side = 0; side < 2; side++) {
+        const sp__body *k = &t->all.body[side ? t->b : t->a];
+        for (int32_t e = k->edge; e < k->edge + k->edges; e++) {
+            sp_real d[3];
+            sp__sub3(t->scene->vertex[t->all.bound[e][0]], o, d);
+            const sp_real x = sp__dot3(axis, d);
+            if (e == k->edge || x < lo[side]) lo[side] = x;
+            if (e == k->edge || x > hi[side]) hi[side] = x;
+        }
+    }
+    const sp_real one = hi[0] - lo[1], two = hi[1] - lo[0];
+    return one < two ? one : two;
+}
+
+/* Least overlap of the shadows along the normals of both blocks' patches. At most `flat`: a plane keeps them apart, which is
+ * proof for blocks of any shape. */
+static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
+{
+    sp_real least = 0;
+    int some = 0;
+    for (int side = 0; side < 2; side++) {
+        const sp__body *k = &t->all.body[side ? t->b : t->a];
+        for (int32_t p = k->patch; p < k->patch + k->patches; p++) {
+            const sp_real x = sp__shadow(t, t->all.patch[p].n);
+            if (!some || x < least) least = x;
+            some = 1;
+            if (least <= flat) return least;
+        }
+    }
+    return least;
+}
+
+/* The same along the cross products of their edges: with the normals that is all a convex pair can be kept apart by. */
+static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
+{
+    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];
+    for (int32_t i = p->edge; i < p->edge + p->edges; i++)
+        for (int32_t j = q->edge; j < q->edge + q->edges; j++) {
+            const int32_t *u = t->all.bound[i], *v = t->all.bound[j];
+            sp_real d[3], e[3];
+            if (u[0] > u[1] || v[0] > v[1]) continue;               /* each edge once */
+            sp__sub3(t->scene->vertex[u[1]], t->scene->vertex[u[0]], d);
+            sp__sub3(t->scene->vertex[v[1]], t->scene->vertex[v[0]], e);
+            const sp_real size = sp__norm3(d) * sp__norm3(e);
+            sp__cross3(d, e, d);
+            const sp_real length = sp__norm3(d);
+            if (!(length > (sp_real)1e-4 * size)) continue;         /* parallel: no axis of its own */
+            sp__scale3((sp_real)1 / length, d, d);
+            const sp_real x = sp__shadow(t, d);
+            if (x < least) least = x;
+            if (least <= flat) return least;
+        }
+    return least;
+}
+
+/* Does the upward ray from x pass right of the directed edge p q, seen from above? +1, -1 or 0, the same for q p but for the
+ * sign. Half-open in y. */
+static int sp__ray_edge(const sp_real x[3], const sp_real p[3], const sp_real q[3])
+{
+    const int up = p[1] <= x[1], to = q[1] <= x[1];
+    if (up == to) return 0;
+    const sp_real *lo = up ? p : q, *hi = up ? q : p;
+    const sp_real side = (hi[0] - lo[0]) * (x[1] - lo[1]) - (hi[1] - lo[1]) * (x[0] - lo[0]);
+    return side > 0 ? (up ? 1 : -1) : 0;
+}
+
+/* Squared distance of x from the triangle v[0] v[1] v[2] with normal n (not 0): from its plane over its inside, else from the
+ * nearest edge, d - s e with s = clamp(d . e / e . e). */
+static sp_real sp__triangle_far2(const sp_real x[3], const sp_real *const v[3], const sp_real n[3])
+{
+    sp_real e[3], d[3], c[3], least = -1, h = 0;
+    int inside = 1;
+    for (int k = 0; k < 3; k++) {
+        sp__sub3(v[(k + 1) % 3], v[k], e);
+        sp__sub3(x, v[k], d);
+        h = sp__dot3(d, n);
+        sp__cross3(e, d, c);
+        if (sp__dot3(c, n) < 0) inside = 0;
+        const sp_real len2 = sp__dot3(e, e), along = sp__dot3(d, e);
+        const sp_real s = along <= 0 || !(len2 > 0) ? 0 : along >= len2 ? (sp_real)1 : along / len2;
+        for (int i = 0; i < 3; i++) d[i] -= s * e[i];
+        const sp_real far2 = sp__dot3(d, d);
+        if (least < 0 || far2 < least) least = far2;
+    }
+    return inside ? h * h / sp__dot3(n, n) : least;
+}
+
+/* How deep x lies inside a closed block: 0 if outside, or not deeper than `flat`. Inside: the faces above wind round it. */
+static sp_real sp__depth(const sp__touch *t, int32_t block, const sp_real x[3], sp_real flat)
+{
+    const sp_scene *s = t->scene;
+    const sp_block *k = &s->block[block];
+    sp_real least2 = k->diameter * k->diameter;
+    int wind = 0;
+    if (!(k->volume > 0)) return 0;
+    const sp__body *body = &t->all.body[block];
+    for (int c = 0; c < 3; c++) if (x[c] < body->lo[c] + flat || x[c] > body->hi[c] - flat) return 0;
+    for (int32_t f = k->face; f < k->face + k->faces; f++)
+        for (int32_t i = 1; i + 1 < s->face[f].corners; i++) {
+            const int32_t *corner = s->corner + s->face[f].corner;
+            const sp_real *const v[3] = { s->vertex[corner[0]], s->vertex[corner[i]], s->vertex[corner[i + 1]] };
+            sp_real d[3], n[3];
+            sp__sub3(v[1], v[0], d);
+            sp__sub3(v[2], v[0], n);
+            sp__cross3(d, n, n);
+            if (!(sp__dot3(n, n) > 0)) continue;
+            const sp_real far2 = sp__triangle_far2(x, v, n);
+            if (far2 <= flat * flat) return 0;
+            if (far2 < least2) least2 = far2;
+            const int w = sp__ray_edge(x, v[0], v[1]) + sp__ray_edge(x, v[1], v[2]) + sp__ray_edge(x, v[2], v[0]);
+            sp__sub3(v[0], x, d);
+            if (w && (n[2] > 0 ? sp__dot3(d, n) > 0 : sp__dot3(d, n) < 0)) wind += w;
+        }
+    return wind > 0 ? SP_SQRT(least2) : 0;
+}
+
+/* Part of the edge p q in a box: from s[0] to s[1], empty if s[0] > s[1].                          [Liang, Barsky 1984] */
+static void sp__edge_in_box(const sp_real p[3], const sp_real q[3], const sp__body *k, sp_real s[2])
+{
+    s[0] = 0;
+    s[1] = (sp_real)1;
+    for (int c = 0; c < 3; c++) {
+        const sp_real d = q[c] - p[c];
+        if (!(sp__abs(d) > 0)) {
+            if (p[c] < k->lo[c] || p[c] > k->hi[c]) s[1] = (sp_real)-1;
+            continue;
+        }
+        const sp_real u = (k->lo[c] - p[c]) / d, v = (k->hi[c] - p[c]) / d;
+        s[0] = sp__max(s[0], u < v ? u : v);
+        if (s[1] > (u < v ? v : u)) s[1] = u < v ? v : u;
+    }
+}
+
+/* Deepest of the vertices of `inner`, and of points along its edges, inside `outer`. */
+static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer, sp_real flat)
+{
+    const sp__body *k = &t->all.body[inner];
+    const int64_t work = (int64_t)k->edges * t->scene->block[outer].faces;
+    const int steps = work < 20000 ? 8 : 2;
+    sp_real most = 0;
+    for (int32_t e = k->edge; e < k->edge + k->edges; e++) {
+        const sp_real *p = t->scene->vertex[t->all.bound[e][0]], *q = t->scene->vertex[t->all.bound[e][1]];
+        sp_real s[2], x[3];
+        most = sp__max(most, sp__depth(t, outer, p, flat));
+        if (t->all.bound[e][0] > t->all.bound[e][1]) continue;
+        sp__edge_in_box(p, q, &t->all.body[outer], s);
+        for (int i = 1; i < steps && s[0] < s[1]; i++) {
+            const sp_real at = s[0] + (s[1] - s[0]) * (sp_real)i / (sp_real)steps;
+            for (int c = 0; c < 3; c++) x[c] = p[c] + at * (q[c] - p[c]);
+            most = sp__max(most, sp__depth(t, outer, x, flat));
+        }
+    }
+    return most;
+}
+
+/* Depth of the present pair inside each other, at most `flat` if none is seen.
+ *   convex, closed   separating axes: always seen, least way out
+ *   other shapes     only what is certain: no plane along a face keeps them apart, and a vertex, a point on an edge, or a
+ *                    centroid of one is inside the other; depth of that point. Thin crossings may be missed; touching blocks
+ *                    are never reported
+ *   open or flat     supports have no inside: only their vertices and edges inside the other are seen */
+static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
+{
+    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];
+    const int64_t work = (int64_t)p->edges * q->edges * (p->edges + q->edges) / 4;
+    for (int c = 0; c < 3; c++) if (p->hi[c] - q->lo[c] <= flat || q->hi[c] - p->lo[c] <= flat) return 0;
+    const sp_real least = sp__shadow_faces(t, flat);
+    if (least <= flat) return 0;
+    if (p->convex && q->convex && work <= 10000000) return sp__shadow_edges(t, least, flat);
+    sp_real most = sp__max(sp__depth_edges(t, t->a, t->b, flat), sp__depth_edges(t, t->b, t->a, flat));
+    for (int side = 0; side < 2; side++) {
+        const sp_real *x = t->scene->block[side ? t->b : t->a].centroid;
+        const sp_real d = sp__depth(t, t->a, x, flat), e = sp__depth(t, t->b, x, flat);
+        most = sp__max(most, d < e ? d : e);
+    }
+    return most < least ? most : least;
+}
+
+static void sp__pair_overlap(sp__touch *t)
+{
+    const sp_real flat = t->near + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
+    const sp_real depth = sp__pair_depth(t, flat);
+    if (!(depth > flat)) return;
+    if (t->report.overlap && t->report.overlaps < t->report.overlap_cap) {
+        const sp_overlap o = { t->a, t->b, depth };
+        t->report.overlap[t->report.overlaps] = o;
+    }
+    t->report.overlaps++;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- find */
+
+/* All of one pair. */
+static void sp__touch_pair(sp__touch *t, int32_t b)
+{
+    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
+    if (t->scene->block[t->a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
+    sp__pair_start(t, b);
+    const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
+    for (int32_t i = 0; i < n; i++)
+        for (int32_t j = 0; j < m && !t->status; j++) {
+            const sp__patch *u = &t->all.patch[t->pair.near_a[i]], *v = &t->all.patch[t->pair.near_b[j]];
+            if (sp__pair_opposed(t, u, v)) sp__pair_clip(t, u, v);
+        }
+    if (t->status) return;
+    sp__pair_append(t);
+    sp__pair_overlap(t);
+}
+
+/* Patches of all blocks, then what the largest pair needs. */
+static void sp__touch_blocks(sp__touch *t, sp_arena *scratch)
+{
+    sp__most *most = &t->most;
+    for (int32_t i = 0; i < t->scene->count.blocks; i++) {
+        int32_t side = 0;
+        sp__touch_block(t, i);
+        for (int32_t p = t->all.body[i].patch; p < t->patches; p++)
+            if (t->all.patch[p].edges > side) side = t->all.patch[p].edges;
+        sp__two_add(&most->side, side);
+        sp__two_add(&most->total, t->all.body[i].edges);
+        sp__two_add(&most->patches, t->all.body[i].patches);
+    }
+    sp__clip_carve(&t->clip, most->side.first, most->side.second, sp__crossings(&most->side), scratch);
+    sp__pair_carve(&t->pair, most, scratch);
+    if (sp__failed(scratch)) t->status = SP_E_MEMORY;
+}
+
+static sp_status sp__contact_settings_check(const sp_contact_settings *s)
+{
+    if (!sp__finite(s->distance) || !sp__finite(s->angle)) return SP_E_RANGE;
+    if (s->distance < 0 || s->angle < 0 || s->angle > (sp_real)0.5) return SP_E_RANGE;
+    return sp__joint_check(&s->joint);
+}
+
+SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
+                                  sp_contact_report *report)
+{
+    if (!scene || !scratch.base || !report || report->overlap_cap < 0) return SP_E_ARGUMENT;
+    sp__touch *t = sp__take(&scratch, 1, sizeof *t);
+    if (!t) return SP_E_MEMORY;
+    memset(t, 0, sizeof *t);
+    if (settings) t->set = *settings;
+    else sp__contact_default(&t->set);
+    t->status = sp__contact_settings_check(&t->set);
+    if (t->status) return t->status;
+    t->scene = scene;
+    t->before = scene->count;
+    t->report.overlap = report->overlap;
+    t->report.overlap_cap = report->overlap_cap;
+    sp__all_carve(&t->all, scene, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__touch_blocks(t, &scratch);
+    if (!t->status) sp__tree_build(t);
+    for (t->a = 0; t->a < scene->count.blocks && !t->status; t->a++) {
+        const int32_t hits = sp__tree_ask(t, t->a);
+        for (int32_t h = 0; h < hits && !t->status; h++) sp__touch_pair(t, t->all.hit[h]);
+    }
+    if (t->status || t->full) scene->count = t->before;
+    if (t->status) return t->status;
+    *report = t->report;
+    return t->full ? SP_E_CAPACITY : SP_OK;
+}
+
+/* 8 -------------------------------------------------------------------------------------------------------------- problem */
+
+/* A contact takes part if it touches a free block. */
+static int sp__contact_counts(const sp_scene *scene, const sp_interface *f)
+{
+    return scene->block[f->a].fixed != SP_FIXED || scene->block[f->b].fixed != SP_FIXED;
+}
+
+static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
+{
+    problem->scene = scene;
+    problem->blocks = problem->contacts = 0;
+    problem->points = scene->count.points;
+    problem->loads = 1;
+    for (int32_t k = 0; k < scene->count.blocks; k++)
+        if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        if (sp__contact_counts(scene, &scene->interface[k])) problem->contacts++;
+}
+
+static void sp__problem_carve(sp_problem *problem, sp_arena *a)
+{
+    problem->block = sp__take(a, (size_t)problem->blocks, sizeof *problem->block);
+    problem->contact = sp__take(a, (size_t)problem->contacts, sizeof *problem->contact);
+    problem->local = sp__take(a, (size_t)problem->points, sizeof *problem->local);
+    problem->p = sp__take(a, (size_t)problem->blocks * (size_t)problem->loads, 6 * sizeof *problem->p);
+}
+
+SP_API size_t sp_problem_memory(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem problem;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &problem);
+    sp__problem_carve(&problem, &dry);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+/* Row of a block of the scene among the free ones (their numbers ascend), -1: a support. */
+static int32_t sp__problem_row(const sp_problem *problem, int32_t block)
+{
+    int32_t lo = 0, hi = problem->blocks;
+    while (lo < hi) {
+        const int32_t mid = lo + (hi - lo) / 2;
+        if (problem->block[mid] < block) lo = mid + 1; else hi = mid;
+    }
+    return lo < problem->blocks && problem->block[lo] == block ? lo : -1;
+}
+
+/* Points of a contact from their mean, in its frame; the mean goes to `mean`, seen from the first point. Differences are taken
+ * of neighbouring places only, so coordinates far from the origin lose nothing. */
+static void sp__contact_local(const sp_problem *problem, const sp_interface *f, sp_real mean[3])
+{
+    const sp_real (*point)[3] = (const sp_real (*)[3])problem->scene->point + f->point;
+    sp_real x[3];
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int32_t k = 1; k < f->points; k++) {
+        sp__sub3(point[k], point[0], x);
+        for (int c = 0; c < 3; c++) mean[c] += x[c];
+    }
+    sp__scale3((sp_real)1 / (sp_real)f->points, mean, mean);
+    for (int32_t k = 0; k < f->points; k++) {
+        sp_real *local = problem->local[f->point + k];
+        sp__sub3(point[k], point[0], x);
+        sp__sub3(x, mean, x);
+        local[0] = sp__dot3(x, f->n);
+        local[1] = sp__dot3(x, f->t1);
+        local[2] = sp__dot3(x, f->t2);
+    }
+}
+
+/* One contact: rows, frame, arms (first point - centroid) + (mean - first point). */
+static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact *contact)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_interface *f = &scene->interface[id];
+    contact->id = id;
+    contact->a = sp__problem_row(problem, f->a);
+    contact->b = sp__problem_row(problem, f->b);
+    contact->point = f->point;
+    contact->points = f->points;
+    contact->joint = f;
+    sp__contact_local(problem, f, contact->ra);
+    const sp_real *first = scene->point[f->point], *ca = scene->block[f->a].centroid, *cb = scene->block[f->b].centroid;
+    for (int c = 0; c < 3; c++) {
+        contact->rb[c] = (first[c] - cb[c]) + contact->ra[c];
+        contact->ra[c] = (first[c] - ca[c]) + contact->ra[c];
+    }
+}
+
+/* Weights and everything relative to them; a held direction keeps its row, whoever solves masks it. */
+static sp_status sp__problem_fill(sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
+    int32_t row = 0, contact = 0;
+    for (int32_t k = 0; k < scene->count.blocks; k++) {
+        if (scene->block[k].fixed == SP_FIXED) continue;
+        sp_real *p = problem->p + 6 * (size_t)row;
+        sp__scale3(scene->block[k].mass, scene->gravity, p);
+        p[3] = p[4] = p[5] = 0;
+        if (!sp__finite(sp__dot3(p, p))) return SP_E_NOT_FINITE;
+        problem->block[row++] = k;
+    }
+    memset(problem->local, 0, (size_t)problem->points * sizeof *problem->local);
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_contact *c = &problem->contact[contact++];
+        sp__contact_build(problem, k, c);
+        sp_real size = sp__dot3(c->ra, c->ra) + sp__dot3(c->rb, c->rb);
+        for (int32_t v = 0; v < c->points; v++) size += sp__dot3(problem->local[c->point + v], problem->local[c->point + v]);
+        if (!sp__finite(size)) return SP_E_NOT_FINITE;
+    }
+    return SP_OK;
+}
+
+SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_problem *problem)
+{
+    if (!scene || !arena || !arena->base || !problem) return SP_E_ARGUMENT;
+    if (scene->count.blocks == 0) return SP_E_EMPTY;
+    sp_arena a = *arena;
+    sp_problem made;
+    sp__problem_count(scene, &made);
+    sp__problem_carve(&made, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    const sp_status status = sp__problem_fill(&made);
+    if (status) return status;
+    *arena = a;
+    *problem = made;
+    return SP_OK;
+}
+
+/* 9 ------------------------------------------------------------------------------------------------------------- matrices */
+
+static void sp__triplets_carve(sp_triplets *t, int32_t count, sp_arena *a)
+{
+    t->i = sp__take(a, (size_t)count, sizeof *t->i);
+    t->j = sp__take(a, (size_t)count, sizeof *t->j);
+    t->x = sp__take(a, (size_t)count, sizeof *t->x);
+}
+
+/* An entry, unless it is 0; without room (x NULL) it is only counted. */
+static void sp__triplets_put(sp_triplets *t, int32_t i, int32_t j, sp_real x)
+{
+    if (!(sp__abs(x) > 0)) return;
+    if (t->x) { t->i[t->count] = i; t->j[t->count] = j; t->x[t->count] = x; }
+    t->count++;
+}
+
+/* The column of force s e at arm r on the rows of one block:  [ s e ; s r x e ]. */
+static void sp__aeq_column(sp_triplets *t, int32_t row, int32_t column, sp_real s, const sp_real r[3], const sp_real e[3])
+{
+    sp_real m[3];
+    sp__cross3(r, e, m);
+    for (int32_t c = 0; c < 3; c++) sp__triplets_put(t, 6 * row + c, column, s * e[c]);
+    for (int32_t c = 0; c < 3; c++) sp__triplets_put(t, 6 * row + 3 + c, column, s * m[c]);
+}
+
+/* All columns of one contact vertex: f on B with arm r - c_B, -f on A with arm r - c_A. */
+static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_contact *contact, int32_t v, int32_t columns)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_interface *f = &scene->interface[contact->id];
+    const int32_t extra = columns - 3;                  /* 1: fm after fp */
+    sp_real ra[3], rb[3];
+    sp__sub3(scene->point[v], scene->block[f->a].centroid, ra);
+    sp__sub3(scene->point[v], scene->block[f->b].centroid, rb);
+    for (int32_t c = 0; c < columns; c++) {
+        const sp_real *e = c <= extra ? contact->joint->n : c - extra == 1 ? contact->joint->t1 : contact->joint->t2;
+        const sp_real s = c == 1 && extra ? (sp_real)-1 : (sp_real)1;
+        if (contact->b >= 0) sp__aeq_column(t, contact->b, columns * v + c, s, rb, e);
+        if (contact->a >= 0) sp__aeq_column(t, contact->a, columns * v + c, -s, ra, e);
+    }
+}
+
+static void sp__aeq_entries(sp_triplets *t, const sp_problem *problem, int32_t columns)
+{
+    t->count = 0;
+    for (int32_t k = 0; k < problem->contacts; k++) {
+        const sp_contact *contact = &problem->contact[k];
+        for (int32_t q = 0; q < contact->points; q++) sp__aeq_vertex(t, problem, contact, contact->point + q, columns);
+    }
+}
+
+SP_API sp_status sp_matrix_aeq(const sp_problem *problem, int32_t columns, sp_arena *arena, sp_triplets *out)
+{
+    if (!problem || !problem->scene || !arena || !arena->base || !out) return SP_E_ARGUMENT;
+    if (columns != 3 && columns != 4) return SP_E_RANGE;
+    if (problem->blocks > INT32_MAX / 6 || problem->points > INT32_MAX / (2 * 6 * columns)) return SP_E_MEMORY;
+    sp_arena a = *arena;
+    sp_triplets t = { 6 * problem->blocks, columns * problem->points, 0, NULL, NULL, NULL };
+    sp__aeq_entries(&t, problem, columns);
+    sp__triplets_carve(&t, t.count, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    sp__aeq_entries(&t, problem, columns);
+    *arena = a;
+    *out = t;
+    return SP_OK;
+}
+
+/* Rows of one contact vertex: cos_k ft1 + sin_k ft2 - mu_eff (fp or fp - fm). */
+static void sp__afr_vertex(sp_triplets *t, int32_t K, int32_t v, int32_t columns, sp_real mu, int net)
+{
+    for (int32_t k = 0; k < K; k++) {
+        const int32_t row = K * v + k, column = columns * v;
+        sp_real d[2];
+        sp__pyramid_direction(K, k, d);
+        sp__triplets_put(t, row, column, -mu);
+        if (columns == 4 && net) sp__triplets_put(t, row, column + 1, mu);
+        sp__triplets_put(t, row, column + columns - 2, d[0]);
+        sp__triplets_put(t, row, column + columns - 1, d[1]);
+    }
+}
+
+static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_settings *settings, int32_t columns)
+{
+    sp_real shrink, tangent;
+    sp__pyramid_half(settings->faces, &shrink, &tangent);
+    (void)tangent;
+    if (!settings->inscribed) shrink = (sp_real)1;
+    t->count = 0;
+    for (int32_t k = 0; k < problem->contacts; k++) {
+        const sp_contact *contact = &problem->contact[k];
+        for (int32_t q = 0; q < contact->points; q++)
+            sp__afr_vertex(t, settings->faces, contact->point + q, columns, shrink * contact->joint->joint.mu, settings->net);
+    }
+}
+
+SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *settings, int32_t columns, sp_arena *arena,
+                               sp_triplets *out)
+{
+    if (!problem || !problem->scene || !settings || !arena || !arena->base || !out) return SP_E_ARGUMENT;
+    if ((columns != 3 && columns != 4) || settings->faces < SP__FACES_MIN || settings->faces > SP__FACES_MAX) return SP_E_RANGE;
+    if (problem->points > INT32_MAX / (4 * settings->faces)) return SP_E_MEMORY;
+    sp_arena a = *arena;
+    sp_triplets t = { settings->faces * problem->points, columns * problem->points, 0, NULL, NULL, NULL };
+    sp__afr_entries(&t, problem, settings, columns);
+    sp__triplets_carve(&t, t.count, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    sp__afr_entries(&t, problem, settings, columns);
+    *arena = a;
+    *out = t;
+    return SP_OK;
+}
+
+/* 10 --------------------------------------------------------------------------------------------------- certificate check */
+
+/* What a force state or a motion proves, from the scene alone. Nothing here is used by the search, nothing of the search here:
+ * own projection, own sums, world coordinates instead of contact frames.                                   [DESIGN 3]
+ *
+ *   f0            bilateral least-squares force: least imbalance, then least norm
+ *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
+ *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
+ */
+#ifdef SP_REAL_FLOAT
+#define SP__SCALE_TOL ((sp_real)1e-4)   /* f0 is a scale: this many digits of it */
+#else
+#define SP__SCALE_TOL ((sp_real)1e-9)
+#endif
+#define SP__HUGE ((sp_real)1e30)        /* stands for a ratio with nothing below the line */
+
+typedef struct sp__scale {
+    sp_real load, couple;               /* |force|, |moment| of the load */
+    sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
+    sp_real s, S;                       /* sbar, Sbar */
+    sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
+} sp__scale;
+
+typedef struct sp__judge {
+    const sp_problem *pb;
+    const sp_settings *set;             /* tol and force_bound resolved */
+    sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
+    sp_real (*direction)[2];            /* of the pyramid's faces */
+    sp__scale *scale;                   /* b */
+    sp_real *x, *r, *p, *q, *g;         /* 6b each: solution, residual, direction, G p, G r */
+    sp_real unit;                       /* of force [N]; everything below is counted in it */
+    sp_real cap;                        /* of the contact at hand */
+    int32_t sweeps;                     /* passes over all contact vertices, for the work count */
+} sp__judge;
+
+static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, sp_arena *a)
+{
+    const size_t b = (size_t)pb->blocks;
+    j->pb = pb;
+    j->scale = sp__take(a, b, sizeof *j->scale);
+    j->direction = sp__take(a, (size_t)faces, sizeof *j->direction);
+    j->x = sp__take(a, b, 6 * sizeof *j->x);
+    j->r = sp__take(a, b, 6 * sizeof *j->r);
+    j->p = sp__take(a, b, 6 * sizeof *j->p);
+    j->q = sp__take(a, b, 6 * sizeof *j->q);
+    j->g = sp__take(a, b, 6 * sizeof *j->g);
+}
+
+/* a / b for a, b >= 0; 0 / 0 is 0; SP__HUGE for what is larger or no number. */
+static sp_real sp__ratio(sp_real a, sp_real b)
+{
+    if (a <= 0 && a >= 0) return 0;
+    return a < SP__HUGE * b ? a / b : SP__HUGE;
+}
+
+/* A unit of force in which no square over- or underflows: the largest component of a load, of a couple where there are none. */
+static sp_real sp__load_unit(const sp_problem *pb)
+{
+    sp_real force = 0, couple = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
+        const sp_real x = sp__abs(pb->p[k]);
+        if (k % 6 < 3) force = sp__max(force, x);
+        else couple = sp__max(couple, x);
+    }
+    return force > 0 ? force : couple > 0 ? couple : 1;
+}
+
+/* sbar of the free blocks of a contact, the smaller. */
+static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
+{
+    if (t->a < 0) return s[stride * (size_t)t->b];
+    if (t->b < 0) return s[stride * (size_t)t->a];
+    const sp_real a = s[stride * (size_t)t->a], b = s[stride * (size_t)t->b];
+    return a < b ? a : b;
+}
+
+/* The directions in which free block i is held do not count. */
+static int sp__held(const sp_problem *pb, int32_t i, int k)
+{
+    return (int)(pb->scene->block[pb->block[i]].fixed >> k & 1u);
+}
+
+static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
+{
+    for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
+}
+
+/* r_v - c_i for a free block i, zero for a support. */
+static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
+{
+    arm[0] = arm[1] = arm[2] = 0;
+    if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
+}
+
+/* Velocity of the material point of block i at vertex v: v_i + w_i x (r - c_i), times `sign`, added to u. With `scale` the
+ * motion is given in weighted rows. */
+static void sp__point_velocity(const sp_problem *pb, const sp__scale *scale, int32_t i, int32_t v, const sp_real *motion,
+                               sp_real sign, sp_real u[3])
+{
+    if (i < 0) return;
+    const sp_real *m = motion + 6 * (size_t)i;
+    const sp_real wf = scale ? scale[i].wf : 1, wm = scale ? scale[i].wm : 1;
+    sp_real arm[3], w[3];
+    sp__arm(pb, i, v, arm);
+    sp__cross3(m + 3, arm, w);
+    for (int k = 0; k < 3; k++) u[k] += sign * (wf * m[k] + wm * w[k]);
+}
+
+/* sign (F, (r - c) x F) added to the row of block i; |F| and |(r - c) x F| to sums (may be NULL). */
+static void sp__point_force(const sp_problem *pb, int32_t i, int32_t v, const sp_real F[3], sp_real sign, sp_real *row,
+                            sp_real *sum)
+{
+    if (i < 0) return;
+    sp_real arm[3], m[3];
+    sp__arm(pb, i, v, arm);
+    sp__cross3(arm, F, m);
+    for (size_t k = 0; k < 3; k++) {
+        row[6 * (size_t)i + k] += sign * F[k];
+        row[6 * (size_t)i + 3 + k] += sign * m[k];
+    }
+    if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
+}
+
+/* The load of free block i in units. */
+static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
+{
+    for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
+}
+
+/* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
+ * not depend on units or axes. */
+static void sp__judge_weights(sp__judge *j)
+{
+    const sp_problem *pb = j->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        s->load = sp__norm3(p);
+        s->couple = sp__norm3(p + 3);
+        s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
+    }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            for (int side = 0; side < 2; side++) {
+                const int32_t i = side ? t->b : t->a;
+                if (i < 0) continue;
+                sp__scale *s = &j->scale[i];
+                sp_real arm[3];
+                sp__arm(pb, i, v, arm);
+                const sp_real l = sp__norm3(arm);
+                if (l > s->arm) s->arm = l;
+                s->wf += 1;
+                s->wm += l * l * 2 / 3;
+            }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        s->wf = s->wf > 0 ? 1 / SP_SQRT(s->wf) : 0;
+        s->wm = s->wm > 0 ? 1 / SP_SQRT(s->wm) : 0;
+    }
+}
+
+/* row <- W row, held rows to zero. */
+static void sp__judge_weigh(const sp__judge *j, sp_real *row)
+{
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp_real *w = row + 6 * (size_t)i;
+        for (int k = 0; k < 3; k++) { w[k] *= j->scale[i].wf; w[k + 3] *= j->scale[i].wm; }
+        sp__release(j->pb, i, w);
+    }
+}
+
+/* out = W Aeq Aeq' W in; Aeq Aeq' needs no frames because a vertex's three forces are orthonormal. */
+static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
+{
+    const sp_problem *pb = j->pb;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) out[k] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3] = { 0, 0, 0 };
+            sp__point_velocity(pb, j->scale, t->b, v, in, 1, u);
+            sp__point_velocity(pb, j->scale, t->a, v, in, -1, u);
+            sp__point_force(pb, t->b, v, u, 1, out, NULL);
+            sp__point_force(pb, t->a, v, u, -1, out, NULL);
+        }
+    }
+    sp__judge_weigh(j, out);
+    j->sweeps++;
+}
+
+static sp_real sp__dot(const sp_real *a, const sp_real *b, size_t n)
+{
+    sp_real s = 0;
+    for (size_t k = 0; k < n; k++) s += a[k] * b[k];
+    return s;
+}
+
+/* Conjugate residuals for G x = -W p, G = W Aeq Aeq' W semidefinite: x minimises |W (Aeq f0 + p)| and f0 = Aeq' W x has least
+ * norm among the minimisers. Starts from the hint y0 = W x, which it only believes as far as the residual does.
+ *   returns 1 when G x + W p is small, or as small as it can be (G times it vanishes), within SP__SCALE_TOL    [Stiefel 1955] */
+SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+{
+    const sp_problem *pb = j->pb;
+    const size_t n = 6 * (size_t)pb->blocks;
+    for (size_t k = 0; k < n; k++) {
+        const sp__scale *s = &j->scale[k / 6];
+        const sp_real w = k % 6 < 3 ? s->wf : s->wm;
+        j->x[k] = y0 && w > 0 ? y0[k] / j->unit / w : 0;
+        if (!sp__finite(j->x[k] * j->x[k])) j->x[k] = 0;
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__release(pb, i, j->x + 6 * (size_t)i);
+        sp__judge_load(j, i, j->p + 6 * (size_t)i);
+    }
+    sp__judge_weigh(j, j->p);
+    const sp_real load = sp__dot(j->p, j->p, n);
+    sp__judge_normal(j, j->x, j->r);
+    for (size_t k = 0; k < n; k++) { j->r[k] = -j->r[k] - j->p[k]; j->p[k] = j->r[k]; }
+    sp__judge_normal(j, j->r, j->g);
+    for (size_t k = 0; k < n; k++) j->q[k] = j->g[k];
+    sp_real rg = sp__dot(j->r, j->g, n);
+    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL;
+    for (int32_t it = 0; ; it++) {
+        const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
+        if (rr <= small * load || gg <= small * small * rr) return 1;
+        if (it >= 1000 + pb->blocks * 6 || !(qq > 0) || !(rg > 0)) return 0;
+        const sp_real alpha = rg / qq;
+        for (size_t k = 0; k < n; k++) { j->x[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
+        sp__judge_normal(j, j->r, j->g);
+        const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
+        for (size_t k = 0; k < n; k++) { j->p[k] = j->r[k] + beta * j->p[k]; j->q[k] = j->g[k] + beta * j->q[k]; }
+        rg = next;
+    }
+}
+
+/* The scales of every free block.     returns 0 when f0 could not be settled */
+static int sp__judge_scales(sp__judge *j, const sp_real *y0)
+{
+    const sp_problem *pb = j->pb;
+    sp__judge_weights(j);
+    const int settled = sp__judge_bilateral(j, y0);
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->r[k] = j->q[k] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real f[3] = { 0, 0, 0 };
+            sp__point_velocity(pb, j->scale, t->b, v, j->x, 1, f);
+            sp__point_velocity(pb, j->scale, t->a, v, j->x, -1, f);
+            sp__point_force(pb, t->b, v, f, 1, j->r, j->q);
+            sp__point_force(pb, t->a, v, f, -1, j->r, j->q);
+        }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        s->f0 = j->q[2 * (size_t)i];
+        s->m0 = j->q[2 * (size_t)i + 1];
+        s->s = s->load + s->f0;
+        s->S = s->couple + s->m0 + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+    }
+    j->sweeps++;
+    return settled;
+}
+
+/* c_v of the vertices of a contact. */
+static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
+{
+    return j->set->force_bound * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+}
+
+/* An admissible force near f: fn kept, ft shortened onto the cone; no tension, no more than the cap. out may be f. */
+static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
+{
+    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const int32_t faces = j->set->faces;
+    const sp_real slip[3] = { 0, f[1], f[2] };
+    sp_real most = faces ? 0 : sp__norm3(slip);         /* the largest tangential share any face sees */
+    for (int32_t k = 0; k < faces; k++) {
+        const sp_real *d = j->direction[k];
+        const sp_real s = d[0] * f[1] + d[1] * f[2];
+        if (s > most) most = s;
+    }
+    const sp_real fn = f[0] > 0 ? f[0] : 0, room = mu * fn;
+    const sp_real share = most > room ? room / most : 1;
+    out[0] = fn;
+    out[1] = f[1] * share;
+    out[2] = f[2] * share;
+    const sp_real size = sp__norm3(out);
+    if (size > j->cap) sp__scale3(j->cap / size, out, out);
+}
+
+/* omega of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
+ * S_i likewise. `admitted` (may be NULL) gets the forces that were judged, 3 x points. */
+SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
+{
+    const sp_problem *pb = j->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__judge_load(j, i, j->r + 6 * (size_t)i);
+        memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
+    }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        j->cap = sp__judge_cap(j, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real g[3], F[3];
+            sp__scale3(1 / j->unit, f + 3 * (size_t)v, g);
+            sp__judge_admit(j, t, g, g);
+            for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
+            sp__point_force(pb, t->b, v, F, 1, j->r, j->q);
+            sp__point_force(pb, t->a, v, F, -1, j->r, j->q);
+            if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
+        }
+    }
+    j->sweeps++;
+    sp_real omega = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp__scale *s = &j->scale[i];
+        const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
+        const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0);
+        const sp_real Si = s->couple + (m1 < s->m0 ? m1 : s->m0) + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+        sp_real *row = j->r + 6 * (size_t)i;
+        sp__release(pb, i, row);
+        const sp_real a = sp__ratio(sp__norm3(row), si), b = sp__ratio(sp__norm3(row + 3), Si);
+        if (a > omega) omega = a;
+        if (b > omega) omega = b;
+    }
+    return omega;
+}
+
+/* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
+static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
+{
+    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const int32_t faces = j->set->faces;
+    const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
+    if (!faces) {
+        if (z <= mu * u[0]) return all;
+        const sp_real along = (u[0] + mu * z) / SP_SQRT(1 + mu * mu);
+        return along > 0 ? along : 0;
+    }
+    const sp_real edge = mu * j->tan_half;              /* half the width of a face at fn = 1 */
+    sp_real best = 0, most = 0;
+    for (int32_t k = 0; k < faces; k++) {
+        const sp_real *d = j->direction[k];
+        const sp_real a = d[0] * u[1] + d[1] * u[2], b = d[0] * u[2] - d[1] * u[1];
+        if (a > most) most = a;
+        const sp_real fn = (u[0] + mu * a) / (1 + mu * mu), width = b < 0 ? -b : b;
+        if (fn > 0 && width <= edge * fn) {
+            const sp_real foot = SP_SQRT(fn * fn * (1 + mu * mu) + b * b);
+            if (foot > best) best = foot;
+        }
+        const sp_real e = (u[0] + mu * a + edge * b) / SP_SQRT(1 + mu * mu + edge * edge);
+        if (e > best) best = e;
+    }
+    return most <= mu * u[0] ? all : best;
+}
+
+/* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
+ * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
+ * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
+ * The held motion is left in j->x. */
+SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
+{
+    const sp_problem *pb = j->pb;
+    sp_real largest = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t i = 0; i < pb->blocks; i++) {
+            sp_real *m = j->x + 6 * (size_t)i;
+            memcpy(m, dq + 6 * (size_t)i, 6 * sizeof *m);
+            sp__release(pb, i, m);
+            const sp_real size = sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
+            if (!pass && size > largest) largest = size;
+            if (pass && size <= rest * largest) memset(m, 0, 6 * sizeof *m);
+        }
+    sp_real work = 0, scale = 0, resist = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *m = j->x + 6 * (size_t)i;
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        work += sp__dot(p, m, 6);
+        scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
+    }
+    *final = 1;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real cap = sp__judge_cap(j, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real w[3] = { 0, 0, 0 }, a[3] = { 0, 0, 0 };
+            sp__point_velocity(pb, NULL, t->b, v, j->x, -1, w);
+            sp__point_velocity(pb, NULL, t->a, v, j->x, -1, a);
+            const sp_real moved = sp__norm3(w) + sp__norm3(a);
+            for (int k = 0; k < 3; k++) w[k] -= a[k];
+            const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
+            const sp_real P = sp__judge_resist(j, t, u);
+            resist += cap * P;
+            if (P > 64 * (sp_real)SP_EPSILON * moved) *final = 0;       /* below that: rounding of u */
+        }
+    }
+    j->sweeps++;
+    if (j->set->faces && j->set->inscribed) *final = 0;
+    return work > resist ? sp__ratio(work - resist, scale) : 0;
+}
+
+/* The best proof a motion gives, with smaller motions held at 1e-12, 1e-9, 1e-6, 1e-3, 0.5 of the largest. The motion that
+ * gives it is left in j->x. Stops at the first that is a proof by a wide margin. */
+static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
+{
+    static const sp_real rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
+    sp_real best = -1, held = 0;
+    for (int k = 0; k < 6; k++) {
+        const sp_real value = sp__judge_motion(j, dq, rest[k], final);
+        if (value > best) { best = value; held = rest[k]; }
+        if (*final && value > j->set->tol) return value;
+    }
+    return sp__judge_motion(j, dq, held, final);
+}
+
+/* Set up a judge in `a` and find the scales.     returns 0 when they could not be settled */
+SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, sp_arena *a)
+{
+    sp__judge_carve(j, pb, set->faces, a);
+    if (sp__failed(a)) return 0;
+    j->unit = sp__load_unit(pb);
+    j->set = set;
+    j->mu_factor = 1;
+    j->tan_half = 0;
+    j->sweeps = 0;
+    if (set->faces) {
+        sp_real c;
+        sp__pyramid_half(set->faces, &c, &j->tan_half);
+        if (set->inscribed) j->mu_factor = c;
+        for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
+    }
+    return sp__judge_scales(j, y0);
+}
+
+/* 11 ------------------------------------------------------------------------------------------------------------ the dual */
+
+/* The shortest force in the cones that balances p is f = S P_K(Aeq' y), where y minimises
+ *
+ *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y         gradient Aeq f + p,  Hessian Aeq S DP_K(u) Aeq'
+ *
+ * convex, once differentiable, 6 unknowns a free block. f is admissible for every y; the imbalance is the only error. An
+ * assembly that cannot stand has no minimiser: y runs off along the mechanism dq = -y.
+ * Rows are weighted to unit size, forces counted in the largest load, so nothing depends on units. The penalty form adds
+ * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it always has a minimiser.
+ */
+typedef struct sp__dual {
+    const sp_problem *pb;
+    const sp_settings *set;
+    sp__cone cone;
+    sp__bchol L;                        /* factor of the Hessian + shift */
+    sp_real *dense;                     /* or, not NULL, its dense factor */
+    sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
+    sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
+    sp_real *mu, *S;                    /* per contact: coefficient in force, metric */
+    int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
+    sp_real *z;                         /* 6b: row weights, 0 where held */
+    sp_real *weight;                    /* 2b: of force and moment rows, held or not */
+    sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
+    sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
+    sp_real *h;                         /* temporaries of the assembly */
+    int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
+    sp_cost *cost;
+} sp__dual;
+
+#define SP__DUAL_H 96
+
+static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
+{
+    const size_t b = (size_t)pb->blocks;
+    w->pb = pb;
+    sp__bchol_carve_pattern(&w->L, pb->blocks, a);
+    w->xadj = sp__take(a, b + 1, sizeof *w->xadj);
+    w->adj = sp__take(a, (size_t)pb->contacts, 2 * sizeof *w->adj);
+    w->parent = sp__take(a, b, sizeof *w->parent);
+    w->mark = sp__take(a, b, sizeof *w->mark);
+}
+
+static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int32_t nnz, int dense, sp_arena *a)
+{
+    const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
+    w->dense = dense ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
+    sp__cone_carve(&w->cone, faces, a);
+    w->mu = sp__take(a, c, sizeof *w->mu);
+    w->S = sp__take(a, c, sizeof *w->S);
+    w->slot = sp__take(a, c, sizeof *w->slot);
+    w->z = sp__take(a, b, 6 * sizeof *w->z);
+    w->weight = sp__take(a, b, 2 * sizeof *w->weight);
+    w->size = sp__take(a, b, 2 * sizeof *w->size);
+    w->y = sp__take(a, b, 6 * sizeof *w->y);
+    w->r = sp__take(a, b, 6 * sizeof *w->r);
+    w->d = sp__take(a, b, 6 * sizeof *w->d);
+    w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
+    sp__bchol_carve_values(&w->L, nnz, a);
+}
+
+/* Neighbours of every free block, each once. */
+SP__APART static void sp__dual_graph(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    const int32_t b = pb->blocks;
+    for (int32_t i = 0; i <= b; i++) w->xadj[i] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++)
+        if (pb->contact[c].a >= 0 && pb->contact[c].b >= 0) {
+            w->xadj[pb->contact[c].a + 1]++;
+            w->xadj[pb->contact[c].b + 1]++;
+        }
+    for (int32_t i = 0; i < b; i++) { w->xadj[i + 1] += w->xadj[i]; w->mark[i] = w->xadj[i]; }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const int32_t i = pb->contact[c].a, k = pb->contact[c].b;
+        if (i < 0 || k < 0) continue;
+        w->adj[w->mark[i]++] = k;
+        w->adj[w->mark[k]++] = i;
+    }
+    for (int32_t i = 0; i < b; i++) w->mark[i] = -1;
+    int32_t to = 0, from = 0;                           /* repeated neighbours go: two joints between one pair */
+    for (int32_t i = 0; i < b; i++) {
+        const int32_t end = w->xadj[i + 1], start = to;
+        for (; from < end; from++)
+            if (w->mark[w->adj[from]] != i) { w->mark[w->adj[from]] = i; w->adj[to++] = w->adj[from]; }
+        w->xadj[i] = start;
+    }
+    w->xadj[b] = to;
+}
+
+/* Symbolic step in `a`, whose peak then covers it.     returns blocks of L below the diagonal, -1: does not fit */
+SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_arena *a)
+{
+    sp__dual_carve_graph(w, pb, a);
+    sp_arena rest = *a;
+    sp__order order;
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &rest);
+    if (sp__failed(a) || sp__failed(&rest)) return -1;
+    if (rest.peak > a->peak) a->peak = rest.peak;
+    sp__dual_graph(w);
+    rest.used = a->used;
+    return sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
+}
+
+/* Bytes the symbolic step takes. */
+SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
+{
+    sp__dual w;
+    sp__order order;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof w);
+    sp__dual_carve_graph(&w, pb, &dry);
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &dry);
+    return dry.peak;
+}
+
+/* Bytes of the whole dual: the symbolic step and the factor share the space behind the graph. */
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, sp_arena scratch)
+{
+    sp__order order;
+    sp__dual *w = sp__take(&scratch, 1, sizeof *w);
+    const int32_t nnz = w ? sp__dual_analyse(w, pb, &scratch) : -1;
+    if (nnz < 0) return SIZE_MAX;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof *w);
+    sp__dual_carve_graph(w, pb, &dry);
+    sp_arena symbolic = dry;
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &symbolic);
+    sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
+    return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
+}
+
+/* Row weights: 1 / sqrt(sum S) for forces, 1 / sqrt(2/3 sum S |r_v - c|^2) for moments: unit diagonal on average. */
+static void sp__dual_weights(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) w->z[k] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            sp_real o[3], *z = w->z + 6 * (size_t)i;
+            const sp_real *arm = side ? t->rb : t->ra;
+            o[0] = sp__dot3(arm, t->joint->n); o[1] = sp__dot3(arm, t->joint->t1); o[2] = sp__dot3(arm, t->joint->t2);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *l = pb->local[v];
+                const sp_real x = o[0] + l[0], y = o[1] + l[1], s = o[2] + l[2];
+                z[0] += w->S[c];
+                z[3] += w->S[c] * (x * x + y * y + s * s) * 2 / 3;
+            }
+        }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp_real *z = w->z + 6 * (size_t)i, *f = w->weight + 2 * (size_t)i;
+        f[0] = z[0] > 0 ? 1 / SP_SQRT(z[0]) : 1;
+        f[1] = z[3] > 0 ? 1 / SP_SQRT(z[3]) : 1;
+        for (int k = 0; k < 6; k++) z[k] = sp__held(pb, i, k) ? 0 : f[k / 3];
+    }
+}
+
+/* r <- the weighted load in units. */
+static void sp__dual_load(const sp__dual *w, sp_real *r)
+{
+    const sp_real unit = 1 / w->unit;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->z[k] * (w->pb->p[k] * unit);
+}
+
+/* load . y */
+static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
+{
+    const sp_real unit = 1 / w->unit;
+    sp_real s = 0;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->z[k] * (w->pb->p[k] * unit) * y[k];
+    return s;
+}
+
+/* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
+SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+{
+    sp_real v[3] = { 0, 0, 0 }, o[3] = { 0, 0, 0 };
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        const sp_real *yi = y + 6 * (size_t)i, *z = w->z + 6 * (size_t)i, *arm = side ? t->rb : t->ra;
+        const sp_real sign = side ? (sp_real)1 : (sp_real)-1;
+        const sp_real a = z[3] * yi[3], b = z[4] * yi[4], c = z[5] * yi[5];
+        v[0] += sign * (z[0] * yi[0] + b * arm[2] - c * arm[1]);
+        v[1] += sign * (z[1] * yi[1] + c * arm[0] - a * arm[2]);
+        v[2] += sign * (z[2] * yi[2] + a * arm[1] - b * arm[0]);
+        o[0] += sign * a; o[1] += sign * b; o[2] += sign * c;
+    }
+    V[0] = sp__dot3(v, t->joint->n); V[1] = sp__dot3(v, t->joint->t1); V[2] = sp__dot3(v, t->joint->t2);
+    W[0] = sp__dot3(o, t->joint->n); W[1] = sp__dot3(o, t->joint->t1); W[2] = sp__dot3(o, t->joint->t2);
+}
+
+/* u = V + W x l, friction weighed. */
+static void sp__dual_rate(const sp__dual *w, const sp_real V[3], const sp_real W[3], const sp_real l[3], sp_real u[3])
+{
+    u[0] = V[0] + W[1] * l[2] - W[2] * l[1];
+    u[1] = (V[1] + W[2] * l[0] - W[0] * l[2]) * w->slide;
+    u[2] = (V[2] + W[0] * l[1] - W[1] * l[0]) * w->slide;
+}
+
+/* f = S (P_K(u) - (max(0, -u_n) / gamma, 0, 0)), friction unweighed. */
+static void sp__dual_force(const sp__dual *w, int32_t c, const sp_real u[3], sp_real f[3])
+{
+    sp__cone_project(&w->cone, w->mu[c], u, f);
+    if (w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
+    f[0] *= w->S[c]; f[1] *= w->S[c] * w->slide; f[2] *= w->S[c] * w->slide;
+}
+
+/* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
+SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+{
+    sp_real f[3], m[3];
+    for (int k = 0; k < 3; k++) {
+        f[k] = F[0] * t->joint->n[k] + F[1] * t->joint->t1[k] + F[2] * t->joint->t2[k];
+        m[k] = M[0] * t->joint->n[k] + M[1] * t->joint->t1[k] + M[2] * t->joint->t2[k];
+    }
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        const sp_real *arm = side ? t->rb : t->ra, *z = w->z + 6 * (size_t)i;
+        const sp_real sign = side ? (sp_real)1 : (sp_real)-1;
+        sp_real *ri = r + 6 * (size_t)i;
+        ri[0] += sign * z[0] * f[0];
+        ri[1] += sign * z[1] * f[1];
+        ri[2] += sign * z[2] * f[2];
+        ri[3] += sign * z[3] * (arm[1] * f[2] - arm[2] * f[1] + m[0]);
+        ri[4] += sign * z[4] * (arm[2] * f[0] - arm[0] * f[2] + m[1]);
+        ri[5] += sign * z[5] * (arm[0] * f[1] - arm[1] * f[0] + m[2]);
+    }
+}
+
+#define SP__FLOPS_SWEEP 48              /* a vertex: u 15, P_K about 15, sums 18; a contact adds SP__FLOPS_TWIST */
+#define SP__FLOPS_TWIST 160
+#define SP__FLOPS_HESSIAN 75            /* a vertex of the assembly; a contact adds SP__FLOPS_BLOCKS */
+#define SP__FLOPS_BLOCKS 900
+
+static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
+{
+    w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
+}
+
+typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE } sp__law;     /* f = S u, or f = S P_K(u) */
+
+/* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
+static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
+{
+    const sp_problem *pb = w->pb;
+    sp__dual_load(w, r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp__dual_twist(w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *l = pb->local[v];
+            sp_real u[3], g[3];
+            sp__dual_rate(w, V, W, l, u);
+            if (law == SP__ADMISSIBLE) sp__dual_force(w, c, u, g);
+            else for (int k = 0; k < 3; k++) g[k] = w->S[c] * (k ? w->slide * u[k] : u[k]);
+            F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
+            M[0] += l[1] * g[2] - l[2] * g[1];
+            M[1] += l[2] * g[0] - l[0] * g[2];
+            M[2] += l[0] * g[1] - l[1] * g[0];
+            if (f) memcpy(f + 3 * (size_t)v, g, sizeof g);
+        }
+        sp__dual_scatter(w, t, F, M, r);
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+}
+
+/* d/ds D(y + s d) = f(u + s du) . du + p . d. */
+SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, sp_real s)
+{
+    const sp_problem *pb = w->pb;
+    sp_real sum = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], dV[3], dW[3], part = 0;
+        sp__dual_twist(w, t, y, V, W);
+        sp__dual_twist(w, t, d, dV, dW);
+        for (int k = 0; k < 3; k++) { V[k] += s * dV[k]; W[k] += s * dW[k]; }
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3], du[3], f[3];
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            sp__dual_rate(w, dV, dW, pb->local[v], du);
+            sp__dual_force(w, c, u, f);
+            part += f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide;
+        }
+        sum += part;
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
+    return sum + sp__dual_work(w, d);
+}
+
+/* h += (I, -[l]x)' D (I, -[l]x), row by row: x = l x D_i is row i of -D [l]x, and [l]x of those rows makes ww. */
+static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
+{
+    static const unsigned char at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+    for (int i = 0; i < 3; i++) {
+        const int up = (i + 2) % 3, down = (i + 1) % 3;
+        const sp_real row[3] = { D[at[i][0]], D[at[i][1]], D[at[i][2]] };
+        sp_real x[3];
+        sp__cross3(l, row, x);
+        for (int j = 0; j < 3; j++) {
+            h[3 * i + j] += row[j];
+            h[9 + 3 * i + j] += x[j];
+            h[18 + 3 * down + j] += l[up] * x[j];
+            h[18 + 3 * up + j] -= l[down] * x[j];
+        }
+    }
+}
+
+/* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each. */
+SP__APART static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real k = w->slide, S = w->S[c];
+    sp_real V[3], W[3];
+    sp__dual_twist(w, t, y, V, W);
+    for (int q = 0; q < 27; q++) h[q] = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real *l = w->pb->local[v];
+        sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
+        if (law == SP__ADMISSIBLE) {
+            sp__dual_rate(w, V, W, l, u);
+            const sp__region region = sp__cone_derivative(&w->cone, w->mu[c], u, D);
+            if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
+            else if (region == SP__APEX) continue;
+        }
+        D[0] *= S; D[1] *= S * k; D[2] *= S * k; D[3] *= S * k * k; D[4] *= S * k * k; D[5] *= S * k * k;
+        sp__vertex_hessian(D, l, h);
+    }
+}
+
+/* out = R m R', R = (n, t1, t2): from the contact's frame to the world's. out may not be m. */
+SP__APART static void sp__rotate(const sp_contact *t, const sp_real *m, sp_real *out)
+{
+    const sp_real *R[3] = { t->joint->n, t->joint->t1, t->joint->t2 };
+    sp_real a[9];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) a[3 * i + j] = R[0][i] * m[j] + R[1][i] * m[3 + j] + R[2][i] * m[6 + j];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            out[3 * i + j] = a[3 * i] * R[0][j] + a[3 * i + 1] * R[1][j] + a[3 * i + 2] * R[2][j];
+}
+
+/* out = [c]x m (+ add, if not NULL) */
+static void sp__cross_left(const sp_real c[3], const sp_real *m, const sp_real *add, sp_real *out)
+{
+    for (int j = 0; j < 3; j++) {
+        const sp_real x = m[j], y = m[3 + j], s = m[6 + j];
+        out[j]     = c[1] * s - c[2] * y + (add ? add[j] : 0);
+        out[3 + j] = c[2] * x - c[0] * s + (add ? add[3 + j] : 0);
+        out[6 + j] = c[0] * y - c[1] * x + (add ? add[6 + j] : 0);
+    }
+}
+
+/* out = m - a [c]x, row i: m_i + c x a_i; `turn`: with a' in place of a */
+static void sp__cross_right(const sp_real c[3], const sp_real *a, int turn, const sp_real *m, sp_real *out)
+{
+    for (int i = 0; i < 3; i++) {
+        const sp_real x = turn ? a[i] : a[3 * i], y = turn ? a[3 + i] : a[3 * i + 1], s = turn ? a[6 + i] : a[3 * i + 2];
+        out[3 * i]     = m[3 * i]     + c[1] * s - c[2] * y;
+        out[3 * i + 1] = m[3 * i + 1] + c[2] * x - c[0] * s;
+        out[3 * i + 2] = m[3 * i + 2] + c[0] * y - c[1] * x;
+    }
+}
+
+/* to(r, c) += zr[r] zc[c] m(r, c), 3 x 3; to has strides tr, tc, m is by rows or, mc = 3, by columns. */
+static void sp__add9(sp_real *to, int tr, int tc, const sp_real zr[3], const sp_real zc[3], const sp_real *m, int mr, int mc)
+{
+    for (int c = 0; c < 3; c++) {
+        const sp_real z = zc[c];
+        to[tc * c]          += zr[0] * z * m[mc * c];
+        to[tc * c + tr]     += zr[1] * z * m[mc * c + mr];
+        to[tc * c + 2 * tr] += zr[2] * z * m[mc * c + 2 * mr];
+    }
+}
+
+/* Diagonal block += Z [ vv . ; vw' ww ] Z, its lower triangle by columns. */
+static void sp__add_diagonal(sp_real *block, const sp_real *z, const sp_real *vv, const sp_real *vw, const sp_real *ww)
+{
+    sp__add9(block, 1, 6, z, z, vv, 3, 1);
+    sp__add9(block + 3, 1, 6, z + 3, z, vw, 1, 3);
+    sp__add9(block + 21, 1, 6, z + 3, z + 3, ww, 3, 1);
+}
+
+/* Block -= Za [ vv qb ; qa' ww ] Zb, by columns, or by rows where it is stored transposed. */
+SP__APART static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
+                             const sp_real *qa, const sp_real *qb, const sp_real *ww)
+{
+    const int tr = turn ? 6 : 1, tc = turn ? 1 : 6;
+    const sp_real minus[6] = { -za[0], -za[1], -za[2], -za[3], -za[4], -za[5] };
+    sp__add9(block, tr, tc, minus, zb, vv, 3, 1);
+    sp__add9(block + 3 * tc, tr, tc, minus, zb + 3, qb, 3, 1);
+    sp__add9(block + 3 * tr, tr, tc, minus + 3, zb, qa, 1, 3);
+    sp__add9(block + 3 * tr + 3 * tc, tr, tc, minus + 3, zb + 3, ww, 3, 1);
+}
+
+/* Aeq S DP Aeq' + shift into L: every contact's H moved to the centroids of its blocks,
+ *
+ *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
+static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_problem *pb = w->pb;
+    sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
+    sp__bchol_zero(&w->L);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real *za = w->z + 6 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->z + 6 * (size_t)(t->b < 0 ? 0 : t->b);
+        sp__dual_contact_hessian(w, law, c, y, h);
+        sp__rotate(t, h, vv);
+        sp__rotate(t, h + 9, vw);
+        sp__rotate(t, h + 18, ww);
+        if (t->a >= 0) {
+            sp__cross_right(t->ra, vv, 0, vw, qa);                          /* K_vw = vw - vv [arm]x */
+            sp__cross_right(t->ra, vw, 1, ww, nb);                          /* ww - vw' [arm]x */
+            sp__cross_left(t->ra, qa, nb, k);                               /* K_ww */
+            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->a], za, vv, qa, k);
+        }
+        if (t->b >= 0) {
+            sp__cross_right(t->rb, vv, 0, vw, qb);
+            sp__cross_right(t->rb, vw, 1, ww, nb);
+            sp__cross_left(t->rb, qb, nb, k);
+            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->b], zb, vv, qb, k);
+        }
+        if (w->slot[c] != INT32_MIN) {
+            const int turn = w->slot[c] < 0;
+            sp__cross_left(t->ra, qb, nb, k);
+            sp__add_coupling(w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]), turn, za, zb, vv, qa, qb, k);
+        }
+    }
+    for (size_t i = 0; i < (size_t)pb->blocks; i++)
+        for (size_t q = 0; q < 6; q++) w->L.d[36 * i + 7 * q] += shift;
+    sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
+}
+
+/* The assembled blocks as one dense lower triangle, in elimination order. */
+static void sp__dual_spread(sp__dual *w)
+{
+    const sp__bchol *L = &w->L;
+    const size_t n = 6 * (size_t)L->n;
+    memset(w->dense, 0, n * (n + 1) / 2 * sizeof *w->dense);
+    for (int32_t k = 0; k < L->n; k++)
+        for (int32_t q = L->p[k] - 1; q < L->p[k + 1]; q++) {
+            const int diagonal = q < L->p[k];
+            const int32_t i = diagonal ? k : L->i[q];
+            const sp_real *block = diagonal ? L->d + 36 * (size_t)k : L->x + 36 * (size_t)q;
+            for (size_t r = 0; r < 6; r++)
+                for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
+                    const size_t row = 6 * (size_t)i + r;
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = block[6 * c + r];
+                }
+        }
+}
+
+/* L L' = Aeq S DP Aeq' + shift */
+SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_real floor = 4 * (sp_real)SP_EPSILON;
+    const int64_t n = 6 * (int64_t)w->L.n;
+    sp__dual_assemble(w, law, y, shift);
+    if (w->dense) {
+        sp__dual_spread(w);
+        sp__chol_factor(w->dense, 6 * w->L.n, floor);
+    } else sp__bchol_factor(&w->L, floor);
+    w->cost->flops += w->dense ? n * n * 2 * w->L.n : w->L.flops;
+    w->cost->factorisations++;
+}
+
+/* x <- (L L')^-1 b; x may be b. */
+static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    const int64_t n = 6 * (int64_t)w->L.n;
+    w->cost->flops += w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n;
+    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    for (size_t k = 0; k < (size_t)n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
+    sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
+    for (size_t k = 0; k < (size_t)n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
+}
+
+/* Weighted imbalance relative to sbar and Sbar: the largest over the blocks. */
+static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
+{
+    sp_real omega = 0;
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        const sp_real *ri = r + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        const sp_real f = sp__ratio(sp__norm3(ri), z[0] * s[0]), m = sp__ratio(sp__norm3(ri + 3), z[1] * s[1]);
+        if (f > omega) omega = f;
+        if (m > omega) omega = m;
+    }
+    return omega;
+}
+
+/* size = weighted sbar and Sbar from the bilateral force of potential y (metric 1), as the certificate check has them. */
+static void sp__dual_sizes(sp__dual *w, const sp_real *y)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *p = pb->p + 6 * (size_t)i;
+        w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
+        w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
+        w->d[i] = 0;                                                    /* longest arm */
+    }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3];
+        sp__dual_twist(w, t, y, V, W);
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            const sp_real *arm = side ? t->rb : t->ra;
+            const sp_real o[3] = { sp__dot3(arm, t->joint->n), sp__dot3(arm, t->joint->t1), sp__dot3(arm, t->joint->t2) };
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *l = pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
+                sp_real u[3], m[3];
+                sp__dual_rate(w, V, W, l, u);
+                sp__cross3(x, u, m);
+                w->size[2 * (size_t)i] += sp__norm3(u);
+                w->size[2 * (size_t)i + 1] += sp__norm3(m);
+                w->d[i] = sp__max(w->d[i], sp__norm3(x));
+            }
+        }
+    }
+    for (size_t i = 0; i < (size_t)pb->blocks; i++)
+        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->d[i] / w->set->tol;
+    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+}
+
+/* The metric S_v ~ min(sbar_A, sbar_B) of a contact, 1 where all are alike: without it a pebble beside a cathedral is lost in
+ * rounding.     returns 1 when it is needed */
+static int sp__dual_metric(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    sp_real least = SP__HUGE, most = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_real s = sp__lesser(&pb->contact[c], w->size, 2);
+        w->S[c] = s;
+        if (s < least) least = s;
+        if (s > most) most = s;
+    }
+    const int needed = most > 1000 * least;
+    for (int32_t c = 0; c < pb->contacts; c++) w->S[c] = needed ? (w->S[c] > 0 ? w->S[c] / most : 1) : 1;
+    return needed;
+}
+
+typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY } sp__form;
+
+/* A dual in `a`, everything but the numbers of a metric.     returns NULL when the arena is too small */
+SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
+{
+    const int penalty = form == SP__PENALTY;
+    sp__dual *w = sp__take(a, 1, sizeof *w);
+    const int32_t nnz = w ? sp__dual_analyse(w, pb, a) : -1;
+    if (nnz < 0) return NULL;
+    sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
+    if (sp__failed(a)) return NULL;
+    sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
+    w->set = set;
+    w->cost = cost;
+    w->soft = penalty && !set->net ? 1 / set->gamma : 0;
+    w->slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
+    sp__cone_make(&w->cone);
+    sp_real factor = 1, half;
+    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &factor, &half);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        int32_t turned = 0;
+        w->mu[c] = t->joint->joint.mu * factor / w->slide;
+        w->S[c] = 1;
+        w->slot[c] = INT32_MIN;
+        if (t->a < 0 || t->b < 0) continue;
+        w->slot[c] = sp__bchol_slot(&w->L, t->a, t->b, &turned);
+        if (turned) w->slot[c] = -1 - w->slot[c];
+    }
+    w->unit = sp__load_unit(pb);
+    return w;
+}
+
+/* 12 ---------------------------------------------------------------------------------------------------- search constants */
+
+#ifdef SP_REAL_FLOAT
+#define SP__SHIFT ((sp_real)1e-6)       /* diagonal shift that keeps a semidefinite matrix of unit size factorable */
+#define SP__PROX ((sp_real)3e-7)        /* end of the proximal path: a few roundings of the diagonal */
+#define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
+#define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
+#else
+#define SP__SHIFT ((sp_real)1e-13)
+#define SP__PROX ((sp_real)1e-15)
+#define SP__TIE ((sp_real)1e-8)
+#define SP__PLAY ((sp_real)1e-6)
+#endif
+
+/* 13 --------------------------------------------------------------------------------------------------------------- gates */
+
+/* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
+ * moves along F, so that motion does work |F|^2 > 0 against nothing. With no load at all f = 0 is the answer.            */
+
+static int32_t sp__root(int32_t *up, int32_t i)
+{
+    while (up[i] != i) { up[i] = up[up[i]]; i = up[i]; }
+    return i;
+}
+
+static void sp__join(int32_t *up, int32_t i, int32_t k)
+{
+    i = sp__root(up, i); k = sp__root(up, k);
+    if (i < k) up[k] = i; else up[i] = k;               /* the lowest number stands for the group; 0 is "supported" */
+}
+
+static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    (void)set; (void)scratch;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, (size_t)pb->blocks + 1, sizeof(int32_t));
+    return dry.peak;
+}
+
+/* The first group without support that is pulled anywhere moves: dq = F / |F| for its blocks.     returns its size */
+static int32_t sp__gates_fall(const sp_problem *pb, int32_t *up, sp_real *dq)
+{
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        if (up[i + 1] != i + 1) continue;
+        sp_real F[3] = { 0, 0, 0 };
+        int32_t size = 0;
+        for (int32_t k = i; k < pb->blocks; k++)
+            if (sp__root(up, k + 1) == i + 1) {
+                size++;
+                for (size_t q = 0; q < 3; q++) F[q] += pb->p[6 * (size_t)k + q];
+            }
+        const sp_real force = sp__norm3(F);
+        if (!(force > 0)) continue;
+        for (int32_t k = i; k < pb->blocks; k++)
+            if (sp__root(up, k + 1) == i + 1)
+                for (size_t q = 0; q < 3; q++) dq[6 * (size_t)k + q] = F[q] / force;
+        return size;
+    }
+    return 0;
+}
+
+static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    (void)set;
+    int32_t *up = sp__take(arena, (size_t)pb->blocks + 1, sizeof *up);
+    if (sp__failed(arena)) return SP_E_MEMORY;
+    sp_real load = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) load = sp__max(load, sp__abs(pb->p[k]));
+    if (!(load > 0)) {
+        *claim = SP_STABLE;
+        state->reason = SP_REASON_NOTHING;
+        return SP_OK;
+    }
+    for (int32_t i = 0; i <= pb->blocks; i++) up[i] = i;
+    for (int32_t i = 0; i < pb->blocks; i++) if (pb->scene->block[pb->block[i]].fixed) sp__join(up, 0, i + 1);
+    for (int32_t c = 0; c < pb->contacts; c++) sp__join(up, pb->contact[c].a + 1, pb->contact[c].b + 1);
+    const int32_t size = sp__gates_fall(pb, up, state->dq);
+    if (size) {
+        *claim = SP_UNSTABLE;
+        state->reason = size > 1 ? SP_REASON_NO_SUPPORT : SP_REASON_NO_CONTACT;
+    }
+    state->cost.flops += 6 * (int64_t)pb->blocks;
+    return SP_OK;
+}
+
+/* 14 ----------------------------------------------------------------------------------------------------- bilateral force */
+
+/* Least squares in the metric: (G + shift) y = -p, G = Aeq S Aeq', and where p has a part that no contact resists at all
+ * (then y would run off by it) that part is taken out again: y <- y - shift (G + shift)^-1 y.               [seed 2.1] */
+
+static void sp__dual_axpy(sp__dual *w, sp_real s, const sp_real *x, sp_real *y)
+{
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) y[k] += s * x[k];
+}
+
+static sp_real sp__dual_norm(const sp__dual *w, const sp_real *x)
+{
+    return SP_SQRT(sp__dot(x, x, 6 * (size_t)w->pb->blocks));
+}
+
+/* y += correction for gradient r by the factor at hand, r is used up. */
+static void sp__bilateral_correct(sp__dual *w, int singular)
+{
+    sp__dual_solve(w, w->r, w->r);
+    if (singular) {
+        sp__dual_solve(w, w->r, w->d);
+        sp__dual_axpy(w, -SP__SHIFT, w->d, w->r);
+    }
+    sp__dual_axpy(w, -1, w->r, w->y);
+}
+
+/* w->y: potential of the bilateral force in the metric at hand, w->r its gradient. Factorises once. */
+SP__APART static void sp__dual_bilateral(sp__dual *w)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp__dual_weights(w);
+    for (size_t k = 0; k < n; k++) w->y[k] = 0;
+    sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
+    sp__dual_load(w, w->r);
+    w->load = sp__dual_norm(w, w->r);
+    const sp_real load = w->load, small = 64 * (sp_real)SP_EPSILON * load;
+    int singular = 0;
+    sp_real last = SP__HUGE;
+    for (int it = 0; it < 6; it++) {
+        if (!it) { for (size_t k = 0; k < n; k++) w->y[k] = 0; sp__dual_load(w, w->r); }
+        sp__bilateral_correct(w, singular);
+        sp__dual_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
+        const sp_real now = sp__dual_norm(w, w->r);
+        if (!singular && now > SP__SCALE_TOL * load) { singular = 1; it = -1; last = SP__HUGE; continue; }
+        if (now <= small || now > last / 4) break;
+        last = now;
+    }
+}
+
+/* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' y0. */
+static void sp__dual_hint(const sp__dual *w, sp_state *state)
+{
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->y0[k] = w->unit * w->z[k] * w->y[k];
+    state->has_y0 = 1;
+}
+
+/* state->f <- forces of potential y in newtons. */
+static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state *state)
+{
+    sp__dual_gradient(w, law, y, w->r, state->f);
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_contact *t = &w->pb->contact[c];
+        for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->unit;
+    }
+}
+
+static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
+                                   sp_arena *arena, sp_verdict *claim)
+{
+    sp__dual *w = sp__dual_open(pb, set, form, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_forces(w, SP__BILATERAL, w->y, state);
+    *claim = SP_STABLE;
+    state->reason = SP_REASON_STAGES;
+    return SP_OK;
+}
+
+static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                                       sp_verdict *claim)
+{
+    return sp__bilateral_run(pb, set, SP__EXACT, state, arena, claim);
+}
+
+static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    return sp__bilateral_run(pb, set, SP__EXACT_DENSE, state, arena, claim);
+}
+
+static size_t sp__sparse_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return sp__dual_need(pb, set, 0, scratch);
+}
+
+static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return sp__dual_need(pb, set, 1, scratch);
+}
+
+/* 15 -------------------------------------------------------------------------------------------------------------- polish */
+
+/* Alternating projections between the cones and E = { Aeq f + p = 0 }:  f <- P_K(f),  f <- f - Aeq' G^-1 (Aeq f + p), one
+ * factor of G = Aeq Aeq'. Ends when the forces in the cones balance, or when 250 rounds gain less than 5 %: an empty
+ * intersection never ends by itself, so this stage can only say STABLE.                                  [seed 2.2] */
+
+#define SP__POLISH_WINDOW 250           /* rounds between looks at the progress */
+#define SP__POLISH_ROUNDS 20000
+#define SP__POLISH_GAIN ((sp_real)0.95)
+
+/* f <- P_K(f) and r = Aeq f + p of it; with y also first f <- f + Aeq' y. */
+SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
+{
+    const sp_problem *pb = w->pb;
+    sp__dual_load(w, r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, u[3], m[3];
+        sp__dual_twist(w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *g = f + 3 * (size_t)v;
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            for (int k = 0; k < 3; k++) u[k] += g[k];
+            sp__cone_project(&w->cone, w->mu[c], u, g);
+            sp__cross3(pb->local[v], g, m);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+        }
+        sp__dual_scatter(w, t, F, M, r);
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+}
+
+static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    const size_t n = 6 * (size_t)pb->blocks;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_sizes(w, w->y);
+    memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
+    sp__polish_round(w, w->y, state->f, w->r);
+    sp_real omega = sp__dual_omega(w, w->r), last = omega;
+    for (int round = 1; omega > set->tol / 4 && round <= SP__POLISH_ROUNDS; round++) {
+        sp__dual_solve(w, w->r, w->y);
+        for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
+        sp__polish_round(w, w->y, state->f, w->r);
+        omega = sp__dual_omega(w, w->r);
+        state->cost.iterations++;
+        if (round % SP__POLISH_WINDOW) continue;
+        if (omega > SP__POLISH_GAIN * last) break;
+        last = omega;
+    }
+    for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w->unit;
+    *claim = omega <= set->tol ? SP_STABLE : SP_UNDECIDED;
+    state->reason = SP_REASON_STAGES;
+    return SP_OK;
+}
+
+/* 16 --------------------------------------------------------------------------------------- exact stage: search and proof */
+
+/* Semismooth Newton on the dual with a line search, from the bilateral potential; where that stalls (collapse, or close to
+ * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
+ * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
+
+typedef struct sp__newton {
+    sp_real prox;                       /* weight of |y|^2 / 2 */
+    sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
+    sp_real omega, best;                /* of the current y, of the best (kept in state->y) */
+    sp_real goal;                       /* omega to reach */
+    int32_t left;                       /* factorisations */
+    int proved;                         /* state->dq holds a proof */
+} sp__newton;
+
+/* Step length: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] brought below a fifth of its start. */
+SP__APART static sp_real sp__newton_search(sp__dual *w, sp_real prox)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const sp_real yd = prox * sp__dot(w->y, w->d, n), dd = prox * sp__dot(w->d, w->d, n);
+    const sp_real start = sp__dot(w->r, w->d, n) + yd;
+    const sp_real noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+    const sp_real enough = sp__max((sp_real)0.2 * sp__abs(start), noise);
+    sp_real lo = 0, flo = start, hi = 0, fhi = 0, s = 1;
+    if (!(start < -noise)) return 1;
+    for (int it = 0; it < 14; it++) {
+        const sp_real f = sp__dual_slope(w, w->y, w->d, s) + yd + s * dd;
+        if (sp__abs(f) <= enough) return s;
+        if (f < 0) { lo = s; flo = f; }
+        else { hi = s; fhi = f; }
+        if (!(hi > 0)) {
+            if (s > 1000) return s;
+            s *= 4;
+            continue;
+        }
+        s = lo + (hi - lo) * (-flo / (fhi - flo));
+        const sp_real edge = (sp_real)0.1 * (hi - lo);          /* keep off the ends, or one of them never moves */
+        if (s < lo + edge) s = lo + edge;
+        if (s > hi - edge) s = hi - edge;
+    }
+    return lo > 0 ? lo : s;
+}
+
+/* (p . dq - sum c_v |P_K(u_v)|) / sum (sbar |v| + Sbar |w|) for dq = -y, as the certificate check defines it. */
+SP__APART static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
+{
+    const sp_problem *pb = w->pb;
+    sp_real scale = 0, resist = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
+    }
+    const sp_real work = -sp__dual_work(w, y);
+    if (!(work > 0)) return 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], sum = 0;
+        sp__dual_twist(w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3];
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            sp__cone_project(&w->cone, w->mu[c], u, u);
+            sum += sp__norm3(u);
+        }
+        resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+    return work > resist ? sp__ratio(work - resist, scale) : 0;
+}
+
+/* Keep y as the mechanism if it is a proof. */
+static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_state *state)
+{
+    if (n->proved || sp__newton_proof(w, y) <= (sp_real)1.1 * w->set->tol) return;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->z[k] * y[k];
+    n->proved = 1;
+}
+
+/* 17 ------------------------------------------------------------------------------------------- exact stage: rigid groups */
+
+/* A mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its
+ * square is what the Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of
+ * them, the root: x_i = (v + w x (c_i - c_root), w), and conjugate gradients on the tied motions remove what the contacts
+ * between groups still resist.                                                             [Hestenes, Stiefel 1952] */
+
+/* up[i + 1]: group of free block i by its lowest number + 1, 0: the ground; joined where no vertex of a contact moves by more
+ * than `play` of its blocks' motion. Blocks held in some directions stay with the ground. */
+SP__APART static void sp__rigid_groups(const sp__dual *w, const sp_real *x, sp_real play, int32_t *up)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i <= pb->blocks; i++) up[i] = i;
+    for (int32_t i = 0; i < pb->blocks; i++) if (pb->scene->block[pb->block[i]].fixed) sp__join(up, 0, i + 1);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], W[3], most = 0, size = 0;
+        sp__dual_twist(w, t, x, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3];
+            sp__dual_rate(w, V, W, pb->local[v], u);
+            most = sp__max(most, sp__norm3(u));
+        }
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            const sp_real *m = x + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+            size = sp__max(size, z[0] * sp__norm3(m) + z[1] * sp__norm3(m + 3) * sp__norm3(side ? t->rb : t->ra));
+        }
+        if (most <= play * size) sp__join(up, t->a + 1, t->b + 1);
+    }
+}
+
+/* The root of i's group and the arm from it; -1: the ground. */
+static int32_t sp__rigid_root(const sp__dual *w, int32_t *up, int32_t i, sp_real arm[3])
+{
+    const sp_problem *pb = w->pb;
+    const int32_t g = sp__root(up, i + 1) - 1;
+    if (g >= 0) sp__sub3(pb->scene->block[pb->block[i]].centroid, pb->scene->block[pb->block[g]].centroid, arm);
+    return g;
+}
+
+/* Every block's weighted motion from its root's, in place. */
+static void sp__rigid_prolong(const sp__dual *w, int32_t *up, sp_real *x)
+{
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        sp_real arm[3], m[6], turn[3], *xi = x + 6 * (size_t)i;
+        const int32_t g = sp__rigid_root(w, up, i, arm);
+        if (g == i) continue;
+        if (g < 0) { memset(xi, 0, 6 * sizeof *xi); continue; }
+        const sp_real *z = w->weight + 2 * (size_t)i, *s = w->weight + 2 * (size_t)g;
+        for (int k = 0; k < 6; k++) m[k] = s[k / 3] * x[6 * (size_t)g + (size_t)k];
+        sp__cross3(m + 3, arm, turn);
+        for (int k = 0; k < 3; k++) { xi[k] = (m[k] + turn[k]) / z[0]; xi[k + 3] = m[k + 3] / z[1]; }
+    }
+}
+
+/* Its transpose: every block's weighted row onto its root's, in place; other rows become 0. */
+static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
+{
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        sp_real arm[3], f[6], turn[3], *ri = r + 6 * (size_t)i;
+        const int32_t g = sp__rigid_root(w, up, i, arm);
+        if (g == i) continue;
+        const sp_real *z = w->weight + 2 * (size_t)i;
+        for (int k = 0; k < 6; k++) { f[k] = ri[k] / z[k / 3]; ri[k] = 0; }
+        if (g < 0) continue;
+        const sp_real *s = w->weight + 2 * (size_t)g;
+        sp_real *rg = r + 6 * (size_t)g;
+        sp__cross3(arm, f, turn);
+        for (int k = 0; k < 3; k++) { rg[k] += s[0] * f[k]; rg[k + 3] += s[1] * (f[k + 3] + turn[k]); }
+    }
+}
+
+/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W. */
+SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
+                                       sp_real M[3])
+{
+    sp_real D[6], u[3], m[3];
+    sp__dual_rate(w, twist[0], twist[1], l, u);
+    if (sp__cone_derivative(&w->cone, w->mu[c], u, D) == SP__APEX) return;
+    sp__dual_rate(w, twist[2], twist[3], l, u);
+    const sp_real x = w->S[c] * u[0], y = w->S[c] * u[1], z = w->S[c] * u[2];
+    const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
+    sp__cross3(l, g, m);
+    for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+}
+
+/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
+SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
+{
+    const sp_problem *pb = w->pb;
+    memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real twist[4][3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp__dual_twist(w, t, y, twist[0], twist[1]);
+        sp__dual_twist(w, t, x, twist[2], twist[3]);
+        for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, pb->local[v], twist, F, M);
+        sp__dual_scatter(w, t, F, M, out);
+    }
+    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
+}
+
+/* Tie the candidate w->d and sharpen it; w->r, L.t and state->dq are used up.     returns 0 when everything is tied down */
+SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real *x = w->d, *r = w->r, *p = state->dq, *q = w->L.t;
+    sp__rigid_prolong(w, up, x);
+    if (!(sp__dual_norm(w, x) > 0)) return 0;
+    sp__dual_apply(w, w->y, x, r);
+    sp__rigid_restrict(w, up, r);
+    for (size_t k = 0; k < n; k++) p[k] = r[k] = -r[k];
+    sp_real rr = sp__dot(r, r, n);
+    for (int it = 0; it < 40 && rr > 0; it++) {
+        sp__rigid_prolong(w, up, p);
+        sp__dual_apply(w, w->y, p, q);
+        sp__rigid_restrict(w, up, q);
+        const sp_real pq = sp__dot(p, q, n);
+        if (!(pq > 0)) break;
+        const sp_real alpha = rr / pq;
+        for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
+        const sp_real next = sp__dot(r, r, n), beta = next / rr;
+        for (size_t k = 0; k < n; k++) p[k] = r[k] + beta * p[k];
+        rr = next;
+    }
+    sp__rigid_prolong(w, up, x);
+    return 1;
+}
+
+/* 18 -------------------------------------------------------------------------------------------------- exact stage: steps */
+
+/* After a step: gradient, imbalance, best so far. */
+static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    n->omega = sp__dual_omega(w, w->r);
+    if (n->omega < n->best) {
+        n->best = n->omega;
+        memcpy(state->y, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    }
+}
+
+/* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
+static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *state)
+{
+    for (int it = 0; it < 2 && !n->proved; it++) {
+        sp__dual_solve(w, x, x);
+        const sp_real size = sp__dual_norm(w, x);
+        if (!(size > 0)) return;
+        for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) x[k] /= size;
+        sp__newton_try(w, n, x, state);
+    }
+}
+
+/* The candidate in w->d, tied into rigid groups. */
+SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    if (n->proved) return;
+    sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
+    if (sp__rigid_sharpen(w, w->xadj, state)) sp__newton_try(w, n, w->d, state);
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+}
+
+/* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
+SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
+    n->left--;
+    state->cost.iterations++;
+    if (n->prox > 0 && n->prox < (sp_real)1e-4) {
+        memcpy(w->d, w->y, size * sizeof *w->d);
+        sp__newton_purify(w, n, w->d, state);
+        if (n->prox < SP__TIE) sp__newton_tie(w, n, state);
+    }
+    for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
+    sp__dual_solve(w, w->d, w->d);
+    sp__newton_try(w, n, w->d, state);
+    const sp_real s = sp__newton_search(w, n->prox);
+    sp__dual_axpy(w, s, w->d, w->y);
+    sp__newton_look(w, n, state);
+    if (n->omega > n->goal && !n->proved) {
+        sp__newton_try(w, n, w->y, state);
+        if (s > 10) sp__newton_purify(w, n, w->d, state);
+    }
+    return s;
+}
+
+/* The goal is reached: a few more steps with the factor at hand while each gains a digit. */
+SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    for (int it = 0; it < 4; it++) {
+        const sp_real last = n->omega;
+        for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
+        sp__dual_solve(w, w->d, w->d);
+        sp__dual_axpy(w, 1, w->d, w->y);
+        sp__newton_look(w, n, state);
+        if (n->omega > last / 10) break;
+    }
+}
+
+/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
+SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    int tiny = 0;
+    n->prox = 0;
+    n->shift = SP__SHIFT;
+    for (int it = 0; it < 12 && n->left > 0 && n->omega > n->goal && !n->proved && tiny < 2; it++) {
+        const sp_real s = sp__newton_step(w, n, state);
+        if (s < (sp_real)0.03) { tiny++; n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1; }
+        if (s > (sp_real)0.5) n->shift = sp__max(SP__SHIFT, n->shift / 100);
+    }
+}
+
+/* Proximal path from y = 0. */
+SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    for (size_t k = 0; k < size; k++) w->y[k] = 0;
+    n->prox = (sp_real)0.1;
+    n->shift = 0;
+    sp__newton_look(w, n, state);
+    for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
+        sp__newton_step(w, n, state);
+        if (n->prox <= SP__SHIFT) { extra--; continue; }
+        const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
+        for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
+        const sp_real inner = sp__dual_norm(w, w->d);
+        if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
+        n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+    }
+}
+
+static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0 };
+    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    sp__dual_sizes(w, w->y);
+    if (sp__dual_metric(w)) sp__dual_bilateral(w);
+    sp__newton_try(w, &n, w->y, state);
+    sp__newton_look(w, &n, state);
+    sp__newton_plain(w, &n, state);
+    if (!n.proved && n.omega > n.goal) sp__newton_path(w, &n, state);
+    if (!n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
+    sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
+    *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
+    state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
+                  : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    return SP_OK;
+}
+
+/* 19 -------------------------------------------------------------------------------------------------------- penalty form */
+
+/* min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2), Aeq f + p = 0, |ft| <= mu fp: tension at a price, so it always has a solution
+ * and shows where help is wanted. It does not decide: a finite gamma buys a little tension even where none is needed.
+ *                                                                                            [seed 1.5; Kao 2022, Eq. 14] */
+
+SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
+{
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_contact *t = &w->pb->contact[c];
+        sp_demand *o = &demand[t->id];
+        sp_real V[3], W[3];
+        sp__dual_twist(w, t, w->y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3], f[3];
+            sp__dual_rate(w, V, W, w->pb->local[v], u);
+            sp__dual_force(w, c, u, f);
+            const sp_real slip = SP_SQRT(f[1] * f[1] + f[2] * f[2]) - t->joint->joint.mu * sp__max(0, f[0]);
+            o->tension = sp__max(o->tension, -f[0] * w->unit);
+            o->friction = sp__max(o->friction, slip * w->unit);
+        }
+    }
+}
+
+SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_demand *demand)
+{
+    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1 };   /* proved: no proofs are sought */
+    sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_sizes(w, w->y);
+    if (sp__dual_metric(w)) sp__dual_bilateral(w);
+    sp__newton_look(w, &n, state);
+    n.shift = SP__SHIFT;
+    while (n.left > 0 && n.omega > n.goal) sp__newton_step(w, &n, state);
+    sp__penalty_demand(w, demand);
+    return SP_OK;
+}
+
+/* 20 -------------------------------------------------------------------------------------------------------------- ladder */
+
+SP_API sp_settings sp_settings_default(void)
+{
+    sp_settings s;
+    memset(&s, 0, sizeof s);
+#ifdef SP_REAL_FLOAT
+    s.tol = (sp_real)1e-4;
+#else
+    s.tol = (sp_real)1e-9;
+#endif
+    s.inscribed = 1;
+    s.gamma = 1000;
+    s.tau = 1;
+    s.localise = 1;
+    s.iterations = 300;
+    s.stage_count = 2;
+    s.stage[0] = SP_STAGE_GATES;
+    s.stage[1] = SP_STAGE_EXACT;
+    return s;
+}
+
+/* The caller's settings, checked and with the automatic values filled in. */
+static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
+{
+    *out = in ? *in : sp_settings_default();
+    if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
+    if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
+    if (out->faces && (out->faces < 3 || out->faces > 64)) return SP_E_RANGE;
+    if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
+    if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
+    for (int32_t k = 0; k < out->stage_count; k++) {
+        if (out->stage[k] <= SP_STAGE_NONE || out->stage[k] > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
+        if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
+    }
+    const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
+    if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
+    return SP_OK;
+}
+
+static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
+{
+    sp_stage s = { sp__exact_run, sp__sparse_need };
+    if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
+    if (id == SP_STAGE_LEAST_SQUARES) s.run = sp__least_squares_run;
+    if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
+    if (id == SP_STAGE_POLISH) s.run = sp__polish_run;
+    if (id == SP_STAGE_CUSTOM) s = *set->custom;
+    return s;
+}
+
+/* What a check keeps: the result's arrays, in front of everything that goes again. */
+typedef struct sp__kept {
+    sp_real *f, *dq, *y0;
+    sp_demand *demand;
+} sp__kept;
+
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, sp_arena *a)
+{
+    r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
+    r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
+    r->y0 = sp__take(a, (size_t)free_blocks, 6 * sizeof *r->y0);
+    r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
+}
+
+static void sp__state_carve(sp_state *s, int32_t free_blocks, sp_arena *a)
+{
+    s->y = sp__take(a, (size_t)free_blocks, 6 * sizeof *s->y);
+}
+
+static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+{
+    sp__judge j;
+    sp_arena dry = sp__arena_dry();
+    sp__judge_carve(&j, pb, set->faces, &dry);
+    return dry.peak;
+}
+
+/* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
+typedef struct sp__check {
+    sp_settings set;
+    sp_problem pb;
+    sp_state state;
+    sp_result r;
+} sp__check;
+
+SP_API size_t sp_memory_scratch(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem pb;
+    sp__problem_count(scene, &pb);
+    return sizeof(sp__check) + SP_ALIGN + sp_problem_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+}
+
+/* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
+SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    size_t most = sp__judge_need(pb, set);
+    for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
+        if (k == set->stage_count && !set->localise) break;
+        const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
+                                                 : sp__sparse_need(pb, set, scratch);
+        if (need > most) most = need;
+    }
+    return most;
+}
+
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    sp_status status = sp__settings_resolve(settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    const size_t most = sp__stages_need(&c->pb, &c->set, scratch);
+    if (most == SIZE_MAX) return SP_E_MEMORY;
+    sp__kept kept;
+    sp_arena dry = sp__arena_dry();
+    sp__kept_carve(&kept, scene, c->pb.blocks, &dry);
+    sp__take(&dry, 1, sizeof *c);
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__state_carve(&c->state, c->pb.blocks, &dry);
+    sp__take(&dry, 1, most);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+/* The state's evidence into the result, as the judge sees it.     returns whether it proves the claim */
+SP__APART static int sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+{
+    const sp_problem *pb = j->pb;
+    int32_t final = 0;
+    r->omega = sp__judge_forces(j, state->f, state->f);
+    if (claim == SP_STABLE) return r->omega <= r->tol;
+    if (claim != SP_UNSTABLE) return 0;
+    const sp_real proof = sp__judge_mechanism(j, state->dq, &final);
+    if (!(proof > r->tol)) return 0;
+    sp_real largest = 0, block = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) block = sp__max(block, j->scale[i].arm);
+    if (!(block > 0)) block = 1;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *m = j->x + 6 * (size_t)i;
+        largest = sp__max(largest, sp__max(sp__norm3(m) / block, sp__norm3(m + 3) * j->scale[i].arm / block));
+    }
+    memset(r->dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *r->dq);
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = j->x[6 * (size_t)i + k] / largest;
+    r->least_imbalance = proof;
+    r->final = final;
+    return 1;
+}
+
+static void sp__cost_add(sp_cost *to, const sp_cost *c)
+{
+    to->flops += c->flops;
+    to->factorisations += c->factorisations;
+    to->iterations += c->iterations;
+}
+
+/* One stage and the judgement of what it found.     *done: the check is decided */
+SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
+                                 sp_result *r, int *done)
+{
+    sp_verdict claim = SP_UNDECIDED;
+    const size_t mark = a->used;
+    memset(&state->cost, 0, sizeof state->cost);
+    const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, a, &claim);
+    if (status) return status;
+    a->used = mark;
+    const int last = k + 1 == set->stage_count;
+    if (claim || last) {
+        sp__judge j;
+        const int settled = sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, a);
+        if (sp__failed(a)) return SP_E_MEMORY;
+        *done = sp__check_judge(&j, state, claim, r) && settled;
+        a->used = mark;
+        state->cost.flops += 90 * (int64_t)j.sweeps * pb->points;
+        r->verdict = *done ? claim : SP_UNDECIDED;
+        if (*done) {
+            r->stage = set->stage[k];
+            r->reason = claim == SP_STABLE && state->reason != SP_REASON_NOTHING ? SP_REASON_FORCES : state->reason;
+            r->verified = 1;
+        }
+        if (!*done && last) r->reason = set->stage[k] == SP_STAGE_EXACT && claim ? SP_REASON_LIMIT : state->reason;
+    }
+    r->by_stage[k] = state->cost;
+    sp__cost_add(&r->cost, &state->cost);
+    return SP_OK;
+}
+
+/* 21 ---------------------------------------------------------------------------------------------------- reading a result */
+
+SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
+                                        sp_interface_force *out)
+{
+    if (!scene || !result || !result->f || !out) return SP_E_ARGUMENT;
+    if (interface < 0 || interface >= scene->count.interfaces) return SP_E_INDEX;
+    const sp_interface *t = &scene->interface[interface];
+    sp_interface_force o;
+    sp_real sum[3] = { 0, 0, 0 };
+    memset(&o, 0, sizeof o);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real *f = result->f + 3 * (size_t)v;
+        const int first = v == t->point;
+        for (int k = 0; k < 3; k++) sum[k] += f[k];
+        if (first || f[0] < o.min_fn) o.min_fn = f[0];
+        if (first || f[0] > o.max_fn) o.max_fn = f[0];
+    }
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real share = sum[0] > 0 ? result->f[3 * (size_t)v] / sum[0] : 1 / (sp_real)t->points;
+        for (int k = 0; k < 3; k++) o.point[k] += share * (scene->point[v][k] - scene->point[t->point][k]);
+    }
+    for (int k = 0; k < 3; k++) {
+        o.point[k] += scene->point[t->point][k];
+        o.force[k] = sum[0] * t->n[k] + sum[1] * t->t1[k] + sum[2] * t->t2[k];
+    }
+    const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
+    o.utilisation = slip > 0 ? sp__ratio(slip, t->joint.mu * sum[0]) : 0;
+    *out = o;
+    return SP_OK;
+}
+
+SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
+                                    sp_real moment[3])
+{
+    if (!scene || !result || !result->f || !force || !moment) return SP_E_ARGUMENT;
+    if (block < 0 || block >= scene->count.blocks) return SP_E_INDEX;
+    for (int k = 0; k < 3; k++) force[k] = moment[k] = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        const sp_interface *t = &scene->interface[k];
+        if (t->a != block && t->b != block) continue;
+        const sp_real sign = t->b == block ? (sp_real)1 : (sp_real)-1;
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *f = result->f + 3 * (size_t)v;
+            sp_real F[3], arm[3], m[3];
+            for (int q = 0; q < 3; q++) F[q] = sign * (f[0] * t->n[q] + f[1] * t->t1[q] + f[2] * t->t2[q]);
+            sp__sub3(scene->point[v], scene->block[block].centroid, arm);
+            sp__cross3(arm, F, m);
+            for (int q = 0; q < 3; q++) { force[q] += F[q]; moment[q] += m[q]; }
+        }
+    }
+    return SP_OK;
+}
+
+/* Reading the force state: extremes over the interfaces, and the weakest of them. */
+SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
+{
+    sp_real worst = -1;
+    int tension = 0;
+    r->weakest = -1;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        sp_interface_force f;
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_interface_resultant(scene, r, k, &f);
+        r->max_compression = sp__max(r->max_compression, f.max_fn);
+        r->max_tension = sp__max(r->max_tension, r->demand[k].tension);
+        r->max_utilisation = sp__max(r->max_utilisation, f.utilisation);
+    }
+    const sp_real dust = 16 * SP__SCALE_TOL * r->max_compression;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        sp_interface_force f;
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_interface_resultant(scene, r, k, &f);
+        const int pulls = r->demand[k].tension > dust;
+        const sp_real score = pulls ? r->demand[k].tension : f.utilisation;
+        if (pulls > tension || (pulls == tension && score > worst)) { tension = pulls; worst = score; r->weakest = k; }
+    }
+}
+
+/* 22 --------------------------------------------------------------------------------------------------------------- check */
+
+/* The ladder of stages on a built problem, then the localisation where it does not stand. */
+static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+{
+    int done = 0;
+    for (int32_t k = 0; k < set->stage_count && !done; k++) {
+        const sp_status status = sp__check_stage(pb, set, k, state, a, r, &done);
+        if (status) return status;
+    }
+    if (r->verdict == SP_STABLE || !set->localise) return SP_OK;
+    const size_t mark = a->used;
+    memset(&state->cost, 0, sizeof state->cost);
+    const sp_status status = sp__penalty_run(pb, set, state, a, r->demand);
+    sp__cost_add(&r->cost, &state->cost);
+    a->used = mark;
+    return status;
+}
+
+/* An empty result of this problem in c->r, its arrays zero; the state's arrays with it. */
+static void sp__check_clear(const sp_scene *scene, sp__check *c)
+{
+    sp_result *r = &c->r;
+    const size_t b = (size_t)c->pb.blocks;
+    memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
+    memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+    memset(r->y0, 0, 6 * b * sizeof *r->y0);
+    memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
+    memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
+    c->state.reason = SP_REASON_STAGES;
+    c->state.f = r->f;
+    c->state.y0 = r->y0;
+    c->state.dq = r->dq;                                /* free blocks first; spread over the scene's once it is a proof */
+    r->tol = c->set.tol;
+    r->force_bound = c->set.force_bound;
+    r->free_blocks = c->pb.blocks;
+    r->interfaces = c->pb.contacts;
+    for (int32_t k = 0; k < c->pb.contacts; k++) r->points += c->pb.contact[k].points;
+    r->verdict = b ? SP_UNDECIDED : SP_STABLE;
+    r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
+    r->verified = !b;
+}
+
+/* Everything of a check in arena `a`, which may be used up.
+ *   out    *check: where the result is found on SP_OK; *kept: end of its arrays */
+SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a,
+                                          sp__check **check, size_t *kept)
+{
+    sp_problem count;
+    sp__kept arrays;
+    sp__problem_count(scene, &count);
+    sp__kept_carve(&arrays, scene, count.blocks, a);
+    *kept = a->used;
+    sp__check *c = sp__take(a, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    memset(c, 0, sizeof *c);
+    c->r.f = arrays.f; c->r.dq = arrays.dq; c->r.y0 = arrays.y0; c->r.demand = arrays.demand;
+    sp_status status = sp__settings_resolve(settings, &c->set);
+    if (!status) status = sp_problem_build(scene, a, &c->pb);
+    if (status) return status;
+    sp__state_carve(&c->state, c->pb.blocks, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__check_clear(scene, c);
+    *check = c;
+    return SP_OK;
+}
+
+SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
+{
+    if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__check *c = NULL;
+    size_t kept = 0;
+    sp_arena a = *arena;
+    sp_status status = sp__check_build(scene, settings, &a, &c, &kept);
+    if (!status && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
+    if (status) return status;
+    if (c->r.verdict != SP_UNSTABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
+    if (c->r.verdict == SP_STABLE) c->r.level = SP_ADMISSIBLE;
+    sp__check_read(scene, &c->r);
+    c->r.peak_bytes = a.peak;
+    arena->used = kept;
+    arena->peak = a.peak;
+    *result = c->r;
+    return SP_OK;
+}
+
+/* 23 -------------------------------------------------------------------------------------------------------------- verify */
+
+SP_API size_t sp_verify_memory(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem pb;
+    sp_settings set = sp_settings_default();
+    set.faces = 64;
+    sp__problem_count(scene, &pb);
+    return sp_problem_memory(scene) + SP_ALIGN + sp__judge_need(&pb, &set) + 6 * (size_t)pb.blocks * sizeof(sp_real) + SP_ALIGN;
+}
+
+static int sp__all_finite(const sp_real *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
+    return 1;
+}
+
+SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
+                           sp_evidence *evidence)
+{
+    if (!scene || !claim || !claim->f || !claim->dq || !evidence) return SP_E_ARGUMENT;
+    sp_settings set;
+    sp_problem pb;
+    sp__judge j;
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    sp_status status = sp__settings_resolve(settings, &set);
+    if (status) return status;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    status = sp_problem_build(scene, &scratch, &pb);
+    if (status) return status;
+    sp_real *dq = sp__take(&scratch, (size_t)pb.blocks, 6 * sizeof *dq);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    for (int32_t i = 0; i < pb.blocks; i++) memcpy(dq + 6 * (size_t)i, claim->dq + 6 * (size_t)pb.block[i], 6 * sizeof *dq);
+    const int settled = sp__judge_open(&j, &pb, &set, claim->y0, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    e.omega = sp__judge_forces(&j, claim->f, NULL);
+    const sp_real proof = sp__judge_mechanism(&j, dq, &e.final);
+    e.least_imbalance = sp__max(proof, 0);
+    if (settled && e.omega <= set.tol) e.verdict = SP_STABLE;
+    else if (settled && proof > set.tol) e.verdict = SP_UNSTABLE;
+    if (e.verdict != SP_UNSTABLE) e.final = 0;
+    *evidence = e;
+    return SP_OK;
+}

@@ -20,6 +20,13 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
     return SP_OK;
 }
 
+/* A function whose frame stays its own: merged into its only caller it would cost that caller's whole call tree its stack. */
+#ifdef __GNUC__
+#define SP__APART __attribute__((noinline))
+#else
+#define SP__APART
+#endif
+
 /* An arena that only counts. */
 static sp_arena sp__arena_dry(void)
 {

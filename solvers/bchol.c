@@ -58,7 +58,7 @@ static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj
 
 /* Order and count: fills perm, inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
  * does not fit an int32. Scratch: sp__bchol_scratch bytes; parent (n) is for sp__bchol_pattern. */
-static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
+SP__APART static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
                                  sp_arena scratch)
 {
     sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
@@ -144,7 +144,7 @@ static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
     }
 }
 
-static void sp__bchol_factor(sp__bchol *f, sp_real floor)
+SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
         sp_real *d = f->d + 36 * (size_t)k;
@@ -170,7 +170,7 @@ static void sp__bchol_zero(sp__bchol *f)
 }
 
 /* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
-static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
+SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
 {
     sp_real *t = f->t;
     for (int32_t k = 0; k < f->n; k++)

@@ -6,7 +6,7 @@
 #ifndef SP__CHOL_C
 #define SP__CHOL_C
 
-#include "arena.c"
+#include "real.c"
 
 #define SP__NEVER ((sp_real)1e30)
 

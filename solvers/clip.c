@@ -17,7 +17,7 @@
 #ifndef SP__CLIP_C
 #define SP__CLIP_C
 
-#include "arena.c"
+#include "real.c"
 #include "sort.c"
 
 typedef struct sp__clip_edge { int32_t from, to, w[2]; } sp__clip_edge;     /* w: windings left minus right, of P and Q */

@@ -9,6 +9,7 @@
 #ifndef SP__CONE_C
 #define SP__CONE_C
 
+#include "real.c"
 #include "pyramid.c"
 
 typedef struct sp__cone {
@@ -94,7 +95,7 @@ static sp__region sp__cone_project(const sp__cone *k, sp_real mu, const sp_real 
 }
 
 /* D = DP_K(u), symmetric 3 x 3: D[0..5] = nn, n1, n2, 11, 12, 22. Returns the region. */
-static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, const sp_real u[3], sp_real D[6])
+SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, const sp_real u[3], sp_real D[6])
 {
     sp__foot o;
     sp__cone_foot(k, mu, u, &o);

@@ -9,7 +9,7 @@
 #ifndef SP__ORDER_C
 #define SP__ORDER_C
 
-#include "arena.c"
+#include "real.c"
 
 typedef struct sp__order {
     int32_t n, free, room;              /* nodes; first free place and size of iw */
@@ -106,7 +106,7 @@ static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp, int32_t m
 }
 
 /* Rewrite the list of i, a member of Lp: live elements that reach outside Lp, then neighbours outside Lp, p in front. */
-static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32_t mark, int32_t left)
+SP__APART static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32_t mark, int32_t left)
 {
     int32_t *list = o->iw + o->pe[i];
     const int32_t elements = o->elen[i], length = o->len[i];
@@ -139,7 +139,7 @@ static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32_t mark, i
 
 /* perm[k]: the node eliminated k-th. Graph by rows: neighbours of i are adj[xadj[i] .. xadj[i+1]), symmetric, no loops.
  * Takes its memory from `a`; the caller counted it by sp__order_carve. */
-static void sp__order_run(int32_t n, const int32_t *xadj, const int32_t *adj, sp_arena a, int32_t *stamp, int32_t *perm)
+SP__APART static void sp__order_run(int32_t n, const int32_t *xadj, const int32_t *adj, sp_arena a, int32_t *stamp, int32_t *perm)
 {
     sp__order o;
     sp__order_carve(&o, n, xadj[n], &a);

@@ -279,13 +279,14 @@ check_cases() {
     if have python3; then part "cases of known truth" cases; else skip "cases of known truth" python3; fi
     SHOW=
 }
+check_bench() { part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"; }
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
 }
 
 count "tests, as make test" sh tests/checks/test.sh
-for check in warnings cpp symbols arm pair sanitizers bits static cases demo; do
+for check in warnings cpp symbols arm pair sanitizers bits static cases bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total
