@@ -404,8 +404,8 @@ static void head(const char *machine, const char *date)
 {
     printf("# stonepack %d.%d.%d, machine %s, date %s, compiler %s, flags %s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR,
            SP_VERSION_PATCH, machine, date, BENCH_COMPILER, BENCH_FLAGS);
-    printf("real,kind,family,size,load,config,blocks,interfaces,vertices,verdict,verified,omega,factorisations,iterations,flops,"
-           "bytes,bytes_per_vertex,runs,best_ms,median_ms\n");
+    printf("real,kind,family,size,load,config,blocks,interfaces,vertices,verdict,verified,omega,factorisations,"
+           "iterations,flops,bytes,bytes_per_vertex,runs,best_ms,median_ms\n");
 }
 
 int main(int argc, char **argv)

@@ -21,7 +21,7 @@ MARK = {"wall": "o", "arch": "^", "dome": "s", "vault": "D"}
 DASH = {"flat": "-", "tilt": "--", "inpl2": ":", "inpl": ":", "top": "-", "thick": "-", "thin": "-"}
 LOADS = [("flat", STABLE, "flat wall"), ("tilt", STABLE, "out of plane, 0.6\nof overturning"),
          ("inpl2", STABLE, "in plane, 14°"), ("top", UNSTABLE, "out of plane, 1.25\nof overturning"),
-         ("inpl", OPEN, "in plane, 32°, stopped\nafter 60 factorisations")]
+         ("inpl", OPEN, "in plane, 32°, budget\nof 60 factorisations")]
 
 LOCALISED = "unstable: with the search for where help is wanted"
 
