@@ -1893,7 +1893,9 @@ static void sp__point_velocity(const sp_problem *pb, const sp__scale *scale, int
     sp_real arm[3], w[3];
     sp__arm(pb, i, v, arm);
     sp__cross3(m + 3, arm, w);
-    for (int k = 0; k < 3; k++) u[k] += sign * (wf * m[k] + wm * w[k]);
+    u[0] += sign * (wf * m[0] + wm * w[0]);
+    u[1] += sign * (wf * m[1] + wm * w[1]);
+    u[2] += sign * (wf * m[2] + wm * w[2]);
 }
 
 /* sign (F, (r - c) x F) added to the row of block i; |F| and |(r - c) x F| to sums (may be NULL). */
@@ -1904,10 +1906,9 @@ static void sp__point_force(const sp_problem *pb, int32_t i, int32_t v, const sp
     sp_real arm[3], m[3];
     sp__arm(pb, i, v, arm);
     sp__cross3(arm, F, m);
-    for (size_t k = 0; k < 3; k++) {
-        row[6 * (size_t)i + k] += sign * F[k];
-        row[6 * (size_t)i + 3 + k] += sign * m[k];
-    }
+    sp_real *to = row + 6 * (size_t)i;
+    to[0] += sign * F[0]; to[1] += sign * F[1]; to[2] += sign * F[2];
+    to[3] += sign * m[0]; to[4] += sign * m[1]; to[5] += sign * m[2];
     if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
 }
 
@@ -2009,10 +2010,11 @@ SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     const sp_real load = sp__dot(j->p, j->p, n);
     sp__judge_normal(j, j->x, j->r);
     for (size_t k = 0; k < n; k++) { j->r[k] = -j->r[k] - j->p[k]; j->p[k] = j->r[k]; }
+    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL;
+    if (sp__dot(j->r, j->r, n) <= small * load) return 1;
     sp__judge_normal(j, j->r, j->g);
     for (size_t k = 0; k < n; k++) j->q[k] = j->g[k];
     sp_real rg = sp__dot(j->r, j->g, n);
-    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL;
     for (int32_t it = 0; ; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
         if (rr <= small * load || gg <= small * small * rr) return 1;
@@ -2245,10 +2247,10 @@ typedef struct sp__dual {
     sp_real *dense;                     /* or, not NULL, its dense factor */
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
-    sp_real *mu, *S;                    /* per contact: coefficient in force, metric */
+    sp_real factor;                     /* coefficient in force / mu */
+    sp_real metric;                     /* 1 / largest sbar of a contact, or 0: S = 1 everywhere */
     int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
-    sp_real *z;                         /* 6b: row weights, 0 where held */
-    sp_real *weight;                    /* 2b: of force and moment rows, held or not */
+    sp_real *weight;                    /* 2b: of force and moment rows */
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
     sp_real *h;                         /* temporaries of the assembly */
@@ -2274,10 +2276,7 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
     w->dense = dense ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
     sp__cone_carve(&w->cone, faces, a);
-    w->mu = sp__take(a, c, sizeof *w->mu);
-    w->S = sp__take(a, c, sizeof *w->S);
     w->slot = sp__take(a, c, sizeof *w->slot);
-    w->z = sp__take(a, b, 6 * sizeof *w->z);
     w->weight = sp__take(a, b, 2 * sizeof *w->weight);
     w->size = sp__take(a, b, 2 * sizeof *w->size);
     w->y = sp__take(a, b, 6 * sizeof *w->y);
@@ -2358,40 +2357,51 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
+/* S of a contact's vertices, ~ min(sbar_A, sbar_B): without it a pebble beside a cathedral is lost in rounding. */
+static sp_real sp__dual_S(const sp__dual *w, int32_t c)
+{
+    const sp_real s = w->metric > 0 ? sp__lesser(&w->pb->contact[c], w->size, 2) * w->metric : 1;
+    return s > 0 ? s : 1;
+}
+
 /* Row weights: 1 / sqrt(sum S) for forces, 1 / sqrt(2/3 sum S |r_v - c|^2) for moments: unit diagonal on average. */
 static void sp__dual_weights(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) w->z[k] = 0;
+    for (size_t k = 0; k < 2 * (size_t)pb->blocks; k++) w->weight[k] = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
-            sp_real o[3], *z = w->z + 6 * (size_t)i;
+            sp_real o[3], *z = w->weight + 2 * (size_t)i;
             const sp_real *arm = side ? t->rb : t->ra;
+            const sp_real S = sp__dual_S(w, c);
             o[0] = sp__dot3(arm, t->joint->n); o[1] = sp__dot3(arm, t->joint->t1); o[2] = sp__dot3(arm, t->joint->t2);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *l = pb->local[v];
                 const sp_real x = o[0] + l[0], y = o[1] + l[1], s = o[2] + l[2];
-                z[0] += w->S[c];
-                z[3] += w->S[c] * (x * x + y * y + s * s) * 2 / 3;
+                z[0] += S;
+                z[1] += S * (x * x + y * y + s * s) * 2 / 3;
             }
         }
     }
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        sp_real *z = w->z + 6 * (size_t)i, *f = w->weight + 2 * (size_t)i;
-        f[0] = z[0] > 0 ? 1 / SP_SQRT(z[0]) : 1;
-        f[1] = z[3] > 0 ? 1 / SP_SQRT(z[3]) : 1;
-        for (int k = 0; k < 6; k++) z[k] = sp__held(pb, i, k) ? 0 : f[k / 3];
-    }
+    for (size_t k = 0; k < 2 * (size_t)pb->blocks; k++) w->weight[k] = w->weight[k] > 0 ? 1 / SP_SQRT(w->weight[k]) : 1;
+}
+
+/* Rows of held directions to zero. */
+static void sp__dual_release(const sp__dual *w, sp_real *r)
+{
+    for (int32_t i = 0; i < w->pb->blocks; i++)
+        if (w->pb->scene->block[w->pb->block[i]].fixed) sp__release(w->pb, i, r + 6 * (size_t)i);
 }
 
 /* r <- the weighted load in units. */
 static void sp__dual_load(const sp__dual *w, sp_real *r)
 {
     const sp_real unit = 1 / w->unit;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->z[k] * (w->pb->p[k] * unit);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->weight[k / 3] * (w->pb->p[k] * unit);
+    sp__dual_release(w, r);
 }
 
 /* load . y */
@@ -2399,9 +2409,11 @@ static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
 {
     const sp_real unit = 1 / w->unit;
     sp_real s = 0;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->z[k] * (w->pb->p[k] * unit) * y[k];
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->weight[k / 3] * (w->pb->p[k] * unit) * y[k];
     return s;
 }
+
+static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->joint.mu * w->factor; }
 
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
 SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
@@ -2410,13 +2422,14 @@ SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, con
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *yi = y + 6 * (size_t)i, *z = w->z + 6 * (size_t)i, *arm = side ? t->rb : t->ra;
+        const sp_real *yi = y + 6 * (size_t)i, *arm = side ? t->rb : t->ra;
         const sp_real sign = side ? (sp_real)1 : (sp_real)-1;
-        const sp_real a = z[3] * yi[3], b = z[4] * yi[4], c = z[5] * yi[5];
-        v[0] += sign * (z[0] * yi[0] + b * arm[2] - c * arm[1]);
-        v[1] += sign * (z[1] * yi[1] + c * arm[0] - a * arm[2]);
-        v[2] += sign * (z[2] * yi[2] + a * arm[1] - b * arm[0]);
-        o[0] += sign * a; o[1] += sign * b; o[2] += sign * c;
+        const sp_real z = sign * w->weight[2 * (size_t)i], s = sign * w->weight[2 * (size_t)i + 1];
+        const sp_real a = s * yi[3], b = s * yi[4], c = s * yi[5];
+        v[0] += z * yi[0] + b * arm[2] - c * arm[1];
+        v[1] += z * yi[1] + c * arm[0] - a * arm[2];
+        v[2] += z * yi[2] + a * arm[1] - b * arm[0];
+        o[0] += a; o[1] += b; o[2] += c;
     }
     V[0] = sp__dot3(v, t->joint->n); V[1] = sp__dot3(v, t->joint->t1); V[2] = sp__dot3(v, t->joint->t2);
     W[0] = sp__dot3(o, t->joint->n); W[1] = sp__dot3(o, t->joint->t1); W[2] = sp__dot3(o, t->joint->t2);
@@ -2433,9 +2446,10 @@ static void sp__dual_rate(const sp__dual *w, const sp_real V[3], const sp_real W
 /* f = S (P_K(u) - (max(0, -u_n) / gamma, 0, 0)), friction unweighed. */
 static void sp__dual_force(const sp__dual *w, int32_t c, const sp_real u[3], sp_real f[3])
 {
-    sp__cone_project(&w->cone, w->mu[c], u, f);
+    sp__cone_project(&w->cone, sp__dual_mu(w, c), u, f);
     if (w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
-    f[0] *= w->S[c]; f[1] *= w->S[c] * w->slide; f[2] *= w->S[c] * w->slide;
+    const sp_real S = sp__dual_S(w, c), slip = S * w->slide;
+    f[0] *= S; f[1] *= slip; f[2] *= slip;
 }
 
 /* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
@@ -2449,15 +2463,16 @@ SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, c
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *arm = side ? t->rb : t->ra, *z = w->z + 6 * (size_t)i;
+        const sp_real *arm = side ? t->rb : t->ra;
         const sp_real sign = side ? (sp_real)1 : (sp_real)-1;
+        const sp_real z = sign * w->weight[2 * (size_t)i], s = sign * w->weight[2 * (size_t)i + 1];
         sp_real *ri = r + 6 * (size_t)i;
-        ri[0] += sign * z[0] * f[0];
-        ri[1] += sign * z[1] * f[1];
-        ri[2] += sign * z[2] * f[2];
-        ri[3] += sign * z[3] * (arm[1] * f[2] - arm[2] * f[1] + m[0]);
-        ri[4] += sign * z[4] * (arm[2] * f[0] - arm[0] * f[2] + m[1]);
-        ri[5] += sign * z[5] * (arm[0] * f[1] - arm[1] * f[0] + m[2]);
+        ri[0] += z * f[0];
+        ri[1] += z * f[1];
+        ri[2] += z * f[2];
+        ri[3] += s * (arm[1] * f[2] - arm[2] * f[1] + m[0]);
+        ri[4] += s * (arm[2] * f[0] - arm[0] * f[2] + m[1]);
+        ri[5] += s * (arm[0] * f[1] - arm[1] * f[0] + m[2]);
     }
 }
 
@@ -2487,7 +2502,7 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             sp_real u[3], g[3];
             sp__dual_rate(w, V, W, l, u);
             if (law == SP__ADMISSIBLE) sp__dual_force(w, c, u, g);
-            else for (int k = 0; k < 3; k++) g[k] = w->S[c] * (k ? w->slide * u[k] : u[k]);
+            else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
             F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
             M[0] += l[1] * g[2] - l[2] * g[1];
             M[1] += l[2] * g[0] - l[0] * g[2];
@@ -2496,6 +2511,7 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
         }
         sp__dual_scatter(w, t, F, M, r);
     }
+    sp__dual_release(w, r);
     sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
@@ -2541,12 +2557,14 @@ static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
     }
 }
 
-/* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each. */
-SP__APART static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+/* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
+ *     returns 0 when all of it is zero: the contact is open */
+SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp_real k = w->slide, S = w->S[c];
+    const sp_real k = w->slide, S = sp__dual_S(w, c);
     sp_real V[3], W[3];
+    int carries = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -2554,13 +2572,15 @@ SP__APART static void sp__dual_contact_hessian(const sp__dual *w, sp__law law, i
         sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
         if (law == SP__ADMISSIBLE) {
             sp__dual_rate(w, V, W, l, u);
-            const sp__region region = sp__cone_derivative(&w->cone, w->mu[c], u, D);
+            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D);
             if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
             else if (region == SP__APEX) continue;
         }
         D[0] *= S; D[1] *= S * k; D[2] *= S * k; D[3] *= S * k * k; D[4] *= S * k * k; D[5] *= S * k * k;
         sp__vertex_hessian(D, l, h);
+        carries = 1;
     }
+    return carries;
 }
 
 /* out = R m R', R = (n, t1, t2): from the contact's frame to the world's. out may not be m. */
@@ -2597,35 +2617,58 @@ static void sp__cross_right(const sp_real c[3], const sp_real *a, int turn, cons
     }
 }
 
-/* to(r, c) += zr[r] zc[c] m(r, c), 3 x 3; to has strides tr, tc, m is by rows or, mc = 3, by columns. */
-static void sp__add9(sp_real *to, int tr, int tc, const sp_real zr[3], const sp_real zc[3], const sp_real *m, int mr, int mc)
+/* to(r, c) += z m(r, c), 3 x 3; to has strides tr, tc, m is by rows or, mc = 3, by columns. */
+static void sp__add9(sp_real *to, int tr, int tc, sp_real z, const sp_real *m, int mr, int mc)
 {
-    for (int c = 0; c < 3; c++) {
-        const sp_real z = zc[c];
-        to[tc * c]          += zr[0] * z * m[mc * c];
-        to[tc * c + tr]     += zr[1] * z * m[mc * c + mr];
-        to[tc * c + 2 * tr] += zr[2] * z * m[mc * c + 2 * mr];
+    for (int c = 0; c < 3; c++, to += tc, m += mc) {
+        to[0]      += z * m[0];
+        to[tr]     += z * m[mr];
+        to[2 * tr] += z * m[2 * mr];
     }
 }
 
-/* Diagonal block += Z [ vv . ; vw' ww ] Z, its lower triangle by columns. */
-static void sp__add_diagonal(sp_real *block, const sp_real *z, const sp_real *vv, const sp_real *vw, const sp_real *ww)
+/* Diagonal block += Z [ vv . ; vw' ww ] Z, Z = diag(z[0], z[1]): the lower triangle by columns. */
+static void sp__add_diagonal(sp_real *d, const sp_real *z, const sp_real *vv, const sp_real *vw, const sp_real *ww)
 {
-    sp__add9(block, 1, 6, z, z, vv, 3, 1);
-    sp__add9(block + 3, 1, 6, z + 3, z, vw, 1, 3);
-    sp__add9(block + 21, 1, 6, z + 3, z + 3, ww, 3, 1);
+    const sp_real f = z[0] * z[0], g = z[0] * z[1], m = z[1] * z[1];
+    d[0] += f * vv[0]; d[1] += f * vv[3]; d[2] += f * vv[6];
+    d[6] += f * vv[4]; d[7] += f * vv[7];
+    d[11] += f * vv[8];
+    for (int k = 0; k < 3; k++) { d[3 + k] += g * vw[k]; d[8 + k] += g * vw[3 + k]; d[12 + k] += g * vw[6 + k]; }
+    d[15] += m * ww[0]; d[16] += m * ww[3]; d[17] += m * ww[6];
+    d[18] += m * ww[4]; d[19] += m * ww[7];
+    d[20] += m * ww[8];
 }
 
 /* Block -= Za [ vv qb ; qa' ww ] Zb, by columns, or by rows where it is stored transposed. */
 SP__APART static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
-                             const sp_real *qa, const sp_real *qb, const sp_real *ww)
+                                       const sp_real *qa, const sp_real *qb, const sp_real *ww)
 {
     const int tr = turn ? 6 : 1, tc = turn ? 1 : 6;
-    const sp_real minus[6] = { -za[0], -za[1], -za[2], -za[3], -za[4], -za[5] };
-    sp__add9(block, tr, tc, minus, zb, vv, 3, 1);
-    sp__add9(block + 3 * tc, tr, tc, minus, zb + 3, qb, 3, 1);
-    sp__add9(block + 3 * tr, tr, tc, minus + 3, zb, qa, 1, 3);
-    sp__add9(block + 3 * tr + 3 * tc, tr, tc, minus + 3, zb + 3, ww, 3, 1);
+    sp__add9(block, tr, tc, -za[0] * zb[0], vv, 3, 1);
+    sp__add9(block + 3 * tc, tr, tc, -za[0] * zb[1], qb, 3, 1);
+    sp__add9(block + 3 * tr, tr, tc, -za[1] * zb[0], qa, 1, 3);
+    sp__add9(block + 3 * tr + 3 * tc, tr, tc, -za[1] * zb[1], ww, 3, 1);
+}
+
+/* Rows and columns of held directions to zero, in every block they run through. */
+static void sp__dual_hold(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int k = 0; k < 6; k++) {
+            sp_real *d = w->L.d + 21 * (size_t)w->L.inv[i];
+            if (!sp__held(pb, i, k)) continue;
+            for (int q = 0; q < 6; q++) d[q < k ? sp__column[q] + k - q : sp__column[k] + q - k] = 0;
+        }
+    for (int32_t c = 0; c < pb->contacts; c++)
+        for (int k = 0; k < 12 && w->slot[c] != INT32_MIN; k++) {
+            const int32_t i = k < 6 ? pb->contact[c].a : pb->contact[c].b;
+            const int turn = w->slot[c] < 0, row = (k < 6) != turn;     /* is block a's direction a row as stored? */
+            sp_real *x = w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+            if (!sp__held(pb, i, k % 6)) continue;
+            for (int q = 0; q < 6; q++) x[row ? 6 * q + k % 6 : 6 * (k % 6) + q] = 0;
+        }
 }
 
 /* Aeq S DP Aeq' + shift into L: every contact's H moved to the centroids of its blocks,
@@ -2635,11 +2678,12 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
 {
     const sp_problem *pb = w->pb;
     sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
+    int held = 0;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real *za = w->z + 6 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->z + 6 * (size_t)(t->b < 0 ? 0 : t->b);
-        sp__dual_contact_hessian(w, law, c, y, h);
+        const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
+        if (!sp__dual_contact_hessian(w, law, c, y, h)) continue;
         sp__rotate(t, h, vv);
         sp__rotate(t, h + 9, vw);
         sp__rotate(t, h + 18, ww);
@@ -2647,13 +2691,13 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             sp__cross_right(t->ra, vv, 0, vw, qa);                          /* K_vw = vw - vv [arm]x */
             sp__cross_right(t->ra, vw, 1, ww, nb);                          /* ww - vw' [arm]x */
             sp__cross_left(t->ra, qa, nb, k);                               /* K_ww */
-            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->a], za, vv, qa, k);
+            sp__add_diagonal(w->L.d + 21 * (size_t)w->L.inv[t->a], za, vv, qa, k);
         }
         if (t->b >= 0) {
             sp__cross_right(t->rb, vv, 0, vw, qb);
             sp__cross_right(t->rb, vw, 1, ww, nb);
             sp__cross_left(t->rb, qb, nb, k);
-            sp__add_diagonal(w->L.d + 36 * (size_t)w->L.inv[t->b], zb, vv, qb, k);
+            sp__add_diagonal(w->L.d + 21 * (size_t)w->L.inv[t->b], zb, vv, qb, k);
         }
         if (w->slot[c] != INT32_MIN) {
             const int turn = w->slot[c] < 0;
@@ -2661,8 +2705,10 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             sp__add_coupling(w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]), turn, za, zb, vv, qa, qb, k);
         }
     }
+    for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
+    if (held) sp__dual_hold(w);
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        for (size_t q = 0; q < 6; q++) w->L.d[36 * i + 7 * q] += shift;
+        for (int q = 0; q < 6; q++) w->L.d[21 * i + sp__column[q]] += shift;
     sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
@@ -2676,11 +2722,11 @@ static void sp__dual_spread(sp__dual *w)
         for (int32_t q = L->p[k] - 1; q < L->p[k + 1]; q++) {
             const int diagonal = q < L->p[k];
             const int32_t i = diagonal ? k : L->i[q];
-            const sp_real *block = diagonal ? L->d + 36 * (size_t)k : L->x + 36 * (size_t)q;
+            const sp_real *block = diagonal ? L->d + 21 * (size_t)k : L->x + 36 * (size_t)q;
             for (size_t r = 0; r < 6; r++)
                 for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
                     const size_t row = 6 * (size_t)i + r;
-                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = block[6 * c + r];
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = block[diagonal ? sp__column[c] + r - c : 6 * c + r];
                 }
         }
 }
@@ -2758,21 +2804,18 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
     sp__dual_count(w, 2 * SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
-/* The metric S_v ~ min(sbar_A, sbar_B) of a contact, 1 where all are alike: without it a pebble beside a cathedral is lost in
- * rounding.     returns 1 when it is needed */
+/* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */
 static int sp__dual_metric(sp__dual *w)
 {
-    const sp_problem *pb = w->pb;
     sp_real least = SP__HUGE, most = 0;
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_real s = sp__lesser(&pb->contact[c], w->size, 2);
-        w->S[c] = s;
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_real s = sp__lesser(&w->pb->contact[c], w->size, 2);
         if (s < least) least = s;
         if (s > most) most = s;
     }
-    const int needed = most > 1000 * least;
-    for (int32_t c = 0; c < pb->contacts; c++) w->S[c] = needed ? (w->S[c] > 0 ? w->S[c] / most : 1) : 1;
-    return needed;
+    if (!(most > 1000 * least)) return 0;
+    w->metric = 1 / most;
+    return 1;
 }
 
 typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY } sp__form;
@@ -2792,13 +2835,14 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     w->soft = penalty && !set->net ? 1 / set->gamma : 0;
     w->slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
     sp__cone_make(&w->cone);
-    sp_real factor = 1, half;
-    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &factor, &half);
+    sp_real half;
+    w->factor = 1;
+    w->metric = 0;
+    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
+    w->factor /= w->slide;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         int32_t turned = 0;
-        w->mu[c] = t->joint->joint.mu * factor / w->slide;
-        w->S[c] = 1;
         w->slot[c] = INT32_MIN;
         if (t->a < 0 || t->b < 0) continue;
         w->slot[c] = sp__bchol_slot(&w->L, t->a, t->b, &turned);
@@ -2945,7 +2989,7 @@ SP__APART static void sp__dual_bilateral(sp__dual *w)
 /* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' y0. */
 static void sp__dual_hint(const sp__dual *w, sp_state *state)
 {
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->y0[k] = w->unit * w->z[k] * w->y[k];
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
     state->has_y0 = 1;
 }
 
@@ -3016,12 +3060,13 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
             sp_real *g = f + 3 * (size_t)v;
             sp__dual_rate(w, V, W, pb->local[v], u);
             for (int k = 0; k < 3; k++) u[k] += g[k];
-            sp__cone_project(&w->cone, w->mu[c], u, g);
+            sp__cone_project(&w->cone, sp__dual_mu(w, c), u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
         }
         sp__dual_scatter(w, t, F, M, r);
     }
+    sp__dual_release(w, r);
     sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
@@ -3067,18 +3112,18 @@ typedef struct sp__newton {
     int proved;                         /* state->dq holds a proof */
 } sp__newton;
 
-/* Step length: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] brought below a fifth of its start. */
-SP__APART static sp_real sp__newton_search(sp__dual *w, sp_real prox)
+/* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
+typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
+
+static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 * sp__abs(l->start), l->noise); }
+
+/* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
+SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
 {
-    const size_t n = 6 * (size_t)w->pb->blocks;
-    const sp_real yd = prox * sp__dot(w->y, w->d, n), dd = prox * sp__dot(w->d, w->d, n);
-    const sp_real start = sp__dot(w->r, w->d, n) + yd;
-    const sp_real noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
-    const sp_real enough = sp__max((sp_real)0.2 * sp__abs(start), noise);
-    sp_real lo = 0, flo = start, hi = 0, fhi = 0, s = 1;
-    if (!(start < -noise)) return 1;
+    const sp_real enough = sp__line_enough(l);
+    sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
     for (int it = 0; it < 14; it++) {
-        const sp_real f = sp__dual_slope(w, w->y, w->d, s) + yd + s * dd;
+        if (it) f = sp__dual_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
         if (sp__abs(f) <= enough) return s;
         if (f < 0) { lo = s; flo = f; }
         else { hi = s; fhi = f; }
@@ -3106,14 +3151,14 @@ SP__APART static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
     }
     const sp_real work = -sp__dual_work(w, y);
     if (!(work > 0)) return 0;
-    for (int32_t c = 0; c < pb->contacts; c++) {
+    for (int32_t c = 0; c < pb->contacts && resist < work; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real V[3], W[3], sum = 0;
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3];
             sp__dual_rate(w, V, W, pb->local[v], u);
-            sp__cone_project(&w->cone, w->mu[c], u, u);
+            sp__cone_project(&w->cone, sp__dual_mu(w, c), u, u);
             sum += sp__norm3(u);
         }
         resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
@@ -3126,7 +3171,7 @@ SP__APART static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
 static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_state *state)
 {
     if (n->proved || sp__newton_proof(w, y) <= (sp_real)1.1 * w->set->tol) return;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->z[k] * y[k];
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->weight[k / 3] * y[k];
     n->proved = 1;
 }
 
@@ -3210,9 +3255,9 @@ SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_re
 {
     sp_real D[6], u[3], m[3];
     sp__dual_rate(w, twist[0], twist[1], l, u);
-    if (sp__cone_derivative(&w->cone, w->mu[c], u, D) == SP__APEX) return;
+    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
-    const sp_real x = w->S[c] * u[0], y = w->S[c] * u[1], z = w->S[c] * u[2];
+    const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
     sp__cross3(l, g, m);
     for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
@@ -3231,6 +3276,7 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
         for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, pb->local[v], twist, F, M);
         sp__dual_scatter(w, t, F, M, out);
     }
+    sp__dual_release(w, out);
     sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
 }
 
@@ -3263,15 +3309,42 @@ SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state
 
 /* 18 -------------------------------------------------------------------------------------------------- exact stage: steps */
 
-/* After a step: gradient, imbalance, best so far. */
-static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
+/* After a step: imbalance, best so far. */
+static void sp__newton_keep(const sp__dual *w, sp__newton *n, sp_state *state)
 {
-    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
     n->omega = sp__dual_omega(w, w->r);
     if (n->omega < n->best) {
         n->best = n->omega;
         memcpy(state->y, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     }
+}
+
+static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__newton_keep(w, n, state);
+}
+
+/* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
+static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__line l = { n->prox * sp__dot(w->y, w->d, size), n->prox * sp__dot(w->d, w->d, size), 0, 0 };
+    l.start = sp__dot(w->r, w->d, size) + l.yd;
+    l.noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+    sp_real s = 1;
+    memcpy(w->L.t, w->y, size * sizeof *w->y);
+    sp__dual_axpy(w, 1, w->d, w->y);
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
+    if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
+        memcpy(w->y, w->L.t, size * sizeof *w->y);
+        s = sp__newton_search(w, &l, f);
+        sp__dual_axpy(w, s, w->d, w->y);
+        sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    }
+    sp__newton_keep(w, n, state);
+    return s;
 }
 
 /* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
@@ -3310,9 +3383,7 @@ SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *s
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
     sp__dual_solve(w, w->d, w->d);
     sp__newton_try(w, n, w->d, state);
-    const sp_real s = sp__newton_search(w, n->prox);
-    sp__dual_axpy(w, s, w->d, w->y);
-    sp__newton_look(w, n, state);
+    const sp_real s = sp__newton_move(w, n, state);
     if (n->omega > n->goal && !n->proved) {
         sp__newton_try(w, n, w->y, state);
         if (s > 10) sp__newton_purify(w, n, w->d, state);

@@ -1,7 +1,8 @@
 /* bchol: Cholesky factors of a sparse symmetric matrix of 6 x 6 blocks, A = L L'.                    [George, Liu 1981, ch. 5]
  *
- * Rows are renumbered by sp__order. Column k of L: its diagonal block (lower triangle, reciprocals on the diagonal) in d, the
- * blocks below it in x, row numbers ascending in i. A block is stored by columns: entry (r, c) at 6 c + r.
+ * Rows are renumbered by sp__order. Column k of L: its diagonal block in d (the lower triangle by columns, 21 numbers, entry
+ * (r, c) at sp__column[c] + r - c, reciprocals on the diagonal), the blocks below it in x, row numbers ascending in i, entry
+ * (r, c) of a block at 6 c + r.
  * Right-looking: when column k is final, every pair of its blocks updates one block further right.
  * A pivot below `floor` is raised to it and the rest of its column dropped: such a direction carries nothing, and what rounding
  * left of the column would grow. Its reciprocal is marked by a minus sign.
@@ -11,11 +12,13 @@
 
 #include "order.c"
 
+static const unsigned char sp__column[6] = { 0, 6, 11, 15, 18, 20 };    /* where the columns of a lower triangle start */
+
 typedef struct sp__bchol {
     int32_t n;
     int32_t *perm, *inv;                /* k-th eliminated row, and back */
     int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
-    sp_real *d, *x;                     /* 36 n, 36 p[n] */
+    sp_real *d, *x;                     /* 21 n, 36 p[n] */
     sp_real *t;                         /* 6 n: right-hand side in elimination order */
     int64_t flops;                      /* of one factorisation */
 } sp__bchol;
@@ -31,7 +34,7 @@ static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
 static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
 {
     f->i = sp__take(a, (size_t)nnz, sizeof *f->i);
-    f->d = sp__take(a, (size_t)f->n, 36 * sizeof *f->d);
+    f->d = sp__take(a, (size_t)f->n, 21 * sizeof *f->d);
     f->x = sp__take(a, (size_t)nnz, 36 * sizeof *f->x);
     f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
 }
@@ -69,7 +72,7 @@ SP__APART static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, co
     f->flops = 0;
     for (int32_t k = 0; k < f->n; k++) {
         const int64_t c = f->p[k + 1];
-        f->flops += 91 + 216 * c + 432 * (c * (c + 1) / 2);     /* 6x6 Cholesky, c triangular solves, c(c+1)/2 products */
+        f->flops += 91 + 468 * c + 432 * (c * (c - 1) / 2);     /* 6x6 Cholesky, c triangular solves and squares, products */
         nnz += c;
         if (nnz > INT32_MAX / 36) return -1;
         f->p[k + 1] = (int32_t)nnz;
@@ -103,14 +106,16 @@ static int32_t sp__bchol_slot(const sp__bchol *f, int32_t r, int32_t c, int32_t 
 static void sp__bchol_block(sp_real *a, sp_real floor)
 {
     for (int c = 0; c < 6; c++) {
+        sp_real *ac = a + sp__column[c];
         for (int k = 0; k < c; k++) {
-            const sp_real s = a[6 * k + c];
-            for (int r = c; r < 6; r++) a[6 * c + r] -= a[6 * k + r] * s;
+            const sp_real *ak = a + sp__column[k] + c - k;
+            const sp_real s = *ak;
+            for (int r = c; r < 6; r++) ac[r - c] -= ak[r - c] * s;
         }
-        const int carries = a[7 * c] > floor;
-        const sp_real s = (sp_real)1 / SP_SQRT(carries ? a[7 * c] : floor);
-        a[7 * c] = carries ? s : -s;
-        for (int r = c + 1; r < 6; r++) a[6 * c + r] *= carries ? s : 0;
+        const int carries = *ac > floor;
+        const sp_real s = (sp_real)1 / SP_SQRT(carries ? *ac : floor);
+        *ac = carries ? s : -s;
+        for (int r = c + 1; r < 6; r++) ac[r - c] *= carries ? s : 0;
     }
 }
 
@@ -120,12 +125,12 @@ static void sp__bchol_right(sp_real *x, const sp_real *l)
     for (int c = 0; c < 6; c++) {
         sp_real *xc = x + 6 * c;
         for (int k = 0; k < c; k++) {
-            const sp_real s = l[6 * k + c];
+            const sp_real s = l[sp__column[k] + c - k];
             const sp_real *xk = x + 6 * k;
             xc[0] -= xk[0] * s; xc[1] -= xk[1] * s; xc[2] -= xk[2] * s;
             xc[3] -= xk[3] * s; xc[4] -= xk[4] * s; xc[5] -= xk[5] * s;
         }
-        const sp_real s = l[7 * c] > 0 ? l[7 * c] : 0;
+        const sp_real s = sp__max(l[sp__column[c]], 0);
         xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
     }
 }
@@ -144,16 +149,30 @@ static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
     }
 }
 
+/* C <- C - A A', the lower triangle C. */
+static void sp__bchol_square(sp_real *c, const sp_real *a)
+{
+    for (int k = 0; k < 6; k++, a += 6) {
+        const sp_real a0 = a[0], a1 = a[1], a2 = a[2], a3 = a[3], a4 = a[4], a5 = a[5];
+        c[0] -= a0 * a0; c[1] -= a1 * a0; c[2] -= a2 * a0; c[3] -= a3 * a0; c[4] -= a4 * a0; c[5] -= a5 * a0;
+        c[6] -= a1 * a1; c[7] -= a2 * a1; c[8] -= a3 * a1; c[9] -= a4 * a1; c[10] -= a5 * a1;
+        c[11] -= a2 * a2; c[12] -= a3 * a2; c[13] -= a4 * a2; c[14] -= a5 * a2;
+        c[15] -= a3 * a3; c[16] -= a4 * a3; c[17] -= a5 * a3;
+        c[18] -= a4 * a4; c[19] -= a5 * a4;
+        c[20] -= a5 * a5;
+    }
+}
+
 SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
-        sp_real *d = f->d + 36 * (size_t)k;
+        sp_real *d = f->d + 21 * (size_t)k;
         sp__bchol_block(d, floor);
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) sp__bchol_right(f->x + 36 * (size_t)q, d);
         for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
             const int32_t j = f->i[b];
             const sp_real *xb = f->x + 36 * (size_t)b;
-            sp__bchol_update(f->d + 36 * (size_t)j, xb, xb);
+            sp__bchol_square(f->d + 21 * (size_t)j, xb);
             int32_t to = f->p[j];
             for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
                 while (f->i[to] < f->i[a]) to++;
@@ -165,7 +184,7 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
 
 static void sp__bchol_zero(sp__bchol *f)
 {
-    memset(f->d, 0, (size_t)f->n * 36 * sizeof *f->d);
+    memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);
     memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
 }
 
@@ -177,10 +196,11 @@ SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_r
         for (int r = 0; r < 6; r++) t[6 * (size_t)k + (size_t)r] = b[6 * (size_t)f->perm[k] + (size_t)r];
     for (int32_t k = 0; k < f->n; k++) {                                        /* L z = b */
         sp_real *v = t + 6 * (size_t)k;
-        const sp_real *d = f->d + 36 * (size_t)k;
+        const sp_real *d = f->d + 21 * (size_t)k;
         for (int c = 0; c < 6; c++) {
-            v[c] *= d[7 * c] > 0 ? d[7 * c] : -d[7 * c];
-            for (int r = c + 1; r < 6; r++) v[r] -= d[6 * c + r] * v[c];
+            const sp_real *dc = d + sp__column[c];
+            v[c] *= sp__abs(*dc);
+            for (int r = c + 1; r < 6; r++) v[r] -= dc[r - c] * v[c];
         }
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
             sp_real *z = t + 6 * (size_t)f->i[q];
@@ -193,7 +213,7 @@ SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_r
     }
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
         sp_real *v = t + 6 * (size_t)k;
-        const sp_real *d = f->d + 36 * (size_t)k;
+        const sp_real *d = f->d + 21 * (size_t)k;
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
             const sp_real *z = t + 6 * (size_t)f->i[q];
             const sp_real *l = f->x + 36 * (size_t)q;
@@ -201,8 +221,9 @@ SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_r
                 v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
         }
         for (int c = 5; c >= 0; c--) {
-            for (int r = c + 1; r < 6; r++) v[c] -= d[6 * c + r] * v[r];
-            v[c] *= d[7 * c] > 0 ? d[7 * c] : -d[7 * c];
+            const sp_real *dc = d + sp__column[c];
+            for (int r = c + 1; r < 6; r++) v[c] -= dc[r - c] * v[r];
+            v[c] *= sp__abs(*dc);
         }
     }
     for (int32_t k = 0; k < f->n; k++)

@@ -13,6 +13,7 @@
 #endif
 
 #include "../solvers/bchol.c"
+#include "../solvers/chol.c"
 
 enum { BLOCKS = 30, SIZE = 6 * BLOCKS };
 
@@ -39,8 +40,8 @@ static void make(int32_t n, int32_t edges, double shift)
     for (int32_t k = 0; k < 6 * n; k++) A[k][k] += shift;
 }
 
-/* The factor of A, in the test arena. */
-static void factor(int32_t n, sp__bchol *f)
+/* The factor of A, in the test arena; pivots up to `floor` do not count. */
+static void factor_above(int32_t n, double floor, sp__bchol *f)
 {
     static int32_t xadj[BLOCKS + 1], adj[BLOCKS * BLOCKS], parent[BLOCKS], mark[BLOCKS];
     int32_t m = 0;
@@ -59,7 +60,7 @@ static void factor(int32_t n, sp__bchol *f)
     sp__bchol_zero(f);
     for (int32_t i = 0; i < n; i++)
         for (int r = 0; r < 6; r++)
-            for (int c = 0; c < 6; c++) f->d[36 * f->inv[i] + 6 * c + r] = R(A[6 * i + r][6 * i + c]);
+            for (int c = 0; c <= r; c++) f->d[21 * f->inv[i] + sp__column[c] + r - c] = R(A[6 * i + r][6 * i + c]);
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < i; j++) {
             if (!meet[i][j]) continue;
@@ -68,8 +69,10 @@ static void factor(int32_t n, sp__bchol *f)
             for (int r = 0; r < 6; r++)
                 for (int c = 0; c < 6; c++) f->x[36 * slot + (turned ? 6 * r + c : 6 * c + r)] = R(A[6 * i + r][6 * j + c]);
         }
-    sp__bchol_factor(f, 0);
+    sp__bchol_factor(f, R(floor));
 }
+
+static void factor(int32_t n, sp__bchol *f) { factor_above(n, 0, f); }
 
 /* |A x - b| relative to |A| |x| + |b| */
 static double residual(int32_t n, const sp_real *x, const sp_real *b)
@@ -141,6 +144,128 @@ TEST(pivots_without_strength_are_raised_to_the_floor)
     CHECK_NEAR(x[2], 4, 8 * (double)SP_EPSILON);
 }
 
+/* The same system by the dense part: shift 1 keeps the condition below 1e4 or so. */
+TEST(dense_cholesky_gives_the_same_answer)
+{
+    static sp_real dense[SIZE * (SIZE + 1) / 2];
+    for (int trial = 0; trial < 10; trial++) {
+        sp_real x[SIZE], y[SIZE];
+        sp__bchol f;
+        const int32_t n = test_random_int(1, BLOCKS);
+        test_arena.used = 0;
+        make(n, test_random_int(0, 3 * n), 1);
+        factor(n, &f);
+        for (int32_t i = 0, k = 0; i < 6 * n; i++)
+            for (int32_t j = 0; j <= i; j++) dense[k++] = R(A[i][j]);
+        sp__chol_factor(dense, 6 * n, 0);
+        for (int32_t k = 0; k < 6 * n; k++) x[k] = y[k] = test_random_real(-1, 1);
+        sp__bchol_solve(&f, x, x);
+        sp__chol_solve(dense, 6 * n, y);
+        for (int32_t k = 0; k < 6 * n; k++) if (!CHECK_WITHIN(x[k], y[k], TOL(1e-11, 3e-3))) return;
+    }
+}
+
+TEST(order_and_its_inverse_undo_each_other)
+{
+    sp__bchol f;
+    make(BLOCKS, 2 * BLOCKS, 1);
+    factor(BLOCKS, &f);
+    for (int32_t k = 0; k < BLOCKS; k++) {
+        CHECK_INT(f.inv[f.perm[k]], k);
+        CHECK_INT(f.perm[f.inv[k]], k);
+        for (int32_t q = f.p[k]; q < f.p[k + 1]; q++) CHECK(f.i[q] > (q > f.p[k] ? f.i[q - 1] : k));
+    }
+}
+
+/* Blocks renamed i -> place[i]: the same answer under new names, whatever order the elimination takes. */
+TEST(renaming_the_blocks_renames_the_answer)
+{
+    static double B[SIZE][SIZE];
+    static unsigned char met[BLOCKS][BLOCKS];
+    for (int trial = 0; trial < 10; trial++) {
+        const int32_t n = test_random_int(2, BLOCKS);
+        int32_t place[BLOCKS];
+        sp_real b[SIZE], c[SIZE], x[SIZE], y[SIZE];
+        sp__bchol f;
+        test_arena.used = 0;
+        make(n, 2 * n, 1);
+        factor(n, &f);
+        for (int32_t k = 0; k < 6 * n; k++) b[k] = test_random_real(-1, 1);
+        sp__bchol_solve(&f, b, x);
+        for (int32_t i = 0; i < n; i++) place[i] = i;
+        for (int32_t i = n - 1; i > 0; i--) {
+            const int32_t j = test_random_int(0, i), t = place[i];
+            place[i] = place[j];
+            place[j] = t;
+        }
+        memcpy(B, A, sizeof A);
+        memcpy(met, meet, sizeof meet);
+        for (int32_t i = 0; i < 6 * n; i++) {
+            const int32_t to = 6 * place[i / 6] + i % 6;
+            c[to] = b[i];
+            for (int32_t j = 0; j < 6 * n; j++) {
+                A[to][6 * place[j / 6] + j % 6] = B[i][j];
+                meet[place[i / 6]][place[j / 6]] = met[i / 6][j / 6];
+            }
+        }
+        factor(n, &f);
+        sp__bchol_solve(&f, c, y);
+        for (int32_t i = 0; i < 6 * n; i++)
+            if (!CHECK_WITHIN(y[6 * place[i / 6] + i % 6], x[i], TOL(1e-11, 3e-3))) return;
+    }
+}
+
+/* A connected graph of springs that feel four of six directions, turned by a reflection Q so that no coordinate is one of
+ * them: A = Laplacian x Q diag(1 1 1 1 0 0) Q', rank 4 (n - 1). */
+static void make_springs(int32_t n)
+{
+    double P[6][6];
+    for (int r = 0; r < 6; r++)
+        for (int c = 0; c < 6; c++) {                   /* Q = I - 2 v v' / v.v, v = (1, 2, .., 6), v.v = 91 */
+            P[r][c] = 0;
+            for (int k = 0; k < 4; k++)
+                P[r][c] += ((r == k) - 2.0 * (r + 1) * (k + 1) / 91) * ((c == k) - 2.0 * (c + 1) * (k + 1) / 91);
+        }
+    make(n, 0, 0);
+    for (int32_t e = 1; e < 2 * n; e++) {
+        const int32_t i = e < n ? e : test_random_int(0, n - 1), j = e < n ? test_random_int(0, e - 1) : test_random_int(0, n - 1);
+        const double w = (double)test_random_real(1, 4);
+        if (i == j) continue;
+        meet[i][j] = meet[j][i] = 1;
+        for (int r = 0; r < 6; r++)
+            for (int c = 0; c < 6; c++) {
+                A[6 * i + r][6 * i + c] += w * P[r][c];
+                A[6 * j + r][6 * j + c] += w * P[r][c];
+                A[6 * i + r][6 * j + c] -= w * P[r][c];
+                A[6 * j + r][6 * i + c] -= w * P[r][c];
+            }
+    }
+}
+
+/* Nothing holds the springs, so A is singular: what is not felt is dropped, and a load they can bear is still borne. */
+TEST(dropped_pivots_are_those_of_the_null_space)
+{
+    for (int trial = 0; trial < 20; trial++) {
+        sp_real b[SIZE], x[SIZE];
+        sp__bchol f;
+        const int32_t n = test_random_int(2, BLOCKS);
+        int32_t dropped = 0;
+        test_arena.used = 0;
+        make_springs(n);
+        factor_above(n, TOL(1e-9, 1e-4), &f);
+        for (int32_t k = 0; k < n; k++)
+            for (int c = 0; c < 6; c++) dropped += f.d[21 * k + sp__column[c]] < 0;
+        CHECK_INT(dropped, 6 * n - 4 * (n - 1));
+        for (int32_t i = 0; i < 6 * n; i++) {
+            double s = 0;
+            for (int32_t j = 0; j < 6 * n; j++) s += A[i][j] * (j % 7 - 3);
+            b[i] = R(s);
+        }
+        sp__bchol_solve(&f, b, x);
+        CHECK_WITHIN(residual(n, x, b), 0, TOL(1e-11, 1e-4));
+    }
+}
+
 /* The formula for flops counts 2 flops a multiply-add of what the loops do; here for a chain, where no fill happens. */
 TEST(flops_of_a_chain_follow_the_formula)
 {
@@ -149,7 +274,7 @@ TEST(flops_of_a_chain_follow_the_formula)
     for (int32_t i = 1; i < 10; i++) meet[i - 1][i] = meet[i][i - 1] = 1;
     factor(10, &f);
     CHECK_INT(f.p[10], 9);
-    CHECK_INT(f.flops, 10 * 91 + 9 * (216 + 432));
+    CHECK_INT(f.flops, 10 * 91 + 9 * (216 + 252));
 }
 
 TEST_LIST(bchol)
@@ -157,5 +282,9 @@ TEST_LIST(bchol)
     RUN(answer_may_replace_the_question)
     RUN(one_dense_block_is_plain_cholesky)
     RUN(pivots_without_strength_are_raised_to_the_floor)
+    RUN(dense_cholesky_gives_the_same_answer)
+    RUN(order_and_its_inverse_undo_each_other)
+    RUN(renaming_the_blocks_renames_the_answer)
+    RUN(dropped_pivots_are_those_of_the_null_space)
     RUN(flops_of_a_chain_follow_the_formula)
 TEST_END
