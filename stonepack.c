@@ -1799,9 +1799,12 @@ SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *set
  */
 #ifdef SP_REAL_FLOAT
 #define SP__SCALE_TOL ((sp_real)1e-4)   /* f0 is a scale: this many digits of it */
+#define SP__SCALE_NULL ((sp_real)3e-6)  /* what the normal matrix makes of a residual that nothing can take away, relative */
 #else
 #define SP__SCALE_TOL ((sp_real)1e-9)
+#define SP__SCALE_NULL ((sp_real)1e-14)
 #endif
+#define SP__SCALE_KNOWN ((sp_real)1e-3) /* imbalance of f0, relative to a block's load, up to which it is that block's scale */
 #define SP__HUGE ((sp_real)1e30)        /* stands for a ratio with nothing below the line */
 
 typedef struct sp__scale {
@@ -2017,7 +2020,7 @@ SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     sp_real rg = sp__dot(j->r, j->g, n);
     for (int32_t it = 0; ; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (rr <= small * load || gg <= small * small * rr) return 1;
+        if (rr <= small * load || gg <= SP__SCALE_NULL * SP__SCALE_NULL * rr) return 1;
         if (it >= 1000 + pb->blocks * 6 || !(qq > 0) || !(rg > 0)) return 0;
         const sp_real alpha = rg / qq;
         for (size_t k = 0; k < n; k++) { j->x[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
@@ -2028,13 +2031,25 @@ SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     }
 }
 
+/* Does f0 balance a block, so that it is its scale? Residual r of its rows, to a few digits of its load or to the rounding of
+ * what runs through it. A pebble on a cathedral, whose share is lost in rounding, or forged, gains no tolerance from it: then
+ * f0 and m0 are taken from its load alone. */
+static int sp__scale_known(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
+{
+    const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * f0;
+    return sp__norm3(r) <= enough && sp__norm3(r + 3) <= enough * arm;
+}
+
 /* The scales of every free block.     returns 0 when f0 could not be settled */
 static int sp__judge_scales(sp__judge *j, const sp_real *y0)
 {
     const sp_problem *pb = j->pb;
     sp__judge_weights(j);
     const int settled = sp__judge_bilateral(j, y0);
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->r[k] = j->q[k] = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__judge_load(j, i, j->r + 6 * (size_t)i);
+        memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
+    }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -2049,6 +2064,11 @@ static int sp__judge_scales(sp__judge *j, const sp_real *y0)
         sp__scale *s = &j->scale[i];
         s->f0 = j->q[2 * (size_t)i];
         s->m0 = j->q[2 * (size_t)i + 1];
+        sp__release(pb, i, j->r + 6 * (size_t)i);
+        if (!sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm)) {
+            s->f0 = s->load;
+            s->m0 = s->load * s->arm;
+        }
         s->s = s->load + s->f0;
         s->S = s->couple + s->m0 + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
     }
@@ -2097,7 +2117,7 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
         j->cap = sp__judge_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
-            sp__scale3(1 / j->unit, f + 3 * (size_t)v, g);
+            for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
             sp__judge_admit(j, t, g, g);
             for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
             sp__point_force(pb, t->b, v, F, 1, j->r, j->q);
@@ -2149,6 +2169,14 @@ static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const s
     return most <= mu * u[0] ? all : best;
 }
 
+/* Largest displacement of a joint of block i. */
+static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
+{
+    if (i < 0) return 0;
+    const sp_real *m = j->x + 6 * (size_t)i;
+    return sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
+}
+
 /* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
@@ -2156,16 +2184,19 @@ static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const s
 SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
 {
     const sp_problem *pb = j->pb;
-    sp_real largest = 0;
-    for (int pass = 0; pass < 2; pass++)
+    *final = 0;
+    sp_real largest = 0;                                /* displacement; the motion is scaled to it, whatever its unit */
+    for (int pass = 0; pass < 2; pass++) {
         for (int32_t i = 0; i < pb->blocks; i++) {
             sp_real *m = j->x + 6 * (size_t)i;
-            memcpy(m, dq + 6 * (size_t)i, 6 * sizeof *m);
+            for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
             sp__release(pb, i, m);
-            const sp_real size = sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
+            const sp_real size = sp__judge_moved(j, i);
             if (!pass && size > largest) largest = size;
-            if (pass && size <= rest * largest) memset(m, 0, 6 * sizeof *m);
+            if (pass && size <= rest) memset(m, 0, 6 * sizeof *m);
         }
+        if (!(largest > 0) || !sp__finite(largest)) return 0;
+    }
     sp_real work = 0, scale = 0, resist = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
@@ -2177,17 +2208,15 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real cap = sp__judge_cap(j, t);
+        const sp_real cap = sp__judge_cap(j, t), moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real w[3] = { 0, 0, 0 }, a[3] = { 0, 0, 0 };
+            sp_real w[3] = { 0, 0, 0 };
             sp__point_velocity(pb, NULL, t->b, v, j->x, -1, w);
-            sp__point_velocity(pb, NULL, t->a, v, j->x, -1, a);
-            const sp_real moved = sp__norm3(w) + sp__norm3(a);
-            for (int k = 0; k < 3; k++) w[k] -= a[k];
+            sp__point_velocity(pb, NULL, t->a, v, j->x, 1, w);
             const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
             resist += cap * P;
-            if (P > 64 * (sp_real)SP_EPSILON * moved) *final = 0;       /* below that: rounding of u */
+            if (P > 256 * (sp_real)SP_EPSILON * moved) *final = 0;     /* below that: rounding of dq and u */
         }
     }
     j->sweeps++;
@@ -2399,17 +2428,15 @@ static void sp__dual_release(const sp__dual *w, sp_real *r)
 /* r <- the weighted load in units. */
 static void sp__dual_load(const sp__dual *w, sp_real *r)
 {
-    const sp_real unit = 1 / w->unit;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->weight[k / 3] * (w->pb->p[k] * unit);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->weight[k / 3] * (w->pb->p[k] / w->unit);
     sp__dual_release(w, r);
 }
 
 /* load . y */
 static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
 {
-    const sp_real unit = 1 / w->unit;
     sp_real s = 0;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->weight[k / 3] * (w->pb->p[k] * unit) * y[k];
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->weight[k / 3] * (w->pb->p[k] / w->unit) * y[k];
     return s;
 }
 
@@ -2769,7 +2796,20 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
     return omega;
 }
 
-/* size = weighted sbar and Sbar from the bilateral force of potential y (metric 1), as the certificate check has them. */
+/* Where y does not balance block i its load alone is its scale, as the certificate check has it; then the share of rounding. */
+static void sp__dual_size(const sp__dual *w, int32_t i, sp_real *size)
+{
+    const sp_real *p = w->pb->p + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i, *r = w->r + 6 * (size_t)i;
+    const sp_real load = sp__norm3(p) / w->unit, arm = w->d[i];
+    const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * (size[0] - load);
+    if (sp__norm3(r) > enough * z[0] || sp__norm3(r + 3) > enough * arm * z[1]) {
+        size[0] = 2 * load;
+        size[1] = sp__norm3(p + 3) / w->unit + load * arm;
+    }
+    size[1] += 16 * (sp_real)SP_EPSILON * size[0] * arm / w->set->tol;
+}
+
+/* size = sbar and Sbar from the bilateral force of potential y (metric 1, gradient in w->r), as the certificate check has them. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
@@ -2799,8 +2839,7 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
             }
         }
     }
-    for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->d[i] / w->set->tol;
+    for (int32_t i = 0; i < pb->blocks; i++) sp__dual_size(w, i, w->size + 2 * (size_t)i);
     sp__dual_count(w, 2 * SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
@@ -2919,6 +2958,7 @@ static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_
     int32_t *up = sp__take(arena, (size_t)pb->blocks + 1, sizeof *up);
     if (sp__failed(arena)) return SP_E_MEMORY;
     sp_real load = 0;
+    memset(state->dq, 0, 6 * (size_t)pb->blocks * sizeof *state->dq);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) load = sp__max(load, sp__abs(pb->p[k]));
     if (!(load > 0)) {
         *claim = SP_STABLE;
@@ -3140,18 +3180,19 @@ SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_re
     return lo > 0 ? lo : s;
 }
 
-/* (p . dq - sum c_v |P_K(u_v)|) / sum (sbar |v| + Sbar |w|) for dq = -y, as the certificate check defines it. */
-SP__APART static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
+/* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared with,
+ * for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)|, sum (sbar |v| + Sbar |w|). */
+typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
+
+SP__APART static sp__proof sp__newton_weigh(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    sp_real scale = 0, resist = 0;
+    sp__proof o = { -sp__dual_work(w, y), 0, 0 };
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
-        scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
+        o.scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
-    const sp_real work = -sp__dual_work(w, y);
-    if (!(work > 0)) return 0;
-    for (int32_t c = 0; c < pb->contacts && resist < work; c++) {
+    for (int32_t c = 0; c < pb->contacts && o.resist < o.work; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real V[3], W[3], sum = 0;
         sp__dual_twist(w, t, y, V, W);
@@ -3161,10 +3202,17 @@ SP__APART static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
             sp__cone_project(&w->cone, sp__dual_mu(w, c), u, u);
             sum += sp__norm3(u);
         }
-        resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
+        o.resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
     }
     sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
-    return work > resist ? sp__ratio(work - resist, scale) : 0;
+    return o;
+}
+
+/* (work - resist) / scale */
+static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
+{
+    const sp__proof o = sp__newton_weigh(w, y);
+    return o.work > o.resist ? sp__ratio(o.work - o.resist, o.scale) : 0;
 }
 
 /* Keep y as the mechanism if it is a proof. */
@@ -3291,7 +3339,8 @@ SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state
     sp__rigid_restrict(w, up, r);
     for (size_t k = 0; k < n; k++) p[k] = r[k] = -r[k];
     sp_real rr = sp__dot(r, r, n);
-    for (int it = 0; it < 40 && rr > 0; it++) {
+    const sp_real noise = (sp_real)SP_EPSILON * sp__dual_norm(w, x);
+    for (int it = 0; it < 40 && rr > noise * noise; it++) {
         sp__rigid_prolong(w, up, p);
         sp__dual_apply(w, w->y, p, q);
         sp__rigid_restrict(w, up, q);
@@ -3436,6 +3485,26 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     }
 }
 
+/* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
+ * take what the contacts resist least. state->y is used up. */
+SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];
+    sp__proof best = sp__newton_weigh(w, w->d);
+    for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
+        memcpy(w->d, state->y, n * sizeof *w->d);
+        if (pass) sp__dual_solve(w, w->d, w->d);
+        sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
+        if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
+        const sp__proof now = sp__newton_weigh(w, w->d);
+        if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;
+        best = now;
+        memcpy(state->y, w->d, n * sizeof *w->d);
+    }
+    for (size_t k = 0; k < n; k++) state->dq[k] = -w->weight[k / 3] * state->y[k];
+}
+
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0 };
@@ -3448,9 +3517,14 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_try(w, &n, w->y, state);
     sp__newton_look(w, &n, state);
     sp__newton_plain(w, &n, state);
-    if (!n.proved && n.omega > n.goal) sp__newton_path(w, &n, state);
+    if (!n.proved && n.omega > n.goal) {
+        sp__newton_path(w, &n, state);
+        sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
+    }
     if (!n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
     sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
+    if (n.proved && set->localise) sp__newton_settle(w, state);
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++) state->dq[k] = -w->weight[k / 3] * w->y[k];
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
                   : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;
@@ -3625,29 +3699,44 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     return SP_OK;
 }
 
-/* The state's evidence into the result, as the judge sees it.     returns whether it proves the claim */
-SP__APART static int sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+static int sp__all_finite(const sp_real *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
+    return 1;
+}
+
+/* The judge's motion into the result: scaled so that no point of a block moves farther than the largest block reaches. */
+static void sp__check_motion(const sp__judge *j, sp_result *r)
 {
     const sp_problem *pb = j->pb;
-    int32_t final = 0;
-    r->omega = sp__judge_forces(j, state->f, state->f);
-    if (claim == SP_STABLE) return r->omega <= r->tol;
-    if (claim != SP_UNSTABLE) return 0;
-    const sp_real proof = sp__judge_mechanism(j, state->dq, &final);
-    if (!(proof > r->tol)) return 0;
     sp_real largest = 0, block = 0;
-    for (int32_t i = 0; i < pb->blocks; i++) block = sp__max(block, j->scale[i].arm);
-    if (!(block > 0)) block = 1;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
-        largest = sp__max(largest, sp__max(sp__norm3(m) / block, sp__norm3(m + 3) * j->scale[i].arm / block));
+        block = sp__max(block, j->scale[i].arm);
+        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * j->scale[i].arm));
     }
+    const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
     memset(r->dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *r->dq);
     for (int32_t i = 0; i < pb->blocks; i++)
-        for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = j->x[6 * (size_t)i + k] / largest;
-    r->least_imbalance = proof;
+        for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
+}
+
+/* What the state proves, whatever was claimed; its evidence into the result. Forces are judged unless a motion is claimed, and
+ * a motion unless forces are. */
+SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+{
+    int32_t final = 0;
+    const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
+    if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
+    if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
+    r->omega = sp__judge_forces(j, state->f, state->f);
+    if (claim != SP_UNSTABLE && r->omega <= r->tol) return SP_STABLE;
+    if (claim == SP_STABLE) return SP_UNDECIDED;
+    r->least_imbalance = sp__judge_mechanism(j, state->dq, &final);
+    if (claim != SP_UNSTABLE || r->least_imbalance > r->tol) sp__check_motion(j, r);
+    if (!(r->least_imbalance > r->tol)) return SP_UNDECIDED;
     r->final = final;
-    return 1;
+    return SP_UNSTABLE;
 }
 
 static void sp__cost_add(sp_cost *to, const sp_cost *c)
@@ -3657,31 +3746,38 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
     to->iterations += c->iterations;
 }
 
-/* One stage and the judgement of what it found.     *done: the check is decided */
+/* The reason a result gives: the stage's own, unless the evidence says otherwise. */
+static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, sp_verdict proved, sp_reason told)
+{
+    if (proved == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
+    if (proved == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
+    return told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT ? told : SP_REASON_LIMIT;
+}
+
+/* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
-                                 sp_result *r, int *done)
+                                           sp_result *r, int *done)
 {
     sp_verdict claim = SP_UNDECIDED;
     const size_t mark = a->used;
+    const int last = k + 1 == set->stage_count;
     memset(&state->cost, 0, sizeof state->cost);
     const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, a, &claim);
     if (status) return status;
     a->used = mark;
-    const int last = k + 1 == set->stage_count;
+    if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last) {
         sp__judge j;
         const int settled = sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, a);
         if (sp__failed(a)) return SP_E_MEMORY;
-        *done = sp__check_judge(&j, state, claim, r) && settled;
+        const sp_verdict proved = sp__check_judge(&j, state, claim, r);
         a->used = mark;
         state->cost.flops += 90 * (int64_t)j.sweeps * pb->points;
-        r->verdict = *done ? claim : SP_UNDECIDED;
-        if (*done) {
-            r->stage = set->stage[k];
-            r->reason = claim == SP_STABLE && state->reason != SP_REASON_NOTHING ? SP_REASON_FORCES : state->reason;
-            r->verified = 1;
-        }
-        if (!*done && last) r->reason = set->stage[k] == SP_STAGE_EXACT && claim ? SP_REASON_LIMIT : state->reason;
+        *done = proved && settled;
+        r->verdict = *done ? proved : SP_UNDECIDED;
+        r->verified = *done;
+        r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
+        r->reason = sp__check_reason(set->stage[k], claim, r->verdict, state->reason);
     }
     r->by_stage[k] = state->cost;
     sp__cost_add(&r->cost, &state->cost);
@@ -3844,7 +3940,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     sp_status status = sp__check_build(scene, settings, &a, &c, &kept);
     if (!status && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
     if (status) return status;
-    if (c->r.verdict != SP_UNSTABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
+    if (c->r.verdict == SP_STABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
     if (c->r.verdict == SP_STABLE) c->r.level = SP_ADMISSIBLE;
     sp__check_read(scene, &c->r);
     c->r.peak_bytes = a.peak;
@@ -3864,12 +3960,6 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     set.faces = 64;
     sp__problem_count(scene, &pb);
     return sp_problem_memory(scene) + SP_ALIGN + sp__judge_need(&pb, &set) + 6 * (size_t)pb.blocks * sizeof(sp_real) + SP_ALIGN;
-}
-
-static int sp__all_finite(const sp_real *x, size_t n)
-{
-    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
-    return 1;
 }
 
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,

@@ -292,11 +292,12 @@ typedef struct sp_result {
     sp_stage_id stage;          /* that decided */
     sp_real tol, force_bound;   /* in force */
     sp_real omega;              /* largest relative imbalance of f; tells for every verdict                             [1] */
-    sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance, else 0 [1] */
+    sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
     int32_t free_blocks, interfaces, points;    /* that took part */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
-    sp_real *dq;                /* 6 x scene.count.blocks: velocity of the centroid, rotation; the mechanism, largest 1 of
-                                   speed and rotation x block size / largest block size; zero unless unstable         [m, 1] */
+    sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
+                                   of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
+                                   displacement is the largest distance of a joint from its block's centroid          [m, 1] */
     sp_real *y0;                /* 6 x free blocks: potential of the bilateral force, a hint for sp_verify */
     sp_demand *demand;          /* per interface; zero where not asked for */
     sp_real max_compression;    /* largest fn [N] */

@@ -4,6 +4,7 @@
 #include "scenes/gen.h"
 
 #include <math.h>
+#include <string.h>
 
 /* What is done to a scene: x' = scale Q x + shift, and so on. */
 typedef struct change {
@@ -156,7 +157,8 @@ static void unchanged_by(const change *c, double forces)
         if (!CHECK_INT(r1.verdict, sample[k].verdict) || !CHECK_INT(r2.verdict, sample[k].verdict))
             TEST_PRINT("    %s, %s = %g\n", sample[k].name, sample[k].param, sample[k].value);
         CHECK(r1.verified && r2.verified);
-        if (TOL(1, 0)) CHECK_INT(r1.final, r2.final);
+        const int told = TOL(1, 0) && strcmp(sample[k].name, "rubble");     /* whether nothing resists at all is told from rounding */
+        if (told && !CHECK_INT(r1.final, r2.final)) TEST_PRINT("    %s, %s = %g\n", sample[k].name, sample[k].param, sample[k].value);
         CHECK_INT(sp_verify(&s2, NULL, &r2, test_arena, &evidence), SP_OK);
         CHECK_INT(evidence.verdict, r2.verdict);
         if (forces > 0 && r1.verdict == SP_STABLE && r2.verdict == SP_STABLE) same_forces(&s1, &r1, &s2, &r2, c, name, forces);

@@ -279,6 +279,15 @@ check_cases() {
     if have python3; then part "cases of known truth" cases; else skip "cases of known truth" python3; fi
     SHOW=
 }
+check_oracle() {
+    if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
+        SHOW=1
+        part "random scenes near their limit, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --quick
+        SHOW=
+    else
+        skip "random scenes against linear programming" "python3-numpy python3-scipy"
+    fi
+}
 check_bench() { part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"; }
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
@@ -286,7 +295,7 @@ check_demo() {
 }
 
 count "tests, as make test" sh tests/checks/test.sh
-for check in warnings cpp symbols arm pair sanitizers bits static cases bench demo; do
+for check in warnings cpp symbols arm pair sanitizers bits static cases oracle bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total

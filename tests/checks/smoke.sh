@@ -38,6 +38,24 @@ found_or_given() {                                      # contacts found are the
     [ $a -eq $b ] && [ $a -le 1 ]
 }
 
+bundled() {                                             # the scenes of this folder: names tell which of them fall
+    for b in "$here"/../scenes/*.obj; do
+        case $b in *-falling.obj) want=1 ;; *) want=0 ;; esac
+        "$cli" check "$b" > "$tmp/said"
+        got=$?
+        if [ $got -ne $want ]; then echo "exit status $got, want $want: $b"; return 1; fi
+        if ! grep -q verified "$tmp/said"; then echo "not verified: $b"; return 1; fi
+        if [ "$(wc -c < "$b")" -gt 20000 ]; then echo "larger than 20 kB: $b"; return 1; fi
+    done
+}
+named() {                                               # a scene by hand: names are kept, contacts found, both ways
+    hand=$here/../scenes/trilithon.obj
+    says '"a": *"right-post", *"b": *"lintel"' "$cli" check --json "$hand" &&
+    says '^left-post  *lintel  *0.36 ' "$cli" contacts "$hand" &&
+    says '^5 contacts between 5 blocks, 0 overlaps' "$cli" contacts "$hand" &&
+    "$cli" convert "$hand" > "$tmp/hand.obj" && says '^o gable' cat "$tmp/hand.obj" && exits 0 "$cli" check "$tmp/hand.obj"
+}
+
 part "version"                      exits 0 "$cli" --version
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
@@ -52,6 +70,8 @@ part "gen: unknown number"          exits 64 "$cli" gen arch no-such-number=1
 for s in arch wall dome rubble vault; do
     part "contacts found or given: $s"  found_or_given $s
 done
+part "bundled scenes"               bundled
+part "a scene by hand"              named
 gen arch
 part "json"                         says '"verdict": *"stable"' "$cli" check --json "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"

@@ -1,8 +1,9 @@
 #!/bin/sh
-# test: what `make test` runs: the tests in double and in float, malformed scenes, the program.
+# test: what `make test` runs: the tests in double and in float, malformed scenes, the program, README.
 . tests/checks/tally.sh
 count "tests, double" build/run
 count "tests, float" build/run_float
 if [ -f tests/checks/bad.sh ]; then count "bad scenes" sh tests/checks/bad.sh build/stonepack; fi
 count "program" sh tests/checks/smoke.sh build/stonepack
+count "README" sh tests/checks/readme.sh build/stonepack
 total

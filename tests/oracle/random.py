@@ -1,0 +1,207 @@
+#!/usr/bin/python3
+"""random: random scenes a hair on either side of their limit, the program's verdict against linear programming.
+
+    random.py [--quick] [--cli build/stonepack] [--seed N] [--count N] [--jobs N] [--keep FOLDER] [--verbose]
+
+Each scene is generated, changed at random (weights, friction, lost joints, a turned world), and pushed: gravity g + lambda h in a
+random direction h, where h and g are equally long. oracle.py finds the largest lambda that some forces balance; at relative
+distances 1e-2 .. 1e-6 on either side the program must say stable or unstable. Prints what was compared; the exit status is 1 if
+a verdict was wrong. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
+"""
+import argparse
+import json
+import multiprocessing
+import os
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path = [p for p in sys.path if os.path.abspath(p or ".") != HERE] + [HERE]   # our name is also one of the library's
+
+import numpy as np
+import oracle
+
+DISTANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+CONES = ("8i", "4c", "16i", "true")
+TOL = 1e-9                                              # the program's
+
+
+def numbers(rng):
+    """A generator with small random numbers."""
+    r, u = rng.integers, rng.uniform
+    kinds = [
+        ("wall", dict(rows=r(1, 5), bricks=r(1, 4), jitter=u(0, 0.45), seed=r(1, 1000), height=u(0.1, 0.4))),
+        ("rubble", dict(rows=r(1, 4), bricks=r(1, 4), jitter=u(0, 1), seed=r(1, 1000))),
+        ("vault", dict(around=r(3, 8), n=r(1, 4), t=u(0.1, 0.4), half=u(30, 90), seed=r(1, 1000), jitter=u(0, 0.4))),
+        ("dome", dict(rings=r(1, 4), segments=r(4, 9), t=u(0.08, 0.3), eye=u(10, 40))),
+        ("arch", dict(n=r(2, 16), t=u(0.11, 0.4), half=u(30, 100))),
+        ("diamond", dict(rows=r(1, 6), height=u(0.1, 0.6))),
+        ("tower", dict(n=r(1, 9), lean=u(0, 0.1))),
+        ("flat-arch", dict(n=r(1, 9), height=u(0.2, 0.8), half=u(0, 40))),
+        ("keystone", dict(angle=u(-30, 20), width=u(0.3, 2))),
+        ("two-cubes", dict(offset=u(-0.45, 0.45))),
+        ("cantilever", dict(reach=u(0.3, 1.1), weight=u(0.1, 1))),
+    ]
+    name, given = kinds[rng.choice(len(kinds), p=np.array([6, 6, 4, 4, 4, 3, 2, 3, 1, 1, 1]) / 35)]
+    return [name] + ["%s=%s" % (k, int(v) if float(v).is_integer() else repr(float(v))) for k, v in given.items()]
+
+
+def turn(rng):
+    """A random rotation."""
+    q, r = np.linalg.qr(rng.normal(size=(3, 3)))
+    q = q * np.sign(np.diag(r))
+    return q if np.linalg.det(q) > 0 else -q
+
+
+def change(scene, rng):
+    """Weights, friction, lost joints, a turned world; says what it did."""
+    done = []
+    if rng.random() < 0.4:
+        done.append("weights")
+        for b in scene.blocks:
+            b.density = float(scene.density * 10 ** rng.uniform(-2, 2))
+    if rng.random() < 0.4:
+        done.append("friction")
+        for i in scene.interfaces:
+            i.mu = float(rng.uniform(0.1, 1.2))
+    elif rng.random() < 0.5:
+        scene.mu = float(rng.uniform(0.2, 1.0))
+        done.append("mu")
+    if rng.random() < 0.25 and len(scene.interfaces) > 3:
+        done.append("lost")
+        keep = rng.random(len(scene.interfaces)) > 0.08
+        scene.interfaces = [i for i, k in zip(scene.interfaces, keep) if k]
+    if rng.random() < 0.4:
+        done.append("turned")
+        q = turn(rng)
+        scene.x, scene.gravity = scene.x @ q.T, q @ scene.gravity
+        for i in scene.interfaces:
+            i.x = i.x @ q.T
+    return done
+
+
+def ask(cli, scene, cone, gravity):
+    """The program's answer."""
+    scene.gravity = gravity
+    out = subprocess.run([cli, "check", "--json", "--forces", "--cone", cone, "-"], input=scene.text(), capture_output=True, text=True)
+    if out.returncode not in (0, 1, 2):
+        return dict(verdict="status %d: %s" % (out.returncode, out.stderr.strip()), omega=0, verified=False)
+    return json.loads(out.stdout)
+
+
+def judge(cli, scene, problem, cone, gravity, want, distance, label):
+    """One comparison: right, undecided, near or wrong. Near: stable beyond the limit, by forces that our own sums find balanced
+    within tol, too; a limit is known no better than that. Forces that are not what they are said to be are wrong anywhere."""
+    r = ask(cli, scene, cone, gravity)
+    got = r["verdict"]
+    how = "right" if got == want else "undecided" if got == "undecided" else "wrong"
+    if got != "undecided" and not r["verified"]:
+        how = "wrong"
+    omega = r["omega"]
+    if got == "stable" and "forces" in r:
+        omega, excess, pushing = oracle.evidence(problem, cone, gravity, r["forces"], TOL)
+        holds = omega <= 1.01 * TOL and excess <= 1e-12 and pushing
+        how = "wrong" if not holds else "near" if want != "stable" and distance <= 1e-5 else how
+    return dict(how=how, got=got, want=want, distance=distance, omega=omega, label=label, cone=cone,
+                text=scene.text() if how == "wrong" else None)
+
+
+def trial(job):
+    """One scene, one direction, one cone: all its comparisons, or why there are none."""
+    cli, seed, cone = job
+    rng = np.random.default_rng(seed)
+    given = numbers(rng)
+    made = subprocess.run([cli, "gen"] + given, capture_output=True, text=True)
+    if made.returncode:
+        return dict(skip="gen: " + made.stderr.strip(), label=" ".join(given))
+    scene = oracle.Scene(made.stdout)
+    label = "seed %d: %s (%s)" % (seed, " ".join(given), ", ".join(change(scene, rng)))
+    problem = oracle.Problem(scene)
+    g = scene.gravity.copy()
+    h = rng.normal(size=3)
+    h *= np.linalg.norm(g) / np.linalg.norm(h)
+    top = oracle.limit(problem, cone, g / np.linalg.norm(g), h / np.linalg.norm(g))
+    if top.status == "infeasible":
+        least = oracle.least_imbalance(problem, cone, g)
+        if not least > 1e-5:
+            return dict(skip="infeasible, hardly", label=label)
+        return dict(label=label, found=[judge(cli, scene, problem, cone, g, "unstable", 1.0, label)])
+    if top.status != "limit":
+        return dict(skip=top.status, label=label)
+    if not oracle.within_bound(problem, top.f):
+        return dict(skip="forces beyond the bound", label=label)
+    bottom = oracle.limit(problem, cone, g / np.linalg.norm(g), -h / np.linalg.norm(g))
+    width = top.value + bottom.value if bottom.status == "limit" else np.inf
+    found, unknown = [], 0
+    for d in DISTANCES:
+        if top.error() > 0.1 * d:
+            unknown += 1
+            continue
+        found.append(judge(cli, scene, problem, cone, g + (top.value + d) * h, "unstable", d, label))
+        if d < 0.5 * width:
+            found.append(judge(cli, scene, problem, cone, g + (top.value - d) * h, "stable", d, label))
+    return dict(label=label, found=found, unknown=unknown)
+
+
+def trials(options):
+    """Answers in order, until the count or the time is spent."""
+    until = time.time() + (22 if options.quick else 1e9)
+    jobs = ((options.cli, options.seed + k, CONES[k % len(CONES)]) for k in range(options.count))
+    if options.jobs < 2:
+        for j in jobs:
+            yield trial(j)
+            if time.time() > until:
+                return
+    else:
+        with multiprocessing.Pool(options.jobs) as pool:
+            for answer in pool.imap_unordered(trial, jobs):
+                yield answer
+
+
+def report(options):
+    tally, omega, skipped, unknown, scenes = {}, 0.0, {}, 0, 0
+    for answer in trials(options):
+        if "skip" in answer:
+            skipped[answer["skip"]] = skipped.get(answer["skip"], 0) + 1
+            continue
+        scenes += 1
+        unknown += answer.get("unknown", 0)
+        for f in answer["found"]:
+            key = (f["cone"], f["how"])
+            tally[key] = tally.get(key, 0) + 1
+            if f["got"] == "stable":
+                omega = max(omega, f["omega"])
+            if f["how"] != "right" or options.verbose:
+                print("%-9s %s, want %s, %g from the limit, cone %s, omega %.2g; %s"
+                      % (f["how"], f["got"], f["want"], f["distance"], f["cone"], f["omega"], f["label"]), flush=True)
+            if f["how"] == "wrong" and options.keep:
+                with open(os.path.join(options.keep, "wrong-%d.obj" % sum(tally.values())), "w", encoding="utf-8") as out:
+                    out.write(f["text"])
+    total = {how: sum(n for (_, k), n in tally.items() if k == how) for how in ("right", "undecided", "near", "wrong")}
+    for cone in CONES:
+        print("%-5s " % cone + ", ".join("%d %s" % (tally.get((cone, how), 0), how) for how in total))
+    for why, n in sorted(skipped.items()):
+        print("left out: %d scenes, %s" % (n, why))
+    print("left out: %d distances nearer than ten errors of the oracle" % unknown)
+    print("%d scenes, %d compared: %d wrong, %d undecided, %d stable within tol beyond the limit; worst omega %.2g"
+          % (scenes, sum(total.values()), total["wrong"], total["undecided"], total["near"], omega))
+    return 1 if total["wrong"] or not total["right"] else 0
+
+
+def main():
+    p = argparse.ArgumentParser(description="random scenes near their limit, against linear programming")
+    p.add_argument("--quick", action="store_true", help="fewer scenes, at most 25 seconds")
+    p.add_argument("--cli", default="build/stonepack")
+    p.add_argument("--seed", type=int, default=1)
+    p.add_argument("--count", type=int, default=0)
+    p.add_argument("--jobs", type=int, default=1)
+    p.add_argument("--keep", metavar="FOLDER", help="write scenes with wrong verdicts there")
+    p.add_argument("--verbose", action="store_true")
+    options = p.parse_args()
+    options.count = options.count or (72 if options.quick else 300)
+    return report(options)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
