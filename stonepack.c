@@ -3143,6 +3143,8 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
  * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
  * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
 
+#define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
+
 typedef struct sp__newton {
     sp_real prox;                       /* weight of |y|^2 / 2 */
     sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
@@ -3527,7 +3529,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++) state->dq[k] = -w->weight[k / 3] * w->y[k];
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
-                  : n.left > 0 ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+                  : n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
     return SP_OK;
 }
 

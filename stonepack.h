@@ -235,7 +235,7 @@ typedef enum sp_reason {
     SP_REASON_NO_SUPPORT,       /* unstable: a group of blocks has no path to a support */
     SP_REASON_MECHANISM,        /* unstable: a motion that no admissible force can resist */
     SP_REASON_LIMIT,            /* undecided: neither forces nor motion within tol; the limit is nearer than tol can tell */
-    SP_REASON_BUDGET,           /* undecided: iterations spent */
+    SP_REASON_BUDGET,           /* undecided: the search gave up, its iterations spent or without progress */
     SP_REASON_STAGES            /* undecided: the chosen stages cannot decide this */
 } sp_reason;
 

@@ -133,14 +133,15 @@ def trial(job):
         return dict(skip="forces beyond the bound", label=label)
     bottom = oracle.limit(problem, cone, g / np.linalg.norm(g), -h / np.linalg.norm(g))
     width = top.value + bottom.value if bottom.status == "limit" else np.inf
+    size = np.linalg.norm(g + top.value * h) / np.linalg.norm(h)
     found, unknown = [], 0
-    for d in DISTANCES:
-        if top.error() > 0.1 * d:
+    for d in DISTANCES:                                 # relative to gravity at the limit
+        if top.error() > 0.1 * d * size:
             unknown += 1
             continue
-        found.append(judge(cli, scene, problem, cone, g + (top.value + d) * h, "unstable", d, label))
-        if d < 0.5 * width:
-            found.append(judge(cli, scene, problem, cone, g + (top.value - d) * h, "stable", d, label))
+        found.append(judge(cli, scene, problem, cone, g + (top.value + d * size) * h, "unstable", d, label))
+        if d * size < 0.5 * width:
+            found.append(judge(cli, scene, problem, cone, g + (top.value - d * size) * h, "stable", d, label))
     return dict(label=label, found=found, unknown=unknown)
 
 
