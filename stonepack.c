@@ -3529,7 +3529,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++) state->dq[k] = -w->weight[k / 3] * w->y[k];
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
-                  : n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+                  : n.left > 0 && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
     return SP_OK;
 }
 
