@@ -2,16 +2,9 @@
 #define SP_API static
 #include "test.h"
 
-#include <string.h>
-#ifndef SP_SQRT
 #include <math.h>
-#ifdef SP_REAL_FLOAT
-#define SP_SQRT(x) sqrtf(x)
-#else
-#define SP_SQRT(x) sqrt(x)
-#endif
-#endif
 
+#include <string.h>
 #include "../solvers/bchol.c"
 #include "../solvers/chol.c"
 

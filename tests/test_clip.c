@@ -3,14 +3,7 @@
 #include <string.h>
 #include "test.h"
 
-#ifndef SP_SQRT
 #include <math.h>
-#ifdef SP_REAL_FLOAT
-#define SP_SQRT(x) sqrtf(x)
-#else
-#define SP_SQRT(x) sqrt(x)
-#endif
-#endif
 
 #include "../solvers/clip.c"
 

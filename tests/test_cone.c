@@ -4,15 +4,6 @@
 #include "test.h"
 
 #include <math.h>
-#ifndef SP_SQRT
-#ifdef SP_REAL_FLOAT
-#define SP_SQRT(x) sqrtf(x)
-#else
-#define SP_SQRT(x) sqrt(x)
-#endif
-#endif
-
-#include "../solvers/arena.c"
 #include "../solvers/cone.c"
 
 static const int32_t faces[] = { 0, 3, 4, 5, 6, 7, 8, 12, 16, 31, 64 };

@@ -293,6 +293,38 @@ TEST(pyramids_of_every_number_of_faces_slide_where_they_should)
             }
 }
 
+/* So does the true cone, from whatever side and by whatever margin: a limit is easy from afar and at a hair, and between. */
+TEST(a_slide_is_decided_at_every_margin_in_every_direction)
+{
+    static const double margin[] = { TOL(1e-6, 3e-3), TOL(1e-5, 3e-3), TOL(1e-4, 3e-3), TOL(1e-3, 3e-3), 3e-3, 0.01, 0.03, 0.1, 0.3 };
+    static const double height[] = { 0.01, 0.2, 1 };
+    const double limit = atan(0.6) * 180 / 3.14159265358979323846;
+    for (size_t h = 0; h < 3; h++)
+        for (size_t k = 0; k < sizeof margin / sizeof margin[0]; k++) {
+            int stable[2] = { 0, 0 }, unstable[2] = { 0, 0 }, runs = 0;
+            for (int turn = 0; turn < 180; turn += 7, runs++)
+                for (int above = 0; above < 2; above++) {
+                    gen_scene g;
+                    sp_scene s;
+                    sp_settings set = sp_settings_default();
+                    set.localise = 0;
+                    test_arena.used = 0;
+                    gen_open(&g, "incline");
+                    gen_set(&g, "mu", 0.6);
+                    gen_set(&g, "height", height[h]);
+                    gen_set(&g, "turn", turn);
+                    gen_set(&g, "angle", limit * (above ? 1 + margin[k] : 1 - margin[k]));
+                    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+                    const sp_result r = check(&s, &set);
+                    stable[above] += r.verdict == SP_STABLE;
+                    unstable[above] += r.verdict == SP_UNSTABLE;
+                }
+            if (!CHECK_INT(stable[0], runs) || !CHECK_INT(unstable[1], runs))
+                TEST_PRINT("    height %g, margin %g\n", height[h], margin[k]);
+            CHECK_INT(stable[1] + unstable[0], 0);
+        }
+}
+
 TEST(exact_needs_no_gates)
 {
     static const sp_stage_id order[][2] = { { SP_STAGE_EXACT, SP_STAGE_NONE }, { SP_STAGE_EXACT, SP_STAGE_GATES } };
@@ -899,6 +931,7 @@ TEST_LIST(stages)
     RUN(polish_accepts_what_least_squares_cannot)
     RUN(every_stage_knows_the_cone)
     RUN(pyramids_of_every_number_of_faces_slide_where_they_should)
+    RUN(a_slide_is_decided_at_every_margin_in_every_direction)
     RUN(exact_needs_no_gates)
     RUN(an_empty_budget_is_the_reason_not_a_verdict)
     RUN(a_budget_is_kept_and_enough_of_it_decides)
