@@ -2513,7 +2513,7 @@ static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
     w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
 }
 
-typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE } sp__law;     /* f = S u, or f = S P_K(u) */
+typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__FLAT } sp__law;   /* f = S u; S P_K(u); Hessian with flat cones */
 
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
@@ -2597,9 +2597,9 @@ SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, in
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v];
         sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
-        if (law == SP__ADMISSIBLE) {
+        if (law != SP__BILATERAL) {
             sp__dual_rate(w, V, W, l, u);
-            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D);
+            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, law == SP__FLAT, D);
             if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
             else if (region == SP__APEX) continue;
         }
@@ -3299,13 +3299,13 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
     }
 }
 
-/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W. */
+/* F += g, M += l x g for g = S DP_K(u) du of flat cones, the rates u and du from two twists V, W. */
 SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
                                        sp_real M[3])
 {
     sp_real D[6], u[3], m[3];
     sp__dual_rate(w, twist[0], twist[1], l, u);
-    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D) == SP__APEX) return;
+    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, 1, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
     const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
@@ -3313,7 +3313,7 @@ SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_re
     for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
 }
 
-/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
+/* out = Aeq S DP_K(Aeq' y) Aeq' x of flat cones, weighted. */
 SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
 {
     const sp_problem *pb = w->pb;
@@ -3468,6 +3468,18 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
     }
 }
 
+/* A sliding mechanism keeps to the cones' tangent planes: where y slides, u = t (-mu, w) and |u_t| = w . u_t, so a null vector
+ * of the Hessian with flat cones is resisted by nothing, while one of the true Hessian may swerve and be. */
+SP__APART static void sp__newton_flat(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    if (n->proved || n->left < 1) return;
+    sp__dual_factor(w, SP__FLAT, w->y, SP__SHIFT);
+    n->left--;
+    memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+    sp__newton_purify(w, n, w->d, state);
+    sp__newton_tie(w, n, state);
+}
+
 /* Proximal path from y = 0. */
 SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
 {
@@ -3478,11 +3490,15 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     sp__newton_look(w, n, state);
     for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
-        if (n->prox <= SP__SHIFT) { extra--; continue; }
+        if (n->prox <= SP__SHIFT) {
+            if (extra-- == 8) sp__newton_flat(w, n, state);
+            continue;
+        }
         const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
         for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
         const sp_real inner = sp__dual_norm(w, w->d);
         if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
+        if (n->prox < (sp_real)1e-4) sp__newton_flat(w, n, state);
         n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
 }
@@ -3788,6 +3804,14 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
 
 /* 21 ---------------------------------------------------------------------------------------------------- reading a result */
 
+/* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
+static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
+{
+    const sp_block *a = &scene->block[t->a], *b = &scene->block[t->b];
+    const sp_real mass = a->fixed == SP_FIXED || (b->fixed != SP_FIXED && b->mass < a->mass) ? b->mass : a->mass;
+    return mass * sp__norm3(scene->gravity);
+}
+
 SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
                                         sp_interface_force *out)
 {
@@ -3813,7 +3837,7 @@ SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *
         o.force[k] = sum[0] * t->n[k] + sum[1] * t->t1[k] + sum[2] * t->t2[k];
     }
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
-    o.utilisation = slip > 0 ? sp__ratio(slip, t->joint.mu * sum[0]) : 0;
+    o.utilisation = sum[0] + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, t->joint.mu * sum[0]) : 0;
     *out = o;
     return SP_OK;
 }

@@ -342,7 +342,7 @@ typedef struct sp_interface_force {
     sp_real force[3];           /* resultant on b, world axes [N] */
     sp_real point[3];           /* where it acts: mean of the vertices weighted by fn [m] */
     sp_real min_fn, max_fn;     /* [N] */
-    sp_real utilisation;        /* |sum ft| / (mu sum fn), 0 where nothing is carried [1] */
+    sp_real utilisation;        /* |sum ft| / (mu sum fn); 0 where less than 1e-4 of the lighter block's weight is carried [1] */
 } sp_interface_force;
 
 /* Resultant of one interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
@@ -421,6 +421,7 @@ typedef struct sp_state {
 /* A stage: looks for forces or a motion. It only proposes; sp_check judges what it left in the state by sp_verify's code.
  *   run    may take memory from the arena (given back after it); sets *claim to SP_STABLE (judge f), SP_UNSTABLE (judge dq) or
  *          SP_UNDECIDED (f and dq are its best attempts; the next stage goes on)
+ *          pieces of its own start at multiples of SP_ALIGN
  *   need   bytes run takes from an arena, exact; the symbolic step, if there is one, runs in `scratch`; SIZE_MAX: it is too small
  *   returns SP_OK or SP_E_MEMORY */
 typedef struct sp_stage {

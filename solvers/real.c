@@ -31,8 +31,9 @@ static sp_real sp__norm3(const sp_real a[3])
     const sp_real low = (sp_real)1e-140, high = (sp_real)1e140;
 #endif
     const sp_real x = sp__abs(a[0]), y = sp__abs(a[1]), z = sp__abs(a[2]), m = sp__max(x, sp__max(y, z));
+    if (!sp__finite(x + y + z)) return x + y + z;
     if (m > low && m < high) return SP_SQRT(sp__dot3(a, a));
-    if (!(m > 0) || !(m - m >= 0)) return m;
+    if (!(m > 0)) return 0;
     const sp_real p = x / m, q = y / m, r = z / m;
     return m * SP_SQRT(p * p + q * q + r * r);
 }

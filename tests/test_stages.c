@@ -296,7 +296,8 @@ TEST(pyramids_of_every_number_of_faces_slide_where_they_should)
 /* So does the true cone, from whatever side and by whatever margin: a limit is easy from afar and at a hair, and between. */
 TEST(a_slide_is_decided_at_every_margin_in_every_direction)
 {
-    static const double margin[] = { TOL(1e-6, 3e-3), TOL(1e-5, 3e-3), TOL(1e-4, 3e-3), TOL(1e-3, 3e-3), 3e-3, 0.01, 0.03, 0.1, 0.3 };
+    static const double margin[] = { TOL(1e-6, 3e-3), TOL(1e-5, 3e-3), TOL(1e-4, 3e-3), TOL(1e-3, 3e-3),
+                                     3e-3, 0.01, 0.03, 0.1, 0.3 };
     static const double height[] = { 0.01, 0.2, 1 };
     const double limit = atan(0.6) * 180 / 3.14159265358979323846;
     for (size_t h = 0; h < 3; h++)
