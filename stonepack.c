@@ -1811,6 +1811,7 @@ typedef struct sp__scale {
     sp_real load, couple;               /* |force|, |moment| of the load */
     sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
     sp_real s, S;                       /* sbar, Sbar */
+    int known;                          /* f0 balances this block */
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
 
@@ -1820,8 +1821,9 @@ typedef struct sp__judge {
     sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
     sp_real (*direction)[2];            /* of the pyramid's faces */
     sp__scale *scale;                   /* b */
-    sp_real *x, *r, *p, *q, *g;         /* 6b each: solution, residual, direction, G p, G r */
+    sp_real *x, *e, *r, *p, *q, *g;     /* 6b each: potential of f0 in two parts, residual, direction, G p, G r */
     sp_real unit;                       /* of force [N]; everything below is counted in it */
+    sp_real total;                      /* sum of |load| */
     sp_real cap;                        /* of the contact at hand */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
 } sp__judge;
@@ -1833,6 +1835,7 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->scale = sp__take(a, b, sizeof *j->scale);
     j->direction = sp__take(a, (size_t)faces, sizeof *j->direction);
     j->x = sp__take(a, b, 6 * sizeof *j->x);
+    j->e = sp__take(a, b, 6 * sizeof *j->e);
     j->r = sp__take(a, b, 6 * sizeof *j->r);
     j->p = sp__take(a, b, 6 * sizeof *j->p);
     j->q = sp__take(a, b, 6 * sizeof *j->q);
@@ -1926,6 +1929,7 @@ static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
 static void sp__judge_weights(sp__judge *j)
 {
     const sp_problem *pb = j->pb;
+    j->total = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         sp_real p[6];
@@ -1933,6 +1937,7 @@ static void sp__judge_weights(sp__judge *j)
         s->load = sp__norm3(p);
         s->couple = sp__norm3(p + 3);
         s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
+        j->total += s->load;
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -1992,38 +1997,20 @@ static sp_real sp__dot(const sp_real *a, const sp_real *b, size_t n)
     return s;
 }
 
-/* Conjugate residuals for G x = -W p, G = W Aeq Aeq' W semidefinite: x minimises |W (Aeq f0 + p)| and f0 = Aeq' W x has least
- * norm among the minimisers. Starts from the hint y0 = W x, which it only believes as far as the residual does.
- *   returns 1 when G x + W p is small, or as small as it can be (G times it vanishes), within SP__SCALE_TOL    [Stiefel 1955] */
-SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
+ * is small, or as small as it can be (G times it vanishes), or without progress.                                  [Stiefel 1955] */
+SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
 {
-    const sp_problem *pb = j->pb;
-    const size_t n = 6 * (size_t)pb->blocks;
-    for (size_t k = 0; k < n; k++) {
-        const sp__scale *s = &j->scale[k / 6];
-        const sp_real w = k % 6 < 3 ? s->wf : s->wm;
-        j->x[k] = y0 && w > 0 ? y0[k] / j->unit / w : 0;
-        if (!sp__finite(j->x[k] * j->x[k])) j->x[k] = 0;
-    }
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        sp__release(pb, i, j->x + 6 * (size_t)i);
-        sp__judge_load(j, i, j->p + 6 * (size_t)i);
-    }
-    sp__judge_weigh(j, j->p);
-    const sp_real load = sp__dot(j->p, j->p, n);
-    sp__judge_normal(j, j->x, j->r);
-    for (size_t k = 0; k < n; k++) { j->r[k] = -j->r[k] - j->p[k]; j->p[k] = j->r[k]; }
-    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL;
-    if (sp__dot(j->r, j->r, n) <= small * load) return 1;
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
     sp__judge_normal(j, j->r, j->g);
-    for (size_t k = 0; k < n; k++) j->q[k] = j->g[k];
+    for (size_t k = 0; k < n; k++) { j->p[k] = j->r[k]; j->q[k] = j->g[k]; }
     sp_real rg = sp__dot(j->r, j->g, n);
-    for (int32_t it = 0; ; it++) {
+    for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (rr <= small * load || gg <= SP__SCALE_NULL * SP__SCALE_NULL * rr) return 1;
-        if (it >= 1000 + pb->blocks * 6 || !(qq > 0) || !(rg > 0)) return 0;
+        if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0)) return;
         const sp_real alpha = rg / qq;
-        for (size_t k = 0; k < n; k++) { j->x[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
+        for (size_t k = 0; k < n; k++) { to[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
         sp__judge_normal(j, j->r, j->g);
         const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
         for (size_t k = 0; k < n; k++) { j->p[k] = j->r[k] + beta * j->p[k]; j->q[k] = j->g[k] + beta * j->q[k]; }
@@ -2032,20 +2019,19 @@ SP__APART static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
 }
 
 /* Does f0 balance a block, so that it is its scale? Residual r of its rows, to a few digits of its load or to the rounding of
- * what runs through it. A pebble on a cathedral, whose share is lost in rounding, or forged, gains no tolerance from it: then
- * f0 and m0 are taken from its load alone. */
+ * what runs through it. */
 static int sp__scale_known(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
 {
     const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * f0;
     return sp__norm3(r) <= enough && sp__norm3(r + 3) <= enough * arm;
 }
 
-/* The scales of every free block.     returns 0 when f0 could not be settled */
-static int sp__judge_scales(sp__judge *j, const sp_real *y0)
+/* f0 = Aeq' W (x + e), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's potential is not lost in
+ * rounding. j->r = Aeq f0 + p; every block's sums, and whether they are its scale.     returns how many blocks are not known */
+static int32_t sp__judge_sums(sp__judge *j)
 {
     const sp_problem *pb = j->pb;
-    sp__judge_weights(j);
-    const int settled = sp__judge_bilateral(j, y0);
+    int32_t unknown = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__judge_load(j, i, j->r + 6 * (size_t)i);
         memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
@@ -2053,33 +2039,92 @@ static int sp__judge_scales(sp__judge *j, const sp_real *y0)
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real f[3] = { 0, 0, 0 };
+            sp_real f[3] = { 0, 0, 0 }, rest[3] = { 0, 0, 0 };
             sp__point_velocity(pb, j->scale, t->b, v, j->x, 1, f);
             sp__point_velocity(pb, j->scale, t->a, v, j->x, -1, f);
+            sp__point_velocity(pb, j->scale, t->b, v, j->e, 1, rest);
+            sp__point_velocity(pb, j->scale, t->a, v, j->e, -1, rest);
+            for (int k = 0; k < 3; k++) f[k] += rest[k];
             sp__point_force(pb, t->b, v, f, 1, j->r, j->q);
             sp__point_force(pb, t->a, v, f, -1, j->r, j->q);
         }
     }
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
+        sp__release(pb, i, j->r + 6 * (size_t)i);
         s->f0 = j->q[2 * (size_t)i];
         s->m0 = j->q[2 * (size_t)i + 1];
-        sp__release(pb, i, j->r + 6 * (size_t)i);
-        if (!sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm)) {
+        s->known = sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
+        unknown += !s->known;
+    }
+    j->sweeps++;
+    return unknown;
+}
+
+/* One of the two parts of a hint y0 = W x into `to`; what is no number counts as none. */
+static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
+{
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp_real *x = to + 6 * (size_t)i;
+        for (size_t k = 0; k < 6; k++) {
+            const sp_real w = k < 3 ? j->scale[i].wf : j->scale[i].wm;
+            x[k] = y0 && w > 0 ? y0[6 * (size_t)i + k] / j->unit / w : 0;
+            if (!sp__finite(x[k] * x[k])) x[k] = 0;
+        }
+        sp__release(j->pb, i, x);
+    }
+}
+
+/* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
+ * its residual goes, else by our own solve, corrected twice. */
+static void sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+{
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    for (int own = !y0; own < 2; own++) {
+        sp__judge_hint(j, own ? NULL : y0, j->x);
+        sp__judge_hint(j, own ? NULL : y0 + n, j->e);
+        for (int round = 0; round < 4; round++) {
+            if (!sp__judge_sums(j) || round == 3) break;
+            sp__judge_weigh(j, j->r);
+            for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
+            if (own) { sp__judge_solve(j, round ? j->e : j->x); continue; }
+            sp__judge_normal(j, j->r, j->g);
+            if (sp__dot(j->g, j->g, n) <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)) return;
+            break;
+        }
+        int32_t unknown = 0;
+        for (int32_t i = 0; i < j->pb->blocks; i++) unknown += !j->scale[i].known;
+        if (!unknown) return;
+    }
+}
+
+/* The scales of every free block. Where f0 stays unknown (nothing balances the block, or its share is lost in rounding) the
+ * load alone is its scale, and its forces are capped by all loads together. */
+static void sp__judge_scales(sp__judge *j, const sp_real *y0)
+{
+    sp__judge_weights(j);
+    sp__judge_bilateral(j, y0);
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        if (!s->known) {
             s->f0 = s->load;
             s->m0 = s->load * s->arm;
         }
         s->s = s->load + s->f0;
         s->S = s->couple + s->m0 + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
     }
-    j->sweeps++;
-    return settled;
 }
 
-/* c_v of the vertices of a contact. */
+/* c_v of the vertices of a contact: by the smaller of the known sbar of its free blocks; if none is, by a thousand times all
+ * loads together, more than what any bilateral force comes to. */
 static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 {
-    return j->set->force_bound * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+    sp_real least = 1000 * j->total;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i >= 0 && j->scale[i].known && j->scale[i].s < least) least = j->scale[i].s;
+    }
+    return j->set->force_bound * least;
 }
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension, no more than the cap. out may be f. */
@@ -2216,7 +2261,7 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
             const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
             resist += cap * P;
-            if (P > 256 * (sp_real)SP_EPSILON * moved) *final = 0;     /* below that: rounding of dq and u */
+            if (P > 256 * (sp_real)SP_EPSILON * moved) *final = 0;      /* below that: rounding of dq and u */
         }
     }
     j->sweeps++;
@@ -2238,7 +2283,7 @@ static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *fin
     return sp__judge_motion(j, dq, held, final);
 }
 
-/* Set up a judge in `a` and find the scales.     returns 0 when they could not be settled */
+/* Set up a judge in `a` and find the scales.     returns 0 when the arena is too small */
 SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, sp_arena *a)
 {
     sp__judge_carve(j, pb, set->faces, a);
@@ -2254,7 +2299,8 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
         if (set->inscribed) j->mu_factor = c;
         for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
     }
-    return sp__judge_scales(j, y0);
+    sp__judge_scales(j, y0);
+    return 1;
 }
 
 /* 11 ------------------------------------------------------------------------------------------------------------ the dual */
@@ -2513,7 +2559,7 @@ static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
     w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
 }
 
-typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__FLAT } sp__law;   /* f = S u; S P_K(u); Hessian with flat cones */
+typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE } sp__law;     /* f = S u, or f = S P_K(u) */
 
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
@@ -2597,9 +2643,9 @@ SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, in
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v];
         sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
-        if (law != SP__BILATERAL) {
+        if (law == SP__ADMISSIBLE) {
             sp__dual_rate(w, V, W, l, u);
-            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, law == SP__FLAT, D);
+            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D);
             if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
             else if (region == SP__APEX) continue;
         }
@@ -2796,20 +2842,27 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
     return omega;
 }
 
-/* Where y does not balance block i its load alone is its scale, as the certificate check has it; then the share of rounding. */
-static void sp__dual_size(const sp__dual *w, int32_t i, sp_real *size)
+/* A contact's share in the size of a block it touches: sum |f_v| and sum |x_v x f_v|, x_v seen from the centroid. */
+SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
+                                    sp_real *longest)
 {
-    const sp_real *p = w->pb->p + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i, *r = w->r + 6 * (size_t)i;
-    const sp_real load = sp__norm3(p) / w->unit, arm = w->d[i];
-    const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * (size[0] - load);
-    if (sp__norm3(r) > enough * z[0] || sp__norm3(r + 3) > enough * arm * z[1]) {
-        size[0] = 2 * load;
-        size[1] = sp__norm3(p + 3) / w->unit + load * arm;
+    const sp_interface *g = t->joint;
+    const sp_real o[3] = { sp__dot3(arm, g->n), sp__dot3(arm, g->t1), sp__dot3(arm, g->t2) };
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real *l = w->pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
+        sp_real u[3], m[3];
+        sp__dual_rate(w, twist[0], twist[1], l, u);
+        sp__dual_rate(w, twist[2], twist[3], l, m);
+        sp__sub3(u, m, u);
+        sp__cross3(x, u, m);
+        size[0] += sp__norm3(u);
+        size[1] += sp__norm3(m);
+        *longest = sp__max(*longest, sp__norm3(x));
     }
-    size[1] += 16 * (sp_real)SP_EPSILON * size[0] * arm / w->set->tol;
 }
 
-/* size = sbar and Sbar from the bilateral force of potential y (metric 1, gradient in w->r), as the certificate check has them. */
+/* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
+ * correction; w->r is used up. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
@@ -2817,30 +2870,21 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
         w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
-        w->d[i] = 0;                                                    /* longest arm */
+        w->r[i] = 0;                                                    /* longest arm */
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real V[3], W[3];
-        sp__dual_twist(w, t, y, V, W);
+        sp_real twist[4][3];
+        sp__dual_twist(w, t, y, twist[0], twist[1]);
+        sp__dual_twist(w, t, w->d, twist[2], twist[3]);
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
-            if (i < 0) continue;
-            const sp_real *arm = side ? t->rb : t->ra;
-            const sp_real o[3] = { sp__dot3(arm, t->joint->n), sp__dot3(arm, t->joint->t1), sp__dot3(arm, t->joint->t2) };
-            for (int32_t v = t->point; v < t->point + t->points; v++) {
-                const sp_real *l = pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
-                sp_real u[3], m[3];
-                sp__dual_rate(w, V, W, l, u);
-                sp__cross3(x, u, m);
-                w->size[2 * (size_t)i] += sp__norm3(u);
-                w->size[2 * (size_t)i + 1] += sp__norm3(m);
-                w->d[i] = sp__max(w->d[i], sp__norm3(x));
-            }
+            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &w->r[i]);
         }
     }
-    for (int32_t i = 0; i < pb->blocks; i++) sp__dual_size(w, i, w->size + 2 * (size_t)i);
-    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+    for (size_t i = 0; i < (size_t)pb->blocks; i++)
+        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->r[i] / w->set->tol;
+    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
 }
 
 /* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */
@@ -3026,10 +3070,15 @@ SP__APART static void sp__dual_bilateral(sp__dual *w)
     }
 }
 
-/* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' y0. */
-static void sp__dual_hint(const sp__dual *w, sp_state *state)
+/* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), the second part what is left of w->r. */
+static void sp__dual_hint(sp__dual *w, sp_state *state)
 {
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp__dual_solve(w, w->r, w->d);
+    for (size_t k = 0; k < n; k++) {
+        state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
+        state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
+    }
     state->has_y0 = 1;
 }
 
@@ -3299,13 +3348,13 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
     }
 }
 
-/* F += g, M += l x g for g = S DP_K(u) du of flat cones, the rates u and du from two twists V, W. */
+/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W. */
 SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
                                        sp_real M[3])
 {
     sp_real D[6], u[3], m[3];
     sp__dual_rate(w, twist[0], twist[1], l, u);
-    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, 1, D) == SP__APEX) return;
+    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
     const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
@@ -3313,7 +3362,7 @@ SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_re
     for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
 }
 
-/* out = Aeq S DP_K(Aeq' y) Aeq' x of flat cones, weighted. */
+/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
 SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
 {
     const sp_problem *pb = w->pb;
@@ -3468,16 +3517,25 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
     }
 }
 
-/* A sliding mechanism keeps to the cones' tangent planes: where y slides, u = t (-mu, w) and |u_t| = w . u_t, so a null vector
- * of the Hessian with flat cones is resisted by nothing, while one of the true Hessian may swerve and be. */
-SP__APART static void sp__newton_flat(sp__dual *w, sp__newton *n, sp_state *state)
+/* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
+ * load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x), a little too far, moves the direction of y to where no contact resists it at
+ * all; curved cones want more than the inverse iteration that is enough for hinges. */
+SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *state)
 {
-    if (n->proved || n->left < 1) return;
-    sp__dual_factor(w, SP__FLAT, w->y, SP__SHIFT);
-    n->left--;
-    memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
-    sp__newton_purify(w, n, w->d, state);
-    sp__newton_tie(w, n, state);
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    const sp_real y = sp__dual_norm(w, w->y);
+    if (!(y > 0)) return;
+    for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
+    for (int it = 0; it < 3 && n->left > 0 && !n->proved; it++, n->left--) {
+        sp__dual_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
+        sp__dual_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
+        sp__dual_load(w, w->L.t);
+        for (size_t k = 0; k < size; k++) w->r[k] -= w->L.t[k];
+        sp__dual_solve(w, w->r, w->r);
+        sp__dual_axpy(w, -(sp_real)1.1, w->r, w->d);
+        sp__newton_try(w, n, w->d, state);
+    }
+    if (!n->proved) sp__newton_tie(w, n, state);
 }
 
 /* Proximal path from y = 0. */
@@ -3491,14 +3549,14 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
         if (n->prox <= SP__SHIFT) {
-            if (extra-- == 8) sp__newton_flat(w, n, state);
+            if (extra-- == 8) sp__newton_restore(w, n, state);
             continue;
         }
         const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
         for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
         const sp_real inner = sp__dual_norm(w, w->d);
         if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
-        if (n->prox < (sp_real)1e-4) sp__newton_flat(w, n, state);
+        if (n->prox < (sp_real)1e-4 && !n->proved) sp__newton_restore(w, n, state);
         n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
 }
@@ -3579,6 +3637,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
+    sp__dual_solve(w, w->r, w->d);
     sp__dual_sizes(w, w->y);
     if (sp__dual_metric(w)) sp__dual_bilateral(w);
     sp__newton_look(w, &n, state);
@@ -3649,7 +3708,7 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
 {
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
-    r->y0 = sp__take(a, (size_t)free_blocks, 6 * sizeof *r->y0);
+    r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
 }
 
@@ -3786,13 +3845,12 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last) {
         sp__judge j;
-        const int settled = sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, a);
-        if (sp__failed(a)) return SP_E_MEMORY;
+        if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
         const sp_verdict proved = sp__check_judge(&j, state, claim, r);
         a->used = mark;
         state->cost.flops += 90 * (int64_t)j.sweeps * pb->points;
-        *done = proved && settled;
-        r->verdict = *done ? proved : SP_UNDECIDED;
+        *done = proved != SP_UNDECIDED;
+        r->verdict = proved;
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
         r->reason = sp__check_reason(set->stage[k], claim, r->verdict, state->reason);
@@ -3915,7 +3973,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     const size_t b = (size_t)c->pb.blocks;
     memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
     memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
-    memset(r->y0, 0, 6 * b * sizeof *r->y0);
+    memset(r->y0, 0, 12 * b * sizeof *r->y0);
     memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
     memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
     c->state.reason = SP_REASON_STAGES;
@@ -4006,13 +4064,12 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
     for (int32_t i = 0; i < pb.blocks; i++) memcpy(dq + 6 * (size_t)i, claim->dq + 6 * (size_t)pb.block[i], 6 * sizeof *dq);
-    const int settled = sp__judge_open(&j, &pb, &set, claim->y0, &scratch);
-    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    if (!sp__judge_open(&j, &pb, &set, claim->y0, &scratch)) return SP_E_MEMORY;
     e.omega = sp__judge_forces(&j, claim->f, NULL);
     const sp_real proof = sp__judge_mechanism(&j, dq, &e.final);
     e.least_imbalance = sp__max(proof, 0);
-    if (settled && e.omega <= set.tol) e.verdict = SP_STABLE;
-    else if (settled && proof > set.tol) e.verdict = SP_UNSTABLE;
+    if (e.omega <= set.tol) e.verdict = SP_STABLE;
+    else if (proof > set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     *evidence = e;
     return SP_OK;

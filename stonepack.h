@@ -298,7 +298,8 @@ typedef struct sp_result {
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
                                    of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
                                    displacement is the largest distance of a joint from its block's centroid          [m, 1] */
-    sp_real *y0;                /* 6 x free blocks: potential of the bilateral force, a hint for sp_verify */
+    sp_real *y0;                /* 12 x free blocks: potential of the bilateral force in two parts of 6, large and small (one
+                                   part alone loses a pebble beside a cathedral); a hint for sp_verify */
     sp_demand *demand;          /* per interface; zero where not asked for */
     sp_real max_compression;    /* largest fn [N] */
     sp_real max_tension;        /* largest demanded tension [N] */
@@ -411,7 +412,8 @@ SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out)
 typedef struct sp_state {
     sp_real *f;                 /* 3 x points: in and out, admissible when a stage leaves it */
     sp_real *y;                 /* 6 x blocks: in and out, f = P_K(Aeq' y) where the stage works that way */
-    sp_real *y0;                /* 6 x blocks: potential of the bilateral force; written by the first stage that knows it */
+    sp_real *y0;                /* 12 x blocks: potential of the bilateral force in two parts, large and small, of 6 x blocks
+                                   each; written by the first stage that knows it */
     sp_real *dq;                /* 6 x blocks: candidate mechanism */
     int32_t has_y0;
     sp_reason reason;           /* why, when a stage claims */

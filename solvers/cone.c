@@ -94,9 +94,8 @@ static sp__region sp__cone_project(const sp__cone *k, sp_real mu, const sp_real 
     return o.region;
 }
 
-/* D = DP_K(u), symmetric 3 x 3: D[0..5] = nn, n1, n2, 11, 12, 22. Returns the region. `flat`: of the cone's tangent plane in
- * place of the cone; it resists slip across the direction of u fully, the cone itself less and less the faster it slips. */
-SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, const sp_real u[3], int flat, sp_real D[6])
+/* D = DP_K(u), symmetric 3 x 3: D[0..5] = nn, n1, n2, 11, 12, 22. Returns the region. */
+SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, const sp_real u[3], sp_real D[6])
 {
     sp__foot o;
     sp__cone_foot(k, mu, u, &o);
@@ -104,7 +103,7 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, c
     if (o.region == SP__INSIDE) D[0] = D[3] = D[5] = 1;
     if (o.region == SP__FACE) {                     /* true cone: (1, mu w)(1, mu w)'/(1 + mu^2) + mu t/a (I - w w')  */
         const sp_real q = 1 / (1 + mu * mu);        /* pyramid: I - n n', so 1 in place of mu t/a                     */
-        const sp_real c = k->faces || flat ? 1 : mu * o.t / o.a;
+        const sp_real c = k->faces ? 1 : mu * o.t / o.a;
         D[0] = q; D[1] = q * mu * o.w[0]; D[2] = q * mu * o.w[1];
         const sp_real s = q * mu * mu;
         D[3] = s * o.w[0] * o.w[0] + c * o.w[1] * o.w[1];

@@ -162,7 +162,8 @@ TEST(no_squeeze_holds_a_block_in_a_slippery_slot)
         CHECK(r.final);
         for (double squeeze = 1e2; squeeze < TOL(1e13, 1e9); squeeze *= 10) {
             sp_result forged = empty_claim(&s);
-            for (int32_t v = 0; v < s.count.points; v++) forged.f[3 * v] = R(v < 4 ? (1 + times) * 9.80665 / 4 : squeeze * 9.80665);
+            for (int32_t v = 0; v < s.count.points; v++)
+                forged.f[3 * v] = R(9.80665 * (v < 4 ? (1 + times) / 4 : squeeze));
             CHECK_INT(judged(&s, &forged, NULL), SP_UNDECIDED);
             forged.y0 = r.y0;
             CHECK_INT(judged(&s, &forged, NULL), SP_UNDECIDED);
@@ -423,7 +424,8 @@ TEST(no_hint_misleads)
         sp_result r;
         if (!sampled(k, &s, &r)) continue;
         sp_result forged = empty_claim(&s);
-        for (double size = TOL(1e-20, 1e-10); size < TOL(1e250, 1e30); size *= r.free_blocks > 20 ? TOL(1e60, 1e8) : TOL(1e12, 1e3)) {
+        const double step = r.free_blocks > 20 ? TOL(1e60, 1e8) : TOL(1e12, 1e3);
+        for (double size = TOL(1e-20, 1e-10); size < TOL(1e250, 1e30); size *= step) {
             for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = test_random_real(-size, size);
             not_wrong(k, &s, &r);
             for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = i % 6 == 0 ? R(size) : 0;         /* all alike */
@@ -594,7 +596,8 @@ TEST(just_beside_the_limit_units_place_and_order_do_not_matter)
         { "arch", "t", 0.104589144893471, TOL(1e-6, 0.1), SP_UNSTABLE }
     };
     static const world change[] = {
-        { 1e9, 1, 1, 0, 0, 0 }, { 1e-9, 1, 1, 0, 0, 0 }, { 1e3, TOL(1e-30, 1e-15), 1e3, 0, 0, 0 }, { 1, TOL(1e30, 1e10), 1, 0, 0, 1 },
+        { 1e9, 1, 1, 0, 0, 0 }, { 1e-9, 1, 1, 0, 0, 0 }, { 1e3, TOL(1e-30, 1e-15), 1e3, 0, 0, 0 },
+        { 1, TOL(1e30, 1e10), 1, 0, 0, 1 },
         { 1e-6, 1, TOL(1e-20, 1e-10), 0, 1, 0 }, { 1, 1, 1, TOL(1e6, 1e2), 0, 0 }, { 1, 1, 1, 0, 1, 1 },
         { 1e-3, 1e3, 1e-3, TOL(1e3, 0.1), 1, 1 }, { TOL(1e9, 1e5), TOL(1e9, 1e5), 1e-3, 0, 1, 1 }
     };
@@ -741,7 +744,8 @@ TEST(needles_and_plates_topple_where_they_should)
                 body(&s, 1, 0, 0, 1, 0);
                 bed(&s, 0, 1, 0, 0, 0, base[k], base[j], 1e5);
                 s.gravity[0] = R(9.80665 * base[k] * (1 + side * margin));
-                if (!verdict_is(&s, side < 0 ? SP_STABLE : SP_UNSTABLE, (m == -2 || m == 2) && base[k] < 1e3 && TOL(1, base[k] < 10)))
+                const int sure = (m == -2 || m == 2) && base[k] < TOL(1e3, 10);
+                if (!verdict_is(&s, side < 0 ? SP_STABLE : SP_UNSTABLE, sure))
                     TEST_PRINT("    base %g by %g, margin %g\n", base[k], base[j], side * margin);
             }
 }
@@ -782,8 +786,10 @@ TEST(gravity_from_every_side)
 /* From denormal to overflowing weights: the right verdict or a status. */
 TEST(weights_of_any_size)
 {
-    static const double mass[] = { TOL(5e-324, 1.5e-45), TOL(1e-310, 1e-40), TOL(1e-300, 1e-37), TOL(1e-160, 1e-30), TOL(1e-80, 1e-20), 1e-9,
-                                   1e9, TOL(1e80, 1e16), TOL(1e150, 1e18), TOL(1e155, 1e20), TOL(1e300, 1e37), TOL(1.7e308, 3.4e38) };
+    static const double mass[] = {
+        TOL(5e-324, 1.5e-45), TOL(1e-310, 1e-40), TOL(1e-300, 1e-37), TOL(1e-160, 1e-30), TOL(1e-80, 1e-20), 1e-9,
+        1e9, TOL(1e80, 1e16), TOL(1e150, 1e18), TOL(1e155, 1e20), TOL(1e300, 1e37), TOL(1.7e308, 3.4e38)
+    };
     for (size_t k = 0; k < sizeof mass / sizeof mass[0]; k++)
         for (int falls = 0; falls < 2; falls++) {
             sp_scene s;
@@ -795,7 +801,8 @@ TEST(weights_of_any_size)
             if (status) CHECK_INT(status, SP_E_NOT_FINITE);
             else if ((k > 1 || r.verdict) && !CHECK_INT(r.verdict, falls ? SP_UNSTABLE : SP_STABLE))
                 TEST_PRINT("    mass %g\n", mass[k]);
-            if (!status && !CHECK(numbers(r.f, 15) && numbers(r.dq, 12) && numbers(r.y0, 6))) TEST_PRINT("    mass %g\n", mass[k]);
+            if (!status && !CHECK(numbers(r.f, 15) && numbers(r.dq, 12) && numbers(r.y0, 6)))
+                TEST_PRINT("    mass %g\n", mass[k]);
         }
 }
 
@@ -946,9 +953,11 @@ TEST(a_stop_carries_the_push_of_statics)
 static void anything(sp_scene *s)
 {
     static const struct { const char *name, *a; double a0, a1; const char *b; double b0, b1; } kind[] = {
-        { "wall", "rows", 1, 4, "jitter", 0, 0.4 }, { "rubble", "rows", 1, 3, "jitter", 0, 1 }, { "arch", "n", 3, 15, "t", 0.05, 0.3 },
-        { "flat-arch", "n", 2, 9, "half", 0, 40 }, { "vault", "around", 3, 9, "t", 0.05, 0.3 }, { "dome", "rings", 1, 3, "t", 0.05, 0.2 },
-        { "diamond", "rows", 1, 5, "height", 0.1, 1 }, { "tower", "n", 1, 12, "lean", 0, 0.2 }, { "overhang", "n", 1, 8, "factor", 0.5, 1.2 }
+        { "wall", "rows", 1, 4, "jitter", 0, 0.4 },     { "rubble", "rows", 1, 3, "jitter", 0, 1 },
+        { "arch", "n", 3, 15, "t", 0.05, 0.3 },         { "flat-arch", "n", 2, 9, "half", 0, 40 },
+        { "vault", "around", 3, 9, "t", 0.05, 0.3 },    { "dome", "rings", 1, 3, "t", 0.05, 0.2 },
+        { "diamond", "rows", 1, 5, "height", 0.1, 1 },  { "tower", "n", 1, 12, "lean", 0, 0.2 },
+        { "overhang", "n", 1, 8, "factor", 0.5, 1.2 }
     };
     gen_scene g;
     const int k = (int)test_random_int(0, 8);

@@ -79,7 +79,7 @@ TEST(derivative_is_that_of_the_projection)
             random_force(0.5, u);
             const double size = sqrt((double)u[0] * (double)u[0] + (double)u[1] * (double)u[1] + (double)u[2] * (double)u[2]);
             const double h = TOL(1e-6, 2e-3) * size;
-            const sp__region here = sp__cone_derivative(&k, R(0.5), u, 0, D);
+            const sp__region here = sp__cone_derivative(&k, R(0.5), u, D);
             const double full[3][3] = { { (double)D[0], (double)D[1], (double)D[2] }, { (double)D[1], (double)D[3], (double)D[4] },
                                         { (double)D[2], (double)D[4], (double)D[5] } };
             for (int c = 0; c < 3; c++) {

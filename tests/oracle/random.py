@@ -84,7 +84,8 @@ def change(scene, rng):
 def ask(cli, scene, cone, gravity):
     """The program's answer."""
     scene.gravity = gravity
-    out = subprocess.run([cli, "check", "--json", "--forces", "--cone", cone, "-"], input=scene.text(), capture_output=True, text=True)
+    out = subprocess.run([cli, "check", "--json", "--forces", "--cone", cone, "-"], input=scene.text(), capture_output=True,
+                         text=True)
     if out.returncode not in (0, 1, 2):
         return dict(verdict="status %d: %s" % (out.returncode, out.stderr.strip()), omega=0, verified=False)
     return json.loads(out.stdout)
