@@ -1811,6 +1811,7 @@ typedef struct sp__scale {
     sp_real load, couple;               /* |force|, |moment| of the load */
     sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
     sp_real s, S;                       /* sbar, Sbar */
+    sp_real cap;                        /* sbar that bounds the forces of its contacts */
     int known;                          /* f0 balances this block */
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
@@ -2075,38 +2076,46 @@ static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
     }
 }
 
+/* Nothing can make the residual j->r (weighted) smaller: G r vanishes. */
+static int sp__judge_optimal(sp__judge *j)
+{
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    sp__judge_normal(j, j->r, j->g);
+    return sp__dot(j->g, j->g, n) <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n);
+}
+
 /* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
- * its residual goes, else by our own solve, corrected twice. */
-static void sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+ * its residual goes, else by our own solve, corrected twice.     returns 0 when neither settled */
+static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     for (int own = !y0; own < 2; own++) {
         sp__judge_hint(j, own ? NULL : y0, j->x);
         sp__judge_hint(j, own ? NULL : y0 + n, j->e);
         for (int round = 0; round < 4; round++) {
-            if (!sp__judge_sums(j) || round == 3) break;
+            if (!sp__judge_sums(j)) return 1;
             sp__judge_weigh(j, j->r);
+            if ((round || !own) && sp__judge_optimal(j)) return 1;
+            if (!own || round == 3) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
-            if (own) { sp__judge_solve(j, round ? j->e : j->x); continue; }
-            sp__judge_normal(j, j->r, j->g);
-            if (sp__dot(j->g, j->g, n) <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)) return;
-            break;
+            sp__judge_solve(j, round ? j->e : j->x);
         }
-        int32_t unknown = 0;
-        for (int32_t i = 0; i < j->pb->blocks; i++) unknown += !j->scale[i].known;
-        if (!unknown) return;
     }
+    return 0;
 }
 
-/* The scales of every free block. Where f0 stays unknown (nothing balances the block, or its share is lost in rounding) the
- * load alone is its scale, and its forces are capped by all loads together. */
+/* The scales of every free block. One that f0 does not balance (nothing does, or its share is lost in rounding) has its load
+ * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
+ * thousand times all loads, more than what a bilateral force comes to. */
 static void sp__judge_scales(sp__judge *j, const sp_real *y0)
 {
     sp__judge_weights(j);
-    sp__judge_bilateral(j, y0);
+    const int settled = sp__judge_bilateral(j, y0);
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
+        s->cap = s->load + s->f0;
         if (!s->known) {
+            s->cap = settled ? s->cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
             s->f0 = s->load;
             s->m0 = s->load * s->arm;
         }
@@ -2115,16 +2124,10 @@ static void sp__judge_scales(sp__judge *j, const sp_real *y0)
     }
 }
 
-/* c_v of the vertices of a contact: by the smaller of the known sbar of its free blocks; if none is, by a thousand times all
- * loads together, more than what any bilateral force comes to. */
+/* c_v of the vertices of a contact. */
 static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 {
-    sp_real least = 1000 * j->total;
-    for (int side = 0; side < 2; side++) {
-        const int32_t i = side ? t->b : t->a;
-        if (i >= 0 && j->scale[i].known && j->scale[i].s < least) least = j->scale[i].s;
-    }
-    return j->set->force_bound * least;
+    return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
 }
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension, no more than the cap. out may be f. */
@@ -2323,6 +2326,7 @@ typedef struct sp__dual {
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real factor;                     /* coefficient in force / mu */
+    int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
     sp_real metric;                     /* 1 / largest sbar of a contact, or 0: S = 1 everywhere */
     int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
     sp_real *weight;                    /* 2b: of force and moment rows */
@@ -3036,18 +3040,17 @@ static sp_real sp__dual_norm(const sp__dual *w, const sp_real *x)
     return SP_SQRT(sp__dot(x, x, 6 * (size_t)w->pb->blocks));
 }
 
-/* y += correction for gradient r by the factor at hand, r is used up. */
-static void sp__bilateral_correct(sp__dual *w, int singular)
+/* w->r <- correction of y for gradient r, by the factor at hand. */
+static void sp__bilateral_correct(sp__dual *w)
 {
     sp__dual_solve(w, w->r, w->r);
-    if (singular) {
-        sp__dual_solve(w, w->r, w->d);
-        sp__dual_axpy(w, -SP__SHIFT, w->d, w->r);
-    }
-    sp__dual_axpy(w, -1, w->r, w->y);
+    if (!w->singular) return;
+    sp__dual_solve(w, w->r, w->d);
+    sp__dual_axpy(w, -SP__SHIFT, w->d, w->r);
 }
 
-/* w->y: potential of the bilateral force in the metric at hand, w->r its gradient. Factorises once. */
+/* w->y: potential of the bilateral force in the metric at hand; w->d: what rounding left of it, y - d is better. Factorises
+ * once. */
 SP__APART static void sp__dual_bilateral(sp__dual *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -3056,25 +3059,32 @@ SP__APART static void sp__dual_bilateral(sp__dual *w)
     sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
     sp__dual_load(w, w->r);
     w->load = sp__dual_norm(w, w->r);
-    const sp_real load = w->load, small = 64 * (sp_real)SP_EPSILON * load;
-    int singular = 0;
+    w->singular = 0;
     sp_real last = SP__HUGE;
     for (int it = 0; it < 6; it++) {
-        if (!it) { for (size_t k = 0; k < n; k++) w->y[k] = 0; sp__dual_load(w, w->r); }
-        sp__bilateral_correct(w, singular);
+        sp__bilateral_correct(w);
+        sp__dual_axpy(w, -1, w->r, w->y);
         sp__dual_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         const sp_real now = sp__dual_norm(w, w->r);
-        if (!singular && now > SP__SCALE_TOL * load) { singular = 1; it = -1; last = SP__HUGE; continue; }
-        if (now <= small || now > last / 4) break;
+        if (!w->singular && now > SP__SCALE_TOL * w->load) {            /* again, for a matrix with null vectors in the load */
+            w->singular = 1;
+            it = -1;
+            last = SP__HUGE;
+            for (size_t k = 0; k < n; k++) w->y[k] = 0;
+            sp__dual_load(w, w->r);
+            continue;
+        }
+        if (now <= 64 * (sp_real)SP_EPSILON * w->load || now > last / 4) break;
         last = now;
     }
+    sp__bilateral_correct(w);
+    memcpy(w->d, w->r, n * sizeof *w->d);
 }
 
-/* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), the second part what is left of w->r. */
-static void sp__dual_hint(sp__dual *w, sp_state *state)
+/* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), in two parts. */
+static void sp__dual_hint(const sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-    sp__dual_solve(w, w->r, w->d);
     for (size_t k = 0; k < n; k++) {
         state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
         state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
@@ -3561,6 +3571,14 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     }
 }
 
+/* A motion that not even bilateral joints resist: the part of the load along null vectors, by inverse iteration. */
+static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    sp__dual_load(w, w->d);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->d[k];
+    sp__newton_purify(w, n, w->d, state);
+}
+
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
  * take what the contacts resist least. state->y is used up. */
 SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
@@ -3589,6 +3607,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__dual_bilateral(w);
     sp__dual_hint(w, state);
     sp__dual_sizes(w, w->y);
+    if (w->singular) sp__newton_loose(w, &n, state);
     if (sp__dual_metric(w)) sp__dual_bilateral(w);
     sp__newton_try(w, &n, w->y, state);
     sp__newton_look(w, &n, state);
@@ -3637,7 +3656,6 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
-    sp__dual_solve(w, w->r, w->d);
     sp__dual_sizes(w, w->y);
     if (sp__dual_metric(w)) sp__dual_bilateral(w);
     sp__newton_look(w, &n, state);
