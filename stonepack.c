@@ -4061,33 +4061,41 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     sp_settings set = sp_settings_default();
     set.faces = 64;
     sp__problem_count(scene, &pb);
-    return sp_problem_memory(scene) + SP_ALIGN + sp__judge_need(&pb, &set) + 6 * (size_t)pb.blocks * sizeof(sp_real) + SP_ALIGN;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__check));
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
+    sp__take(&dry, 1, sp__judge_need(&pb, &set));
+    return dry.used;
+}
+
+/* The motion of the free blocks out of a claim's. */
+static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
+{
+    for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
 }
 
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence)
 {
-    if (!scene || !claim || !claim->f || !claim->dq || !evidence) return SP_E_ARGUMENT;
-    sp_settings set;
-    sp_problem pb;
-    sp__judge j;
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
-    sp_status status = sp__settings_resolve(settings, &set);
-    if (status) return status;
+    if (!scene || !claim || !claim->f || !claim->dq || !evidence || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    status = sp_problem_build(scene, &scratch, &pb);
-    if (status) return status;
-    sp_real *dq = sp__take(&scratch, (size_t)pb.blocks, 6 * sizeof *dq);
-    if (sp__failed(&scratch)) return SP_E_MEMORY;
     if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
-    for (int32_t i = 0; i < pb.blocks; i++) memcpy(dq + 6 * (size_t)i, claim->dq + 6 * (size_t)pb.block[i], 6 * sizeof *dq);
-    if (!sp__judge_open(&j, &pb, &set, claim->y0, &scratch)) return SP_E_MEMORY;
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    sp_status status = sp__settings_resolve(settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    sp__judge j;
+    sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
+    if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, &scratch)) return SP_E_MEMORY;
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    sp__verify_motion(&c->pb, claim->dq, dq);
     e.omega = sp__judge_forces(&j, claim->f, NULL);
-    const sp_real proof = sp__judge_mechanism(&j, dq, &e.final);
-    e.least_imbalance = sp__max(proof, 0);
-    if (e.omega <= set.tol) e.verdict = SP_STABLE;
-    else if (proof > set.tol) e.verdict = SP_UNSTABLE;
+    e.least_imbalance = sp__judge_mechanism(&j, dq, &e.final);
+    if (e.omega <= c->set.tol) e.verdict = SP_STABLE;
+    else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     *evidence = e;
     return SP_OK;
