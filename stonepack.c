@@ -2944,11 +2944,13 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #ifdef SP_REAL_FLOAT
 #define SP__SHIFT ((sp_real)1e-6)       /* diagonal shift that keeps a semidefinite matrix of unit size factorable */
 #define SP__PROX ((sp_real)3e-7)        /* end of the proximal path: a few roundings of the diagonal */
+#define SP__DEEP ((sp_real)1e-4)        /* so far down the path proofs are tried even while the imbalance falls */
 #define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
 #define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
 #define SP__PROX ((sp_real)1e-15)
+#define SP__DEEP SP__SHIFT
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
 #endif
@@ -3211,6 +3213,8 @@ typedef struct sp__newton {
     sp_real goal;                       /* omega to reach */
     int32_t left;                       /* factorisations */
     int proved;                         /* state->dq holds a proof */
+    sp_real level;                      /* imbalance at the end of the last piece of the path */
+    int stalled;                        /* it no longer falls with prox: something moves */
 } sp__newton;
 
 /* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
@@ -3485,7 +3489,7 @@ SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *s
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
     n->left--;
     state->cost.iterations++;
-    if (n->prox > 0 && n->prox < (sp_real)1e-4) {
+    if (n->stalled) {
         memcpy(w->d, w->y, size * sizeof *w->d);
         sp__newton_purify(w, n, w->d, state);
         if (n->prox < SP__TIE) sp__newton_tie(w, n, state);
@@ -3519,6 +3523,7 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
 {
     int tiny = 0;
     n->prox = 0;
+    n->stalled = 0;
     n->shift = SP__SHIFT;
     for (int it = 0; it < 12 && n->left > 0 && n->omega > n->goal && !n->proved && tiny < 2; it++) {
         const sp_real s = sp__newton_step(w, n, state);
@@ -3555,6 +3560,7 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     for (size_t k = 0; k < size; k++) w->y[k] = 0;
     n->prox = (sp_real)0.1;
     n->shift = 0;
+    n->level = SP__HUGE;
     sp__newton_look(w, n, state);
     for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
@@ -3566,8 +3572,11 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
         for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
         const sp_real inner = sp__dual_norm(w, w->d);
         if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
-        if (n->prox < (sp_real)1e-4 && !n->proved) sp__newton_restore(w, n, state);
+        n->stalled = r > (sp_real)0.1 * n->level && n->prox < (sp_real)1e-4;
+        n->level = r;
+        if (n->stalled && !n->proved) sp__newton_restore(w, n, state);
         n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+        n->stalled |= n->prox <= SP__DEEP;
     }
 }
 
@@ -3601,7 +3610,7 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
 
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0 };
+    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0 };
     sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
@@ -3652,7 +3661,7 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 
 SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_demand *demand)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1 };   /* proved: no proofs are sought */
+    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
