@@ -50,6 +50,12 @@
 #include "solvers/bchol.c"
 #include "solvers/sort.c"
 #include "solvers/clip.c"
+#ifndef SP_NO_QP
+#include "solvers/ldl.c"
+#include "solvers/cg.c"
+#include "solvers/ruiz.c"
+#include "solvers/admm.c"
+#endif
 
 /* 1 ---------------------------------------------------------------------------------------------------------------- words */
 
@@ -83,7 +89,8 @@ SP_API const char *sp_status_text(sp_status status)
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
                     "cohesion, tension and crushing of joints are not supported yet\0"
-                    "unknown status", k >= 0 && k <= 15 ? k : 16);
+                    "P of the quadratic program is not positive semidefinite\0"
+                    "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
 
 SP_API const char *sp_verdict_text(sp_verdict verdict)
@@ -111,6 +118,15 @@ SP_API const char *sp_stage_text(sp_stage_id stage)
     return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "custom\0" "unknown",
                     k >= 0 && k <= 6 ? k : 7);
 }
+
+#ifndef SP_NO_QP
+SP_API const char *sp_qp_status_text(sp_qp_status status)
+{
+    const int k = (int)status;
+    return sp__word("solved\0" "inaccurate\0" "primal infeasible\0" "dual infeasible\0" "iteration limit\0" "budget\0" "numerical\0"
+                    "unknown", k >= 0 && k <= 6 ? k : 7);
+}
+#endif
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
 

@@ -10,7 +10,7 @@
  *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
  *
  * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
- *            8 matrices        9 stages
+ *            8 matrices        9 stages   10 quadratic programs
  *
  * MIT licence.
  */
@@ -34,6 +34,7 @@ extern "C" {
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
+ *   SP_NO_QP        defined: no quadratic programs (section 10)
  */
 #ifndef SP_API
 #define SP_API extern
@@ -66,7 +67,8 @@ typedef enum sp_status {
     SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
     SP_E_SELF        = -13,     /* an interface between a block and itself */
     SP_E_EMPTY       = -14,     /* no block at all */
-    SP_E_UNSUPPORTED = -15      /* legal, but not in this version: cohesion, tension or crushing of a joint */
+    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version: cohesion, tension or crushing of a joint */
+    SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
 /* One sentence on a status, for a message. Never NULL; static storage. */
@@ -431,6 +433,113 @@ typedef struct sp_stage {
                      sp_verdict *claim);
     size_t (*need)(const sp_problem *problem, const sp_settings *settings, sp_arena scratch);
 } sp_stage;
+
+/* 10 --------------------------------------------------------------------------------------------------- quadratic programs
+ *
+ *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
+ *
+ * A solver on its own; it has never heard of a stone. SP_NO_QP leaves it out.             [Stellato et al. 2020, "OSQP"]
+ */
+#ifndef SP_NO_QP
+
+#define SP_QP_INFINITY ((sp_real)1e20)  /* l <= -1e20, u >= 1e20 (also IEEE infinities): no bound */
+
+/* The problem, the caller's: nothing is copied, it must stay as it is until the solver is done. Matrices by columns: column j is
+ * entries p[j] .. p[j+1]-1, row numbers i ascending without repeats, p[0] = 0.
+ * P is given as its UPPER TRIANGLE with the diagonal: an entry below the diagonal is refused, not read. */
+typedef struct sp_qp {
+    int32_t n, m;               /* unknowns >= 1, rows >= 0 */
+    const int32_t *Pp, *Pi;     /* n x n; all three NULL: P = 0, a linear program */
+    const sp_real *Px;
+    const sp_real *q;           /* n; NULL: 0 */
+    const int32_t *Ap, *Ai;     /* m x n; may be NULL when m = 0 */
+    const sp_real *Ax;
+    const sp_real *l, *u;       /* m, l <= u; equal: an equation */
+} sp_qp;
+
+typedef enum sp_qp_backend {
+    SP_QP_SPARSE = 0,           /* sparse LDL' of [P + sigma I, A'; A, -1/rho], least fill */
+    SP_QP_DENSE,                /* dense Cholesky of P + sigma I + A' rho A: n (n+1) / 2 numbers */
+    SP_QP_CG                    /* no matrix: conjugate gradients on the same; least memory, most time */
+} sp_qp_backend;
+
+typedef enum sp_qp_status {
+    SP_QP_SOLVED = 0,           /* residuals and gap within eps, on the data as given */
+    SP_QP_INACCURATE,           /* stopped (iterations, budget), all within 10 eps */
+    SP_QP_PRIMAL_INFEASIBLE,    /* y proves: no x with |x| < radius meets the constraints */
+    SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, to the same kind of radius */
+    SP_QP_ITERATIONS,           /* iteration limit; x, y are the last iterate */
+    SP_QP_BUDGET,               /* work budget spent; likewise */
+    SP_QP_NUMERICAL             /* numbers left the range of sp_real; x, y are the last that were finite */
+} sp_qp_status;
+
+/* Get them from sp_qp_default() and change what you must. */
+typedef struct sp_qp_settings {
+    sp_qp_backend backend;      /*                                                                                 sparse */
+    sp_real eps_abs, eps_rel;   /* largest residual: eps_abs + eps_rel x the size of its terms       1e-6 1e-5, float 1e-4 */
+    sp_real eps_pinf, eps_dinf; /* certificates looser than this are not looked at                                   1e-4 */
+    sp_real radius;             /* a certificate must rule out solutions so many times larger than the iterate  1e6, 1e3 */
+    int32_t strict;             /* also asks the duality gap, and the residuals in equilibrated units, to be within eps 1 */
+    int32_t polish;             /* guess the active rows, solve for them exactly; two factorisations an attempt         1 */
+    int32_t iterations;         /*                                                                                   8000 */
+    int64_t budget;             /* flops after which to stop, looked at every `check` iterations; 0: none               0 */
+    int32_t check;              /* iterations between looks at the residuals                                           10 */
+    int32_t passes;             /* of equilibration                                                                    10 */
+    sp_real sigma, relax;       /* proximal weight, over-relaxation                           1e-6 (float 1e-3) and 1.6 */
+    sp_real rho, rho_equal;     /* penalty, its factor on equations                           0.1 and 1e3 (float 1e2) */
+    int32_t adapt, adapt_most;  /* iterations between changes of rho (0: never), most changes                  100 and 10 */
+    sp_real adapt_factor;       /* rho is multiplied or divided by this when the residuals are more than 10 apart       5 */
+    int32_t cg_steps;           /* of conjugate gradients per iteration                                               250 */
+    sp_real cg_tol;             /* its relative residual                                            1e-10, float 1e-6 */
+} sp_qp_settings;
+
+typedef struct sp_qp_result {
+    sp_qp_status status;
+    const sp_real *x, *y;       /* n unknowns, m multipliers (y_i > 0 pushes down from u, < 0 up from l); in the arena. If
+                                   primal infeasible y is the certificate, x 0; if dual infeasible x is, y 0; largest 1 */
+    sp_real objective;          /* 1/2 x'Px + q'x */
+    sp_real primal, dual, gap;  /* residuals on the data as given: |Ax - z|, |Px + q + A'y|, |x'Px + q'x + u'y+ + l'y-| */
+    sp_real radius;             /* of a certificate: no solution with |x / D|_1 (or |x / D|_1 + |y / E|_1) below it */
+    sp_real rho;                /* at the end: a good start for a similar problem */
+    int32_t polished;           /* the result comes from the polish */
+    int32_t iterations, factorisations;
+    int64_t flops;
+} sp_qp_result;
+
+SP_API sp_qp_settings sp_qp_default(void);
+
+/* Bytes sp_qp_setup and sp_qp_solve take from an arena, exact. The symbolic step of the sparse back end runs in `scratch`.
+ *   returns SP_OK, SP_E_MEMORY: scratch too small; else what sp_qp_setup returns of its arguments */
+SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes);
+
+/* Bytes of scratch that sp_qp_memory needs; 0: too large to count. */
+SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings);
+
+/* Solve. settings NULL: the default ones. x0 (n), y0 (m): a guess, each may be NULL.
+ *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
+ *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u, settings),
+ *           SP_E_INDEFINITE (P), SP_E_MEMORY */
+SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
+                             const sp_real *y0, sp_qp_result *result);
+
+/* The same in steps, for many problems with the same P and A. The work lives in the arena and refers to the arrays of *qp. */
+typedef struct sp_qp_work sp_qp_work;
+SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, sp_qp_work **work);
+
+/* Other q, l, u (NULL: keep), referred to and not copied. Factors anew only if a row became an equation, or free, or ceased to.
+ *   returns SP_OK, and with nothing changed SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+SP_API sp_status sp_qp_update(sp_qp_work *work, const sp_real *q, const sp_real *l, const sp_real *u);
+
+/* Another rho, 1e-6 .. 1e6; factors anew at the next run.     returns SP_OK, SP_E_ARGUMENT, SP_E_RANGE */
+SP_API sp_status sp_qp_rho(sp_qp_work *work, sp_real rho);
+
+/* Run from a guess (x0, y0: NULL for 0; result->x and ->y of the run before are fine).  returns SP_OK, SP_E_ARGUMENT,
+ *         SP_E_NOT_FINITE (guess) */
+SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y0, sp_qp_result *result);
+
+SP_API const char *sp_qp_status_text(sp_qp_status status);
+
+#endif /* SP_NO_QP */
 
 #ifdef __cplusplus
 }

@@ -32,6 +32,14 @@ static const char help_convert[] =
 "stonepack convert [--mu X] SCENE [OUT]\n\n"
 "Reads a scene and writes it (OUT or standard output) with its contacts, found if it has none.\n";
 
+static const char help_qp[] =
+"stonepack qp [options] FILE.qps\n\n"
+"The optimiser on its own: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file (fixed or free).\n\n"
+"  --eps X            largest residual, absolute and relative    1e-6 and 1e-5\n"
+"  --backend NAME     sparse, dense or cg                        sparse\n"
+"  --json             one JSON object, with x\n\n"
+"Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file.\n";
+
 static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"
 "stonepack gen NAME [NUMBER=VALUE ...]      writes a scene made by formula to standard output, e.g. gen arch n=15 t=0.1\n";
@@ -44,6 +52,7 @@ static const struct {
     { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
     { "contacts", "what touches what?",                    help_contacts, command_contacts },
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
+    { "qp",       "solve a quadratic program",             help_qp,       command_qp },
     { "gen",      "write a scene made by formula",         help_gen,      command_gen },
 };
 

@@ -67,6 +67,17 @@ static int tilt(const char *s, options *o)
     return !s[n] || (number(s + n + 1, &o->azimuth) && fabs(o->azimuth) <= 360);
 }
 
+static int backend(const char *s, int *which)
+{
+    static const char *const name[] = { "sparse", "dense", "cg" };              /* as sp_qp_backend */
+    for (int k = 0; k < 3; k++)
+        if (strcmp(s, name[k]) == 0) {
+            *which = k;
+            return 1;
+        }
+    return 0;
+}
+
 /* One option with its value. */
 static int take(options *o, const char *name, const char *value, text_error *error)
 {
@@ -84,6 +95,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         snprintf(o->cone, sizeof o->cone, "%s", value);
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact");
+    } else if (strcmp(name, "--eps") == 0) {
+        if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
+    } else if (strcmp(name, "--backend") == 0) {
+        if (!backend(value, &o->backend)) return usage(error, name, "needs sparse, dense or cg");
     } else if (strcmp(name, "--tilt") == 0) {
         if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
     }

@@ -9,6 +9,8 @@ typedef struct options {
     const char *svg;            /* file, or NULL */
     sp_real mu;                 /* overrides every friction; -1: not given */
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
+    sp_real eps;                /* of qp; 0: not given */
+    int backend;                /* of qp: an sp_qp_backend */
     sp_settings settings;
     char cone[16];              /* "true", "8i", "4c" */
     int files;

@@ -52,7 +52,14 @@ warn_host() {
         done
     done
 }
+without_qp() {                                          # the solver of quadratic programs can be left out
+    for wq_real in '' -DSP_REAL_FLOAT; do
+        # shellcheck disable=SC2086
+        $CC $base -DSP_NO_QP $wq_real -Os -c stonepack.c -o $out/no_qp.o && ! nm $out/no_qp.o | grep sp_qp || return 1
+    done
+}
 check_warnings() {
+    part "SP_NO_QP: no quadratic programs left" without_qp
     # shellcheck disable=SC2086
     part "warnings: gcc, library" warn gcc $gcc_only
     part "warnings: gcc, program and tests" warn_host gcc

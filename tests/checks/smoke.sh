@@ -56,6 +56,33 @@ named() {                                               # a scene by hand: names
     "$cli" convert "$hand" > "$tmp/hand.obj" && says '^o gable' cat "$tmp/hand.obj" && exits 0 "$cli" check "$tmp/hand.obj"
 }
 
+qps() {                                                 # the least of 4 x^2 + 2 x y + 5 y^2 + 1.5 x - 2 y + 4, its rows and bounds
+    cat > "$tmp/small.qps" <<'END'
+* a comment
+NAME          SMALL
+ROWS
+ N  obj
+ G  c1
+ L  c2
+COLUMNS
+    x         obj       1.5            c1        2.0
+    x         c2        -1.0
+    y         obj       -2.0           c1        1.0
+    y         c2        2.0
+RHS
+    rhs       obj       -4.0           c1        2.0
+    rhs       c2        6.0
+BOUNDS
+ UP bnd       x         20.0
+QUADOBJ
+    x         x         8.0
+    x         y         2.0
+    y         y         10.0
+ENDATA
+END
+}
+edited() { sed "$1" "$tmp/small.qps" > "$tmp/edited.qps"; }
+
 part "version"                      exits 0 "$cli" --version
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
@@ -78,4 +105,20 @@ part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" 
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
+qps
+for b in sparse dense cg; do
+    part "qp: $b"                   says 'objective 8.371' "$cli" qp --backend $b "$tmp/small.qps"
+done
+part "qp: json"                     says '"status": "solved"' "$cli" qp --json --eps 1e-5 "$tmp/small.qps"
+edited 's/QUADOBJ/QMATRIX/; s/^    x         y         2.0/&\n    y         x         2.0/'
+part "qp: the whole matrix"         says 'objective 8.371' "$cli" qp "$tmp/edited.qps"
+edited 's/^    x  /    x a/; s/bnd       x  /bnd       x a/; s/^    x a       y         2.0/    y         x a       2.0/; s/^    x a       x  /    x a       x a/'
+part "qp: fixed format, a blank in a name" says 'objective 8.371' "$cli" qp "$tmp/edited.qps"
+part "qp: infeasible: 1"            sh -c "sed 's/^ UP bnd       x         20.0/ UP bnd x 0.1\n UP bnd y 0.1/' '$tmp/small.qps' > '$tmp/none.qps'; '$cli' qp '$tmp/none.qps'; test \$? -eq 1"
+edited 's/10.0$/1o.0/'
+part "qp: a bad number: 65"         exits 65 "$cli" qp "$tmp/edited.qps"
+part "qp: file:line"                sh -c "'$cli' qp '$tmp/edited.qps' 2>&1 | grep -q 'edited.qps:20: not a number'"
+edited 's/10.0$/-10.0/'
+part "qp: a saddle: 65"             exits 65 "$cli" qp "$tmp/edited.qps"
+part "qp: unknown back end: 64"     exits 64 "$cli" qp --backend gpu "$tmp/small.qps"
 total

@@ -1,0 +1,144 @@
+/* qp: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file. */
+#define _POSIX_C_SOURCE 200809L         /* clock_gettime */
+#include "commands.h"
+#include "json_out.h"
+#include "options.h"
+#include "qps.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { ITERATIONS = 100000 };           /* the program is more patient than the library, and tunes rho as often and finely as it likes */
+
+typedef struct run {
+    host_qp file;
+    sp_qp_settings set;
+    sp_qp_result result;
+    void *memory;
+    size_t bytes;
+    double seconds;
+} run;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static sp_status memory_of(run *r)
+{
+    const size_t need = sp_qp_memory_scratch(&r->file.qp, &r->set);
+    void *memory = malloc(need + SP_ALIGN);
+    sp_arena scratch;
+    sp_status status = SP_E_MEMORY;
+    if (memory) status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
+    if (status == SP_OK) status = sp_qp_memory(&r->file.qp, &r->set, scratch, &r->bytes);
+    free(memory);
+    return status;
+}
+
+static int solve(run *r, const char *path, text_error *error)
+{
+    const double start = now();
+    sp_arena arena;
+    sp_status status = memory_of(r);
+    if (status == SP_OK) {
+        r->memory = malloc(r->bytes + SP_ALIGN);
+        status = r->memory ? sp_arena_init(&arena, r->memory, r->bytes + SP_ALIGN) : SP_E_MEMORY;
+    }
+    if (status == SP_OK) status = sp_qp_solve(&r->file.qp, &r->set, &arena, NULL, NULL, &r->result);
+    r->seconds = now() - start;
+    return status == SP_OK ? 0 : text_fail_status(error, status, path, 0, "");
+}
+
+static double objective(const run *r)
+{
+    return (r->file.maximise ? -1 : 1) * (double)r->result.objective + r->file.constant;
+}
+
+static int has_point(const run *r)
+{
+    return r->result.status != SP_QP_PRIMAL_INFEASIBLE && r->result.status != SP_QP_DUAL_INFEASIBLE;
+}
+
+static void print_text(const run *r)
+{
+    const sp_qp_result *a = &r->result;
+    printf("%s", sp_qp_status_text(a->status));
+    if (has_point(r)) printf(", objective %.10g", objective(r));
+    else printf(", certificate good up to radius %.2g", (double)a->radius);
+    printf("\n%ld columns, %ld rows, %ld entries, %ld of P\n", (long)r->file.qp.n, (long)r->file.rows, (long)r->file.entries,
+           (long)r->file.qp.Pp[r->file.qp.n]);
+    if (has_point(r)) printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
+                             a->polished ? ", polished" : "");
+    printf("%ld iterations, %ld factorisations, %.3g flops, %.3g s, %.4g MB\n", (long)a->iterations, (long)a->factorisations,
+           (double)a->flops, r->seconds, 1e-6 * (double)r->bytes);
+}
+
+static void print_json(const run *r, const char *path)
+{
+    const sp_qp_result *a = &r->result;
+    json_out j = { stdout, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "file", path);
+    json_string(&j, "status", sp_qp_status_text(a->status));
+    if (has_point(r)) json_real(&j, "objective", objective(r));
+    else json_null(&j, "objective");
+    json_real(&j, "primal", (double)a->primal);
+    json_real(&j, "dual", (double)a->dual);
+    json_real(&j, "gap", (double)a->gap);
+    json_real(&j, "radius", (double)a->radius);
+    json_bool(&j, "polished", a->polished);
+    json_int(&j, "columns", r->file.qp.n);
+    json_int(&j, "rows", r->file.rows);
+    json_int(&j, "entries", r->file.entries);
+    json_int(&j, "iterations", a->iterations);
+    json_int(&j, "factorisations", a->factorisations);
+    json_int(&j, "flops", a->flops);
+    json_real(&j, "seconds", r->seconds);
+    json_int(&j, "memory_bytes", (int64_t)r->bytes);
+    json_reals(&j, "x", a->x, r->file.qp.n);
+    json_close(&j, '}');
+    fputc('\n', stdout);
+}
+
+/* 0 solved, 1 proved to have no solution, 2 not decided. */
+static int exit_of(sp_qp_status status)
+{
+    if (status == SP_QP_SOLVED) return 0;
+    return status == SP_QP_PRIMAL_INFEASIBLE || status == SP_QP_DUAL_INFEASIBLE ? 1 : 2;
+}
+
+int command_qp(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    options o;
+    run r;
+    int status;
+
+    memset(&r, 0, sizeof r);
+    status = options_read(argc, argv, " --json --eps --backend ", &o, &error);
+    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: qp needs one QPS file");
+    if (!status) status = qps_read(o.file[0], &r.file, &error);
+    r.set = sp_qp_default();
+    r.set.iterations = ITERATIONS;
+    r.set.adapt_most = ITERATIONS;
+    r.set.adapt_factor = 2;
+    if (!status && o.eps > 0) r.set.eps_abs = r.set.eps_rel = o.eps;
+    if (!status) r.set.backend = (sp_qp_backend)o.backend;
+    if (!status && r.file.integers > 0)
+        fprintf(stderr, "%s: warning: %ld integer columns are taken as real\n", o.file[0], (long)r.file.integers);
+    if (!status) status = solve(&r, o.file[0], &error);
+    if (!status) {
+        if (o.json) print_json(&r, o.file[0]);
+        else print_text(&r);
+        status = exit_of(r.result.status);
+    }
+    if (error.status) fprintf(stderr, "%s\n", error.line);
+    free(r.memory);
+    qps_free(&r.file);
+    return status;
+}
