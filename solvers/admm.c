@@ -787,13 +787,16 @@ static sp_status sp__qp_check_matrix(const int32_t *p, const int32_t *i, const s
     return SP_OK;
 }
 
+/* A number or an infinity, not a NaN. */
+static int sp__qp_bound(sp_real b) { return b > 0 ? 1 : b <= 0; }
+
 static sp_status sp__qp_check_vectors(const sp_qp *qp)
 {
     if (qp->m > 0 && (!qp->l || !qp->u)) return SP_E_ARGUMENT;
     for (int32_t j = 0; qp->q && j < qp->n; j++)
         if (!sp__finite(qp->q[j])) return SP_E_NOT_FINITE;
     for (int32_t i = 0; i < qp->m; i++) {
-        if (!(qp->l[i] <= qp->u[i] || qp->l[i] > qp->u[i])) return SP_E_NOT_FINITE;     /* a NaN */
+        if (!sp__qp_bound(qp->l[i]) || !sp__qp_bound(qp->u[i])) return SP_E_NOT_FINITE;
         if (qp->l[i] > qp->u[i] || !(qp->l[i] < SP_QP_INFINITY) || !(qp->u[i] > -SP_QP_INFINITY)) return SP_E_RANGE;
     }
     return SP_OK;
