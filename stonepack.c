@@ -3686,7 +3686,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__newton_look(w, &n, state);
     n.shift = SP__SHIFT;
     while (n.left > 0 && n.omega > n.goal) sp__newton_step(w, &n, state);
-    sp__penalty_demand(w, demand);
+    if (n.omega <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a slide without friction, a loose stone */
     return SP_OK;
 }
 
@@ -4000,7 +4000,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
         const sp_status status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
-    if (r->verdict == SP_STABLE || !set->localise) return SP_OK;
+    if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
     const size_t mark = a->used;
     memset(&state->cost, 0, sizeof state->cost);
     const sp_status status = sp__penalty_run(pb, set, state, a, r->demand);

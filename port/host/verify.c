@@ -149,11 +149,12 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     return status;
 }
 
-static int verify(const char *scene_path, const char *path, sp_evidence *evidence, options *o, text_error *error)
+/* gravity: the question's; *turned: it is not the scene's. */
+static int verify(const char *scene_path, const char *path, sp_evidence *evidence, options *o, sp_real gravity[3], int *turned,
+                  text_error *error)
 {
     host_scene s;
     reading r = { path, { NULL, NULL, 0, 0 }, NULL, &s, error };
-    sp_real gravity[3];
     int status = json_read(path, &r.tree, error), read = 0;
 
     if (!status) {
@@ -165,7 +166,8 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
         read = 1;
     }
     if (!status) {
-        memcpy(s.scene.gravity, gravity, sizeof gravity);
+        *turned = memcmp(s.scene.gravity, gravity, sizeof s.scene.gravity) != 0;
+        memcpy(s.scene.gravity, gravity, sizeof s.scene.gravity);
         status = run(&r, o, evidence);
     }
     json_free(&r.tree);
@@ -178,12 +180,17 @@ int command_verify(int argc, char **argv)
     text_error error = { 0, "" };
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
     options o;
+    sp_real gravity[3];
+    int turned = 0;
 
     if (options_read(argc, argv, "", &o, &error) == 0 && o.files != 2)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
-    if (!error.status && verify(o.file[0], o.file[1], &e, &o, &error) == 0) {
+    if (!error.status && verify(o.file[0], o.file[1], &e, &o, gravity, &turned, &error) == 0) {
         char omega[32], least[32];
-        printf("%s: %s by %s, cone %s, tol %.2g: ", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
+        printf("%s: %s by %s, cone %s, tol %.2g", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
+        if (o.mu >= 0) printf(", asked with friction %g", (double)o.mu);
+        if (turned) printf(", asked with gravity %g %g %g", (double)gravity[0], (double)gravity[1], (double)gravity[2]);
+        printf(": ");
         if (e.verdict == SP_UNSTABLE)
             printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
         printf("omega %s\n", text_shortest(e.omega, omega));
