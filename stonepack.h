@@ -212,7 +212,8 @@ typedef struct sp_contact_report {
 
 SP_API sp_contact_settings sp_contact_settings_default(void);
 
-/* Bytes of scratch sp_contacts_find needs at most for this scene; 0 if that overflows. */
+/* Bytes of scratch that sp_contacts_find needs for this scene; 0 if that overflows. Enough unless two faces cross each other
+ * like combs, in more places than eight a corner: then it returns SP_E_MEMORY and wants more. */
 SP_API size_t sp_contacts_memory(const sp_scene *scene);
 
 /* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
@@ -220,7 +221,9 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
  * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners.
  *   scratch   by value: all of it may be overwritten
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY, SP_E_CAPACITY */
+ *   settings  NULL: the default ones
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE and SP_E_UNSUPPORTED (settings.joint), SP_E_MEMORY,
+ *             SP_E_CAPACITY */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report);
 
@@ -352,7 +355,8 @@ typedef struct sp_interface_force {
 SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
                                         sp_interface_force *out);
 
-/* What the contacts do to a block, force [N] and moment about its centroid [N m]: on a support, minus its reaction's demand.
+/* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
+ * balance its weight; a support pushes back with the opposite, which is its reaction.
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
 SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
                                     sp_real moment[3]);
