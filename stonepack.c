@@ -3725,6 +3725,7 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
         if (out->stage[k] <= SP_STAGE_NONE || out->stage[k] > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
         if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
+    if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;

@@ -257,6 +257,7 @@ typedef enum sp_stage_id {
 #define SP_STAGES_MAX 6
 
 struct sp_stage;
+struct sp_qp_solver;
 
 /* Settings of a check. Get them from sp_settings_default() and change what you must. */
 typedef struct sp_settings {
@@ -272,6 +273,7 @@ typedef struct sp_settings {
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
+    const struct sp_qp_solver *qp_solver;       /* of quadratic programs, where a stage has any; NULL: sp_qp_solve  NULL */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);
@@ -442,10 +444,8 @@ typedef struct sp_stage {
  *
  *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
  *
- * A solver on its own; it has never heard of a stone. SP_NO_QP leaves it out.             [Stellato et al. 2020, "OSQP"]
+ * A solver on its own; it has never heard of a stone. SP_NO_QP leaves its calls out.      [Stellato et al. 2020, "OSQP"]
  */
-#ifndef SP_NO_QP
-
 #define SP_QP_INFINITY ((sp_real)1e20)  /* l <= -1e20, u >= 1e20 (also IEEE infinities): no bound */
 
 /* The problem, the caller's: nothing is copied, it must stay as it is until the solver is done. Matrices by columns: column j is
@@ -509,6 +509,32 @@ typedef struct sp_qp_result {
     int32_t iterations, factorisations;
     int64_t flops;
 } sp_qp_result;
+
+/* A solver that others plug in, or ours. Whoever uses one passes the struct on: there is no registry. Both functions are called
+ * with arguments that sp_qp_solve would take (settings is never NULL).
+ *   solve  as sp_qp_solve: x0, y0 may be NULL or left unread; x and y are taken from the arena (or live as long as it), every
+ *          field of *result is written, no number of it is a NaN. Settings it has no counterpart of it ignores. result->status
+ *          by what was reached, never by another library's number of it:
+ *            SP_QP_SOLVED       residuals within eps_abs, eps_rel by that solver's own account; an answer it calls inaccurate
+ *                               is SP_QP_INACCURATE, whatever stopped it
+ *            ..._INFEASIBLE     it has a certificate, which is in y (primal) or x (dual); else SP_QP_NUMERICAL
+ *            SP_QP_ITERATIONS   its limit of iterations; SP_QP_BUDGET: of work or time
+ *            SP_QP_NUMERICAL    anything else: it broke down, refuses the problem, is interrupted
+ *          returns SP_OK whatever result->status, SP_E_MEMORY (arena and result untouched, also where its own memory ran out),
+ *          or another status sp_qp_solve returns
+ *   need   as sp_qp_memory: bytes solve takes from an arena, exact; NULL where that is just x and y
+ * Nobody takes a solver's word: stages judge what they are given. */
+typedef struct sp_qp_solver {
+    void *self;                 /* passed through, the caller's */
+    sp_status (*solve)(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
+                       const sp_real *y0, sp_qp_result *result);
+    sp_status (*need)(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes);
+} sp_qp_solver;
+
+#ifndef SP_NO_QP
+
+/* Ours: sp_qp_solve and sp_qp_memory. */
+SP_API sp_qp_solver sp_qp_admm(void);
 
 SP_API sp_qp_settings sp_qp_default(void);
 

@@ -1117,5 +1117,27 @@ SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp
     return status;
 }
 
+static sp_status sp__qp_plug_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                                   const sp_real *x0, const sp_real *y0, sp_qp_result *result)
+{
+    (void)self;
+    return sp_qp_solve(qp, settings, arena, x0, y0, result);
+}
+
+static sp_status sp__qp_plug_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    (void)self;
+    return sp_qp_memory(qp, settings, scratch, bytes);
+}
+
+SP_API sp_qp_solver sp_qp_admm(void)
+{
+    sp_qp_solver s;
+    s.self = NULL;
+    s.solve = sp__qp_plug_solve;
+    s.need = sp__qp_plug_need;
+    return s;
+}
+
 #endif /* SP_NO_QP */
 #endif /* SP__ADMM_C */

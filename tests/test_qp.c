@@ -489,6 +489,24 @@ TEST(same_input_same_bits)
     for (int32_t j = 0; j < s.qp.n; j++) CHECK_WITHIN(a.x[j], b.x[j], 0);
 }
 
+/* The struct that others fill in, filled in with ours. */
+TEST(plugged_in_our_solver_is_the_same)
+{
+    const sp_qp_solver own = sp_qp_admm();
+    const sp_qp_settings set = with(SP_QP_SPARSE);
+    size_t bytes = 0, again = 1;
+    sp_qp_result a, b;
+    make(STRICT);
+    NEED(sp_qp_memory(&s.qp, &set, test_arena, &bytes) == SP_OK);
+    CHECK_INT(own.need(own.self, &s.qp, &set, test_arena, &again), SP_OK);
+    CHECK_INT(bytes, again);
+    NEED(sp_qp_solve(&s.qp, &set, &test_arena, NULL, NULL, &a) == SP_OK);
+    NEED(own.solve(own.self, &s.qp, &set, &test_arena, NULL, NULL, &b) == SP_OK);
+    CHECK_INT(a.status, SP_QP_SOLVED);
+    CHECK_INT(a.flops, b.flops);
+    for (int32_t j = 0; j < s.qp.n; j++) CHECK_WITHIN(a.x[j], b.x[j], 0);
+}
+
 TEST_LIST(qp)
     RUN(a_point_on_a_line_is_found)
     RUN(no_rows_and_no_P_are_fine)
@@ -499,6 +517,7 @@ TEST_LIST(qp)
     RUN(warm_start_and_updates_cost_less)
     RUN(a_budget_stops_and_limits_are_told)
     RUN(same_input_same_bits)
+    RUN(plugged_in_our_solver_is_the_same)
     RUN(battery_sparse)
     RUN(battery_dense)
     RUN(battery_cg)

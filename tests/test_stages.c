@@ -847,6 +847,7 @@ TEST(settings_out_of_range_are_refused_and_nothing_is_touched)
 TEST(stages_that_do_not_exist_are_refused)
 {
     static const sp_stage no_run = { NULL, custom_need }, no_need = { custom_run, NULL };
+    static const sp_qp_solver nothing = { NULL, NULL, NULL };
     static const int odd[] = { SP_STAGE_NONE, SP_STAGE_CUSTOM + 1, 1000, -1 };
     sp_scene s;
     sp_settings set;
@@ -864,6 +865,9 @@ TEST(stages_that_do_not_exist_are_refused)
     refused(&s, &set, SP_E_ARGUMENT, "no run");
     set.custom = &no_need;
     refused(&s, &set, SP_E_ARGUMENT, "no need");
+    set = sp_settings_default();
+    set.qp_solver = &nothing;
+    refused(&s, &set, SP_E_ARGUMENT, "no solve");
     set = sp_settings_default();
     set.stage[2] = (sp_stage_id)1000;                   /* beyond the count: not looked at */
     CHECK_INT(check(&s, &set).verdict, SP_STABLE);
