@@ -10,7 +10,7 @@
  *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
  *
  * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
- *            8 matrices        9 stages   10 quadratic programs
+ *            8 matrices        9 stages   10 quadratic programs   11 placing a stone
  *
  * MIT licence.
  */
@@ -570,6 +570,108 @@ SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y
 SP_API const char *sp_qp_status_text(sp_qp_status status);
 
 #endif /* SP_NO_QP */
+
+/* 11 ------------------------------------------------------------------------------------------------------ placing a stone
+ *
+ * Cheap looks at one stone before any statics: where a planner throws away most of its candidates.           [seed 6.1, 6.2]
+ * They know the stone and what is under it, no friction and no neighbours: a choice among seats, not a verdict.
+ */
+
+/* The convex hull of a stone's contact points in plan (along gravity), and its centre of mass over it. */
+typedef struct sp_support {
+    sp_real clearance;          /* distance of the centre of mass from the nearest hull edge, positive inside; exactly -1, with
+                                   area 0 and offset 1e9, where the points span no area                              [m] */
+    sp_real area;               /* of the hull                                                                     [m^2] */
+    sp_real offset;             /* of the centre of mass from the hull's centroid                                    [m] */
+} sp_support;
+
+/* Bytes of scratch for `points` contact points; 0 if points < 0 or the size overflows. */
+SP_API size_t sp_support_memory(int32_t points);
+
+/* clr(c) = min over hull edges of n_in . (c - a).                                                               [seed 6.1]
+ *   in   xyz, points   3 x points contact points, in any order, repeats allowed; points >= 0                        [m]
+ *   in   com           centre of mass of the stone [m];   gravity: any length > 0
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE (also a size whose square overflows), SP_E_RANGE (gravity), SP_E_MEMORY */
+SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const sp_real com[3], const sp_real gravity[3],
+                                      sp_arena scratch, sp_support *support);
+
+/* A place a stone could take. What the caller measures in its own map: */
+typedef struct sp_seat {
+    sp_support support;
+    sp_real footprint;          /* area of the stone in plan, > 0                                                  [m^2] */
+    sp_real height;             /* h of the stone, > 0                                                               [m] */
+    sp_real width;              /* mean width of the stones at hand, > 0                                             [m] */
+    sp_real trapped;            /* volume enclosed under the stone, >= 0                                           [m^3] */
+    sp_real seat;               /* height of the seat                                                                [m] */
+} sp_seat;
+
+/* Weights of the four terms, >= 0: small support, centre of mass off its middle, void underneath, high seat. */
+typedef struct sp_seat_weights { sp_real area, offset, trapped, seat; } sp_seat_weights;
+
+SP_API sp_seat_weights sp_seat_weights_default(void);   /* 1, 1, 1, 0.5 */
+
+/* J = w1 (1 - A_hull / A_foot) + w3 |c - g_hull| / W + wu V_under / (A_foot h) + ws z_seat / W; less is better.  [seed 6.1]
+ *   weights NULL: the default ones.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+SP_API sp_status sp_support_cost(const sp_seat *seat, const sp_seat_weights *weights, sp_real *J);
+
+/* Order seats: those with clearance >= margin [m] first, then by J, ties by number.
+ *   out  J, order      count each; order[0] is the best seat
+ *   out  stable        how many have the margin; may be NULL
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE (J and order are scratch then) */
+SP_API sp_status sp_support_rank(const sp_seat *seats, int32_t count, sp_real margin, const sp_seat_weights *weights,
+                                 sp_real *J, int32_t *order, int32_t *stable);
+
+/* A face a stone can rest on: a plane with the stone on one side and the centroid over the hull of what touches it. */
+typedef struct sp_rest {
+    int32_t face;               /* the first face of the mesh in that plane */
+    sp_real normal[3];          /* outward: along gravity when the stone rests on it */
+    sp_real height;             /* of the centroid over the plane [m] */
+    sp_support support;         /* clearance > 0 */
+} sp_rest;
+
+/* Bytes of scratch for this mesh; 0 if a count is negative or the size overflows. */
+SP_API size_t sp_rest_memory(const sp_mesh *mesh);
+
+/* Stable resting faces of a stone of uniform density, in the order of its faces.                [Goldberg, Mirtich 1999]
+ * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
+ * is told to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
+ *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
+ *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
+SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
+
+/* A stone laid down, as the next-best-object gate asks for it. */
+typedef struct sp_laid {
+    const sp_real *xyz;         /* 3 x points: the corners it rests on, in place [m] */
+    int32_t points;
+    sp_real com[3];             /* centre of mass, in place [m] */
+    sp_real normal[3];          /* of the resting face, outward (downward when level), any length > 0 */
+    sp_real depth, height;      /* extents of the laid stone into the wall and along gravity, >= 0 [m] */
+} sp_laid;
+
+typedef enum sp_nbo {
+    SP_NBO_ACCEPTED = 0,
+    SP_NBO_OUTSIDE,             /* the centre of mass is not over the support */
+    SP_NBO_SHALLOW,             /* depth / height too small: it lies along the wall instead of into it */
+    SP_NBO_TILTED,              /* the resting face is not level enough */
+    SP_NBO_MARGIN               /* too near the edge of the support */
+} sp_nbo;
+
+typedef struct sp_nbo_settings {
+    sp_real margin;             /* least clearance / sqrt(area of the support)                                          0 */
+    sp_real slender;            /* least depth / height                                                               0.5 */
+    sp_real level;              /* least cosine between the resting face's normal and gravity, 0.7: 45 degrees        0.7 */
+} sp_nbo_settings;
+
+SP_API sp_nbo_settings sp_nbo_settings_default(void);
+
+/* Accept or reject a laid stone; the reason is the first of the enumerators' order that applies.                [seed 6.2]
+ *   settings NULL: the default ones;  scratch: sp_support_memory(laid->points)
+ *   out  margin        clearance / sqrt(area), signed; -1 where the points span no area; may be NULL
+ *   returns as sp_support_clearance; SP_E_RANGE: also extents < 0, a normal without length */
+SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], const sp_nbo_settings *settings, sp_arena scratch,
+                             sp_nbo *reason, sp_real *margin);
+
+SP_API const char *sp_nbo_text(sp_nbo reason);
 
 #ifdef __cplusplus
 }
