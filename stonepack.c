@@ -20,11 +20,12 @@
  *   17  exact stage: rigid groups
  *   18  exact stage: steps               semismooth Newton, proximal path
  *   19  penalty form                     where help is wanted [seed 1.5]
- *   20  ladder                           settings, stages, memory, judgement
- *   21  reading a result                 resultants, utilisation, weakest joint
- *   22  check                            sp_check
- *   23  verify                           sp_verify
- *   24  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   20  coupled check                    a motion that explains the forces [seed 3]
+ *   21  ladder                           settings, stages, memory, judgement
+ *   22  reading a result                 resultants, utilisation, weakest joint
+ *   23  check                            sp_check
+ *   24  verify                           sp_verify
+ *   25  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -90,7 +91,7 @@ SP_API const char *sp_status_text(sp_status status)
                     "the interface has no area, or its normal no length\0"
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
-                    "cohesion, tension and crushing of joints are not supported yet\0"
+                    "not supported here: cohesion, tension or crushing of joints, or a coupled check in a build without it\0"
                     "P of the quadratic program is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
@@ -111,7 +112,20 @@ SP_API const char *sp_reason_text(sp_reason reason)
 {
     const int k = (int)reason;
     return sp__word("forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0"
-                    "unknown", k >= 0 && k <= 7 ? k : 8);
+                    "no consistent motion\0" "no coupled certificate\0" "unknown", k >= 0 && k <= 9 ? k : 10);
+}
+
+SP_API const char *sp_coupling_text(sp_coupling coupling)
+{
+    const int k = (int)coupling;
+    return sp__word("not asked\0" "coupled\0" "refuted\0" "not found\0" "unknown", k >= 0 && k <= 3 ? k : 4);
+}
+
+SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason)
+{
+    const int k = (int)reason;
+    return sp__word("not asked\0" "motion\0" "statics\0" "no consistent motion\0" "limit\0" "budget\0" "unknown",
+                    k >= 0 && k <= 5 ? k : 6);
 }
 
 SP_API const char *sp_stage_text(sp_stage_id stage)
@@ -1861,6 +1875,14 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
+static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+{
+    sp__judge j;
+    sp_arena dry = sp__arena_dry();
+    sp__judge_carve(&j, pb, set->faces, &dry);
+    return dry.peak;
+}
+
 /* a / b for a, b >= 0; 0 / 0 is 0; SP__HUGE for what is larger or no number. */
 static sp_real sp__ratio(sp_real a, sp_real b)
 {
@@ -2323,6 +2345,110 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
     sp__judge_scales(j, y0);
     return 1;
 }
+
+#ifndef SP_NO_CRA
+/* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
+ * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion. */
+#ifdef SP_REAL_FLOAT
+#define SP__GIVE ((sp_real)1e-4)
+#define SP__SLIP ((sp_real)1e-2)
+#define SP__SLIP_ROUNDING (400 * (sp_real)SP_EPSILON)
+#else
+#define SP__GIVE ((sp_real)1e-10)
+#define SP__SLIP ((sp_real)1e-6)
+#define SP__SLIP_ROUNDING (4000000 * (sp_real)SP_EPSILON)
+#endif
+#define SP__GIVE_ROUNDING (16 * (sp_real)SP_EPSILON)
+
+/* Lengths of the coupled check; eps and eta are counted in L: (1, eta / eps), or (0, 1) where eps is 0. */
+typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;
+
+/* Mean edge of the joints that take part; where they have none (points), mean distance of a joint from its blocks' centroids. */
+static sp_real sp__mean_edge(const sp_problem *pb)
+{
+    sp_real edges = 0, arms = 0;
+    int32_t count = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const int32_t n = t->points > 2 ? t->points : t->points - 1;
+        for (int32_t k = 0; k < n; k++) {
+            sp_real e[3];
+            sp__sub3(pb->scene->point[t->point + (k + 1) % t->points], pb->scene->point[t->point + k], e);
+            edges += sp__norm3(e);
+        }
+        count += n;
+        arms += (sp__norm3(t->ra) + sp__norm3(t->rb)) / 2;
+    }
+    if (edges > 0) return edges / (sp_real)count;
+    return arms > 0 ? arms / (sp_real)pb->contacts : 1;
+}
+
+static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *set)
+{
+    const sp_coupled_settings *cs = &set->coupled;
+    const sp_real edge = sp__mean_edge(pb), eps = cs->eps < 0 ? (sp_real)1e-4 * edge : cs->eps;
+    const sp_real eta = cs->eta > 0 ? cs->eta : eps > 0 ? 100 * eps : (sp_real)1e-2 * edge;
+    sp__lengths k = { eps, 1, 0 };
+    if (eps > 0) k.eta = eta / eps;
+    else { k.L = eta; k.eps = 0; k.eta = 1; }
+    return k;
+}
+
+/* dd of vertex v of contact t in its frame, for the motion j->x. */
+static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, sp_real d[3])
+{
+    sp_real w[3] = { 0, 0, 0 };
+    sp__point_velocity(j->pb, NULL, t->b, v, j->x, 1, w);
+    sp__point_velocity(j->pb, NULL, t->a, v, j->x, -1, w);
+    d[0] = sp__dot3(w, t->joint->n); d[1] = sp__dot3(w, t->joint->t1); d[2] = sp__dot3(w, t->joint->t2);
+}
+
+/* Worst violation of the conditions at one vertex relative to what is allowed. d: dd / L; ft and -alpha dt in units of force;
+ * least: force below which friction is not asked for its slip. */
+static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f[3], sp_real alpha, const sp_real d[3],
+                                  sp_real moved, sp_real least)
+{
+    const sp_real g = SP__GIVE + SP__GIVE_ROUNDING * moved, gap = d[0] + k->eps;
+    const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+    const sp_real most = box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
+    sp_real worst = sp__max(d[0], most) > k->eta ? (sp__max(d[0], most) - k->eta) / g : 0;
+    if (gap < 0 || f[0] > 0) worst = sp__max(worst, sp__abs(gap) / g);
+    if (!(alpha >= 0)) return SP__HUGE;
+    if (ft > least) {
+        const sp_real x = f[1] + alpha * d[1], y = f[2] + alpha * d[2];
+        worst = sp__max(worst, sp__ratio(SP_SQRT(x * x + y * y), SP__SLIP * ft));
+        worst = sp__max(worst, sp__ratio(SP__SLIP + SP__SLIP_ROUNDING * moved, slip));
+    }
+    return worst < SP__HUGE ? worst : SP__HUGE;
+}
+
+/* Residual of a triple: f (3 x points), dq (6b), alpha (points).                                       [Kao 2022, Eqs. 8-10] */
+SP__APART static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
+                                           const sp_real *alpha)
+{
+    const sp_problem *pb = j->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
+        sp__release(pb, i, j->x + 6 * (size_t)i);
+    }
+    sp_real worst = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
+        const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        j->cap = sp__judge_cap(j, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real g[3], d[3];
+            for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;
+            sp__judge_admit(j, t, g, g);
+            sp__judge_rate(j, t, v, d);
+            worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
+        }
+    }
+    j->sweeps++;
+    return worst;
+}
+#endif /* SP_NO_CRA */
 
 /* 11 ------------------------------------------------------------------------------------------------------------ the dual */
 
@@ -3692,7 +3818,88 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 20 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 20 ------------------------------------------------------------------------------------------------------- coupled check */
+
+#ifndef SP_NO_CRA
+/* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
+ * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; DESIGN 9.3] */
+typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
+
+typedef struct sp__cra {
+    const sp_problem *pb;
+    const sp_settings *set;
+    sp__lengths k;
+    sp__judge j;
+    sp__triple t;                       /* on offer */
+    sp_real omega, residual;            /* what the judge says of it */
+    sp_coupled *out;
+} sp__cra;
+
+static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
+{
+    t->f = sp__take(a, (size_t)pb->points, 3 * sizeof *t->f);
+    t->dq = sp__take(a, (size_t)pb->blocks, 6 * sizeof *t->dq);
+    t->alpha = sp__take(a, (size_t)pb->points, sizeof *t->alpha);
+}
+
+static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set)
+{
+    sp__triple t;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__cra));
+    sp__triple_carve(&t, pb, &dry);
+    sp__take(&dry, 1, sp__judge_need(pb, set));
+    return dry.used;
+}
+
+/* Is the triple on offer coupled?     returns 1 when it is verified */
+static int sp__cra_judge(sp__cra *w)
+{
+    w->omega = sp__judge_forces(&w->j, w->t.f, w->t.f);
+    w->residual = sp__judge_coupled(&w->j, &w->k, w->t.f, w->t.dq, w->t.alpha);
+    return w->omega <= w->set->tol && w->residual <= 1;
+}
+
+/* The motion of the free blocks into the scene's. */
+static void sp__cra_spread(const sp__cra *w)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++)
+        memcpy(w->out->dq + 6 * (size_t)pb->block[i], w->t.dq + 6 * (size_t)i, 6 * sizeof *w->t.dq);
+    memcpy(w->out->alpha, w->t.alpha, (size_t)pb->points * sizeof *w->t.alpha);
+}
+
+/* Forces are known (state->f): is there a triple? f becomes its forces where one is found.
+ *   out    verdict, reason, residual, rounds, dq, alpha, cost; *omega of the new forces */
+SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
+                                           sp_coupled *out, sp_real *omega)
+{
+    sp__cra *w = sp__take(a, 1, sizeof *w);
+    if (!w) return SP_E_MEMORY;
+    sp__triple_carve(&w->t, pb, a);
+    if (!sp__judge_open(&w->j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
+    w->pb = pb;
+    w->set = set;
+    w->out = out;
+    w->k = sp__coupled_lengths(pb, set);
+    memcpy(w->t.f, state->f, (size_t)pb->points * 3 * sizeof *w->t.f);
+    memset(w->t.dq, 0, (size_t)pb->blocks * 6 * sizeof *w->t.dq);
+    memset(w->t.alpha, 0, (size_t)pb->points * sizeof *w->t.alpha);
+    out->verdict = SP_COUPLING_NOT_FOUND;
+    out->reason = SP_COUPLING_BUDGET;
+    if (sp__cra_judge(w)) {
+        out->verdict = SP_COUPLING_COUPLED;
+        out->reason = SP_COUPLING_MOTION;
+        memcpy(state->f, w->t.f, (size_t)pb->points * 3 * sizeof *w->t.f);
+        *omega = w->omega;
+    }
+    out->residual = w->residual;
+    sp__cra_spread(w);
+    return SP_OK;
+}
+#endif /* SP_NO_CRA */
+
+/* 21 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -3711,6 +3918,8 @@ SP_API sp_settings sp_settings_default(void)
     s.stage_count = 2;
     s.stage[0] = SP_STAGE_GATES;
     s.stage[1] = SP_STAGE_EXACT;
+    s.coupled.eps = -1;
+    s.coupled.rounds = 12;
     return s;
 }
 
@@ -3728,6 +3937,11 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
         if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
+    if (!sp__finite(out->coupled.eps) || !sp__finite(out->coupled.eta) || out->coupled.eta < 0 || out->coupled.rounds < 0)
+        return SP_E_RANGE;
+#ifdef SP_NO_CRA
+    if (out->coupled.asked) return SP_E_UNSUPPORTED;
+#endif
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -3748,27 +3962,24 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 typedef struct sp__kept {
     sp_real *f, *dq, *y0;
     sp_demand *demand;
+    sp_real *cdq, *alpha;               /* of the coupled check, where it is asked */
 } sp__kept;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, sp_arena *a)
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, int coupled, sp_arena *a)
 {
+    r->cdq = r->alpha = NULL;
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
+    if (!coupled) return;
+    r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
+    r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
 }
 
 static void sp__state_carve(sp_state *s, int32_t free_blocks, sp_arena *a)
 {
     s->y = sp__take(a, (size_t)free_blocks, 6 * sizeof *s->y);
-}
-
-static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
-{
-    sp__judge j;
-    sp_arena dry = sp__arena_dry();
-    sp__judge_carve(&j, pb, set->faces, &dry);
-    return dry.peak;
 }
 
 /* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
@@ -3797,6 +4008,12 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
                                                  : sp__sparse_need(pb, set, scratch);
         if (need > most) most = need;
     }
+#ifndef SP_NO_CRA
+    if (set->coupled.asked) {
+        const size_t need = sp__coupled_need(pb, set);
+        if (need > most) most = need;
+    }
+#endif
     return most;
 }
 
@@ -3813,7 +4030,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     if (most == SIZE_MAX) return SP_E_MEMORY;
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
-    sp__kept_carve(&kept, scene, c->pb.blocks, &dry);
+    sp__kept_carve(&kept, scene, c->pb.blocks, c->set.coupled.asked, &dry);
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__state_carve(&c->state, c->pb.blocks, &dry);
@@ -3906,7 +4123,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 21 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 22 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -3993,7 +4210,7 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 22 --------------------------------------------------------------------------------------------------------------- check */
+/* 23 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
@@ -4012,6 +4229,31 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
     return status;
 }
 
+#ifndef SP_NO_CRA
+/* The coupled check, where forces were found; its answer, its cost and its forces into the result. */
+SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
+{
+    sp_result *r = &c->r;
+    sp_coupled *out = &r->coupled;
+    const size_t mark = a->used;
+    const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+    sp_status status = SP_OK;
+    out->eps = k.eps > 0 ? k.L : 0;
+    out->eta = k.L * k.eta;
+    out->verdict = r->verdict == SP_STABLE ? SP_COUPLING_COUPLED : r->verdict ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
+    out->reason = r->verdict == SP_STABLE ? SP_COUPLING_MOTION : SP_COUPLING_STATICS;
+    if (r->verdict != SP_STABLE) return SP_OK;
+    if (c->pb.blocks) status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega);
+    a->used = mark;
+    sp__cost_add(&r->cost, &out->cost);
+    if (out->verdict == SP_COUPLING_COUPLED) return status;
+    r->verdict = out->verdict == SP_COUPLING_REFUTED ? SP_UNSTABLE : SP_UNDECIDED;
+    r->reason = out->verdict == SP_COUPLING_REFUTED ? SP_REASON_NO_MOTION : SP_REASON_NOT_COUPLED;
+    r->verified = r->verdict == SP_UNSTABLE;
+    return status;
+}
+#endif
+
 /* An empty result of this problem in c->r, its arrays zero; the state's arrays with it. */
 static void sp__check_clear(const sp_scene *scene, sp__check *c)
 {
@@ -4021,6 +4263,8 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     memset(r->y0, 0, 12 * b * sizeof *r->y0);
     memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
+    if (r->coupled.dq) memset(r->coupled.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->coupled.dq);
+    if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
     c->state.reason = SP_REASON_STAGES;
     c->state.f = r->f;
@@ -4044,12 +4288,14 @@ SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_setti
     sp_problem count;
     sp__kept arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, a);
+    sp__kept_carve(&arrays, scene, count.blocks, settings && settings->coupled.asked, a);
     *kept = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
     c->r.f = arrays.f; c->r.dq = arrays.dq; c->r.y0 = arrays.y0; c->r.demand = arrays.demand;
+    c->r.coupled.dq = arrays.cdq;
+    c->r.coupled.alpha = arrays.alpha;
     sp_status status = sp__settings_resolve(settings, &c->set);
     if (!status) status = sp_problem_build(scene, a, &c->pb);
     if (status) return status;
@@ -4071,7 +4317,11 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!status && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
     if (status) return status;
     if (c->r.verdict == SP_STABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
-    if (c->r.verdict == SP_STABLE) c->r.level = SP_ADMISSIBLE;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) status = sp__check_coupled(c, &a);
+    if (status) return status;
+#endif
+    if (c->r.verdict == SP_STABLE) c->r.level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
     sp__check_read(scene, &c->r);
     c->r.peak_bytes = a.peak;
     arena->used = kept;
@@ -4080,7 +4330,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* 23 -------------------------------------------------------------------------------------------------------------- verify */
+/* 24 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -4110,6 +4360,9 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    const int triple = settings && settings->coupled.asked && claim->coupled.dq && claim->coupled.alpha;
+    if (triple && !sp__all_finite(claim->coupled.dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    if (triple && !sp__all_finite(claim->coupled.alpha, (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(settings, &c->set);
@@ -4118,18 +4371,27 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp__judge j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
     if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, &scratch)) return SP_E_MEMORY;
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
     e.omega = sp__judge_forces(&j, claim->f, NULL);
     e.least_imbalance = sp__judge_mechanism(&j, dq, &e.final);
     if (e.omega <= c->set.tol) e.verdict = SP_STABLE;
     else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
+    if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;
+#ifndef SP_NO_CRA
+    if (triple) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        sp__verify_motion(&c->pb, claim->coupled.dq, dq);
+        e.residual = sp__judge_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
+        if (e.level && e.residual <= 1) e.level = SP_COUPLED;
+    }
+#endif
     *evidence = e;
     return SP_OK;
 }
 
-/* 24 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 25 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {

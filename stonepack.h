@@ -35,6 +35,7 @@ extern "C" {
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
  *   SP_NO_QP        defined: no quadratic programs (section 10)
+ *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  */
 #ifndef SP_API
 #define SP_API extern
@@ -67,7 +68,7 @@ typedef enum sp_status {
     SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
     SP_E_SELF        = -13,     /* an interface between a block and itself */
     SP_E_EMPTY       = -14,     /* no block at all */
-    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version: cohesion, tension or crushing of a joint */
+    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: cohesion, tension or crushing of a joint, coupled */
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
@@ -241,7 +242,9 @@ typedef enum sp_reason {
     SP_REASON_MECHANISM,        /* unstable: a motion that no admissible force can resist */
     SP_REASON_LIMIT,            /* undecided: neither forces nor motion within tol; the limit is nearer than tol can tell */
     SP_REASON_BUDGET,           /* undecided: the search gave up, its iterations spent or without progress */
-    SP_REASON_STAGES            /* undecided: the chosen stages cannot decide this */
+    SP_REASON_STAGES,           /* undecided: the chosen stages cannot decide this */
+    SP_REASON_NO_MOTION,        /* unstable, coupled check: no virtual motion explains any admissible forces */
+    SP_REASON_NOT_COUPLED       /* undecided: the coupled check found neither a motion nor a proof that there is none */
 } sp_reason;
 
 typedef enum sp_stage_id {
@@ -255,6 +258,48 @@ typedef enum sp_stage_id {
 } sp_stage_id;
 
 #define SP_STAGES_MAX 6
+
+/* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; DESIGN 9.3]
+ *
+ * Friction alone lets forces squeeze a block that nothing presses. The coupled check asks besides for a virtual motion dq of
+ * the blocks that explains the forces: joints give by eps, press only where they gave it all, and rub only against their slip.
+ *
+ *     dd = Aeq' dq       dn >= -eps       fn (dn + eps) = 0       ft = -alpha dt,  alpha >= 0        dn <= eta,  |dt| <= eta
+ *
+ * Only eta / eps matters: p . dq = eps sum fn + sum alpha |dt|^2, so it bounds the forces. eps = 0: dn >= 0, fn dn = 0, and
+ * lengths are counted in eta instead of eps.
+ *
+ * sp_verify calls a triple (f, dq, alpha) coupled if f passes as a force state (omega <= tol) and, in every contact vertex,
+ * with L = eps (eta where eps = 0), the residual is <= 1, the largest of
+ *     |dn + eps| / g  where fn > 0, (-eps - dn) / g, (dn - eta) / g, (|dt| - eta) / g      g = 1e-10 L + 16 u |motion|
+ *     where |ft| > tol min(sbar_A, sbar_B):   |ft + alpha dt| / (1e-6 |ft|) and (1e-6 L + 4e6 u |motion|) / |dt|
+ * |motion|: how far the two blocks move there. In words: forces vanish exactly where a joint is open; a joint that presses may
+ * be out by a 10^-10th of eps; where there is friction there is slip, of at least a millionth of eps, opposite to it within
+ * a millionth. The set of such triples is not closed: what is feasible only as alpha grows without bound is not found (limit).
+ * In float: 1e-4 instead of 1e-10, both 1e-6 are 1e-2, 4e6 u is 400 u. */
+typedef enum sp_coupling {
+    SP_COUPLING_NOT_ASKED = 0,
+    SP_COUPLING_COUPLED,        /* a triple was found and verified */
+    SP_COUPLING_REFUTED,        /* proved that there is none */
+    SP_COUPLING_NOT_FOUND       /* neither */
+} sp_coupling;
+
+typedef enum sp_coupling_reason {
+    SP_COUPLING_NONE = 0,       /* not asked */
+    SP_COUPLING_MOTION,         /* coupled: a motion explains the forces */
+    SP_COUPLING_STATICS,        /* refuted: statically unstable; not found: statically undecided */
+    SP_COUPLING_NO_MOTION,      /* refuted: no consistent motion */
+    SP_COUPLING_LIMIT,          /* not found: what was found needs alpha without bound */
+    SP_COUPLING_BUDGET          /* not found: the search spent its rounds */
+} sp_coupling_reason;
+
+typedef struct sp_coupled_settings {
+    int32_t asked;              /* 1: where the forces exist, ask for the motion                                        0 */
+    sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
+    sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
+    int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
+    int32_t rounds;             /* of the search's alternation                                               [3.3]      12 */
+} sp_coupled_settings;
 
 struct sp_stage;
 struct sp_qp_solver;
@@ -274,6 +319,7 @@ typedef struct sp_settings {
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
     const struct sp_qp_solver *qp_solver;       /* of quadratic programs, where a stage has any; NULL: sp_qp_solve  NULL */
+    sp_coupled_settings coupled;                /* the coupled check */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);
@@ -289,6 +335,18 @@ typedef struct sp_demand {
     sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
     sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
 } sp_demand;
+
+/* What the coupled check found; zero where it was not asked. */
+typedef struct sp_coupled {
+    sp_coupling verdict;        /* refuted makes the check's verdict UNSTABLE, not found UNDECIDED */
+    sp_coupling_reason reason;
+    sp_real residual;           /* largest violation relative to what is allowed; of the best attempt if not coupled     [1] */
+    int32_t rounds;             /* of the search */
+    sp_real eps, eta;           /* in force [m] */
+    sp_real *dq;                /* 6 x scene.count.blocks: virtual displacement of the centroid, rotation      [m, 1] */
+    sp_real *alpha;             /* scene.count.points; the forces are result.f                                 [N/m] */
+    sp_cost cost;               /* of this check alone; also in result.cost */
+} sp_coupled;
 
 typedef struct sp_result {
     sp_verdict verdict;
@@ -314,6 +372,7 @@ typedef struct sp_result {
     int32_t weakest;            /* interface: most tension demanded, else highest utilisation; -1 if there is none */
     sp_cost cost;               /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];
+    sp_coupled coupled;
     size_t peak_bytes;          /* of the arena */
 } sp_result;
 
@@ -335,12 +394,16 @@ typedef struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;
     sp_real omega, least_imbalance;
+    sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
+    sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
 } sp_evidence;
 
 SP_API size_t sp_verify_memory(const sp_scene *scene);
 
-/* Re-check a claim: reads its f, dq and (if not NULL) y0, tol and force_bound, nothing else.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_NOT_FINITE (in f or dq; such a y0 is ignored) */
+/* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
+ * NULL), nothing else. tol, force_bound, eps and eta are those of the settings.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (coupled, in a build without it),
+ *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 
@@ -368,6 +431,8 @@ SP_API const char *sp_verdict_text(sp_verdict verdict);
 SP_API const char *sp_level_text(sp_level level);
 SP_API const char *sp_reason_text(sp_reason reason);
 SP_API const char *sp_stage_text(sp_stage_id stage);
+SP_API const char *sp_coupling_text(sp_coupling coupling);
+SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason);
 
 /* 8 ----------------------------------------------------------------------------------------------------------- matrices */
 

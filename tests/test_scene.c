@@ -140,7 +140,7 @@ TEST(words_follow_their_enumerators)
     CHECK_TEXT(sp_reason_text(SP_REASON_NO_SUPPORT), "no support");
     CHECK_TEXT(sp_reason_text(SP_REASON_MECHANISM), "mechanism");
     CHECK_TEXT(sp_reason_text(SP_REASON_STAGES), "stages");
-    CHECK_TEXT(sp_reason_text((sp_reason)8), "unknown");
+    CHECK_TEXT(sp_reason_text((sp_reason)10), "unknown");
     CHECK_TEXT(sp_stage_text(SP_STAGE_NONE), "none");
     CHECK_TEXT(sp_stage_text(SP_STAGE_LEAST_SQUARES), "least squares");
     CHECK_TEXT(sp_stage_text(SP_STAGE_EXACT), "exact");

@@ -15,7 +15,11 @@ static const char help_check[] =
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
 "  --mu X             friction of every joint, whatever the scene says\n"
 "  --stages LIST      of gates,least-squares,dense,polish,exact                    gates,exact\n"
-"  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n\n"
+"  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
+"  --coupled          asks, too, for a virtual motion that explains the forces\n"
+"  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
+"  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"
+"  --cra-box          that bound for each component of the slip, as compas_cra\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
 

@@ -93,6 +93,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!options_cone(value, &o->settings))
             return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
         snprintf(o->cone, sizeof o->cone, "%s", value);
+    } else if (strcmp(name, "--cra-eps") == 0) {
+        if (!real(value, &o->settings.coupled.eps) || o->settings.coupled.eps < 0) return usage(error, name, "needs a length, 0 or more");
+    } else if (strcmp(name, "--cra-eta") == 0) {
+        if (!real(value, &o->settings.coupled.eta) || !(o->settings.coupled.eta > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact");
     } else if (strcmp(name, "--eps") == 0) {
@@ -105,11 +109,13 @@ static int take(options *o, const char *name, const char *value, text_error *err
     return 0;
 }
 
-/* --json, --forces: no value. */
+/* Options without a value. */
 static int flag(options *o, const char *name)
 {
     if (strcmp(name, "--json") == 0) return o->json = 1;
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
+    if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
+    if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
     return 0;
 }
 

@@ -92,6 +92,30 @@ static void json_cost(json_out *j, const report *r)
     json_close(j, '}');
 }
 
+/* The coupled check; with --forces its whole triple. */
+static void json_coupled(json_out *j, const report *r)
+{
+    const sp_coupled *c = &r->result.coupled;
+    json_open(j, "coupled", '{');
+    json_string(j, "verdict", sp_coupling_text(c->verdict));
+    json_string(j, "reason", sp_coupling_reason_text(c->reason));
+    json_real(j, "residual", (double)c->residual);
+    json_int(j, "rounds", c->rounds);
+    json_real(j, "eps", (double)c->eps);
+    json_real(j, "eta", (double)c->eta);
+    json_bool(j, "box", r->options->settings.coupled.box);
+    json_open(j, "cost", '{');
+    json_work(j, &c->cost);
+    json_close(j, '}');
+    if (r->options->forces) {
+        json_open(j, "motion", '[');
+        for (int32_t b = 0; b < r->scene->scene.count.blocks; b++) json_reals(j, NULL, c->dq + 6 * (size_t)b, 6);
+        json_close(j, ']');
+        json_reals(j, "alpha", c->alpha, r->scene->scene.count.points);
+    }
+    json_close(j, '}');
+}
+
 /* All that a later `verify` needs: the question as it was put, and the force of every contact vertex. */
 static void json_forces(json_out *j, const report *r)
 {
@@ -138,6 +162,7 @@ void report_json(FILE *out, const report *r)
     json_overlaps(&j, r->scene);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
+    if (r->options->settings.coupled.asked) json_coupled(&j, r);
     if (r->options->forces) json_forces(&j, r);
     json_close(&j, '}');
     fputc('\n', out);
@@ -161,6 +186,8 @@ static const char *why(sp_reason reason)
     case SP_REASON_LIMIT:      return "neither forces nor a motion within tol: the limit is nearer than that";
     case SP_REASON_BUDGET:     return "the search made no more progress: neither forces nor a motion within tol";
     case SP_REASON_STAGES:     return "the chosen stages can't decide this";
+    case SP_REASON_NO_MOTION:  return "forces exist, but no virtual motion explains any of them";
+    case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was found";
     default:                   return "";
     }
 }
@@ -189,6 +216,19 @@ static void text_certainty(FILE *out, const report *r)
     else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fprintf(out, x->verified ? "; verified" : "; NOT verified");
     fputc('\n', out);
+}
+
+static void text_coupled(FILE *out, const report *r)
+{
+    const sp_coupled *c = &r->result.coupled;
+    if (!r->options->settings.coupled.asked) return;
+    row(out, "coupled");
+    fputs(sp_coupling_text(c->verdict), out);
+    if (c->verdict == SP_COUPLING_COUPLED) fprintf(out, ": a virtual motion explains the forces, residual %.2g; verified", (double)c->residual);
+    else fprintf(out, " (%s)", sp_coupling_reason_text(c->reason));
+    fprintf(out, "; eta/eps ");
+    if (c->eps > 0) fprintf(out, "%.3g\n", (double)(c->eta / c->eps));
+    else fputs("unbounded\n", out);
 }
 
 static void text_weakest(FILE *out, const report *r)
@@ -237,6 +277,7 @@ void report_text(FILE *out, const report *r)
     row(out, "why");
     fprintf(out, "%s\n", why(x->reason));
     text_certainty(out, r);
+    text_coupled(out, r);
     text_weakest(out, r);
     text_mechanism(out, r);
     row(out, "forces");

@@ -98,6 +98,37 @@ static int same_name(const char *json, const char *name)
     return *json == 0;
 }
 
+/* The coupled check's question, where it was asked: lengths and kind of bound. */
+static int read_coupled(const reading *r, options *o)
+{
+    const json_value *c = json_member(&r->tree, r->all, "coupled"), *box = json_member(&r->tree, c, "box");
+    const json_value *eps = json_member(&r->tree, c, "eps"), *eta = json_member(&r->tree, c, "eta");
+
+    if (!c) return 0;
+    if (!box || box->kind != JSON_BOOL || !eps || eps->kind != JSON_NUMBER || eps->as.number < 0 || !eta || eta->kind != JSON_NUMBER ||
+        !(eta->as.number > 0)) return fail(r, c, "bad eps, eta or box of the coupled check");
+    o->settings.coupled.asked = 1;
+    o->settings.coupled.box = box->as.number > 0;
+    o->settings.coupled.eps = (sp_real)eps->as.number;
+    o->settings.coupled.eta = (sp_real)eta->as.number;
+    return 0;
+}
+
+/* Its motion and alpha. */
+static int read_triple(const reading *r, sp_real *dq, sp_real *alpha)
+{
+    const json_value *c = json_member(&r->tree, r->all, "coupled"), *motion = json_member(&r->tree, c, "motion");
+    const int32_t blocks = r->scene->scene.count.blocks;
+    int32_t k = 0;
+
+    if (!motion || motion->kind != JSON_ARRAY) return fail(r, c, "no motion in the coupled check: make it with check --json --forces");
+    for (int32_t i = motion->first; i >= 0; i = r->tree.value[i].next, k++)
+        if (k == blocks || !reals(r, &r->tree.value[i], 6, dq + 6 * (size_t)k)) return fail(r, motion, "bad motion of the coupled check");
+    if (k != blocks || !reals(r, json_member(&r->tree, c, "alpha"), r->scene->scene.count.points, alpha))
+        return fail(r, motion, "motion or alpha of the coupled check are not of this scene");
+    return 0;
+}
+
 /* Blocks stand in the mechanism in the order of the scene; others are at rest. */
 static int read_mechanism(const reading *r, sp_real *dq)
 {
@@ -123,7 +154,7 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     const size_t bytes = sp_verify_memory(&r->scene->scene);
-    sp_real *f = calloc(3 * (size_t)n->points + 1, sizeof *f), *dq = calloc(6 * (size_t)n->blocks, sizeof *dq);
+    sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
     void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
     int status = 0;
     sp_status made = SP_E_MEMORY;
@@ -133,10 +164,15 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     memset(&claim, 0, sizeof claim);
     claim.f = f;
     claim.dq = dq;
+    if (o->settings.coupled.asked) {
+        claim.coupled.dq = dq ? dq + 6 * (size_t)n->blocks : NULL;
+        claim.coupled.alpha = f ? f + 3 * (size_t)n->points : NULL;
+    }
     if (!f || !dq || !memory) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     if (!status) status = read_accuracy(r, &claim);
     if (!status) status = read_forces(r, f);
     if (!status) status = read_mechanism(r, dq);
+    if (!status && o->settings.coupled.asked) status = read_triple(r, claim.coupled.dq, claim.coupled.alpha);
     if (!status) {
         made = sp_arena_init(&scratch, memory, bytes + SP_ALIGN);
         if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
@@ -160,6 +196,7 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
     if (!status) {
         r.all = &r.tree.value[0];
         status = read_asked(&r, o, gravity);
+        if (!status) status = read_coupled(&r, o);
     }
     if (!status) {
         status = scene_read(scene_path, o->mu, SCENE_GIVEN, &s, error);
@@ -178,7 +215,7 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
 int command_verify(int argc, char **argv)
 {
     text_error error = { 0, "" };
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
     options o;
     sp_real gravity[3];
     int turned = 0;
@@ -193,8 +230,10 @@ int command_verify(int argc, char **argv)
         printf(": ");
         if (e.verdict == SP_UNSTABLE)
             printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
-        printf("omega %s\n", text_shortest(e.omega, omega));
-        return report_exit(e.verdict);
+        printf("omega %s", text_shortest(e.omega, omega));
+        if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
+        putchar('\n');
+        return report_exit(o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED ? SP_UNDECIDED : e.verdict);
     }
     fprintf(stderr, "%s\n", error.line);
     return error.status;

@@ -58,7 +58,14 @@ without_qp() {                                          # the solver of quadrati
         $CC $base -DSP_NO_QP $wq_real -Os -c stonepack.c -o $out/no_qp.o && ! nm $out/no_qp.o | grep sp_qp || return 1
     done
 }
+without_cra() {                                         # so can the coupled check
+    for wc_real in '' -DSP_REAL_FLOAT; do
+        # shellcheck disable=SC2086
+        $CC $base -DSP_NO_CRA $wc_real -Os -c stonepack.c -o $out/no_cra.o && ! nm $out/no_cra.o | grep -E 'sp__(cra|coupled)' || return 1
+    done
+}
 check_warnings() {
+    part "SP_NO_CRA: no coupled check left" without_cra
     part "SP_NO_QP: no quadratic programs left" without_qp
     # shellcheck disable=SC2086
     part "warnings: gcc, library" warn gcc $gcc_only
