@@ -12,12 +12,29 @@ PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
-HOST_H   = stonepack.h $(wildcard port/host/*.h) tests/scenes/gen.h
+HOST_H   = stonepack.h $(wildcard port/*/*.h) tests/scenes/gen.h
+
+# Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it installs no .pc file).
+IPOPT_L := $(shell pkg-config --libs ipopt 2> /dev/null)
+OSQP    ?= $(patsubst %/include/osqp/osqp_api_types.h,%,$(firstword $(wildcard $(addsuffix /include/osqp/osqp_api_types.h,/usr/local /usr))))
+OSQP_L  := $(firstword $(wildcard $(addprefix $(OSQP)/lib,/libosqp.so 64/libosqp.so /*/libosqp.so /libosqpstatic.a /libosqp.dylib)))
+ifneq ($(IPOPT_L),)
+PLUGINS += port/ipopt
+PLUG_C  += -DWITH_IPOPT $(shell pkg-config --cflags ipopt)
+PLUG_L  += $(IPOPT_L)
+endif
+ifneq ($(and $(OSQP),$(OSQP_L)),)
+PLUGINS += port/osqp
+PLUG_C  += -DWITH_OSQP -isystem $(OSQP)/include
+PLUG_L  += $(OSQP_L) -Wl,-rpath,$(dir $(OSQP_L))
+endif
+PLUG     = $(wildcard $(PLUGINS:%=%/*.c))
+
 SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
 TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
-.PHONY: all lib demo test deps pair bench figures check help clean
+.PHONY: always all lib demo test deps pair bench figures check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -42,26 +59,32 @@ build/stonepack.o: $(PARTS)
 build/libstonepack.a: build/stonepack.o
 	$(AR) rcs $@ $<
 
-build/stonepack: $(MAIN) $(HOST) $(HOST_H) build/libstonepack.a
-	$(CC) $(ALL_C) $(MAIN) $(HOST) build/libstonepack.a -lm -o $@
+build/stonepack: $(MAIN) $(HOST) $(PLUG) $(HOST_H) build/libstonepack.a build/plugins
+	$(CC) $(ALL_C) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) build/libstonepack.a $(PLUG_L) -lm -o $@
+
+# What is built in; changes when a solver comes or goes.
+build/plugins: always
+	@mkdir -p build
+	@echo '$(PLUG_C) $(PLUG_L)' | cmp -s - $@ || echo '$(PLUG_C) $(PLUG_L)' > $@
 
 # Tests: the same files in double and in float. White-box tests include parts, hence -MMD.
 build/double/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) $(TEST_C) -MMD -MP -c $< -o $@
+	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -MMD -MP -c $< -o $@
 
 build/float/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
+	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
 
-RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) stonepack.c)
+RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
+$(foreach p,double float,build/$p/tests/test_plugins.o build/$p/port/host/solvers.o): build/plugins
 build/run: $(RUN_O:%=build/double/%)
-	$(CC) $(CFLAGS) $(filter %.o,$^) -lm -o $@
+	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
 build/run_float: $(RUN_O:%=build/float/%)
-	$(CC) $(CFLAGS) $(filter %.o,$^) -lm -o $@
+	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
 -include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))
 
@@ -77,7 +100,7 @@ build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
 	sh port/pair/pair.sh stonepack.c build/pair
 
 check: all pair build/run build/run_float build/bench
-	@sh tests/checks/check.sh
+	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh
 
 deps:
 	sh tests/checks/deps.sh

@@ -41,6 +41,7 @@ static const char help_qp[] =
 "The optimiser on its own: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file (fixed or free).\n\n"
 "  --eps X            largest residual, absolute and relative    1e-6 and 1e-5\n"
 "  --backend NAME     sparse, dense or cg                        sparse\n"
+"  --solver NAME      admm; osqp, ipopt where built in           admm\n"
 "  --json             one JSON object, with x\n\n"
 "Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file.\n";
 

@@ -1,4 +1,5 @@
 #include "options.h"
+#include "solvers.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -103,6 +104,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
     } else if (strcmp(name, "--backend") == 0) {
         if (!backend(value, &o->backend)) return usage(error, name, "needs sparse, dense or cg");
+    } else if (strcmp(name, "--solver") == 0) {
+        o->solver_name = value;
+        o->settings.qp_solver = &o->solver;
+        return solvers_find(value, &o->solver, error);
     } else if (strcmp(name, "--tilt") == 0) {
         if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
     }
@@ -135,6 +140,8 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
     *o = none;
     o->mu = -1;
     o->settings = sp_settings_default();
+    o->solver_name = "admm";
+    o->solver = sp_qp_admm();
     strcpy(o->cone, "true");
     o->file = argv + 2;
     for (int i = 2; i < argc; i++) {

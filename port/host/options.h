@@ -11,6 +11,8 @@ typedef struct options {
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
     sp_real eps;                /* of qp; 0: not given */
     int backend;                /* of qp: an sp_qp_backend */
+    const char *solver_name;    /* "admm", ours, unless --solver says otherwise */
+    sp_qp_solver solver;        /* settings.qp_solver, where not ours */
     sp_settings settings;
     char cone[16];              /* "true", "8i", "4c" */
     int files;

@@ -14,6 +14,8 @@ enum { ITERATIONS = 100000 };           /* the program is more patient than the 
 
 typedef struct run {
     host_qp file;
+    const char *solver_name;
+    sp_qp_solver solver;
     sp_qp_settings set;
     sp_qp_result result;
     void *memory;
@@ -35,7 +37,7 @@ static sp_status memory_of(run *r)
     sp_arena scratch;
     sp_status status = SP_E_MEMORY;
     if (memory) status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
-    if (status == SP_OK) status = sp_qp_memory(&r->file.qp, &r->set, scratch, &r->bytes);
+    if (status == SP_OK) status = r->solver.need(r->solver.self, &r->file.qp, &r->set, scratch, &r->bytes);
     free(memory);
     return status;
 }
@@ -49,7 +51,7 @@ static int solve(run *r, const char *path, text_error *error)
         r->memory = malloc(r->bytes + SP_ALIGN);
         status = r->memory ? sp_arena_init(&arena, r->memory, r->bytes + SP_ALIGN) : SP_E_MEMORY;
     }
-    if (status == SP_OK) status = sp_qp_solve(&r->file.qp, &r->set, &arena, NULL, NULL, &r->result);
+    if (status == SP_OK) status = r->solver.solve(r->solver.self, &r->file.qp, &r->set, &arena, NULL, NULL, &r->result);
     r->seconds = now() - start;
     return status == SP_OK ? 0 : text_fail_status(error, status, path, 0, "");
 }
@@ -74,8 +76,9 @@ static void print_text(const run *r)
            (long)r->file.qp.Pp[r->file.qp.n]);
     if (has_point(r)) printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
                              a->polished ? ", polished" : "");
-    printf("%ld iterations, %ld factorisations, %.3g flops, %.3g s, %.4g MB\n", (long)a->iterations, (long)a->factorisations,
-           (double)a->flops, r->seconds, 1e-6 * (double)r->bytes);
+    printf("%ld iterations, %ld factorisations, ", (long)a->iterations, (long)a->factorisations);
+    if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->seconds, 1e-6 * (double)r->bytes);
+    else printf("%.3g s, by %s\n", r->seconds, r->solver_name);         /* another's: it does not count, and its memory is its own */
 }
 
 static void print_json(const run *r, const char *path)
@@ -84,6 +87,7 @@ static void print_json(const run *r, const char *path)
     json_out j = { stdout, 0 };
     json_open(&j, NULL, '{');
     json_string(&j, "file", path);
+    json_string(&j, "solver", r->solver_name);
     json_string(&j, "status", sp_qp_status_text(a->status));
     if (has_point(r)) json_real(&j, "objective", objective(r));
     else json_null(&j, "objective");
@@ -120,10 +124,12 @@ int command_qp(int argc, char **argv)
     int status;
 
     memset(&r, 0, sizeof r);
-    status = options_read(argc, argv, " --json --eps --backend ", &o, &error);
+    status = options_read(argc, argv, " --json --eps --backend --solver ", &o, &error);
     if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: qp needs one QPS file");
     if (!status) status = qps_read(o.file[0], &r.file, &error);
     r.set = sp_qp_default();
+    r.solver_name = o.solver_name;
+    r.solver = o.solver;
     r.set.iterations = ITERATIONS;
     r.set.adapt_most = ITERATIONS;
     r.set.adapt_factor = 2;

@@ -280,6 +280,38 @@ cppcheck_run() {
         --suppress=missingInclude --suppress=missingIncludeSystem \
         --suppress=uninitStructMember --suppress=ctuArrayIndex --suppress=ctuuninitvar stonepack.c   # wrong: structs filled by calls
 }
+# Solvers of others: what make found of them (PLUGINS, PLUG_C, PLUG_L).
+warn_plugins() {                                        # warn_plugins COMPILER DIRECTORY
+    for wp_real in '' -DSP_REAL_FLOAT; do
+        for wp_file in "$2"/*.c port/host/solvers.c tests/test_plugins.c; do
+            # shellcheck disable=SC2086
+            "$1" $host $wp_real $PLUG_C -O2 -Wno-unused-function -c "$wp_file" -o $out/warn.o || return 1
+        done
+    done
+}
+sanitized_plugins() {                                   # sanitized_plugins FILTER
+    # shellcheck disable=SC2086
+    $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES='X(plugins)' -O1 -g \
+        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C tests/run.c tests/test_plugins.c $host_c \
+        $(for sp in ${PLUGINS:-}; do ls "$sp"/*.c; done) stonepack.c $PLUG_L -lm -o $out/run_plugins && $out/run_plugins "$1"
+}
+plugin() {                                              # plugin NAME DIRECTORY
+    part "$1: warnings" warn_plugins "$CC" "$2"
+    count "$1: as a solver" build/run "plugins/${2#port/}"
+    count "$1: as a solver, float" build/run_float "plugins/${2#port/}"
+    count "$1: under ASan and UBSan" sanitized_plugins "plugins/${2#port/}"
+}
+check_plugins() {
+    case " ${PLUGINS:-} " in
+    *" port/ipopt "*) plugin Ipopt port/ipopt ;;
+    *) skip "Ipopt as a solver, the published coupled program" "coinor-libipopt-dev pkg-config" ;;
+    esac
+    case " ${PLUGINS:-} " in
+    *" port/osqp "*) plugin OSQP port/osqp ;;
+    *) echo "none    OSQP as a solver: no Debian package; install OSQP 1.x, then make check OSQP=PREFIX" ;;
+    esac
+}
+
 check_static() {
     if have cppcheck; then part "cppcheck" cppcheck_run; else skip "cppcheck" cppcheck; fi
 }
@@ -309,7 +341,7 @@ check_demo() {
 }
 
 count "tests, as make test" sh tests/checks/test.sh
-for check in warnings cpp symbols arm pair sanitizers bits static cases oracle bench demo; do
+for check in warnings cpp symbols arm pair sanitizers bits plugins static cases oracle bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total

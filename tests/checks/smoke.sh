@@ -81,6 +81,12 @@ QUADOBJ
 ENDATA
 END
 }
+plugged() {                                             # plugged FILE: same objective, or a line that says what is missing
+    for pl in osqp ipopt; do
+        if "$cli" qp --solver $pl "$1" > "$tmp/said" 2>&1; then grep -q 'objective 8.37[12]' "$tmp/said" || return 1
+        else [ $? -eq 64 ] && grep -q "^stonepack: --solver $pl is not in this build: .*install" "$tmp/said" || return 1; fi
+    done
+}
 edited() { sed "$1" "$tmp/small.qps" > "$tmp/edited.qps"; }
 
 part "version"                      exits 0 "$cli" --version
@@ -120,5 +126,7 @@ part "qp: a bad number: 65"         exits 65 "$cli" qp "$tmp/edited.qps"
 part "qp: file:line"                sh -c "'$cli' qp '$tmp/edited.qps' 2>&1 | grep -q 'edited.qps:20: not a number'"
 edited 's/10.0$/-10.0/'
 part "qp: a saddle: 65"             exits 65 "$cli" qp "$tmp/edited.qps"
+part "qp: unknown solver: 64"        exits 64 "$cli" qp --solver simplex "$tmp/small.qps"
+part "qp: a solver of others, or what to install" plugged "$tmp/small.qps"
 part "qp: unknown back end: 64"     exits 64 "$cli" qp --backend gpu "$tmp/small.qps"
 total

@@ -1,0 +1,11 @@
+/* Solvers of quadratic programs that others wrote, where this program was built with them. */
+#ifndef STONEPACK_HOST_SOLVERS_H
+#define STONEPACK_HOST_SOLVERS_H
+
+#include "text.h"
+
+/* The solver of this name ("admm" is ours), "osqp" or "ipopt".
+ * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */
+int solvers_find(const char *name, sp_qp_solver *out, text_error *error);
+
+#endif
