@@ -14,10 +14,11 @@ MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
 HOST_H   = stonepack.h $(wildcard port/*/*.h) tests/scenes/gen.h
 
-# Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it installs no .pc file).
+# Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it has no .pc file).
 IPOPT_L := $(shell pkg-config --libs ipopt 2> /dev/null)
-OSQP    ?= $(patsubst %/include/osqp/osqp_api_types.h,%,$(firstword $(wildcard $(addsuffix /include/osqp/osqp_api_types.h,/usr/local /usr))))
-OSQP_L  := $(firstword $(wildcard $(addprefix $(OSQP)/lib,/libosqp.so 64/libosqp.so /*/libosqp.so /libosqpstatic.a /libosqp.dylib)))
+OSQP_H   = include/osqp/osqp_api_types.h
+OSQP    ?= $(patsubst %/$(OSQP_H),%,$(firstword $(wildcard /usr/local/$(OSQP_H) /usr/$(OSQP_H))))
+OSQP_L  := $(firstword $(wildcard $(addprefix $(OSQP)/lib,/libosqp.* 64/libosqp.so /*/libosqp.so /libosqpstatic.a)))
 ifneq ($(IPOPT_L),)
 PLUGINS += port/ipopt
 PLUG_C  += -DWITH_IPOPT $(shell pkg-config --cflags ipopt)

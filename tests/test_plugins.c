@@ -110,7 +110,8 @@ TEST(unbounded_needs_a_direction)
 {
     static const int32_t Pp[] = { 0, 1, 1 }, Pi[] = { 0 }, Ap[] = { 0, 1, 2 }, Ai[] = { 0, 0 };
     static const sp_real Px[] = { 1 }, q[] = { -1, -1 }, Ax[] = { 1, -1 }, l[] = { R(-1e30) }, u[] = { 1 };
-    const sp_qp qp = { 2, 1, Pp, Pi, Px, q, Ap, Ai, Ax, l, u }, bowl = { 2, 1, Pp2, Pi2, Px2, q, Ap, Ai, Ax, l, u };
+    const sp_qp qp = { 2, 1, Pp, Pi, Px, q, Ap, Ai, Ax, l, u };
+    const sp_qp bowl = { 2, 1, Pp2, Pi2, Px2, q, Ap, Ai, Ax, l, u };
     const sp_qp slope = { 2, 1, NULL, NULL, NULL, q, Ap, Ai, Ax, l, u };
     sp_real x[] = { 0, 1 }, y[] = { 0 };
     sp_qp_result r;
@@ -283,7 +284,8 @@ static void make(sample *s, int equations)
     s->Pp[n] = n;
     s->Ap[n] = n * m;
     s->objective = 0;
-    for (int32_t j = 0; j < n; j++) s->objective += (0.5 * (double)s->Px[j] * (double)s->x[j] + (double)s->q[j]) * (double)s->x[j];
+    for (int32_t j = 0; j < n; j++)
+        s->objective += (0.5 * (double)s->Px[j] * (double)s->x[j] + (double)s->q[j]) * (double)s->x[j];
     for (int32_t i = 0; i < m; i++) {
         const sp_real z = s->l[i], room = test_random_real(0.1, 1);
         s->l[i] = s->y[i] < 0 || (equations && i < n / 2) ? z : i % 3 ? z - room : -inf;

@@ -78,7 +78,7 @@ static void print_text(const run *r)
                              a->polished ? ", polished" : "");
     printf("%ld iterations, %ld factorisations, ", (long)a->iterations, (long)a->factorisations);
     if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->seconds, 1e-6 * (double)r->bytes);
-    else printf("%.3g s, by %s\n", r->seconds, r->solver_name);         /* another's: it does not count, and its memory is its own */
+    else printf("%.3g s, by %s\n", r->seconds, r->solver_name);         /* others don't count, their memory is their own */
 }
 
 static void print_json(const run *r, const char *path)

@@ -11,9 +11,9 @@ sp_status qp_judge_arguments(const sp_qp *qp, const sp_qp_settings *settings, co
  *
  *   claim     SP_QP_SOLVED: the status is that of the residuals and the gap on the data as given: solved (within eps),
  *             inaccurate (within 10 eps) or numerical
- *             SP_QP_PRIMAL_INFEASIBLE, SP_QP_DUAL_INFEASIBLE: y, or x, is the certificate. It is moved to the nearest one that
- *             holds to the last digit; numerical if it does not rule out solutions `settings->radius` times as large as the data
- *             asks for
+ *             SP_QP_PRIMAL_INFEASIBLE, SP_QP_DUAL_INFEASIBLE: y, or x, is the certificate. It is moved to the nearest that
+ *             holds to the last digit; numerical if it does not rule out solutions `settings->radius` times as large as the
+ *             data asks for
  *             SP_QP_ITERATIONS, SP_QP_BUDGET: inaccurate if all is within 10 eps
  *             others stay: what calls itself inaccurate is never solved
  *   result    all but rho, iterations, factorisations, flops and polished is written

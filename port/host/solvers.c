@@ -20,7 +20,8 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
         *out = osqp_qp_solver();
         return 0;
 #else
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver osqp is not in this build: install OSQP 1.x, then make OSQP=PREFIX");
+        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver osqp is not in this build: "
+                         "install OSQP 1.x, then make OSQP=PREFIX");
 #endif
     }
     if (strcmp(name, "ipopt") == 0) {
@@ -28,7 +29,8 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
         *out = ipopt_qp_solver();
         return 0;
 #else
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver ipopt is not in this build: apt-get install coinor-libipopt-dev pkg-config, then make");
+        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver ipopt is not in this build: "
+                         "apt-get install coinor-libipopt-dev pkg-config, then make");
 #endif
     }
     return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, osqp or ipopt");

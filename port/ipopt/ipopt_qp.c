@@ -144,8 +144,8 @@ static Bool jacobian(Index n, Number *x, Bool new_x, Index m, Index count, Index
     return TRUE;
 }
 
-static Bool hessian(Index n, Number *x, Bool new_x, Number factor, Index m, Number *y, Bool new_y, Index count, Index *i, Index *j,
-                    Number *v, UserDataPtr user)
+static Bool hessian(Index n, Number *x, Bool new_x, Number factor, Index m, Number *y, Bool new_y, Index count, Index *i,
+                    Index *j, Number *v, UserDataPtr user)
 {
     const program *p = user;
     (void)n; (void)x; (void)new_x; (void)m; (void)y; (void)new_y;
@@ -153,8 +153,8 @@ static Bool hessian(Index n, Number *x, Bool new_x, Number factor, Index m, Numb
     return TRUE;
 }
 
-static Bool iteration(Index mode, Index count, Number f, Number primal, Number dual, Number mu, Number d, Number reg, Number step_d,
-                      Number step_p, Index trials, UserDataPtr user)
+static Bool iteration(Index mode, Index count, Number f, Number primal, Number dual, Number mu, Number d, Number reg,
+                      Number step_d, Number step_p, Index trials, UserDataPtr user)
 {
     program *p = user;
     (void)mode; (void)f; (void)primal; (void)dual; (void)mu; (void)d; (void)reg; (void)step_d; (void)step_p; (void)trials;
@@ -265,15 +265,15 @@ static Number tolerance(const sp_qp_settings *s)
     return least < 1e-11 ? 1e-11 : least;
 }
 
-static sp_status solve_into(program *p, const sp_qp *qp, const sp_qp_settings *set, const sp_real *x0, const sp_real *y0, sp_real *x,
-                            sp_real *y, sp_qp_status *claim)
+static sp_status solve_into(program *p, const sp_qp *qp, const sp_qp_settings *set, const sp_real *x0, const sp_real *y0,
+                            sp_real *x, sp_real *y, sp_qp_status *claim)
 {
     int code;
     for (Index j = 0; x0 && j < p->n; j++) p->x[j] = (Number)x0[j];
     for (Index i = 0; y0 && i < p->m; i++) p->y[i] = (Number)y0[i];
     code = run(p, tolerance(set), set->iterations, x0 && y0);
     *claim = ipopt_qp_claim(code);
-    if (*claim == SP_QP_PRIMAL_INFEASIBLE) code = find_proof(p, 1e-10, set->iterations);      /* polished by the judge */
+    if (*claim == SP_QP_PRIMAL_INFEASIBLE) code = find_proof(p, 1e-10, set->iterations);
     if (code == Insufficient_Memory) return SP_E_MEMORY;
     for (Index j = 0; j < qp->n; j++) x[j] = (sp_real)p->x[j];
     for (Index i = 0; i < qp->m; i++) y[i] = (sp_real)p->y[i];

@@ -4,8 +4,8 @@
 
 #include "../../stonepack.h"
 
-/* Solves with an installed Ipopt (3.11 or later). Of the settings it takes eps_abs, eps_rel and iterations. Memory: Ipopt's own,
- * by malloc; x and y are in the arena. What it answers is judged by port/host/qp_judge.c on the data as given. */
+/* Solves with an installed Ipopt (3.11 or later). Of the settings it takes eps_abs, eps_rel and iterations. Memory: Ipopt's
+ * own, by malloc; x and y are in the arena. What it answers is judged by port/host/qp_judge.c on the data as given. */
 sp_qp_solver ipopt_qp_solver(void);
 
 /* "3.11.9" */

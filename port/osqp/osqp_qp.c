@@ -39,7 +39,8 @@ static OSQPFloat bound(sp_real b)
 }
 
 /* A matrix of ours as one of theirs; p NULL: empty. */
-static int matrix(marshal *d, OSQPCscMatrix *out, int32_t rows, int32_t cols, const int32_t *p, const int32_t *i, const sp_real *x)
+static int matrix(marshal *d, OSQPCscMatrix *out, int32_t rows, int32_t cols, const int32_t *p, const int32_t *i,
+                  const sp_real *x)
 {
     const int32_t entries = p ? p[cols] : 0;
     OSQPInt *op = piece(d, (size_t)cols + 1, sizeof *op), *oi = piece(d, (size_t)entries, sizeof *oi);
@@ -133,8 +134,8 @@ static int active(const OSQPSolution *s, int32_t m)
 
 /* Run, polish, and take x and y, or the certificate in their place. Without an active row there is nothing to polish, and OSQP
  * 1.0 says so on standard output, however quiet it was told to be: hence two runs, the second one from the end of the first. */
-static sp_status run(OSQPSolver *solver, OSQPSettings *o, int polish, const sp_qp *qp, sp_real *x, sp_real *y, sp_qp_status *claim,
-                     sp_qp_result *r)
+static sp_status run(OSQPSolver *solver, OSQPSettings *o, int polish, const sp_qp *qp, sp_real *x, sp_real *y,
+                     sp_qp_status *claim, sp_qp_result *r)
 {
     const OSQPSolution *s = solver->solution;
     if (osqp_solve(solver) != OSQP_NO_ERROR) return SP_E_MEMORY;
