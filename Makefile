@@ -77,6 +77,8 @@ build/float/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
 
+build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)   # it lists the suites
+
 RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile

@@ -6,7 +6,7 @@
  *    3  local coordinates                polygons seen from one of their points
  *    4  mesh and mass                    volume and centroid, closed and outward [seed 1.3]
  *    5  scene, blocks                    adding stones and supports
- *    6  scene, interfaces                adding joints: frames, planarity
+ *    6  scene, interfaces and loads      adding joints: frames, planarity; forces, couples, weights, pressures
  *    7  contacts                         what touches what: patches, box tree, clipping, overlaps
  *    8  problem                          a scene made ready: rows, arms, loads
  *    9  matrices                         Aeq, Afr [seed 1.1, 1.2, 1.4]
@@ -155,11 +155,13 @@ static void sp__scene_carve(sp_scene *scene, sp_arena *a)
     scene->corner = sp__take(a, (size_t)c->corners, sizeof *scene->corner);
     scene->interface = sp__take(a, (size_t)c->interfaces, sizeof *scene->interface);
     scene->point = sp__take(a, (size_t)c->points, sizeof *scene->point);
+    scene->load = sp__take(a, (size_t)c->loads, sizeof *scene->load);
 }
 
 static int sp__capacity_valid(const sp_capacity *c)
 {
-    return c && c->blocks >= 0 && c->vertices >= 0 && c->faces >= 0 && c->corners >= 0 && c->interfaces >= 0 && c->points >= 0;
+    return c && c->blocks >= 0 && c->vertices >= 0 && c->faces >= 0 && c->corners >= 0 && c->interfaces >= 0 && c->points >= 0
+        && c->loads >= 0;
 }
 
 SP_API size_t sp_scene_memory(const sp_capacity *cap)
@@ -179,6 +181,7 @@ SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_are
     sp_scene s;
     memset(&s, 0, sizeof s);
     s.gravity[2] = (sp_real)-9.80665;
+    s.live = (sp_real)1;
     s.cap = *cap;
     sp__scene_carve(&s, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
@@ -498,7 +501,7 @@ SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real cent
     return SP_OK;
 }
 
-/* 6 ---------------------------------------------------------------------------------------------------- scene, interfaces */
+/* 6 ------------------------------------------------------------------------------------------ scene, interfaces and loads */
 
 SP_API sp_joint sp_joint_friction(sp_real mu)
 {
@@ -640,6 +643,60 @@ SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu)
     if (mu < 0) return SP_E_RANGE;
     for (int32_t k = 0; k < scene->count.interfaces; k++) scene->interface[k].joint.mu = mu;
     return SP_OK;
+}
+
+SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id)
+{
+    if (!scene || !load) return SP_E_ARGUMENT;
+    if (load->block < 0 || load->block >= scene->count.blocks) return SP_E_INDEX;
+    if (!sp__finite3(load->point) || !sp__finite3(load->force) || !sp__finite3(load->couple) || !sp__finite(load->mass))
+        return SP_E_NOT_FINITE;
+    if (load->mass < 0) return SP_E_RANGE;
+    if (scene->count.loads == scene->cap.loads) return SP_E_CAPACITY;
+    if (id) *id = scene->count.loads;
+    scene->load[scene->count.loads++] = *load;
+    return SP_OK;
+}
+
+/* Area vector of a face and its centroid seen from its first corner o, both by triangles (o, b, c) of area vector t:
+ *   sum t,  sum (t . n)(b + c) / (3 sum t . n)                                                      returns 0: no area */
+static int sp__face_area(const sp_scene *scene, const sp_face *face, sp_real area[3], sp_real centroid[3])
+{
+    const int32_t *corner = scene->corner + face->corner;
+    const sp_real *o = scene->vertex[corner[0]];
+    sp_real n[3] = { 0, 0, 0 }, sum = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t k = 1; k + 1 < face->corners; k++) {
+            sp_real b[3], c[3], t[3];
+            sp__sub3(scene->vertex[corner[k]], o, b);
+            sp__sub3(scene->vertex[corner[k + 1]], o, c);
+            sp__cross3(b, c, t);
+            const sp_real weight = pass ? sp__dot3(t, n) : 0;
+            for (int q = 0; q < 3; q++) {
+                if (pass) centroid[q] += weight * (b[q] + c[q]);
+                else n[q] += t[q] / (sp_real)2, centroid[q] = 0;
+            }
+            sum += weight;
+        }
+    for (int q = 0; q < 3; q++) {
+        area[q] = n[q];
+        centroid[q] = o[q] + centroid[q] / ((sp_real)3 * sum);
+    }
+    return sum > 0 && sp__finite3(centroid);
+}
+
+SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face, sp_real pressure, int32_t live, int32_t *id)
+{
+    if (!scene) return SP_E_ARGUMENT;
+    if (block < 0 || block >= scene->count.blocks || face < 0 || face >= scene->block[block].faces) return SP_E_INDEX;
+    sp_load load;
+    sp_real area[3];
+    memset(&load, 0, sizeof load);
+    load.block = block;
+    load.live = live;
+    if (!sp__face_area(scene, &scene->face[scene->block[block].face + face], area, load.point)) return SP_E_AREA;
+    sp__scale3(-pressure, area, load.force);
+    return sp_scene_load(scene, &load, id);
 }
 
 /* 7 ------------------------------------------------------------------------------------------------------------- contacts */
@@ -1584,12 +1641,19 @@ static int sp__contact_counts(const sp_scene *scene, const sp_interface *f)
     return scene->block[f->a].fixed != SP_FIXED || scene->block[f->b].fixed != SP_FIXED;
 }
 
+/* Is there anything that counts scene.live times? */
+static int sp__scene_live(const sp_scene *scene)
+{
+    for (int32_t k = 0; k < scene->count.loads; k++) if (scene->load[k].live) return 1;
+    for (int k = 0; k < 3; k++) if (scene->body[k] < 0 || scene->body[k] > 0) return 1;
+    return 0;
+}
+
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
 {
     problem->scene = scene;
     problem->blocks = problem->contacts = 0;
     problem->points = scene->count.points;
-    problem->loads = 1;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
     for (int32_t k = 0; k < scene->count.interfaces; k++)
@@ -1601,7 +1665,9 @@ static void sp__problem_carve(sp_problem *problem, sp_arena *a)
     problem->block = sp__take(a, (size_t)problem->blocks, sizeof *problem->block);
     problem->contact = sp__take(a, (size_t)problem->contacts, sizeof *problem->contact);
     problem->local = sp__take(a, (size_t)problem->points, sizeof *problem->local);
-    problem->p = sp__take(a, (size_t)problem->blocks * (size_t)problem->loads, 6 * sizeof *problem->p);
+    problem->p = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->p);
+    problem->live = NULL;
+    if (sp__scene_live(problem->scene)) problem->live = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->live);
 }
 
 SP_API size_t sp_problem_memory(const sp_scene *scene)
@@ -1666,19 +1732,64 @@ static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact 
     }
 }
 
-/* Weights and everything relative to them; a held direction keeps its row, whoever solves masks it. */
+/* p += (F, M + (x - c) x F) of a force F at x with a couple M. */
+static void sp__load_add(sp_real *p, const sp_real F[3], const sp_real M[3], const sp_real x[3], const sp_real c[3])
+{
+    sp_real r[3];
+    sp__sub3(x, c, r);
+    sp__cross3_add(r, F, p + 3);
+    for (int k = 0; k < 3; k++) {
+        p[k] += F[k];
+        p[3 + k] += M[k];
+    }
+}
+
+/* One load: what always acts goes to p, what counts scene.live times to problem.live. */
+static void sp__problem_load(const sp_problem *problem, const sp_load *load, int32_t row)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_real *c = scene->block[load->block].centroid, none[3] = { 0, 0, 0 };
+    sp_real *p = problem->p + 6 * (size_t)row, *live = problem->live ? problem->live + 6 * (size_t)row : p;
+    sp_real weight[3];
+    sp__load_add(load->live ? live : p, load->force, load->couple, load->point, c);
+    if (!(load->mass > 0)) return;
+    sp__scale3(load->mass, scene->gravity, weight);
+    sp__load_add(load->live ? live : p, weight, none, load->point, c);
+    sp__scale3(load->mass, scene->body, weight);
+    sp__load_add(live, weight, none, load->point, c);
+}
+
+/* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
+static sp_status sp__problem_loads(sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
+    if (!sp__finite(scene->live) || !sp__finite3(scene->gravity) || !sp__finite3(scene->body)) return SP_E_NOT_FINITE;
+    memset(problem->p, 0, (size_t)problem->blocks * 6 * sizeof *problem->p);
+    if (problem->live) memset(problem->live, 0, (size_t)problem->blocks * 6 * sizeof *problem->live);
+    for (int32_t i = 0; i < problem->blocks; i++) {
+        const sp_real mass = scene->block[problem->block[i]].mass;
+        sp__scale3(mass, scene->gravity, problem->p + 6 * (size_t)i);
+        if (problem->live) sp__scale3(mass, scene->body, problem->live + 6 * (size_t)i);
+    }
+    for (int32_t k = 0; k < scene->count.loads; k++) {
+        const int32_t row = sp__problem_row(problem, scene->load[k].block);
+        if (row >= 0) sp__problem_load(problem, &scene->load[k], row);
+    }
+    for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
+        if (problem->live) problem->p[k] += scene->live * problem->live[k];
+        if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
+    }
+    return SP_OK;
+}
+
+/* Loads and contacts, everything relative to the centroids. */
 static sp_status sp__problem_fill(sp_problem *problem)
 {
     const sp_scene *scene = problem->scene;
     int32_t row = 0, contact = 0;
-    for (int32_t k = 0; k < scene->count.blocks; k++) {
-        if (scene->block[k].fixed == SP_FIXED) continue;
-        sp_real *p = problem->p + 6 * (size_t)row;
-        sp__scale3(scene->block[k].mass, scene->gravity, p);
-        p[3] = p[4] = p[5] = 0;
-        if (!sp__finite(sp__dot3(p, p))) return SP_E_NOT_FINITE;
-        problem->block[row++] = k;
-    }
+    for (int32_t k = 0; k < scene->count.blocks; k++) if (scene->block[k].fixed != SP_FIXED) problem->block[row++] = k;
+    const sp_status status = sp__problem_loads(problem);
+    if (status) return status;
     memset(problem->local, 0, (size_t)problem->points * sizeof *problem->local);
     for (int32_t k = 0; k < scene->count.interfaces; k++) {
         if (!sp__contact_counts(scene, &scene->interface[k])) continue;
@@ -3102,7 +3213,8 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
 
 /* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
- * moves along F, so that motion does work |F|^2 > 0 against nothing. With no load at all f = 0 is the answer.            */
+ * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
+ * at all f = 0 is the answer. */
 
 static int32_t sp__root(int32_t *up, int32_t i)
 {
@@ -3124,23 +3236,50 @@ static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_ar
     return dry.peak;
 }
 
-/* The first group without support that is pulled anywhere moves: dq = F / |F| for its blocks.     returns its size */
+/* Centroid of free block k seen from that of free block i. */
+static void sp__gates_arm(const sp_problem *pb, int32_t i, int32_t k, sp_real r[3])
+{
+    sp__sub3(pb->scene->block[pb->block[k]].centroid, pb->scene->block[pb->block[i]].centroid, r);
+}
+
+/* Force F on the group of block i, its moment M about that block's centroid.                returns how many blocks it has */
+static int32_t sp__gates_pull(const sp_problem *pb, int32_t *up, int32_t i, sp_real F[3], sp_real M[3])
+{
+    int32_t size = 0;
+    sp__scale3(0, F, F);
+    sp__scale3(0, M, M);
+    for (int32_t k = i; k < pb->blocks; k++) {
+        sp_real r[3];
+        if (sp__root(up, k + 1) != i + 1) continue;
+        sp__gates_arm(pb, i, k, r);
+        sp__cross3_add(r, pb->p + 6 * (size_t)k, M);
+        for (size_t q = 0; q < 3; q++) {
+            F[q] += pb->p[6 * (size_t)k + q];
+            M[q] += pb->p[6 * (size_t)k + 3 + q];
+        }
+        size++;
+    }
+    return size;
+}
+
+/* The first group without support that is pulled or turned moves: dq = F / |F|, or M / |M| about the first block, for its
+ * blocks.                                                                                              returns its size */
 static int32_t sp__gates_fall(const sp_problem *pb, int32_t *up, sp_real *dq)
 {
     for (int32_t i = 0; i < pb->blocks; i++) {
         if (up[i + 1] != i + 1) continue;
-        sp_real F[3] = { 0, 0, 0 };
-        int32_t size = 0;
-        for (int32_t k = i; k < pb->blocks; k++)
-            if (sp__root(up, k + 1) == i + 1) {
-                size++;
-                for (size_t q = 0; q < 3; q++) F[q] += pb->p[6 * (size_t)k + q];
-            }
-        const sp_real force = sp__norm3(F);
-        if (!(force > 0)) continue;
-        for (int32_t k = i; k < pb->blocks; k++)
-            if (sp__root(up, k + 1) == i + 1)
-                for (size_t q = 0; q < 3; q++) dq[6 * (size_t)k + q] = F[q] / force;
+        sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        const int32_t size = sp__gates_pull(pb, up, i, F, M);
+        const int turn = !(sp__norm3(F) > 0);
+        if (turn && !(sp__norm3(M) > 0)) continue;
+        sp__unit3(turn ? M : F, F);
+        for (int32_t k = i; k < pb->blocks; k++) {
+            sp_real r[3], *to = dq + 6 * (size_t)k;
+            if (sp__root(up, k + 1) != i + 1) continue;
+            sp__gates_arm(pb, i, k, r);
+            if (turn) sp__cross3(F, r, to); else memcpy(to, F, sizeof F);
+            if (turn) memcpy(to + 3, F, sizeof F);
+        }
         return size;
     }
     return 0;

@@ -96,6 +96,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 typedef struct sp_capacity {
     int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
     int32_t interfaces, points;                 /* contacts; points: sum of the interfaces' vertex counts */
+    int32_t loads;                              /* besides weight */
 } sp_capacity;
 
 /* A closed polygon mesh with outward faces, as the caller has it (copied, not kept). */
@@ -143,9 +144,22 @@ typedef struct sp_interface {
     sp_joint joint;
 } sp_interface;
 
-/* The assembly. Read it freely; change it through the calls below (gravity may be set directly). Lives in an arena. */
+/* What acts on a block besides its own weight. All of it may be 0; on a support it does nothing. */
+typedef struct sp_load {
+    int32_t block;
+    int32_t live;               /* 0: always there; 1: counts scene.live times */
+    sp_real point[3];           /* where force and mass act; it moves with the block [m] */
+    sp_real force[3];           /* world axes [N] */
+    sp_real couple[3];          /* moment besides that of the force, world axes [N m] */
+    sp_real mass;               /* a weight laid on or hung to the point, a gripper for instance, >= 0 [kg] */
+} sp_load;
+
+/* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). Lives in an
+ * arena. Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
 typedef struct sp_scene {
     sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
+    sp_real live;               /* multiple at which live loads and `body` act; set to 1 */
+    sp_real body[3];            /* live acceleration of every block and every load's mass [m/s^2], 0 */
     sp_capacity cap, count;
     sp_block *block;
     sp_real (*vertex)[3];       /* [m] */
@@ -153,6 +167,7 @@ typedef struct sp_scene {
     int32_t *corner;
     sp_interface *interface;
     sp_real (*point)[3];        /* contact vertices [m] */
+    sp_load *load;
 } sp_scene;
 
 /* Bytes a scene of this capacity takes from an arena, exact; 0 if a number is negative or the size overflows. */
@@ -192,6 +207,13 @@ SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp
 
 /* Use one friction coefficient for every interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
+
+/* Add a load.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_RANGE (mass < 0), SP_E_CAPACITY */
+SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id);
+
+/* Add a pressure [Pa] on one face (its number within the block) as the force it comes to: -pressure x area vector, at the
+ * centroid of the face; < 0 pulls.     returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (no area) */
+SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face, sp_real pressure, int32_t live, int32_t *id);
 
 /* 5 ----------------------------------------------------------------------------------------------------------- contacts */
 
@@ -452,8 +474,9 @@ typedef struct sp_problem {
     int32_t *block;                     /* b: their numbers in the scene */
     sp_contact *contact;
     sp_real (*local)[3];                /* v x 3: vertex in the contact's frame, (n, t1, t2) from its origin [m] */
-    int32_t loads;                      /* columns of p, 1 */
-    sp_real *p;                         /* 6b x loads: force and moment about the centroid on each free block [N, N m] */
+    sp_real *p;                         /* 6b: force and moment about the centroid on each free block: weight, loads and
+                                           scene.live times the live ones [N, N m] */
+    sp_real *live;                      /* 6b: the live ones once; NULL where there are none */
 } sp_problem;
 
 /* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */

@@ -16,7 +16,7 @@ static int numbers(const sp_real *x, int32_t n)
 
 static void start(sp_scene *s, int32_t blocks, int32_t interfaces, int32_t points)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, points };
+    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, points, 0 };
     test_arena.used = 0;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
 }
@@ -562,7 +562,7 @@ typedef struct world { double m, kg, g, shift; int order, swap; } world;
 static void redo(const sp_scene *in, const world *w, sp_scene *out)
 {
     const int32_t n = in->count.blocks, m = in->count.interfaces;
-    const sp_capacity cap = { n, 0, 0, 0, m, in->count.points };
+    const sp_capacity cap = { n, 0, 0, 0, m, in->count.points, 0 };
     CHECK_INT(sp_scene_create(out, &cap, &test_arena), SP_OK);
     for (int32_t k = 0; k < n; k++) {
         const sp_block *b = &in->block[w->order ? n - 1 - k : k];

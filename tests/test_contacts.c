@@ -38,7 +38,7 @@ static sp_overlap overlap[16];
 /* A scene with ample room. */
 static int start(int32_t blocks)
 {
-    const sp_capacity cap = { blocks, blocks * 160, blocks * 200, blocks * 900, blocks * 12, blocks * 200 };
+    const sp_capacity cap = { blocks, blocks * 160, blocks * 200, blocks * 900, blocks * 12, blocks * 200, 0 };
     return CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK);
 }
 
@@ -463,7 +463,7 @@ TEST(a_stone_in_the_notch_of_an_l_is_told_only_when_inside)
 TEST(too_little_room_in_the_scene_changes_nothing)
 {
     const frame f = upright();
-    const sp_capacity cap = { 3, 24, 18, 72, 1, 8 };
+    const sp_capacity cap = { 3, 24, 18, 72, 1, 8, 0 };
     NEED(CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK));
     for (int k = 0; k < 3; k++) box(&f, 0, 0, k, 1, 1, k + 1, k ? 0 : SP_FIXED);
     const sp_capacity before = scene.count;

@@ -134,7 +134,7 @@ TEST(sp_memory_scratch_is_enough_and_less_is_refused)
 
 TEST(scene_memory_is_exact_at_every_capacity)
 {
-    static const sp_capacity cap = { 3, 24, 18, 72, 2, 8 };
+    static const sp_capacity cap = { 3, 24, 18, 72, 2, 8, 0 };
     const size_t bytes = sp_scene_memory(&cap);
     NEED(bytes > 0);
     for (size_t given = 0; given <= bytes; given++) {

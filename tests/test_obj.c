@@ -119,7 +119,8 @@ TEST(vertices_no_face_uses_are_left_out)
 /* Written, read and written again: the same bytes; and in between the same numbers. */
 TEST(what_is_written_reads_back_the_same)
 {
-    static const char text[] = "#@ gravity 0.1 -1e-3 -9.7\n" GROUND STONE "#@ density 1234.5678901234567\n" JOINT "#@ mu 0.1\n"
+    static const char text[] = "#@ gravity 0.1 -1e-3 -9.7\n" GROUND STONE "#@ density 1234.5678901234567\n#@ fixed y rz\n" JOINT
+                               "#@ mu 0.1\n#@ load stone 1 2 3 4 5 6\n#@ live stone 0 0 -7 0.1 0.2 0.3 couple # down\n"
                                "#@ points ground stone 0 0 2 0.333333333333333333 0.1 0\n#@ mu 0.2\n";
     host_scene s, t;
     CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
@@ -130,6 +131,12 @@ TEST(what_is_written_reads_back_the_same)
     CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
     CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
     CHECK_NEAR(t.scene.interface[1].joint.mu, s.scene.interface[1].joint.mu, 0);
+    CHECK_INT(t.scene.block[1].fixed, 2 + 32);
+    CHECK_INT(t.scene.count.loads, 3);                  /* the second written as a force and a couple */
+    CHECK_INT(t.scene.load[1].live + t.scene.load[2].live, 2);
+    CHECK_NEAR(t.scene.load[0].point[2], 6, 0);
+    CHECK_NEAR(t.scene.load[1].point[2], 0.5, TOL(1e-15, 1e-6));
+    CHECK_NEAR(t.scene.load[2].couple[1], 0.2, TOL(1e-15, 1e-6));
     char *second = written(&t);
     CHECK(first && second && strcmp(first, second) == 0);
     free(first);
@@ -149,7 +156,11 @@ TEST(every_refusal_tells_line_and_block)
     refuse(GROUND STONE "#@ interface stone stone 0 0 0 1 0 0 1 1 0\n",
            "t.obj:32: contact 'stone' 'stone': an interface between a block and itself");
     refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite");
-    refuse("#@ load a 0 0 1 0 0 0\n", "t.obj:1: loads beyond weight are not in this version: 'load'");
+    refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
+    refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");
+    refuse("#@ live a 0 0\n", "t.obj:1: a load needs a force of three numbers");
+    refuse("#@ load a 0 0 1 0 0 0 pair\n", "t.obj:1: unexpected 'pair'");
+    refuse("o a\n#@ fixed x w\n", "t.obj:2: fixed knows x y z rx ry rz, not 'w' in block 'a'");
 }
 
 static text_number real(const char *text, sp_real *x)

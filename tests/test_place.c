@@ -138,7 +138,7 @@ TEST(support_refuses_bad_input)
 /* One block on point contacts in a level plane: it stands if its centre of mass is over their hull. */
 static sp_verdict on_points(const sp_real *xyz, int32_t n, const sp_real com[3])
 {
-    const sp_capacity cap = { 2, 0, 0, 0, 1, POINTS };
+    const sp_capacity cap = { 2, 0, 0, 0, 1, POINTS, 0 };
     const sp_real ground[3] = { 0, 0, R(-2) }, up[3] = { 0, 0, 1 };
     const sp_joint joint = sp_joint_friction(R(0.84));
     sp_arena a = test_arena;

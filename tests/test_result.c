@@ -52,7 +52,7 @@ static void level(sp_scene *s, int32_t a, int32_t b, double x0, double x1, doubl
 
 static void start(sp_scene *s, int32_t blocks, int32_t interfaces)
 {
-    const sp_capacity cap = { blocks, 8 * blocks, 6 * blocks, 24 * blocks, interfaces, 4 * interfaces };
+    const sp_capacity cap = { blocks, 8 * blocks, 6 * blocks, 24 * blocks, interfaces, 4 * interfaces, 0 };
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
 }
 

@@ -68,7 +68,7 @@ static void undecided(const sp_scene *scene, const sp_result *r, sp_reason reaso
 /* Cubes of 1 m, each on top of the one below: one fixed or all free, then a gap, then two more. */
 static void columns(int standing, int floating, sp_scene *s)
 {
-    const sp_capacity cap = { standing + floating, 0, 0, 0, standing + floating, 4 * (standing + floating) };
+    const sp_capacity cap = { standing + floating, 0, 0, 0, standing + floating, 4 * (standing + floating), 0 };
     const sp_joint joint = sp_joint_friction(R(0.84));
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
     for (int k = 0; k < standing + floating; k++) {
@@ -903,7 +903,7 @@ TEST(arguments_that_are_missing_are_refused)
     sp_arena empty = { NULL, 0, 0, 0 };
     sp_result r;
     size_t bytes = 7;
-    const sp_capacity cap = { 1, 0, 0, 0, 0, 0 };
+    const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
     build("two-cubes", NULL, 0, &s);
     CHECK_INT(sp_scene_create(&none, &cap, &test_arena), SP_OK);
     memset(&r, 0x5a, sizeof r);

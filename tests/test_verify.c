@@ -205,7 +205,7 @@ TEST(a_squeezed_block_in_a_slippery_slot_does_not_stand)
 /* A pebble on the sloping roof of something far heavier, known by masses and joints only. */
 static void pebble(double ratio, double mu, sp_scene *s)
 {
-    const sp_capacity cap = { 3, 0, 0, 0, 2, 8 };
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
     const double c = cos(0.3), d = sin(0.3);
     const sp_real low[3] = { 0, 0, -1 }, middle[3] = { 0, 0, 5 }, high[3] = { R(0.01 * d), 0, R(10 + 0.01 * c) };
     const sp_real foot[12] = { -10, -10, 0, 10, -10, 0, 10, 10, 0, -10, 10, 0 };

@@ -4,9 +4,11 @@
  *   #@ mu 0.84                         friction, whole scene; after an interface: that interface
  *   #@ gravity 0 0 -9.80665
  *   #@ density 2400                    whole scene; after an o line: that block
- *   #@ fixed                           after an o line
+ *   #@ fixed                           after an o line; only in some directions: #@ fixed x y z rx ry rz
  *   #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B
  *   #@ points A B nx ny nz x y z ...   point or edge contact with its normal
+ *   #@ load NAME fx fy fz px py pz     force [N] at a point; fx fy fz mx my mz couple: at the centroid, and a moment [N m]
+ *   #@ live ...                        as load, counts scene.live times
  *
  * Reading gives tables in the order of the file, indices resolved and checked, names as places in the text. Whether blocks
  * are closed and contacts plane is for the library to say, when scene.c builds them.
@@ -20,7 +22,7 @@ typedef struct obj_block {
     text_word name;
     int32_t line, face;         /* first of its faces; they end where the next block's begin */
     sp_real density;            /* [kg/m^3], 0: the scene's */
-    int fixed;
+    uint32_t fixed;             /* as sp_block.fixed */
 } obj_block;
 
 typedef struct obj_face {
@@ -36,21 +38,29 @@ typedef struct obj_contact {
     sp_real mu;                 /* -1: the scene's */
 } obj_contact;
 
+typedef struct obj_load {
+    text_word name;
+    int32_t block, line;
+    int live, couple;           /* couple: x is a moment, the force acts at the centroid */
+    sp_real f[3], x[3];         /* force; point or moment */
+} obj_load;
+
 typedef struct obj_file {
     const char *path;
     char *text;                 /* names point into it */
     size_t length;
     int32_t lines;
     sp_real mu, density, gravity[3];
-    int32_t blocks, faces, corners, vertices, contacts, points;
+    int32_t blocks, faces, corners, vertices, contacts, points, loads;
     obj_block *block;
     obj_face *face;
     int32_t *corner;            /* vertex numbers, 0-based */
     sp_real (*vertex)[3];       /* [m] */
     obj_contact *contact;
     sp_real (*point)[3];        /* [m] */
+    obj_load *load;
     int32_t *by_name;           /* blocks in the order of their names */
-    struct { int32_t block, face, corner, vertex, contact, point; } room;
+    struct { int32_t block, face, corner, vertex, contact, point, load; } room;
 } obj_file;
 
 /* Read a scene file ("-": standard input). Free it with obj_free, also after an error.     returns 0 or an exit status */

@@ -230,11 +230,42 @@ static int read_density(reader *r)
     return line_is_over(r);
 }
 
+/* All directions, or those that are named. */
 static int read_fixed(reader *r)
 {
+    static const char *const name[] = { "x", "y", "z", "rx", "ry", "rz" };
+    uint32_t held = 0;
+    text_word w;
+
+    r->in_block = 1;
     if (r->f->blocks == 0) return fail(r, "'fixed' before the first block");
-    r->f->block[r->f->blocks - 1].fixed = 1;
-    return line_is_over(r);
+    while (text_next_word(&r->at, &w) && w.s[0] != '#') {
+        int k = 0;
+        while (k < 6 && !text_is(w, name[k])) k++;
+        if (k == 6) return fail_word(r, "fixed knows x y z rx ry rz, not", w);
+        held |= 1u << k;
+    }
+    r->f->block[r->f->blocks - 1].fixed = held ? held : SP_FIXED;
+    return 0;
+}
+
+static int read_load(reader *r, int live)
+{
+    obj_load load = { { NULL, 0 }, -1, r->at.line, live, 0, { 0, 0, 0 }, { 0, 0, 0 } };
+    text_word w;
+    int status;
+
+    if (!text_next_word(&r->at, &load.name)) return fail(r, "a load needs the name of a block");
+    status = reals(r, 3, load.f, "a load needs a force of three numbers");
+    if (!status) status = reals(r, 3, load.x, "a load needs a point, or a moment and the word 'couple'");
+    if (status) return status;
+    if (text_next_word(&r->at, &w) && w.s[0] != '#') {
+        load.couple = text_is(w, "couple");
+        status = load.couple ? line_is_over(r) : fail_word(r, "unexpected", w);
+        if (status) return status;
+    }
+    APPEND(r, load, loads, room.load, load);
+    return 0;
 }
 
 /* A B, then for points nx ny nz, then x y z of each vertex. */
@@ -276,8 +307,8 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "fixed")) return read_fixed(r);
     if (text_is(w, "interface")) return read_contact(r, 1);
     if (text_is(w, "points")) return read_contact(r, 0);
-    if (text_is(w, "load") || text_is(w, "live"))
-        return fail_word(r, "loads beyond weight are not in this version:", w);
+    if (text_is(w, "load")) return read_load(r, 0);
+    if (text_is(w, "live")) return read_load(r, 1);
     return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
 }
 
@@ -395,6 +426,18 @@ static int find_contact_blocks(reader *r)
     return 0;
 }
 
+static int find_load_blocks(reader *r)
+{
+    for (int32_t i = 0; i < r->f->loads; i++) {
+        obj_load *load = &r->f->load[i];
+        load->block = find_name(r->f, load->name);
+        if (load->block < 0)
+            return text_fail(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT ", which does not exist",
+                             WORD(load->name));
+    }
+    return 0;
+}
+
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error)
 {
     const obj_file empty = { 0 };
@@ -420,6 +463,7 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_
     status = check_corners(&r);
     if (!status) status = sort_names(&r);
     if (!status) status = find_contact_blocks(&r);
+    if (!status) status = find_load_blocks(&r);
     return status;
 }
 
@@ -443,5 +487,6 @@ void obj_free(obj_file *file)
     free(file->vertex);
     free(file->contact);
     free(file->point);
+    free(file->load);
     free(file->by_name);
 }

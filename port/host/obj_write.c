@@ -20,6 +20,14 @@ static void name_of(FILE *out, const char *const *name, int32_t b)
     else fprintf(out, " b%ld", (long)b);
 }
 
+static void write_fixed(FILE *out, uint32_t held)
+{
+    static const char *const name[] = { " x", " y", " z", " rx", " ry", " rz" };
+    fputs("#@ fixed", out);
+    for (int k = 0; k < 6; k++) if (held != SP_FIXED && held >> k & 1) fputs(name[k], out);
+    fputs("\n", out);
+}
+
 /* Vertices and faces are already counted through the whole scene, as OBJ counts them. */
 static void write_block(FILE *out, const sp_scene *s, int32_t b, const char *const *name, int own_density)
 {
@@ -27,7 +35,7 @@ static void write_block(FILE *out, const sp_scene *s, int32_t b, const char *con
     fputs("o", out);
     name_of(out, name, b);
     fputs("\n", out);
-    if (block->fixed) fputs("#@ fixed\n", out);
+    if (block->fixed) write_fixed(out, block->fixed);
     if (own_density && block->density > 0) setting(out, "density", block->density);
     for (int32_t v = 0; v < block->vertices; v++) {
         triple(out, "v", s->vertex[block->vertex + v]);
@@ -52,6 +60,26 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
     if (own_mu) setting(out, "mu", c->joint.mu);
 }
 
+static int is_zero(const sp_real x[3])
+{
+    for (int k = 0; k < 3; k++) if (x[k] < 0 || x[k] > 0) return 0;
+    return 1;
+}
+
+/* A force at its point, then a couple by itself: the form has one of the two in a line. */
+static void write_load(FILE *out, const sp_load *load, const char *const *name)
+{
+    const sp_real none[3] = { 0, 0, 0 };
+    for (int couple = 0; couple < 2; couple++) {
+        if (couple ? is_zero(load->couple) : is_zero(load->force) && !is_zero(load->couple)) continue;
+        fputs(load->live ? "#@ live" : "#@ load", out);
+        name_of(out, name, load->block);
+        triple(out, "", couple ? none : load->force);
+        triple(out, "", couple ? load->couple : load->point);
+        fputs(couple ? " couple\n" : "\n", out);
+    }
+}
+
 static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 
 int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, text_error *error)
@@ -61,20 +89,22 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
 
     for (int32_t b = 0; b < s->count.blocks; b++) {
         const sp_block *block = &s->block[b];
-        if (block->fixed && block->fixed != SP_FIXED)
-            return text_fail(error, EXIT_SCENE, path, 0, "block %ld is held in part, which a scene file can't say", (long)b);
-        if (block->faces == 0 && !block->fixed)
+        if (block->faces == 0 && block->fixed != SP_FIXED)
             return text_fail(error, EXIT_SCENE, path, 0, "block %ld has no mesh, which a scene file can't say", (long)b);
         if (!(density > 0)) density = block->density;
         if (block->density > 0) one_density = one_density && same(block->density, density);
     }
     for (int32_t i = 1; i < s->count.interfaces; i++)
         one_mu = one_mu && same(s->interface[i].joint.mu, s->interface[0].joint.mu);
+    for (int32_t i = 0; i < s->count.loads; i++)
+        if (s->load[i].mass > 0)
+            return text_fail(error, EXIT_SCENE, path, 0, "load %ld is a mass, which a scene file can't say", (long)i);
     if (one_mu) setting(out, "mu", s->interface[0].joint.mu);
     if (one_density && density > 0) setting(out, "density", density);
     triple(out, "#@ gravity", s->gravity);
     fputs("\n", out);
     for (int32_t b = 0; b < s->count.blocks; b++) write_block(out, s, b, name, !one_density);
     for (int32_t i = 0; i < s->count.interfaces; i++) write_contact(out, s, i, name, !one_mu);
+    for (int32_t i = 0; i < s->count.loads; i++) write_load(out, &s->load[i], name);
     return 0;
 }

@@ -93,8 +93,8 @@ static sp_mesh gather(const obj_file *f, int32_t b, mesh_room *m)
 static sp_status add_mesh(const obj_file *f, const obj_block *block, const sp_mesh *mesh, sp_scene *scene)
 {
     const sp_real origin[3] = { 0, 0, 0 };
-    if (mesh->faces == 0 && block->fixed) return sp_scene_body(scene, 0, origin, SP_FIXED, NULL);
-    return sp_scene_block(scene, mesh, block->density > 0 ? block->density : f->density, block->fixed ? SP_FIXED : 0, NULL);
+    if (mesh->faces == 0 && block->fixed == SP_FIXED) return sp_scene_body(scene, 0, origin, SP_FIXED, NULL);
+    return sp_scene_block(scene, mesh, block->density > 0 ? block->density : f->density, block->fixed, NULL);
 }
 
 static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, text_error *error)
@@ -124,6 +124,24 @@ static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene
     return text_fail_status(error, status, f->path, c->line, what);
 }
 
+static int add_load(const obj_file *f, int32_t i, sp_scene *scene, text_error *error)
+{
+    const obj_load *l = &f->load[i];
+    sp_load load = { 0 };
+    sp_status status;
+    char what[96];
+
+    load.block = l->block;
+    load.live = l->live;
+    memcpy(load.force, l->f, sizeof load.force);
+    memcpy(load.point, l->couple ? scene->block[l->block].centroid : l->x, sizeof load.point);
+    if (l->couple) memcpy(load.couple, l->x, sizeof load.couple);
+    status = sp_scene_load(scene, &load, NULL);
+    if (status == SP_OK) return 0;
+    snprintf(what, sizeof what, "load on '%.*s%s'", NAME(l->name));
+    return text_fail_status(error, status, f->path, l->line, what);
+}
+
 /* --------------------------------------------------------------------------------------------------------- whole scene */
 
 /* Exactly what the meshes of the file need; the vertices of a block are those its faces use. */
@@ -132,6 +150,7 @@ static int count_meshes(const obj_file *f, sp_capacity *cap, mesh_room *m)
     cap->blocks = f->blocks;
     cap->faces = f->faces;
     cap->corners = f->corners;
+    cap->loads = f->loads;
     cap->vertices = 0;
     for (int32_t b = 0; b < f->blocks; b++) {
         const int32_t more = gather(f, b, m).vertices;
@@ -159,6 +178,7 @@ static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_s
 {
     int status = create(f, cap, s, error);
     for (int32_t b = 0; !status && b < f->blocks; b++) status = add_block(f, b, m, &s->scene, error);
+    for (int32_t i = 0; !status && i < f->loads; i++) status = add_load(f, i, &s->scene, error);
     return status;
 }
 
@@ -228,7 +248,7 @@ static int keep_names(const obj_file *f, host_scene *s, text_error *error)
 static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
 {
     const int given = contacts == SCENE_GIVEN && f->contacts > 0;
-    sp_capacity cap = { 0, 0, 0, 0, 0, 0 };
+    sp_capacity cap = { 0, 0, 0, 0, 0, 0, 0 };
     int status = keep_names(f, s, error);
 
     if (status) return status;

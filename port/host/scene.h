@@ -30,7 +30,7 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
 
 /* Write a scene as a file that reads back as the same scene, contacts as `#@ interface` and `#@ points`.
  *   name      of each block, or NULL: b0 b1 ...
- *   returns   0; an exit status where a block has no mesh, or is held in some directions only, which the form can't say */
+ *   returns   0; an exit status where a block has no mesh, or a load is a mass, which the form can't say */
 int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, text_error *error);
 
 void scene_free(host_scene *s);

@@ -643,7 +643,7 @@ int gen_set(gen_scene *g, const char *name, double value)
 
 static gen_sink start(const gen_scene *g, sp_scene *scene)
 {
-    gen_sink s = { scene, { 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0 }, g->value[GEN_OWN + 1], SP_OK, 1 };
+    gen_sink s = { scene, { 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0 }, g->value[GEN_OWN + 1], SP_OK, 1 };
     s.joint.mu = (sp_real)g->value[GEN_OWN];
     return s;
 }
