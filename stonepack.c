@@ -12,7 +12,7 @@
  *    9  matrices                         Aeq, Afr [seed 1.1, 1.2, 1.4]
  *   10  certificate check                what forces and motions prove; shares nothing with the search
  *   11  the dual                         D(y), its gradient and Hessian, sizes and metric
- *   12  search constants
+ *   12  search constants                 and the table of the seed's
  *   13  gates                            no contact, no support, no load
  *   14  bilateral force                  least squares, sparse and dense [seed 2.1]
  *   15  polish                           alternating projections [seed 2.2]
@@ -20,12 +20,13 @@
  *   17  exact stage: rigid groups
  *   18  exact stage: steps               semismooth Newton, proximal path
  *   19  penalty form                     where help is wanted [seed 1.5]
- *   20  coupled check                    a motion that explains the forces [seed 3]
- *   21  ladder                           settings, stages, memory, judgement
- *   22  reading a result                 resultants, utilisation, weakest joint
- *   23  check                            sp_check
- *   24  verify                           sp_verify
- *   25  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   20  penalty program                  the same as a quadratic program [seed 1.5, 4]
+ *   21  coupled check                    a motion that explains the forces [seed 3]
+ *   22  ladder                           settings, stages, memory, judgement
+ *   23  reading a result                 resultants, utilisation, weakest joint
+ *   24  check                            sp_check
+ *   25  verify                           sp_verify
+ *   26  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -112,7 +113,8 @@ SP_API const char *sp_reason_text(sp_reason reason)
 {
     const int k = (int)reason;
     return sp__word("forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0"
-                    "no consistent motion\0" "no coupled certificate\0" "unknown", k >= 0 && k <= 9 ? k : 10);
+                    "no consistent motion\0" "no coupled certificate\0" "tension\0" "unverified\0" "unknown",
+                    k >= 0 && k <= 11 ? k : 12);
 }
 
 SP_API const char *sp_coupling_text(sp_coupling coupling)
@@ -131,8 +133,8 @@ SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason)
 SP_API const char *sp_stage_text(sp_stage_id stage)
 {
     const int k = (int)stage;
-    return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "custom\0" "unknown",
-                    k >= 0 && k <= 6 ? k : 7);
+    return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "ADMM\0" "custom\0" "unknown",
+                    k >= 0 && k <= 7 ? k : 8);
 }
 
 #ifndef SP_NO_QP
@@ -1827,11 +1829,12 @@ static void sp__triplets_carve(sp_triplets *t, int32_t count, sp_arena *a)
     t->x = sp__take(a, (size_t)count, sizeof *t->x);
 }
 
-/* An entry, unless it is 0; without room (x NULL) it is only counted. */
+/* An entry, unless it is 0; without room (x NULL) it is only counted, without j its column is known from the order. */
 static void sp__triplets_put(sp_triplets *t, int32_t i, int32_t j, sp_real x)
 {
     if (!(sp__abs(x) > 0)) return;
-    if (t->x) { t->i[t->count] = i; t->j[t->count] = j; t->x[t->count] = x; }
+    if (t->j) t->j[t->count] = j;
+    if (t->x) { t->i[t->count] = i; t->x[t->count] = x; }
     t->count++;
 }
 
@@ -1844,20 +1847,22 @@ static void sp__aeq_column(sp_triplets *t, int32_t row, int32_t column, sp_real 
     for (int32_t c = 0; c < 3; c++) sp__triplets_put(t, 6 * row + 3 + c, column, s * m[c]);
 }
 
-/* All columns of one contact vertex: f on B with arm r - c_B, -f on A with arm r - c_A. */
-static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_contact *contact, int32_t v, int32_t columns)
+/* Column c of one contact vertex, rows ascending: f on B with arm r - c_B, -f on A with arm r - c_A. */
+static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_contact *contact, int32_t v, int32_t columns,
+                           int32_t c)
 {
     const sp_scene *scene = problem->scene;
     const sp_interface *f = &scene->interface[contact->id];
     const int32_t extra = columns - 3;                  /* 1: fm after fp */
-    sp_real ra[3], rb[3];
-    sp__sub3(scene->point[v], scene->block[f->a].centroid, ra);
-    sp__sub3(scene->point[v], scene->block[f->b].centroid, rb);
-    for (int32_t c = 0; c < columns; c++) {
-        const sp_real *e = c <= extra ? contact->joint->n : c - extra == 1 ? contact->joint->t1 : contact->joint->t2;
-        const sp_real s = c == 1 && extra ? (sp_real)-1 : (sp_real)1;
-        if (contact->b >= 0) sp__aeq_column(t, contact->b, columns * v + c, s, rb, e);
-        if (contact->a >= 0) sp__aeq_column(t, contact->a, columns * v + c, -s, ra, e);
+    const sp_real *e = c <= extra ? contact->joint->n : c - extra == 1 ? contact->joint->t1 : contact->joint->t2;
+    const sp_real s = c == 1 && extra ? (sp_real)-1 : (sp_real)1;
+    for (int side = 0; side < 2; side++) {
+        const int onto_b = (contact->a < contact->b) == side;
+        const int32_t row = onto_b ? contact->b : contact->a;
+        sp_real r[3];
+        if (row < 0) continue;
+        sp__sub3(scene->point[v], scene->block[onto_b ? f->b : f->a].centroid, r);
+        sp__aeq_column(t, row, columns * v + c, onto_b ? s : -s, r, e);
     }
 }
 
@@ -1866,7 +1871,8 @@ static void sp__aeq_entries(sp_triplets *t, const sp_problem *problem, int32_t c
     t->count = 0;
     for (int32_t k = 0; k < problem->contacts; k++) {
         const sp_contact *contact = &problem->contact[k];
-        for (int32_t q = 0; q < contact->points; q++) sp__aeq_vertex(t, problem, contact, contact->point + q, columns);
+        for (int32_t q = 0; q < columns * contact->points; q++)
+            sp__aeq_vertex(t, problem, contact, contact->point + q / columns, columns, q % columns);
     }
 }
 
@@ -1886,31 +1892,47 @@ SP_API sp_status sp_matrix_aeq(const sp_problem *problem, int32_t columns, sp_ar
     return SP_OK;
 }
 
-/* Rows of one contact vertex: cos_k ft1 + sin_k ft2 - mu_eff (fp or fp - fm). */
-static void sp__afr_vertex(sp_triplets *t, int32_t K, int32_t v, int32_t columns, sp_real mu, int net)
+/* Rows of the friction pyramid. */
+typedef struct sp__friction {
+    int32_t faces, net, first;          /* first: row of vertex 0 */
+    sp_real shrink;                     /* mu_eff / mu */
+} sp__friction;
+
+static void sp__friction_open(sp__friction *r, int32_t faces, int32_t inscribed, int32_t net, int32_t first)
 {
-    for (int32_t k = 0; k < K; k++) {
-        const int32_t row = K * v + k, column = columns * v;
+    sp_real tangent;
+    r->faces = faces;
+    r->net = net;
+    r->first = first;
+    sp__pyramid_half(faces, &r->shrink, &tangent);
+    (void)tangent;
+    if (!inscribed) r->shrink = (sp_real)1;
+}
+
+/* Column c of one contact vertex: cos_k ft1 + sin_k ft2 - mu_eff (fp or fp - fm). */
+static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_contact *contact, int32_t v, int32_t columns, int32_t c)
+{
+    const sp_real mu = r->shrink * contact->joint->joint.mu;
+    const int32_t tangent = c - (columns - 2);          /* 0, 1: ft1, ft2 */
+    for (int32_t k = 0; k < r->faces; k++) {
+        const int32_t row = r->first + r->faces * v + k;
         sp_real d[2];
-        sp__pyramid_direction(K, k, d);
-        sp__triplets_put(t, row, column, -mu);
-        if (columns == 4 && net) sp__triplets_put(t, row, column + 1, mu);
-        sp__triplets_put(t, row, column + columns - 2, d[0]);
-        sp__triplets_put(t, row, column + columns - 1, d[1]);
+        sp__pyramid_direction(r->faces, k, d);
+        if (tangent >= 0) sp__triplets_put(t, row, columns * v + c, d[tangent]);
+        else if (c == 0) sp__triplets_put(t, row, columns * v, -mu);
+        else if (r->net) sp__triplets_put(t, row, columns * v + 1, mu);
     }
 }
 
 static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_settings *settings, int32_t columns)
 {
-    sp_real shrink, tangent;
-    sp__pyramid_half(settings->faces, &shrink, &tangent);
-    (void)tangent;
-    if (!settings->inscribed) shrink = (sp_real)1;
+    sp__friction r;
+    sp__friction_open(&r, settings->faces, settings->inscribed, settings->net, 0);
     t->count = 0;
     for (int32_t k = 0; k < problem->contacts; k++) {
         const sp_contact *contact = &problem->contact[k];
-        for (int32_t q = 0; q < contact->points; q++)
-            sp__afr_vertex(t, settings->faces, contact->point + q, columns, shrink * contact->joint->joint.mu, settings->net);
+        for (int32_t q = 0; q < columns * contact->points; q++)
+            sp__afr_vertex(t, &r, contact, contact->point + q / columns, columns, q % columns);
     }
 }
 
@@ -3160,7 +3182,7 @@ static int sp__dual_metric(sp__dual *w)
     return 1;
 }
 
-typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY } sp__form;
+typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC } sp__form;      /* METRIC: H of the penalty form */
 
 /* A dual in `a`, everything but the numbers of a metric.     returns NULL when the arena is too small */
 SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
@@ -3176,12 +3198,13 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     w->cost = cost;
     w->soft = penalty && !set->net ? 1 / set->gamma : 0;
     w->slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
+    if (form == SP__METRIC) w->slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma));     /* fp and fm move together: 1 + 1/gamma */
     sp__cone_make(&w->cone);
     sp_real half;
     w->factor = 1;
     w->metric = 0;
     if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
-    w->factor /= w->slide;
+    if (penalty) w->factor /= w->slide;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         int32_t turned = 0;
@@ -3209,6 +3232,42 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
 #endif
+
+/* The seed's constants, each with its section; what a float can't reach is float's own. */
+#ifdef SP_REAL_FLOAT
+#define SP__SEED(d, f) ((sp_real)f)
+#else
+#define SP__SEED(d, f) ((sp_real)d)
+#endif
+static const sp_seed sp__seed = {
+    .faces = 8, .inscribed = 1, .net = 1,                                       /* [1.4] */
+    .gamma = (sp_real)1e3, .tau = (sp_real)1,                                   /* [1.5] */
+    .dense_cells = 12000000,                                                    /* [1.5] */
+    .tension = (sp_real)1e-3,                                                   /* [1.6] */
+    .balance = SP__SEED(1e-6, 1e-5), .cone = SP__SEED(1e-7, 1e-5),              /* [2.1] */
+    .gain = (sp_real)0.05, .window = 250, .rounds = 20000,                      /* [2.2] */
+    .admm = {
+        .backend = SP_QP_SPARSE, .iterations = 8000,
+        .sigma = SP__SEED(1e-6, 1e-3), .relax = (sp_real)1.6,                   /* [4.2] */
+        .rho = (sp_real)0.1, .rho_equal = SP__SEED(1e3, 1e2),                   /* [4.2] */
+        .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .check = 10,        /* [4.2] the checker's */
+        .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5,             /* [4.2] */
+        .passes = 3, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6),          /* [4.2] */
+        .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4,                   /* [4.3] */
+        .radius = SP__SEED(1e6, 1e3)                                            /* ours: what a certificate must exclude */
+    },
+    .native = {
+        .backend = SP_QP_SPARSE, .iterations = 6000, .polish = 1, .strict = 1,  /* [4.4] */
+        .eps_abs = SP__SEED(1e-6, 1e-4), .eps_rel = SP__SEED(1e-5, 1e-4),       /* [4.4] */
+        .sigma = SP__SEED(1e-6, 1e-3), .relax = (sp_real)1.6, .rho = (sp_real)0.1, .rho_equal = SP__SEED(1e3, 1e2),
+        .check = 10, .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5,
+        .passes = 10, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6),
+        .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .radius = SP__SEED(1e6, 1e3)
+    }
+};
+#undef SP__SEED
+
+SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
 
@@ -3387,23 +3446,51 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
     }
 }
 
+/* What the seed asks of the bilateral force before it calls it forces: no tension, no friction beyond the cone. */
+typedef struct sp__gate { int tension, friction; } sp__gate;
+
+/* Largest compression and tension of f, and friction beyond the cone, by f's own size.                  [seed 2.1] */
+SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const sp_real *f)
+{
+    sp_real press = 0, pull = 0, beyond = 0, size = 0;
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_contact *t = &w->pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *g = f + 3 * (size_t)v;
+            const sp_real flat[3] = { sp__max(0, g[0]), g[1], g[2] };
+            sp__foot foot;
+            sp__cone_foot(&w->cone, sp__dual_mu(w, c), flat, &foot);
+            press = sp__max(press, g[0]);
+            pull = sp__max(pull, -g[0]);
+            size = sp__max(size, sp__norm3(g));
+            beyond = sp__max(beyond, foot.a - sp__dual_mu(w, c) * (w->set->net ? g[0] : flat[0]));
+        }
+    }
+    sp__dual_count(w, SP__FLOPS_SWEEP, 0);
+    const sp__gate gate = { pull <= seed->tension * press, beyond <= seed->cone * size };
+    return gate;
+}
+
 static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
                                    sp_arena *arena, sp_verdict *claim)
 {
     sp__dual *w = sp__dual_open(pb, set, form, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
-    sp__dual_hint(w, state);
+    if (form != SP__METRIC) sp__dual_hint(w, state);
     sp__dual_forces(w, SP__BILATERAL, w->y, state);
-    *claim = SP_STABLE;
     state->reason = SP_REASON_STAGES;
+    *claim = SP_STABLE;
+    if (!set->seed) return SP_OK;
+    const sp__gate gate = sp__seed_gate(w, set->seed, state->f);
+    if (!gate.tension || !gate.friction || sp__dual_norm(w, w->r) > set->seed->balance * w->load) *claim = SP_UNDECIDED;
     return SP_OK;
 }
 
 static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                        sp_verdict *claim)
 {
-    return sp__bilateral_run(pb, set, SP__EXACT, state, arena, claim);
+    return sp__bilateral_run(pb, set, set->seed ? SP__METRIC : SP__EXACT, state, arena, claim);
 }
 
 static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
@@ -3424,14 +3511,12 @@ static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_ar
 /* 15 -------------------------------------------------------------------------------------------------------------- polish */
 
 /* Alternating projections between the cones and E = { Aeq f + p = 0 }:  f <- P_K(f),  f <- f - Aeq' G^-1 (Aeq f + p), one
- * factor of G = Aeq Aeq'. Ends when the forces in the cones balance, or when 250 rounds gain less than 5 %: an empty
- * intersection never ends by itself, so this stage can only say STABLE.                                  [seed 2.2] */
+ * factor of G = Aeq Aeq'. Ends when the forces in the cones balance, or when a window of rounds gains too little: an empty
+ * intersection never ends by itself, so this stage can only say STABLE. With the seed's constants in the settings the second
+ * step is taken in the metric of the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's
+ * gate, and it does not start where tension alone blocks the bilateral force.                            [seed 2.2] */
 
-#define SP__POLISH_WINDOW 250           /* rounds between looks at the progress */
-#define SP__POLISH_ROUNDS 20000
-#define SP__POLISH_GAIN ((sp_real)0.95)
-
-/* f <- P_K(f) and r = Aeq f + p of it; with y also first f <- f + Aeq' y. */
+/* f <- P_K(f + H^-1 Aeq' y) and r = Aeq f + p of it. */
 SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
@@ -3443,7 +3528,7 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *g = f + 3 * (size_t)v;
             sp__dual_rate(w, V, W, pb->local[v], u);
-            for (int k = 0; k < 3; k++) u[k] += g[k];
+            for (int k = 0; k < 3; k++) u[k] = g[k] + (k ? w->slide * u[k] : u[k]);
             sp__cone_project(&w->cone, sp__dual_mu(w, c), u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
@@ -3456,28 +3541,33 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
 
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
+    sp__dual *w = sp__dual_open(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     const size_t n = 6 * (size_t)pb->blocks;
+    const sp_real goal = set->seed && seed->balance < set->tol / 4 ? seed->balance : set->tol / 4;
+    state->reason = SP_REASON_STAGES;
     sp__dual_bilateral(w);
-    sp__dual_hint(w, state);
+    if (!set->seed) sp__dual_hint(w, state);
     sp__dual_sizes(w, w->y);
+    if (set->seed) sp__dual_forces(w, SP__BILATERAL, w->y, state);
+    const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
+    if (gate.friction && !gate.tension) return SP_OK;
     memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
     sp__polish_round(w, w->y, state->f, w->r);
     sp_real omega = sp__dual_omega(w, w->r), last = omega;
-    for (int round = 1; omega > set->tol / 4 && round <= SP__POLISH_ROUNDS; round++) {
+    for (int round = 1; omega > goal && round <= seed->rounds; round++) {
         sp__dual_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
         sp__polish_round(w, w->y, state->f, w->r);
         omega = sp__dual_omega(w, w->r);
         state->cost.iterations++;
-        if (round % SP__POLISH_WINDOW) continue;
-        if (omega > SP__POLISH_GAIN * last) break;
+        if (round % seed->window) continue;
+        if (omega > (1 - seed->gain) * last) break;
         last = omega;
     }
     for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w->unit;
-    *claim = omega <= set->tol ? SP_STABLE : SP_UNDECIDED;
-    state->reason = SP_REASON_STAGES;
+    *claim = omega <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
     return SP_OK;
 }
 
@@ -3957,7 +4047,263 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 20 ------------------------------------------------------------------------------------------------------- coupled check */
+/* 20 ----------------------------------------------------------------------------------------------------- penalty program */
+
+/* The penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
+ *
+ *     min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2)        Aeq x = -p,   Afr x <= 0,   fp, fm >= 0       [seed 1.5, 4.2]
+ *
+ * Forces are counted in the largest load, moments in forces at the block's longest arm, so residuals don't depend on units.
+ * Its forces fp - fm, ft are put into the cones and judged; the multipliers of Aeq are a motion: dq of a certificate that there
+ * are no forces. Where the true cone is asked for the seed's pyramid takes its place, whose forces the true cone admits.  */
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+
+typedef struct sp__program_arrays {
+    int32_t *Pp, *Ap, *Ai;              /* Pp: 0, 1, ...: column starts and rows of the diagonal P */
+    sp_real *Px, *Ax, *l, *u, *x;       /* x: first guess */
+    sp_real *arm;                       /* b: 1 / longest arm */
+} sp__program_arrays;
+
+typedef struct sp__program {
+    sp_qp qp;
+    sp_qp_settings set;
+    sp_qp_solver solver;
+    sp_qp_result r;
+    sp__friction friction;
+    sp__program_arrays at;
+    sp_real unit;                       /* of force [N] */
+} sp__program;
+
+static void sp__program_carve(sp__program_arrays *at, const sp_qp *qp, int32_t blocks, int32_t entries, sp_arena *a)
+{
+    const size_t n = (size_t)qp->n, m = (size_t)qp->m;
+    at->Pp = sp__take(a, n + 1, sizeof *at->Pp);
+    at->Px = sp__take(a, n, sizeof *at->Px);
+    at->Ap = sp__take(a, n + 1, sizeof *at->Ap);
+    at->Ai = sp__take(a, (size_t)entries, sizeof *at->Ai);
+    at->Ax = sp__take(a, (size_t)entries, sizeof *at->Ax);
+    at->l = sp__take(a, m, sizeof *at->l);
+    at->u = sp__take(a, m, sizeof *at->u);
+    at->x = sp__take(a, n, sizeof *at->x);
+    at->arm = sp__take(a, (size_t)blocks, sizeof *at->arm);
+}
+
+static const sp_seed *sp__seed_of(const sp_settings *set) { return set->seed ? set->seed : &sp__seed; }
+
+/* n and m, and the most entries A can have: 12 of Aeq and K of Afr a column, 2 signs a vertex.     returns -1: too large */
+static int32_t sp__program_size(const sp_problem *pb, const sp_settings *set, sp_qp *qp)
+{
+    const int32_t faces = set->faces ? set->faces : sp__seed_of(set)->faces;
+    memset(qp, 0, sizeof *qp);
+    if (pb->blocks > INT32_MAX / 24 || pb->points > INT32_MAX / (16 * (faces + 13))) return -1;
+    qp->n = 4 * pb->points;
+    qp->m = 6 * pb->blocks + (faces + 2) * pb->points;
+    return pb->points * (4 * (12 + faces) + 2);
+}
+
+/* Dense or without a matrix, as the seed has it; else what the settings say.                                  [seed 1.5] */
+static sp_qp_backend sp__program_backend(const sp_problem *pb, const sp_settings *set, const sp_qp *qp)
+{
+    const sp_seed *seed = sp__seed_of(set);
+    if (set->qp_solver) return seed->native.backend;
+    if (!set->seed || seed->dense_cells <= 0) return seed->admm.backend;
+    const int64_t n = qp->n, cells = n * (n + qp->m - 2 * pb->points);
+    return cells > seed->dense_cells ? SP_QP_CG : SP_QP_DENSE;
+}
+
+/* Without the preset the accuracy is that of the check, and the active rows are solved for exactly. */
+static void sp__program_tighten(sp_qp_settings *s, sp_real tol)
+{
+    const sp_real eps = sp__max(tol / 4, 1000 * (sp_real)SP_EPSILON);
+    if (eps < s->eps_abs) s->eps_abs = eps;
+    if (eps < s->eps_rel) s->eps_rel = eps;
+    s->polish = 1;
+}
+
+/* Sizes, pyramid and who solves it.     returns 0: too large */
+static int sp__program_open(sp__program *g, const sp_problem *pb, const sp_settings *set)
+{
+    const sp_seed *seed = sp__seed_of(set);
+    if (sp__program_size(pb, set, &g->qp) < 0) return 0;
+    sp__friction_open(&g->friction, set->faces ? set->faces : seed->faces, set->faces ? set->inscribed : seed->inscribed, set->net,
+                      6 * pb->blocks);
+    g->set = set->qp_solver ? seed->native : seed->admm;
+    g->set.backend = sp__program_backend(pb, set, &g->qp);
+    if (!set->seed) sp__program_tighten(&g->set, set->tol);
+    if (set->qp_solver) g->solver = *set->qp_solver;
+    else g->solver = sp_qp_admm();
+    return 1;
+}
+
+/* A by columns: rows of Aeq, of Afr, and 1 in a row of its own where the unknown has a sign. Ap NULL: entries are only counted. */
+static void sp__program_columns(const sp__program *g, const sp_problem *pb, sp_triplets *t, int32_t *Ap)
+{
+    t->count = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *contact = &pb->contact[c];
+        for (int32_t q = 0; q < 4 * contact->points; q++) {
+            const int32_t v = contact->point + q / 4;
+            sp__aeq_vertex(t, pb, contact, v, 4, q % 4);
+            sp__afr_vertex(t, &g->friction, contact, v, 4, q % 4);
+            if (q % 4 < 2) sp__triplets_put(t, 6 * pb->blocks + g->friction.faces * pb->points + 2 * v + q % 4, 4 * v + q % 4, 1);
+            if (Ap) Ap[4 * v + q % 4 + 1] = t->count;
+        }
+    }
+}
+
+/* P and A; moments about a centroid are divided by its longest arm. */
+SP__APART static void sp__program_matrices(sp__program *g, const sp_problem *pb, const sp_settings *set)
+{
+    const int32_t n = g->qp.n;
+    sp_triplets t = { g->qp.m, n, 0, g->at.Ai, NULL, g->at.Ax };
+    memset(g->at.Ap, 0, ((size_t)n + 1) * sizeof *g->at.Ap);
+    sp__program_columns(g, pb, &t, g->at.Ap);
+    for (int32_t i = 0; i < pb->blocks; i++) g->at.arm[i] = 0;
+    for (int32_t k = 0; k < t.count; k++)
+        if (g->at.Ai[k] < 6 * pb->blocks && g->at.Ai[k] % 6 > 2) g->at.arm[g->at.Ai[k] / 6] = sp__max(g->at.arm[g->at.Ai[k] / 6], sp__abs(g->at.Ax[k]));
+    for (int32_t i = 0; i < pb->blocks; i++) g->at.arm[i] = g->at.arm[i] > 0 ? 1 / g->at.arm[i] : 1;
+    for (int32_t k = 0; k < t.count; k++)
+        if (g->at.Ai[k] < 6 * pb->blocks && g->at.Ai[k] % 6 > 2) g->at.Ax[k] *= g->at.arm[g->at.Ai[k] / 6];
+    for (int32_t j = 0; j < n; j++) {
+        if (g->at.Ap[j + 1] < g->at.Ap[j]) g->at.Ap[j + 1] = g->at.Ap[j];           /* a vertex between supports has no entries */
+        g->at.Pp[j] = j;
+        g->at.Px[j] = j % 4 == 0 ? 1 : j % 4 == 1 ? set->gamma : set->tau;
+    }
+    g->at.Pp[n] = n;
+    g->qp.Pp = g->qp.Pi = g->at.Pp;
+    g->qp.Px = g->at.Px;
+    g->qp.Ap = g->at.Ap;
+    g->qp.Ai = g->at.Ai;
+    g->qp.Ax = g->at.Ax;
+}
+
+/* l, u: the load on rows of Aeq that are not held; Afr x <= 0; fp, fm >= 0. */
+static void sp__program_bounds(sp__program *g, const sp_problem *pb)
+{
+    const int32_t friction = 6 * pb->blocks, signs = friction + g->friction.faces * pb->points;
+    for (int32_t i = 0; i < g->qp.m; i++) {
+        const int held = i < friction && sp__held(pb, i / 6, (int)(i % 6));
+        const sp_real p = i < friction ? -pb->p[i] / g->unit * (i % 6 > 2 ? g->at.arm[i / 6] : 1) : 0;
+        g->at.l[i] = held || (i >= friction && i < signs) ? -SP_QP_INFINITY : p;
+        g->at.u[i] = held || i >= signs ? SP_QP_INFINITY : p;
+    }
+    g->qp.l = g->at.l;
+    g->qp.u = g->at.u;
+}
+
+/* The program in `a`, with a first guess from the forces of the stage before; NULL: it does not fit. */
+SP__APART static sp__program *sp__program_make(const sp_problem *pb, const sp_settings *set, const sp_real *f, sp_arena *a)
+{
+    sp__program *g = sp__take(a, 1, sizeof *g);
+    if (!g) return NULL;
+    memset(g, 0, sizeof *g);
+    if (!sp__program_open(g, pb, set)) return NULL;
+    sp_triplets t = { 0, 0, 0, NULL, NULL, NULL };
+    sp__program_columns(g, pb, &t, NULL);
+    sp__program_carve(&g->at, &g->qp, pb->blocks, t.count, a);
+    if (sp__failed(a)) return NULL;
+    g->unit = sp__load_unit(pb);
+    sp__program_matrices(g, pb, set);
+    sp__program_bounds(g, pb);
+    for (size_t v = 0; v < (size_t)pb->points; v++) {
+        const sp_real fn = f ? f[3 * v] / g->unit : 0;
+        g->at.x[4 * v] = sp__max(fn, 0);
+        g->at.x[4 * v + 1] = sp__max(-fn, 0);
+        g->at.x[4 * v + 2] = f ? f[3 * v + 1] / g->unit : 0;
+        g->at.x[4 * v + 3] = f ? f[3 * v + 2] / g->unit : 0;
+    }
+    return g;
+}
+
+/* The answer into the state, whose forces are put into the cones by whoever judges them.     returns max fm / max fp, -1: there
+ * are no forces in it */
+static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp_state *state)
+{
+    const sp_real *x = g->r.x;
+    sp_real press = 0, pull = 0;
+    if (!x) return -1;
+    for (int32_t j = 0; j < g->qp.n; j++) if (!sp__finite(g->unit * x[j])) return -1;
+    for (size_t v = 0; v < (size_t)pb->points; v++, x += 4) {
+        press = sp__max(press, x[0]);
+        pull = sp__max(pull, x[1]);
+        state->f[3 * v] = g->unit * (x[0] - x[1]);
+        state->f[3 * v + 1] = g->unit * x[2];
+        state->f[3 * v + 2] = g->unit * x[3];
+    }
+    return sp__ratio(pull, press);
+}
+
+/* dq <- the multipliers of Aeq. */
+static void sp__program_motion(const sp__program *g, const sp_problem *pb, sp_real *dq)
+{
+    for (int32_t i = 0; g->r.y && i < 6 * pb->blocks; i++) {
+        const sp_real y = g->r.y[i] * (i % 6 > 2 ? g->at.arm[i / 6] : 1);
+        dq[i] = sp__finite(y) && !sp__held(pb, i / 6, (int)(i % 6)) ? y : 0;
+    }
+}
+
+static sp_status sp__admm_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    const sp_seed *seed = set->seed ? set->seed : &sp__seed;
+    sp__program *g = sp__program_make(pb, set, state->f, arena);
+    if (!g) return SP_E_MEMORY;
+    state->reason = SP_REASON_BUDGET;
+    const sp_status status = g->solver.solve(g->solver.self, &g->qp, &g->set, arena, g->at.x, NULL, &g->r);
+    if (status) return status == SP_E_MEMORY ? status : SP_OK;
+    state->cost.flops += g->r.flops;
+    state->cost.factorisations += g->r.factorisations;
+    state->cost.iterations += g->r.iterations;
+    if (g->r.status == SP_QP_PRIMAL_INFEASIBLE) {
+        sp__program_motion(g, pb, state->dq);
+        state->reason = SP_REASON_UNVERIFIED;
+        *claim = SP_UNSTABLE;
+        return SP_OK;
+    }
+    if (g->r.status == SP_QP_DUAL_INFEASIBLE || g->r.status == SP_QP_NUMERICAL) return SP_OK;
+    const sp_real ratio = sp__program_forces(g, pb, state);
+    if (ratio < 0) return SP_OK;
+    sp__program_motion(g, pb, state->dq);
+    if (g->r.status != SP_QP_SOLVED) return SP_OK;
+    state->tension_ratio = ratio;
+    state->reason = ratio > seed->tension ? SP_REASON_TENSION : SP_REASON_UNVERIFIED;
+    if (!(ratio > seed->tension)) *claim = SP_STABLE;
+    return SP_OK;
+}
+
+static size_t sp__admm_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    size_t bytes = 0;
+    sp__program *g = sp__program_make(pb, set, NULL, &scratch);
+    if (!g) return SIZE_MAX;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof *g);
+    sp__program_carve(&g->at, &g->qp, pb->blocks, g->at.Ap[g->qp.n], &dry);     /* g->qp keeps the arrays */
+    if (g->solver.need && g->solver.need(g->solver.self, &g->qp, &g->set, scratch, &bytes)) return SIZE_MAX;
+    sp__take(&dry, 1, bytes);
+    if (g->solver.need) return dry.peak;
+    sp__take(&dry, (size_t)g->qp.n, sizeof(sp_real));
+    sp__take(&dry, (size_t)g->qp.m, sizeof(sp_real));
+    return dry.peak;
+}
+
+/* Scratch for that, from counts alone; 0: too large. */
+static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
+{
+    sp_qp qp;
+    sp__program_arrays at;
+    sp_arena dry = sp__arena_dry();
+    const int32_t entries = sp__program_size(pb, set, &qp);
+    const size_t solver = entries < 0 ? 0 : sp__qp_count(&qp, entries, sp__program_backend(pb, set, &qp), 0);
+    if (solver == 0) return 0;
+    sp__take(&dry, 1, sizeof(sp__program));
+    sp__program_carve(&at, &qp, pb->blocks, entries, &dry);
+    sp__take(&dry, 1, solver);
+    return sp__failed(&dry) ? 0 : dry.peak + SP_ALIGN;
+}
+
+#endif
+
+/* 21 ------------------------------------------------------------------------------------------------------- coupled check */
 
 #ifndef SP_NO_CRA
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
@@ -4037,8 +4383,7 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 #endif /* SP_NO_CRA */
-
-/* 21 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 22 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -4062,6 +4407,32 @@ SP_API sp_settings sp_settings_default(void)
     return s;
 }
 
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+SP_API sp_settings sp_settings_seed(void)
+{
+    sp_settings s = sp_settings_default();
+    s.tol = sp__seed.tension;
+    s.faces = sp__seed.faces;
+    s.inscribed = sp__seed.inscribed;
+    s.net = sp__seed.net;
+    s.gamma = sp__seed.gamma;
+    s.tau = sp__seed.tau;
+    s.stage_count = 4;
+    s.stage[1] = SP_STAGE_LEAST_SQUARES;
+    s.stage[2] = SP_STAGE_POLISH;
+    s.stage[3] = SP_STAGE_ADMM;
+    s.seed = &sp__seed;
+    return s;
+}
+#endif
+
+/* What of a table of constants could break a loop or a pyramid. */
+static int sp__seed_fits(const sp_seed *s)
+{
+    return s->faces >= SP__FACES_MIN && s->faces <= SP__FACES_MAX && s->window > 0 && s->rounds >= 0 && s->tension >= 0
+        && s->balance > 0 && s->cone >= 0 && s->gain >= 0 && s->gain < 1;
+}
+
 /* The caller's settings, checked and with the automatic values filled in. */
 static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
 {
@@ -4073,6 +4444,9 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
     if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
     for (int32_t k = 0; k < out->stage_count; k++) {
         if (out->stage[k] <= SP_STAGE_NONE || out->stage[k] > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
+#if defined(SP_NO_QP) || defined(SP_NO_ADMM)
+        if (out->stage[k] == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
+#endif
         if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
@@ -4081,6 +4455,7 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
 #ifdef SP_NO_CRA
     if (out->coupled.asked) return SP_E_UNSUPPORTED;
 #endif
+    if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -4093,6 +4468,9 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
     if (id == SP_STAGE_LEAST_SQUARES) s.run = sp__least_squares_run;
     if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
     if (id == SP_STAGE_POLISH) s.run = sp__polish_run;
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
+#endif
     if (id == SP_STAGE_CUSTOM) s = *set->custom;
     return s;
 }
@@ -4129,12 +4507,21 @@ typedef struct sp__check {
     sp_result r;
 } sp__check;
 
-SP_API size_t sp_memory_scratch(const sp_scene *scene)
+SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
 {
-    if (!scene) return 0;
+    if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    return sizeof(sp__check) + SP_ALIGN + sp_problem_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+    size_t most = sp__dual_scratch(&pb);
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    for (int32_t k = 0; settings && k < settings->stage_count; k++) {
+        if (settings->stage[k] != SP_STAGE_ADMM) continue;
+        const size_t need = sp__admm_scratch(&pb, settings);
+        if (need == 0) return 0;
+        if (need > most) most = need;
+    }
+#endif
+    return sizeof(sp__check) + SP_ALIGN + sp_problem_memory(scene) + SP_ALIGN + most;
 }
 
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
@@ -4225,11 +4612,12 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
     to->iterations += c->iterations;
 }
 
-/* The reason a result gives: the stage's own, unless the evidence says otherwise. */
-static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, sp_verdict proved, sp_reason told)
+/* The reason a result gives: the stage's own, unless the evidence says otherwise; least: the imbalance that is proved. */
+static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, sp_verdict proved, sp_real least, sp_reason told)
 {
     if (proved == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
     if (proved == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
+    if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && least > 0) return SP_REASON_LIMIT;
     return told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT ? told : SP_REASON_LIMIT;
 }
 
@@ -4244,6 +4632,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, a, &claim);
     if (status) return status;
     a->used = mark;
+    r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last) {
         sp__judge j;
@@ -4255,14 +4644,14 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
         r->verdict = proved;
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
-        r->reason = sp__check_reason(set->stage[k], claim, r->verdict, state->reason);
+        r->reason = sp__check_reason(set->stage[k], claim, r->verdict, r->least_imbalance, state->reason);
     }
     r->by_stage[k] = state->cost;
     sp__cost_add(&r->cost, &state->cost);
     return SP_OK;
 }
 
-/* 22 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 23 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -4349,7 +4738,7 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 23 --------------------------------------------------------------------------------------------------------------- check */
+/* 24 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
@@ -4406,6 +4795,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
     c->state.reason = SP_REASON_STAGES;
+    c->state.tension_ratio = r->tension_ratio = -1;
     c->state.f = r->f;
     c->state.y0 = r->y0;
     c->state.dq = r->dq;                                /* free blocks first; spread over the scene's once it is a proof */
@@ -4469,7 +4859,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* 24 -------------------------------------------------------------------------------------------------------------- verify */
+/* 25 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -4530,7 +4920,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     return SP_OK;
 }
 
-/* 25 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 26 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {

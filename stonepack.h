@@ -10,7 +10,7 @@
  *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
  *
  * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
- *            8 matrices        9 stages   10 quadratic programs   11 placing a stone
+ *            8 matrices        9 stages   10 quadratic programs   11 placing a stone   12 the seed's constants
  *
  * MIT licence.
  */
@@ -34,8 +34,11 @@ extern "C" {
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_NO_QP        defined: no quadratic programs (section 10)
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
+ *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
+ *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
+ *   SP_NO_QP        defined: no quadratic programs (section 10), none of the two above
+ *   SP_QP_ONLY      defined: quadratic programs and nothing else
  */
 #ifndef SP_API
 #define SP_API extern
@@ -266,7 +269,10 @@ typedef enum sp_reason {
     SP_REASON_BUDGET,           /* undecided: the search gave up, its iterations spent or without progress */
     SP_REASON_STAGES,           /* undecided: the chosen stages cannot decide this */
     SP_REASON_NO_MOTION,        /* unstable, coupled check: no virtual motion explains any admissible forces */
-    SP_REASON_NOT_COUPLED       /* undecided: the coupled check found neither a motion nor a proof that there is none */
+    SP_REASON_NOT_COUPLED,      /* undecided: the coupled check found neither a motion nor a proof that there is none */
+    SP_REASON_TENSION,          /* undecided: the penalty form is solved and wants more tension than it tolerates; no proof */
+    SP_REASON_UNVERIFIED        /* undecided: a solver's answer did not pass verification: its forces don't balance within tol,
+                                   or its motion proves nothing */
 } sp_reason;
 
 typedef enum sp_stage_id {
@@ -276,6 +282,7 @@ typedef enum sp_stage_id {
     SP_STAGE_DENSE,             /* the same by one dense Cholesky factor, 36 b^2 / 2 numbers                [seed 2.1] */
     SP_STAGE_POLISH,            /* alternating projections onto the cone                                   [seed 2.2] */
     SP_STAGE_EXACT,             /* semismooth Newton on the dual, proximal near collapse */
+    SP_STAGE_ADMM,              /* the penalty form as a quadratic program, at its own accuracy          [seed 1.5, 4] */
     SP_STAGE_CUSTOM             /* the caller's own: settings.custom */
 } sp_stage_id;
 
@@ -325,13 +332,14 @@ typedef struct sp_coupled_settings {
 
 struct sp_stage;
 struct sp_qp_solver;
+struct sp_seed;
 
 /* Settings of a check. Get them from sp_settings_default() and change what you must. */
 typedef struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;     0: min(1e6, tol/(10u))
                                    larger decides nearer to friction locks, smaller decides collapse sooner */
-    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone                                   0 */
+    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
     int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
     int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
     sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
@@ -340,8 +348,10 @@ typedef struct sp_settings {
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
-    const struct sp_qp_solver *qp_solver;       /* of quadratic programs, where a stage has any; NULL: sp_qp_solve  NULL */
     sp_coupled_settings coupled;                /* the coupled check */
+    const struct sp_qp_solver *qp_solver;       /* of the quadratic programs of SP_STAGE_ADMM; NULL: sp_qp_solve     NULL */
+    const struct sp_seed *seed;                 /* constants and gates of the seed (section 12); NULL: only its constants where
+                                                   a stage has no other, gates by tol                                NULL */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);
@@ -391,6 +401,7 @@ typedef struct sp_result {
     sp_real max_compression;    /* largest fn [N] */
     sp_real max_tension;        /* largest demanded tension [N] */
     sp_real max_utilisation;    /* largest of the interfaces' [1] */
+    sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
     int32_t weakest;            /* interface: most tension demanded, else highest utilisation; -1 if there is none */
     sp_cost cost;               /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];
@@ -402,8 +413,9 @@ typedef struct sp_result {
  *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
-/* Bytes of scratch that sp_memory needs. */
-SP_API size_t sp_memory_scratch(const sp_scene *scene);
+/* Bytes of scratch that sp_memory needs for the chosen stages, an upper bound from counts alone; 0: too large to count, or
+ * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
+SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings);
 
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later
@@ -513,6 +525,7 @@ typedef struct sp_state {
     sp_real *dq;                /* 6 x blocks: candidate mechanism */
     int32_t has_y0;
     sp_reason reason;           /* why, when a stage claims */
+    sp_real tension_ratio;      /* max fm / max fp of the penalty form, -1 unless a stage solved it */
     sp_cost cost;               /* of the running stage */
 } sp_state;
 
@@ -760,6 +773,36 @@ SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], cons
                              sp_nbo *reason, sp_real *margin);
 
 SP_API const char *sp_nbo_text(sp_nbo reason);
+/* 12 ---------------------------------------------------------------------------------------------- the seed's constants
+ *
+ * "Seed" is the document the system was specified by, [n.m] its sections. It asks least squares, then polish, then ADMM, and
+ * reads a verdict off the third one's tension; here the same stages, constants and gates only propose, and verdicts are proved
+ * as ever (DESIGN: a finite gamma buys a little tension even where none is needed). */
+
+typedef struct sp_seed {
+    int32_t faces, inscribed;   /* friction pyramid, mu_eff = mu cos(pi/faces)                             8, 1     [1.4] */
+    int32_t net;                /* friction on fp - fm                                                     1        [1.4] */
+    sp_real gamma, tau;         /* weights of tension and friction                                         1e3, 1   [1.5] */
+    int32_t dense_cells;        /* n^2 + (equations + friction rows) n up to which ADMM factors a dense
+                                   matrix; conjugate gradients above. 0: admm.backend                      1.2e7    [1.5] */
+    sp_real tension;            /* max fm / max fp that counts as none; also the tol of the preset         1e-3     [1.6] */
+    sp_real balance, cone;      /* gates of least squares and polish: imbalance, friction beyond the cone  1e-6, 1e-7 [2.1] */
+    sp_real gain;               /* polish gives up when `window` rounds gain less                          0.05     [2.2] */
+    int32_t window, rounds;     /* and after so many rounds                                                250, 20000 [2.2] */
+    sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,
+                                   adapt 100, at most 10 by 5, 3 passes, CG 250 and 1e-10                   [4.2, 4.3] */
+    sp_qp_settings native;      /* what settings.qp_solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
+} sp_seed;
+
+/* The one table of all of them; static storage. Copy it, change what you like and point settings.seed to the copy. */
+SP_API const sp_seed *sp_seed_table(void);
+
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+
+/* gates, least squares, polish, ADMM with the seed's cone, constants, gates and its tolerance for tension as tol. */
+SP_API sp_settings sp_settings_seed(void);
+
+#endif
 
 #ifdef __cplusplus
 }

@@ -933,11 +933,10 @@ SP__APART static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp
     return sp__failed(a) ? NULL : w;
 }
 
-/* Bytes of everything, the factor having `fill` entries; 0: too many. */
-SP__APART static size_t sp__qp_count(const sp_qp *qp, sp_qp_backend backend, int32_t fill)
+/* Bytes of everything for n, m of *qp and so many `entries`, the factor having `fill`; 0: too many. */
+SP__APART static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
 {
     sp_arena a = sp__arena_dry();
-    const int32_t entries = sp__qp_entries(qp);
     if (entries < 0) return 0;
     sp__qp_carve_vectors(qp, NULL, &a);
     sp__take(&a, (size_t)qp->m, 1);
@@ -1019,7 +1018,7 @@ SP_API sp_qp_settings sp_qp_default(void)
 SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings)
 {
     const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    return sp__qp_check(qp, &set) == SP_OK ? sp__qp_count(qp, set.backend, 0) : 0;
+    return sp__qp_check(qp, &set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), set.backend, 0) : 0;
 }
 
 SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
@@ -1032,7 +1031,7 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
         if (!scratch.base) return SP_E_ARGUMENT;
         if (!sp__qp_place(qp, &set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_count(qp, set.backend, fill);
+    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), set.backend, fill);
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;

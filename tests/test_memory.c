@@ -114,7 +114,7 @@ TEST(sp_memory_scratch_is_enough_and_less_is_refused)
         size_t bytes = 0, again = 1;
         test_arena.used = 0;
         build(sample[k].name, sample[k].param, sample[k].value, &scene);
-        const size_t need = sp_memory_scratch(&scene);
+        const size_t need = sp_memory_scratch(&scene, NULL);
         NEED(need > 0);
         fenced f = fence(need);
         CHECK_INT(sp_memory(&scene, NULL, fenced_arena(&f), &bytes), SP_OK);

@@ -140,10 +140,13 @@ TEST(words_follow_their_enumerators)
     CHECK_TEXT(sp_reason_text(SP_REASON_NO_SUPPORT), "no support");
     CHECK_TEXT(sp_reason_text(SP_REASON_MECHANISM), "mechanism");
     CHECK_TEXT(sp_reason_text(SP_REASON_STAGES), "stages");
-    CHECK_TEXT(sp_reason_text((sp_reason)10), "unknown");
+    CHECK_TEXT(sp_reason_text(SP_REASON_TENSION), "tension");
+    CHECK_TEXT(sp_reason_text(SP_REASON_UNVERIFIED), "unverified");
+    CHECK_TEXT(sp_reason_text((sp_reason)(SP_REASON_UNVERIFIED + 1)), "unknown");
     CHECK_TEXT(sp_stage_text(SP_STAGE_NONE), "none");
     CHECK_TEXT(sp_stage_text(SP_STAGE_LEAST_SQUARES), "least squares");
     CHECK_TEXT(sp_stage_text(SP_STAGE_EXACT), "exact");
+    CHECK_TEXT(sp_stage_text(SP_STAGE_ADMM), "ADMM");
     CHECK_TEXT(sp_stage_text(SP_STAGE_CUSTOM), "custom");
     CHECK_TEXT(sp_stage_text((sp_stage_id)(SP_STAGE_CUSTOM + 1)), "unknown");
 }

@@ -30,7 +30,7 @@ static void *get(size_t bytes) { return bytes < SIZE_MAX - SP_ALIGN ? malloc(byt
 /* Bytes of the arena that sp_check needs. */
 static sp_status memory_of(const host_scene *s, const sp_settings *settings, size_t *bytes)
 {
-    const size_t need = sp_memory_scratch(&s->scene);
+    const size_t need = sp_memory_scratch(&s->scene, settings);
     void *memory = get(need);
     sp_arena scratch;
     sp_status status = SP_E_MEMORY;
@@ -117,7 +117,8 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --tol --cone --mu --stages --tilt --coupled --cra-eps --cra-eta --cra-box ", &o, &error)) {
+    if (options_read(argc, argv, " --json --forces --svg --tol --cone --mu --stages --preset --net --tilt --coupled --cra-eps --cra-eta"
+                     " --cra-box ", &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

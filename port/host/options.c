@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact" };
+static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact", "admm" };
 
 static int usage(text_error *error, const char *option, const char *message)
 {
@@ -48,8 +48,8 @@ static int stages(const char *s, sp_settings *settings)
     for (;;) {
         const size_t n = strcspn(s, ",");
         int32_t k = SP_STAGE_GATES;
-        while (k <= SP_STAGE_EXACT && (strlen(stage_name[k]) != n || memcmp(stage_name[k], s, n))) k++;
-        if (k > SP_STAGE_EXACT || settings->stage_count == SP_STAGES_MAX) return 0;
+        while (k <= SP_STAGE_ADMM && (strlen(stage_name[k]) != n || memcmp(stage_name[k], s, n))) k++;
+        if (k > SP_STAGE_ADMM || settings->stage_count == SP_STAGES_MAX) return 0;
         settings->stage[settings->stage_count++] = (sp_stage_id)k;
         if (!s[n]) return 1;
         s += n + 1;
@@ -99,7 +99,9 @@ static int take(options *o, const char *name, const char *value, text_error *err
     } else if (strcmp(name, "--cra-eta") == 0) {
         if (!real(value, &o->settings.coupled.eta) || !(o->settings.coupled.eta > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--stages") == 0) {
-        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact");
+        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
+    } else if (strcmp(name, "--preset") == 0) {
+        (void)value;                                    /* read before all others */
     } else if (strcmp(name, "--eps") == 0) {
         if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
     } else if (strcmp(name, "--backend") == 0) {
@@ -114,6 +116,20 @@ static int take(options *o, const char *name, const char *value, text_error *err
     return 0;
 }
 
+/* Whole sets of settings, which other options then change, wherever they stand.    returns 0: unknown */
+static int preset(const char *value, options *o)
+{
+    if (strcmp(value, "default") == 0) {
+        o->settings = sp_settings_default();
+        strcpy(o->cone, "true");
+        return 1;
+    }
+    if (strcmp(value, "seed") != 0) return 0;
+    o->settings = sp_settings_seed();
+    snprintf(o->cone, sizeof o->cone, "%ld%c", (long)o->settings.faces, o->settings.inscribed ? 'i' : 'c');
+    return 1;
+}
+
 /* Options without a value. */
 static int flag(options *o, const char *name)
 {
@@ -121,6 +137,7 @@ static int flag(options *o, const char *name)
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
+    if (strcmp(name, "--net") == 0) return o->settings.net = 1;
     return 0;
 }
 
@@ -139,10 +156,13 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
 
     *o = none;
     o->mu = -1;
-    o->settings = sp_settings_default();
     o->solver_name = "admm";
     o->solver = sp_qp_admm();
-    strcpy(o->cone, "true");
+    preset("default", o);
+    for (int i = 2; known(allowed, "--preset") && i < argc && strcmp(argv[i], "--"); i++) {
+        const char *value = strncmp(argv[i], "--preset=", 9) == 0 ? argv[i] + 9 : strcmp(argv[i], "--preset") ? NULL : argv[i + 1];
+        if (value && !preset(value, o)) return usage(error, "--preset", "needs default or seed");
+    }
     o->file = argv + 2;
     for (int i = 2; i < argc; i++) {
         char *name = argv[i], *value;

@@ -155,6 +155,8 @@ void report_json(FILE *out, const report *r)
     json_real(&j, "max_compression", (double)x->max_compression);
     json_real(&j, "max_tension", (double)x->max_tension);
     json_real(&j, "max_utilisation", (double)x->max_utilisation);
+    if (x->tension_ratio >= 0) json_real(&j, "tension_ratio", (double)x->tension_ratio);
+    else json_null(&j, "tension_ratio");
     if (x->weakest >= 0) json_int(&j, "weakest_interface", x->weakest);
     else json_null(&j, "weakest_interface");
     json_interfaces(&j, r);
@@ -188,6 +190,8 @@ static const char *why(sp_reason reason)
     case SP_REASON_STAGES:     return "the chosen stages can't decide this";
     case SP_REASON_NO_MOTION:  return "forces exist, but no virtual motion explains any of them";
     case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was found";
+    case SP_REASON_TENSION:    return "the penalty form is solved, but wants tension: no proof either way";
+    case SP_REASON_UNVERIFIED: return "a solver's answer did not pass verification: no forces, and no motion that proves anything";
     default:                   return "";
     }
 }
@@ -286,6 +290,10 @@ void report_text(FILE *out, const report *r)
     fputs(x->max_tension > 0 ? ", largest tension asked for " : "", out);
     if (x->max_tension > 0) scaled(out, (double)x->max_tension, "N");
     fputc('\n', out);
+    if (x->tension_ratio >= 0) {
+        row(out, "penalty form");
+        fprintf(out, "largest tension / largest compression %.2g\n", (double)x->tension_ratio);
+    }
     row(out, "scene");
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)n->blocks, n->blocks == 1 ? "" : "s",
             (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "",

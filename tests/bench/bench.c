@@ -147,10 +147,10 @@ static void furnish(bench *b, job *j)
     sp_arena scratch;
     if (j->what == BUILD) j->bytes = sp_scene_memory(&b->scene.cap);
     if (j->what == CONTACTS) j->bytes = sp_contacts_memory(&b->bare);
-    if (j->what == SYMBOLIC) j->bytes = sp_memory_scratch(&b->scene);
+    if (j->what == SYMBOLIC) j->bytes = sp_memory_scratch(&b->scene, &j->set);
     if (j->what == VERIFY) j->bytes = sp_verify_memory(&b->scene);
     if (j->what == CHECK) {
-        const size_t need = sp_memory_scratch(&b->scene);
+        const size_t need = sp_memory_scratch(&b->scene, &j->set);
         void *memory = room(need);
         must(sp_arena_init(&scratch, memory, need), "scratch");
         must(sp_memory(&b->scene, &j->set, scratch, &j->bytes), "sp_memory");

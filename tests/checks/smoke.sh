@@ -107,6 +107,11 @@ part "bundled scenes"               bundled
 part "a scene by hand"              named
 gen arch
 part "json"                         says '"verdict": *"stable"' "$cli" check --json "$tmp/scene.obj"
+part "preset: decided its way"      says ', by polish$' "$cli" check "$tmp/scene.obj" --preset seed
+part "preset: others change it"     says 'tol 1e-05' "$cli" check --tol 1e-5 "$tmp/scene.obj" --preset=seed
+part "preset: unknown: 64"          exits 64 "$cli" check --preset none "$tmp/scene.obj"
+part "admm on the net normal"       says '"tension_ratio": *[0-9]' "$cli" check --json --net --cone 8i --stages gates,admm "$tmp/scene.obj"
+part "no admm, no ratio"            says '"tension_ratio": *null' "$cli" check --json "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
