@@ -17,6 +17,7 @@ static const char help_check[] =
 "  --stages LIST      of gates,least-squares,dense,polish,exact,admm               gates,exact\n"
 "  --preset NAME      seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
 "                     other options change it                                      default\n"
+"  --solver NAME      admm: who solves it; osqp, ipopt where built in              admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"

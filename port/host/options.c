@@ -108,7 +108,7 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!backend(value, &o->backend)) return usage(error, name, "needs sparse, dense or cg");
     } else if (strcmp(name, "--solver") == 0) {
         o->solver_name = value;
-        o->settings.qp_solver = &o->solver;
+        o->settings.qp_solver = strcmp(value, "admm") ? &o->solver : NULL;         /* ours: by NULL */
         return solvers_find(value, &o->solver, error);
     } else if (strcmp(name, "--tilt") == 0) {
         if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");

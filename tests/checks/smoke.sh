@@ -112,6 +112,7 @@ part "preset: others change it"     says 'tol 1e-05' "$cli" check --tol 1e-5 "$t
 part "preset: unknown: 64"          exits 64 "$cli" check --preset none "$tmp/scene.obj"
 part "admm on the net normal"       says '"tension_ratio": *[0-9]' "$cli" check --json --net --cone 8i --stages gates,admm "$tmp/scene.obj"
 part "no admm, no ratio"            says '"tension_ratio": *null' "$cli" check --json "$tmp/scene.obj"
+part "admm by ours, named"          says ", by ADMM$" "$cli" check --net --cone 8i --stages gates,admm --solver admm "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
