@@ -59,6 +59,7 @@
 #include "solvers/cg.c"
 #include "solvers/ruiz.c"
 #include "solvers/admm.c"
+#include "solvers/dykstra.c"
 #endif
 
 /* 1 ---------------------------------------------------------------------------------------------------------------- words */

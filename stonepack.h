@@ -637,6 +637,13 @@ typedef struct sp_qp_solver {
 /* Ours: sp_qp_solve and sp_qp_memory. */
 SP_API sp_qp_solver sp_qp_admm(void);
 
+#ifndef SP_NO_DYKSTRA
+/* The seed's first one, to compare with: alternating projections, for a diagonal P; another, rows of very different scale or
+ * nearly dependent equations end as SP_QP_NUMERICAL. At most 500 iterations. Of the settings it reads eps_abs, eps_rel,
+ * iterations and budget.                                                              [seed 4.1; Boyle, Dykstra 1986] */
+SP_API sp_qp_solver sp_qp_dykstra(void);
+#endif
+
 SP_API sp_qp_settings sp_qp_default(void);
 
 /* Bytes sp_qp_setup and sp_qp_solve take from an arena, exact. The symbolic step of the sparse back end runs in `scratch`.

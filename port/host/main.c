@@ -17,7 +17,7 @@ static const char help_check[] =
 "  --stages LIST      of gates,least-squares,dense,polish,exact,admm               gates,exact\n"
 "  --preset NAME      seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
 "                     other options change it                                      default\n"
-"  --solver NAME      admm: who solves it; osqp, ipopt where built in              admm\n"
+"  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
@@ -45,7 +45,7 @@ static const char help_qp[] =
 "The optimiser on its own: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file (fixed or free).\n\n"
 "  --eps X            largest residual, absolute and relative    1e-6 and 1e-5\n"
 "  --backend NAME     sparse, dense or cg                        sparse\n"
-"  --solver NAME      admm; osqp, ipopt where built in           admm\n"
+"  --solver NAME      admm, dykstra; osqp, ipopt where built in  admm\n"
 "  --json             one JSON object, with x\n\n"
 "Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file.\n";
 

@@ -15,6 +15,10 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
         *out = sp_qp_admm();
         return 0;
     }
+    if (strcmp(name, "dykstra") == 0) {
+        *out = sp_qp_dykstra();
+        return 0;
+    }
     if (strcmp(name, "osqp") == 0) {
 #ifdef WITH_OSQP
         *out = osqp_qp_solver();
@@ -33,5 +37,5 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
                          "apt-get install coinor-libipopt-dev pkg-config, then make");
 #endif
     }
-    return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, osqp or ipopt");
+    return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
 }

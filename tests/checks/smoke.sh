@@ -132,6 +132,7 @@ part "qp: a bad number: 65"         exits 65 "$cli" qp "$tmp/edited.qps"
 part "qp: file:line"                sh -c "'$cli' qp '$tmp/edited.qps' 2>&1 | grep -q 'edited.qps:20: not a number'"
 edited 's/10.0$/-10.0/'
 part "qp: a saddle: 65"             exits 65 "$cli" qp "$tmp/edited.qps"
+part "qp: dykstra, P not diagonal: 2" exits 2 "$cli" qp --solver dykstra "$tmp/small.qps"
 part "qp: unknown solver: 64"        exits 64 "$cli" qp --solver simplex "$tmp/small.qps"
 part "qp: a solver of others, or what to install" plugged "$tmp/small.qps"
 part "qp: unknown back end: 64"     exits 64 "$cli" qp --backend gpu "$tmp/small.qps"
