@@ -21,12 +21,13 @@
  *   18  exact stage: steps               semismooth Newton, proximal path
  *   19  penalty form                     where help is wanted [seed 1.5]
  *   20  penalty program                  the same as a quadratic program [seed 1.5, 4]
- *   21  coupled check                    a motion that explains the forces [seed 3]
- *   22  ladder                           settings, stages, memory, judgement
- *   23  reading a result                 resultants, utilisation, weakest joint
- *   24  check                            sp_check
- *   25  verify                           sp_verify
- *   26  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   21  coupled check: exact decision    branch and bound over the states of joints
+ *   22  coupled check                    a motion that explains the forces [seed 3]
+ *   23  ladder                           settings, stages, memory, judgement
+ *   24  reading a result                 resultants, utilisation, weakest joint
+ *   25  check                            sp_check
+ *   26  verify                           sp_verify
+ *   27  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -54,6 +55,9 @@
 #include "solvers/sort.c"
 #include "solvers/hull.c"
 #include "solvers/clip.c"
+#ifndef SP_NO_CRA
+#include "solvers/lp.c"
+#endif
 #ifndef SP_NO_QP
 #include "solvers/ldl.c"
 #include "solvers/cg.c"
@@ -1652,6 +1656,15 @@ static int sp__scene_live(const sp_scene *scene)
     return 0;
 }
 
+/* Contact vertices that take part. */
+static int32_t sp__points_count(const sp_scene *scene)
+{
+    int32_t n = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        if (sp__contact_counts(scene, &scene->interface[k])) n += scene->interface[k].points;
+    return n;
+}
+
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
 {
     problem->scene = scene;
@@ -2581,6 +2594,391 @@ SP__APART static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, c
     }
     j->sweeps++;
     return worst;
+}
+/* A proof that there is no triple, walked and added up. Its tree splits the states of the vertices (sp_proof); in a leaf the
+ * multipliers y of linear rows a x <= b that hold for every triple of these states, x = (f, dq), with c = sum y a, show
+ *
+ *     sum y b  <  min c x  over the box   0 <= fn <= F, |ft| <= mu F, |dq_r| <= M_r
+ *
+ * so there is no such triple. What a triple may be out by (tol, SP__GIVE, SP__SLIP) and what rounding may do, (32 + number of
+ * multipliers) u times all products' sizes, is taken off. M: G x_r = e_r, G = Aeq Aeq' weighted, gives dq_r = sum (Aeq' x_r).d,
+ * and every |d| is bounded.
+ */
+typedef struct sp__refute {
+    sp__judge *j;
+    const sp__lengths *k;
+    const sp_proof *proof;
+    int32_t points;                     /* V: vertices that take part */
+    int32_t *contact, *at, *state;      /* V */
+    int32_t *stack;                     /* 2 x SP__PROOF_DEPTH x V: vertex, state before */
+    sp_real *most, total;               /* V: F; bound of sum fn */
+    sp_real *small;                     /* V: friction of any direction */
+    sp_real (*f)[3], (*d)[3];           /* V: c on f and on d, contact frame */
+    sp_real *fsize, *dsize;             /* V: sizes of what was added up there */
+    sp_real *motion;                    /* 6b: multipliers of the balance; then c on dq */
+    sp_real *reach;                     /* 6b: M */
+    sp_real work;                       /* multiplier of the row of work */
+    sp_real right, size, slack;         /* sum y b; sizes of its products; sum |y| of what rows may be out by */
+    sp_real loose;                      /* what the row of work may be out by */
+} sp__refute;
+
+#define SP__PROOF_DEPTH 32              /* splits above a leaf, for every vertex */
+#define SP__PROOF_ROWS 24               /* rows of a vertex */
+
+static void sp__refute_carve(sp__refute *w, const sp_problem *pb, sp_arena *a)
+{
+    const size_t n = (size_t)sp__points_count(pb->scene);
+    w->points = (int32_t)n;
+    w->contact = sp__take(a, n, sizeof *w->contact);
+    w->at = sp__take(a, n, sizeof *w->at);
+    w->state = sp__take(a, n, sizeof *w->state);
+    w->stack = sp__take(a, n, 2 * SP__PROOF_DEPTH * sizeof *w->stack);
+    w->most = sp__take(a, n, sizeof *w->most);
+    w->small = sp__take(a, n, sizeof *w->small);
+    w->f = sp__take(a, n, sizeof *w->f);
+    w->d = sp__take(a, n, sizeof *w->d);
+    w->fsize = sp__take(a, n, sizeof *w->fsize);
+    w->dsize = sp__take(a, n, sizeof *w->dsize);
+    w->motion = sp__take(a, (size_t)pb->blocks, 6 * sizeof *w->motion);
+    w->reach = sp__take(a, (size_t)pb->blocks, 6 * sizeof *w->reach);
+}
+
+static size_t sp__refute_need(const sp_problem *pb)
+{
+    sp__refute w;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof w);
+    sp__refute_carve(&w, pb, &dry);
+    return dry.used;
+}
+
+/* sum over vertices of |Aeq' W x| times the largest |d|, for x in j->x. */
+static sp_real sp__refute_stretch(const sp__refute *w)
+{
+    const sp_problem *pb = w->j->pb;
+    const sp_real far = w->k->eta + w->k->eps;          /* >= |dn|, |dt1|, |dt2| */
+    sp_real sum = 0;
+    for (int32_t v = 0; v < w->points; v++) {
+        const sp_contact *t = &pb->contact[w->contact[v]];
+        sp_real u[3] = { 0, 0, 0 };
+        sp__point_velocity(pb, w->j->scale, t->b, w->at[v], w->j->x, 1, u);
+        sp__point_velocity(pb, w->j->scale, t->a, w->at[v], w->j->x, -1, u);
+        sum += sp__norm3(u) * 2 * far;                  /* 2 > sqrt 3 */
+    }
+    return sum;
+}
+
+/* M: |z_r| <= S_r + |G x_r - e_r| max |z|, z = dq / W.     returns 0: contacts do not bound every motion */
+SP__APART static int sp__refute_reach(sp__refute *w)
+{
+    sp__judge *j = w->j;
+    const int32_t n = 6 * j->pb->blocks;
+    sp_real farthest = 0, worst = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        if (!(worst < (sp_real)0.5)) return 0;
+        for (int32_t r = 0; r < n; r++) {
+            const sp_real weight = r % 6 < 3 ? j->scale[r / 6].wf : j->scale[r / 6].wm;
+            sp_real miss = 0;
+            w->reach[r] = 0;
+            if (sp__held(j->pb, r / 6, r % 6)) continue;
+            for (int32_t q = 0; q < n; q++) j->x[q] = j->r[q] = 0;
+            j->r[r] = 1;
+            sp__judge_solve(j, j->x);
+            sp__judge_normal(j, j->x, j->g);
+            for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - (q == r ? 1 : 0));
+            const sp_real stretch = sp__refute_stretch(w);
+            farthest = sp__max(farthest, stretch);
+            if (!pass) worst = sp__max(worst, miss);
+            else w->reach[r] = (sp_real)1.01 * weight * (stretch + miss * farthest / (1 - worst));
+        }
+    }
+    return 1;
+}
+
+/* F and its sum, by the caps and by work: g sum fn <= p . dq; and what that row may be out by. */
+static void sp__refute_forces(sp__refute *w)
+{
+    sp__judge *j = w->j;
+    const sp_problem *pb = j->pb;
+    sp_real work = 0;
+    w->loose = w->total = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *m = w->reach + 6 * (size_t)i;
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        for (int k = 0; k < 6; k++) work += sp__abs(p[k]) * m[k];
+        w->loose += j->set->tol * (j->scale[i].s * (m[0] + m[1] + m[2]) + j->scale[i].S * (m[3] + m[4] + m[5]));
+    }
+    for (int32_t v = 0; v < w->points; v++) {
+        const sp_contact *t = &pb->contact[w->contact[v]];
+        w->most[v] = sp__judge_cap(j, t);
+        w->total += w->most[v];
+        w->small[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        w->loose += 2 * w->small[v] * w->k->eta;
+    }
+    if (w->k->eps > 0) {
+        const sp_real bound = (sp_real)1.01 * (work + w->loose);
+        w->total = bound < w->total ? bound : w->total;
+        for (int32_t v = 0; v < w->points; v++) w->most[v] = bound < w->most[v] ? bound : w->most[v];
+    }
+    w->loose += SP__GIVE * w->total;
+}
+
+/* Unit vector at `turn` of 2^halvings parts of a quarter turn after the x axis: the half-angle formulas, bit by bit. */
+static void sp__refute_direction(int32_t turn, int32_t halvings, sp_real d[2])
+{
+    sp_real c = 0, s = 1;                               /* of a quarter turn, halved again and again */
+    d[0] = 1; d[1] = 0;
+    for (int32_t q = turn >> halvings; q > 0; q--) { const sp_real x = d[0]; d[0] = -d[1]; d[1] = x; }
+    for (int32_t bit = halvings - 1; bit >= 0; bit--) {
+        const sp_real half = SP_SQRT((1 + c) / 2);
+        s = s / (2 * half);
+        c = half;
+        if (!(turn >> bit & 1)) continue;
+        const sp_real x = d[0] * c - d[1] * s;
+        d[1] = d[1] * c + d[0] * s;
+        d[0] = x;
+    }
+}
+
+/* A row on f: y (fn n + ft . (x, y)) */
+static void sp__refute_on_force(sp__refute *w, int32_t v, sp_real y, sp_real n, sp_real t1, sp_real t2)
+{
+    w->f[v][0] += y * n;
+    w->f[v][1] += y * t1;
+    w->f[v][2] += y * t2;
+    w->fsize[v] += sp__abs(y) * (sp__abs(n) + sp__abs(t1) + sp__abs(t2));
+}
+
+static void sp__refute_on_motion(sp__refute *w, int32_t v, sp_real y, sp_real n, sp_real t1, sp_real t2)
+{
+    w->d[v][0] += y * n;
+    w->d[v][1] += y * t1;
+    w->d[v][2] += y * t2;
+    w->dsize[v] += sp__abs(y) * (sp__abs(n) + sp__abs(t1) + sp__abs(t2));
+}
+
+static void sp__refute_right(sp__refute *w, sp_real y, sp_real b)
+{
+    w->right += y * b;
+    w->size += sp__abs(y * b);
+}
+
+/* Rows of the sector of a vertex: slip and friction between its ends, friction's cone near it.     returns 0: no such row */
+SP__APART static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row, sp_real y)
+{
+    const sp__judge *j = w->j;
+    const sp_contact *t = &j->pb->contact[w->contact[v]];
+    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const int32_t faces = j->set->faces;
+    int32_t h = 0, end;
+    if (w->state[v] < 4) return 0;
+    while (w->state[v] >> h > 7) h++;
+    end = w->state[v] - (4 << h);                       /* the sector: from end to end + 1 parts of 4 2^h */
+    sp_real d[2];
+    if (row == 5) {                                     /* m . dt <= eta */
+        if (j->set->coupled.box || y < 0) return 0;
+        sp__refute_direction(2 * end + 1, h + 1, d);
+        sp__refute_on_motion(w, v, y, 0, d[0], d[1]);
+        sp__refute_right(w, y, w->k->eta);
+    } else if (row < 10) {                              /* a x dt >= 0, b x dt <= 0; ft: s = SP__SLIP |ft| / fn */
+        const int second = row == 7 || row == 9, force = row >= 8;
+        if ((y > 0) != (second != force)) return 0;
+        sp__refute_direction(end + second, h, d);
+        const sp_real most = SP__SLIP * mu * SP_SQRT(1 + j->tan_half * j->tan_half);
+        if (force) sp__refute_on_force(w, v, y, second ? most : -most, -d[1], d[0]);
+        else sp__refute_on_motion(w, v, y, 0, -d[1], d[0]);
+        if (force) w->slack += sp__abs(y) * w->small[v];
+    } else {                                            /* friction opposite to a, m, b, or on the three faces there */
+        if (y < 0 || (faces && faces <= 8)) return 0;
+        if (faces) {
+            const int64_t whole = (int64_t)8 << h, face = (faces * (2 * (2 * (int64_t)end + 1) + whole) + whole) / (2 * whole);
+            sp__pyramid_direction(faces, (int32_t)((face + faces + row - 11) % faces), d);
+        } else {
+            sp__refute_direction(2 * end + row - 10, h + 1, d);
+            d[0] = -d[0]; d[1] = -d[1];
+        }
+        sp__refute_on_force(w, v, y, -mu, d[0], d[1]);
+    }
+    return 1;
+}
+
+/* Any row of a vertex, for its state.     returns 0: no such row, or not with this sign */
+SP__APART static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row, sp_real y)
+{
+    const sp__judge *j = w->j;
+    const int32_t state = w->state[v], faces = j->set->faces;
+    sp_real d[2];
+    if (row >= 5 && row < 13) return sp__refute_sector(w, v, row, y);
+    if (row == 0) {                                     /* -g <= dn <= eta, = -g */
+        sp__refute_on_motion(w, v, y, 1, 0, 0);
+        sp__refute_right(w, y, y > 0 && state < 2 ? w->k->eta : -w->k->eps);
+    } else if (row < 5) {                               /* |dt| <= eta along 0, 45, 90, 135 degrees */
+        if (row % 2 == 0 && j->set->coupled.box) return 0;
+        sp__pyramid_direction(8, row - 1, d);
+        sp__refute_on_motion(w, v, y, 0, d[0], d[1]);
+        sp__refute_right(w, sp__abs(y), w->k->eta);
+    } else if (row < 21) {                              /* the cone around */
+        const int exact = faces && faces <= 8;
+        sp_real mu = j->pb->contact[w->contact[v]].joint->joint.mu * j->mu_factor;
+        if (y < 0 || (exact && row - 13 >= faces)) return 0;
+        if (faces && !exact) mu *= SP_SQRT(1 + j->tan_half * j->tan_half);
+        sp__pyramid_direction(exact ? faces : 8, row - 13, d);
+        sp__refute_on_force(w, v, y, -mu, d[0], d[1]);
+    } else {                                            /* fn >= 0; f = 0 */
+        if (state != 1 && (row > 21 || y > 0)) return 0;
+        sp__refute_on_force(w, v, y, row == 21, row == 22, row == 23);
+    }
+    return 1;
+}
+
+/* One multiplier.     returns 0: the proof is none */
+static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
+{
+    const int32_t n = 6 * w->j->pb->blocks;
+    if (row < 0 || row > n + SP__PROOF_ROWS * w->points || !sp__finite(y)) return 0;
+    if (row < n) {                                      /* Aeq f = -p */
+        sp_real p[6];
+        if (sp__held(w->j->pb, row / 6, row % 6)) return 0;
+        sp__judge_load(w->j, row / 6, p);
+        w->motion[row] += y;
+        sp__refute_right(w, y, -p[row % 6]);
+        return 1;
+    }
+    if (row == n) { w->work += y; return y >= 0; }      /* g sum fn <= p . dq */
+    return sp__refute_vertex(w, (row - n - 1) / SP__PROOF_ROWS, (row - n - 1) % SP__PROOF_ROWS, y);
+}
+
+/* c on f: what the multipliers of balance and work add, then the least c f over the box; taken off `right`. */
+static sp_real sp__refute_least_force(sp__refute *w)
+{
+    sp__judge *j = w->j;
+    const sp_problem *pb = j->pb;
+    sp_real least = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->x[k] = w->motion[k];
+    for (int32_t v = 0; v < w->points; v++) {
+        const sp_contact *t = &pb->contact[w->contact[v]];
+        const sp_real mu = t->joint->joint.mu * (1 + j->tan_half);
+        sp_real u[3] = { 0, 0, 0 }, *f = w->f[v];
+        sp__point_velocity(pb, NULL, t->b, w->at[v], j->x, 1, u);
+        sp__point_velocity(pb, NULL, t->a, w->at[v], j->x, -1, u);
+        f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;
+        f[1] += sp__dot3(u, t->joint->t1);
+        f[2] += sp__dot3(u, t->joint->t2);
+        w->fsize[v] += sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b) + w->work * w->k->eps;
+        least += w->most[v] * ((f[0] < 0 ? f[0] : 0) - mu * (sp__abs(f[1]) + sp__abs(f[2])));
+        w->size += (1 + mu) * w->most[v] * w->fsize[v];
+    }
+    return least;
+}
+
+/* c on dq, and the least c dq over the box. */
+static sp_real sp__refute_least_motion(sp__refute *w)
+{
+    const sp__judge *j = w->j;
+    const sp_problem *pb = j->pb;
+    sp_real least = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        for (size_t k = 0; k < 6; k++) {
+            w->motion[6 * (size_t)i + k] = -w->work * p[k];
+            w->size += sp__abs(w->work * p[k]) * w->reach[6 * (size_t)i + k];
+        }
+    }
+    for (int32_t v = 0; v < w->points; v++) {
+        const sp_contact *t = &pb->contact[w->contact[v]];
+        sp_real F[3];
+        const sp_real *d = w->d[v];
+        for (int k = 0; k < 3; k++) F[k] = d[0] * t->joint->n[k] + d[1] * t->joint->t1[k] + d[2] * t->joint->t2[k];
+        sp__point_force(pb, t->b, w->at[v], F, 1, w->motion, NULL);
+        sp__point_force(pb, t->a, w->at[v], F, -1, w->motion, NULL);
+        sp_real moved = 0;
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->a : t->b;
+            if (i < 0) continue;
+            const sp_real *m = w->reach + 6 * (size_t)i;
+            moved += m[0] + m[1] + m[2] + (m[3] + m[4] + m[5]) * j->scale[i].arm;
+        }
+        w->size += w->dsize[v] * moved;
+        w->slack += w->dsize[v] * (SP__GIVE + SP__GIVE_ROUNDING * moved);
+    }
+    for (int32_t r = 0; r < 6 * pb->blocks; r++) least -= sp__abs(w->motion[r]) * w->reach[r];
+    return least;
+}
+
+/* A leaf: multipliers from..to. How far it is from proving nothing, relative to sum |y b|: above 0 is a proof; 0: none */
+SP__APART static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t to)
+{
+    const sp__judge *j = w->j;
+    for (int32_t v = 0; v < w->points; v++) {
+        for (int k = 0; k < 3; k++) w->f[v][k] = w->d[v][k] = 0;
+        w->fsize[v] = w->dsize[v] = 0;
+    }
+    for (int32_t r = 0; r < 6 * j->pb->blocks; r++) w->motion[r] = 0;
+    w->work = w->right = w->size = w->slack = 0;
+    for (int32_t e = from; e < to; e++) if (!sp__refute_add(w, w->proof->row[e], w->proof->y[e])) return 0;
+    w->slack += w->work * w->loose;
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        const sp_real *m = w->motion + 6 * (size_t)i;
+        w->slack += j->set->tol * (j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3));
+    }
+    const sp_real scale = w->size, forces = sp__refute_least_force(w), motions = sp__refute_least_motion(w);
+    const sp_real margin = forces + motions - w->right - w->slack - (32 + (sp_real)(to - from)) * (sp_real)SP_EPSILON * w->size;
+    return margin > 0 ? sp__ratio(margin, scale) : 0;
+}
+
+/* Walk the tree.     returns the least margin of its leaves, relative; 0: it proves nothing */
+SP__APART static sp_real sp__refute_walk(sp__refute *w)
+{
+    const sp_proof *p = w->proof;
+    int32_t depth = 0, entry = 0;
+    sp_real least = SP__HUGE;
+    for (int32_t v = 0; v < w->points; v++) w->state[v] = 0;
+    for (int32_t k = 0; k < p->nodes; k++) {
+        if (p->node[k] >= 0) {                          /* a vertex splits: 0 into 1, 2; 2 into 4..7; s into 2s, 2s + 1 */
+            const int32_t v = p->node[k], state = v < w->points ? w->state[v] : 1;
+            if (state == 1 || state >= 1 << 26 || depth == SP__PROOF_DEPTH * w->points) return 0;
+            w->stack[2 * depth] = v;
+            w->stack[2 * depth++ + 1] = state;
+            w->state[v] = state ? 2 * state : 1;
+            continue;
+        }
+        if (p->node[k] < -p->entries || entry > p->entries + p->node[k]) return 0;
+        const sp_real margin = sp__refute_leaf(w, entry, entry - p->node[k]);
+        if (margin < least) least = margin;
+        if (!(least > 0)) return 0;
+        entry -= p->node[k];
+        for (; depth; depth--) {                        /* on to the next part of what was split last */
+            const int32_t v = w->stack[2 * depth - 2], state = w->stack[2 * depth - 1];
+            const int32_t last = state == 0 ? 2 : state == 2 ? 7 : 2 * state + 1;
+            if (w->state[v] < last) { w->state[v]++; break; }
+            w->state[v] = state;
+        }
+        if (!depth) return k + 1 == p->nodes ? least : 0;
+    }
+    return 0;
+}
+
+/* Does the proof hold?     returns its least margin, 0: no */
+SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
+{
+    if (proof->nodes < 1 || proof->entries < 0 || !proof->node || !proof->row || !proof->y) return 0;
+    if (sp__points_count(j->pb->scene) > SP_EXACT_POINTS) return 0;
+    sp__refute *w = sp__take(a, 1, sizeof *w);
+    if (!w) return 0;
+    memset(w, 0, sizeof *w);
+    sp__refute_carve(w, j->pb, a);
+    if (sp__failed(a)) return 0;
+    w->j = j; w->k = k; w->proof = proof;
+    for (int32_t c = 0, v = 0; c < j->pb->contacts; c++)
+        for (int32_t q = 0; q < j->pb->contact[c].points; q++, v++) {
+            w->contact[v] = c;
+            w->at[v] = j->pb->contact[c].point + q;
+        }
+    if (!sp__refute_reach(w)) return 0;
+    sp__refute_forces(w);
+    return sp__refute_walk(w);
 }
 #endif /* SP_NO_CRA */
 
@@ -4304,7 +4702,537 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
 
 #endif
 
-/* 21 ------------------------------------------------------------------------------------------------------- coupled check */
+/* 21 ------------------------------------------------------------------------------------- coupled check: exact decision */
+
+#ifndef SP_NO_CRA
+/* Whether any triple exists, by branch and bound. d = Aeq' dq / L, g = eps / L (1, or 0), reach = eta / L:
+ *
+ *     Aeq f + p = 0,  f in K;   -g <= dn <= reach,  |dt| <= reach;   fn (dn + g) = 0;   ft = -alpha dt, alpha >= 0
+ *
+ * The first two are (bounded by) linear rows. The others are by cases, a state for every vertex:
+ *     0          unknown                       nothing
+ *     1          open                          f = 0
+ *     2          engaged                       dn = -g
+ *     4..7       engaged, slip in a quarter    dt and -ft both between the ends a, b of the sector; 2s and 2s + 1 halve s
+ * All states are covered by 1 and 2; 2 by 4..7; s by 2s and 2s + 1. Whatever the states, p.dq = -f.d = g sum fn - sum ft.dt
+ * (virtual work), so g sum fn <= p . dq joins f and dq. A node is one linear programme over (f, dq); where it has no point, its
+ * Farkas vector is kept. Where its point meets all conditions, no finer state would exclude it, and the search ends.
+ */
+#define SP__BRANCH_DEEP (1 << 24)       /* a sector of this state is not halved any more: 4e-7 rad */
+
+/* Rows of the programme: 6b of balance, one of work, then of every vertex: */
+enum {
+    SP__ROW_GAP,                        /* dn */
+    SP__ROW_SLIP,                       /* 4: dt along 0, 45, 90, 135 degrees of (t1, t2) */
+    SP__ROW_AHEAD = 5,                  /* dt along the middle of the sector */
+    SP__ROW_ENDS,                       /* 2: a x dt >= 0, b x dt <= 0 */
+    SP__ROW_RUB = 8,                    /* 2: a x ft <= s fn, b x ft >= -s fn, s = SP__SLIP of the most |ft| / fn */
+    SP__ROW_NEAR = 10,                  /* 3: friction in the sector: its ends and middle, or the three faces nearest */
+    SP__ROW_CONE = 13,                  /* 8: friction around: the pyramid's faces, or every 45 degrees */
+    SP__ROWS = 21
+};
+
+/* A node that was split: its vertex, the state before, the child at hand. */
+typedef struct sp__frame { int32_t vertex, state, child; } sp__frame;
+
+typedef struct sp__branch {
+    const sp_problem *pb;
+    const sp_settings *set;
+    const sp__judge *j;                 /* for the scales of blocks */
+    sp__lengths k;
+    sp__lp lp;
+    int32_t points;                     /* V: vertices that take part */
+    sp_real outer;                      /* of a pyramid: radius of its edges / of its faces */
+    sp_real *arm, *load;                /* b: longest arm [m], sbar [j->unit] */
+    int32_t *contact, *at;              /* V: contact and point of the scene */
+    sp_real (*d)[3][12];                /* V: rows n, t1, t2 of Aeq' on the motions of b and a, rotations times arm */
+    sp_real *mu, *size;                 /* V: friction in force; force of one unit of f [unit] */
+    int32_t *state, *loaded;            /* V: of the node; in the programme */
+    sp__frame *stack;
+    int32_t depth;
+    sp_proof *proof;
+    int32_t nodes, entries;             /* the proof has room for */
+} sp__branch;
+
+/* Entries of the programme's rows: balance 18 a vertex and side, work, 8 rows of motion, 13 x 3 of force. */
+static int32_t sp__branch_entries(const sp_problem *pb)
+{
+    int32_t sides = 0, points = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sides += t->points * ((t->a >= 0) + (t->b >= 0));
+        points += t->points;
+    }
+    return sides * (18 + 6 * 8) + points * (1 + 13 * 3) + 6 * pb->blocks;
+}
+
+static void sp__branch_carve(sp__branch *s, const sp_problem *pb, sp_arena *a)
+{
+    const int32_t V = sp__points_count(pb->scene), b = pb->blocks;
+    s->pb = pb;
+    s->points = V;
+    sp__lp_carve(&s->lp, 3 * V + 6 * b, 6 * b + 1 + SP__ROWS * V, sp__branch_entries(pb), a);
+    s->arm = sp__take(a, (size_t)b, sizeof *s->arm);
+    s->load = sp__take(a, (size_t)b, sizeof *s->load);
+    s->contact = sp__take(a, (size_t)V, sizeof *s->contact);
+    s->at = sp__take(a, (size_t)V, sizeof *s->at);
+    s->d = sp__take(a, (size_t)V, sizeof *s->d);
+    s->mu = sp__take(a, (size_t)V, sizeof *s->mu);
+    s->size = sp__take(a, (size_t)V, sizeof *s->size);
+    s->state = sp__take(a, (size_t)V, sizeof *s->state);
+    s->loaded = sp__take(a, (size_t)V, sizeof *s->loaded);
+    s->stack = sp__take(a, (size_t)V, SP__PROOF_DEPTH * sizeof *s->stack);
+}
+
+/* Ends a, b of the sector of a state >= 4, and its middle m. */
+static void sp__sector(int32_t state, sp_real a[2], sp_real m[2], sp_real b[2])
+{
+    int32_t halvings = 0;
+    while (state >> halvings > 7) halvings++;
+    const int32_t quarter = (state >> halvings) - 4;
+    a[0] = quarter == 0 ? (sp_real)1 : quarter == 2 ? (sp_real)-1 : 0;
+    a[1] = quarter == 1 ? (sp_real)1 : quarter == 3 ? (sp_real)-1 : 0;
+    b[0] = -a[1]; b[1] = a[0];
+    for (;; halvings--) {
+        const sp_real x = a[0] + b[0], y = a[1] + b[1], l = SP_SQRT(x * x + y * y);
+        m[0] = x / l; m[1] = y / l;
+        if (!halvings) return;
+        sp_real *end = state >> (halvings - 1) & 1 ? a : b;
+        end[0] = m[0]; end[1] = m[1];
+    }
+}
+
+/* The face of K opposite to the middle of a sector: (2i + 1) / (8 2^h) + 1/2 of a turn, to the nearest of K. */
+static int32_t sp__sector_face(int32_t state, int32_t K)
+{
+    int32_t h = 0;
+    while (state >> h > 7) h++;
+    const int64_t i = state - ((int64_t)4 << h), turn = (int64_t)8 << h;
+    return (int32_t)((K * (2 * (2 * i + 1) + turn) + turn) / (2 * turn) % K);
+}
+
+/* Row `row` of the programme gets values: x n + y t1 + z t2 of the motion at vertex v. */
+static void sp__branch_motion_row(sp__branch *s, int32_t v, int32_t row, sp_real x, sp_real y, sp_real z)
+{
+    sp_real *to = s->lp.value + s->lp.start[row];
+    const int32_t n = s->lp.start[row + 1] - s->lp.start[row];
+    for (int32_t e = 0; e < n; e++) to[e] = x * s->d[v][0][e] + y * s->d[v][1][e] + z * s->d[v][2][e];
+}
+
+static int32_t sp__branch_row(const sp__branch *s, int32_t v, int32_t which)
+{
+    return 6 * s->pb->blocks + 1 + SP__ROWS * v + which;
+}
+
+/* x fn + y ft1 + z ft2 */
+static void sp__branch_force_row(sp__branch *s, int32_t row, sp_real x, sp_real y, sp_real z)
+{
+    sp_real *to = s->lp.value + s->lp.start[row];
+    to[0] = x; to[1] = y; to[2] = z;
+}
+
+static void sp__branch_bound(sp__branch *s, int32_t row, sp_real low, sp_real high)
+{
+    s->lp.lower[row] = low;
+    s->lp.upper[row] = high;
+}
+
+/* Friction within the sector: d . ft <= mu fn for directions opposite to its ends and its middle, or for the faces there. */
+static void sp__branch_near(sp__branch *s, int32_t v, int32_t state, const sp_real a[2], const sp_real m[2], const sp_real b[2])
+{
+    const int32_t K = s->set->faces, row = sp__branch_row(s, v, SP__ROW_NEAR);
+    if (K && K <= 8) return;
+    for (int32_t q = 0; q < 3; q++) {
+        const sp_real *w = q == 0 ? a : q == 1 ? m : b;
+        sp_real face[2] = { -w[0], -w[1] };
+        if (K) sp__pyramid_direction(K, (sp__sector_face(state, K) + K + q - 1) % K, face);
+        sp__lp_drop(&s->lp, row + q);
+        sp__branch_force_row(s, row + q, -s->mu[v], face[0], face[1]);
+        sp__branch_bound(s, row + q, -SP__LP_FREE, 0);
+    }
+}
+
+/* Rows of the sector of vertex v. */
+SP__APART static void sp__branch_sector(sp__branch *s, int32_t v, int32_t state)
+{
+    sp_real a[2], m[2], b[2];
+    const int32_t ends = sp__branch_row(s, v, SP__ROW_ENDS), rub = sp__branch_row(s, v, SP__ROW_RUB);
+    const int32_t ahead = sp__branch_row(s, v, SP__ROW_AHEAD);
+    sp__sector(state, a, m, b);
+    for (int32_t q = 0; q < 2; q++) {
+        const sp_real *w = q ? b : a;
+        sp__lp_drop(&s->lp, ends + q);
+        sp__lp_drop(&s->lp, rub + q);
+        sp__branch_motion_row(s, v, ends + q, 0, -w[1], w[0]);
+        sp__branch_force_row(s, rub + q, (q ? SP__SLIP : -SP__SLIP) * s->outer * s->mu[v], -w[1], w[0]);
+        sp__branch_bound(s, ends + q, q ? -SP__LP_FREE : 0, q ? 0 : SP__LP_FREE);
+        sp__branch_bound(s, rub + q, q ? 0 : -SP__LP_FREE, q ? SP__LP_FREE : 0);
+    }
+    sp__lp_drop(&s->lp, ahead);
+    sp__branch_motion_row(s, v, ahead, 0, m[0], m[1]);
+    sp__branch_bound(s, ahead, -SP__LP_FREE, s->set->coupled.box ? SP__LP_FREE : s->k.eta);
+    sp__branch_near(s, v, state, a, m, b);
+}
+
+/* The programme's rows of vertex v for a state. */
+static void sp__branch_load(sp__branch *s, int32_t v, int32_t state)
+{
+    const int32_t gap = sp__branch_row(s, v, SP__ROW_GAP), f = s->lp.m + 3 * v;
+    if (s->loaded[v] == state) return;
+    s->loaded[v] = state;
+    const sp_real most = state == 1 ? 0 : SP__LP_FREE;
+    sp__branch_bound(s, gap, -s->k.eps, state < 2 ? s->k.eta : -s->k.eps);
+    sp__branch_bound(s, f, 0, most);
+    sp__branch_bound(s, f + 1, -most, most);
+    sp__branch_bound(s, f + 2, -most, most);
+    for (int32_t q = SP__ROW_AHEAD; q < SP__ROW_CONE; q++)
+        sp__branch_bound(s, sp__branch_row(s, v, q), -SP__LP_FREE, SP__LP_FREE);
+    if (state >= 4) sp__branch_sector(s, v, state);
+}
+
+/* d of vertex v: +-(e, (r - c) x e / arm) on b and a. */
+static void sp__branch_vertex(sp__branch *s, int32_t v, const sp_contact *t, const sp_real local[3])
+{
+    const sp_interface *o = t->joint;
+    for (int q = 0; q < 3; q++) {
+        const sp_real *e = q == 0 ? o->n : q == 1 ? o->t1 : o->t2;
+        sp_real *to = s->d[v][q];
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->a : t->b;
+            const sp_real *from = side ? t->ra : t->rb, sign = side ? (sp_real)-1 : (sp_real)1;
+            sp_real r[3], m[3];
+            if (i < 0) continue;
+            for (int k = 0; k < 3; k++) r[k] = from[k] + local[0] * o->n[k] + local[1] * o->t1[k] + local[2] * o->t2[k];
+            sp__cross3(r, e, m);
+            for (int k = 0; k < 3; k++) { *to++ = sign * e[k]; }
+            for (int k = 0; k < 3; k++) { *to++ = sign * m[k] / s->arm[i]; }
+        }
+    }
+}
+
+/* Longest arms, and what a block has to carry. */
+static void sp__branch_scales(sp__branch *s)
+{
+    const sp_problem *pb = s->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) s->arm[i] = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t p = t->point; p < t->point + t->points; p++)
+            for (int side = 0; side < 2; side++) {
+                const int32_t i = side ? t->a : t->b;
+                if (i < 0) continue;
+                sp_real r[3];
+                for (int k = 0; k < 3; k++)
+                    r[k] = (side ? t->ra : t->rb)[k] + pb->local[p][0] * t->joint->n[k] + pb->local[p][1] * t->joint->t1[k]
+                           + pb->local[p][2] * t->joint->t2[k];
+                s->arm[i] = sp__max(s->arm[i], sp__norm3(r));
+            }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        if (!(s->arm[i] > 0)) s->arm[i] = 1;
+        s->load[i] = s->j->scale[i].s > 0 ? s->j->scale[i].s : 1;
+    }
+}
+
+/* One more entry of the row being written. */
+static void sp__branch_put(sp__branch *s, int32_t *e, int32_t variable, sp_real value)
+{
+    s->lp.index[*e] = variable;
+    s->lp.value[(*e)++] = value;
+}
+
+/* Rows of balance and work: sum d' size f / load = -p / load of every block;  g sum size fn - p . dq <= 0. */
+static void sp__branch_balance(sp__branch *s, int32_t *e)
+{
+    const sp_problem *pb = s->pb;
+    const int32_t z = 3 * s->points;
+    for (int32_t r = 0; r < 6 * pb->blocks; r++) {
+        const int32_t i = r / 6, k = r % 6;
+        const sp_real p = pb->p[r] / s->j->unit / (k < 3 ? 1 : s->arm[i]);
+        const int held = sp__held(pb, i, k);
+        s->lp.start[r] = *e;
+        for (int32_t v = 0; v < s->points; v++) {
+            const sp_contact *t = &pb->contact[s->contact[v]];
+            if (t->a != i && t->b != i) continue;
+            const int32_t at = k + (t->b >= 0 && t->a == i ? 6 : 0);
+            for (int32_t q = 0; q < 3; q++) sp__branch_put(s, e, 3 * v + q, s->d[v][q][at] * s->size[v] / s->load[i]);
+        }
+        sp__branch_bound(s, r, held ? -SP__LP_FREE : -p / s->load[i], held ? SP__LP_FREE : -p / s->load[i]);
+        sp__branch_bound(s, s->lp.m + z + r, held ? 0 : -SP__LP_FREE, held ? 0 : SP__LP_FREE);
+    }
+    s->lp.start[6 * pb->blocks] = *e;
+    for (int32_t v = 0; v < s->points; v++) sp__branch_put(s, e, 3 * v, s->k.eps * s->size[v]);
+    for (int32_t r = 0; r < 6 * pb->blocks; r++)
+        sp__branch_put(s, e, z + r, -pb->p[r] / s->j->unit / (r % 6 < 3 ? 1 : s->arm[r / 6]));
+    sp__branch_bound(s, 6 * pb->blocks, -SP__LP_FREE, 0);
+}
+
+/* Pattern and the fixed rows of vertex v. */
+static void sp__branch_fixed(sp__branch *s, int32_t v, int32_t *e)
+{
+    const sp_contact *t = &s->pb->contact[s->contact[v]];
+    const int32_t K = s->set->faces, z = 3 * s->points;
+    for (int32_t q = 0; q < SP__ROWS; q++) {
+        s->lp.start[sp__branch_row(s, v, q)] = *e;
+        sp__branch_bound(s, sp__branch_row(s, v, q), -SP__LP_FREE, SP__LP_FREE);
+        if (q < SP__ROW_RUB) {
+            for (int side = 0; side < 2; side++) {
+                const int32_t i = side ? t->a : t->b;
+                for (int32_t k = 0; i >= 0 && k < 6; k++) sp__branch_put(s, e, z + 6 * i + k, 0);
+            }
+        } else {
+            for (int32_t k = 0; k < 3; k++) sp__branch_put(s, e, 3 * v + k, 0);
+        }
+    }
+    s->lp.start[sp__branch_row(s, v, SP__ROWS)] = *e;
+    sp__branch_motion_row(s, v, sp__branch_row(s, v, SP__ROW_GAP), 1, 0, 0);
+    for (int32_t q = 0; q < 4; q++) {
+        sp_real w[2];
+        sp__pyramid_direction(8, q, w);
+        sp__branch_motion_row(s, v, sp__branch_row(s, v, SP__ROW_SLIP + q), 0, w[0], w[1]);
+        if (q % 2 == 0 || !s->set->coupled.box)
+            sp__branch_bound(s, sp__branch_row(s, v, SP__ROW_SLIP + q), -s->k.eta, s->k.eta);
+    }
+    for (int32_t q = 0; q < 8; q++) {
+        const int32_t exact = K && K <= 8;
+        sp_real w[2];
+        if (exact && q >= K) continue;
+        sp__pyramid_direction(exact ? K : 8, q, w);
+        sp__branch_force_row(s, sp__branch_row(s, v, SP__ROW_CONE + q), -s->mu[v] * (exact ? 1 : s->outer), w[0], w[1]);
+        sp__branch_bound(s, sp__branch_row(s, v, SP__ROW_CONE + q), -SP__LP_FREE, 0);
+    }
+}
+
+/* The root programme. */
+SP__APART static void sp__branch_make(sp__branch *s)
+{
+    const sp_problem *pb = s->pb;
+    sp_real c = 1, tangent = 0;
+    int32_t e = 0, v = 0;
+    if (s->set->faces) sp__pyramid_half(s->set->faces, &c, &tangent);
+    if (!s->set->inscribed) c = 1;
+    s->outer = SP_SQRT(1 + tangent * tangent);
+    sp__branch_scales(s);
+    for (int32_t k = 0; k < pb->contacts; k++) {
+        const sp_contact *t = &pb->contact[k];
+        for (int32_t p = t->point; p < t->point + t->points; p++, v++) {
+            s->contact[v] = k;
+            s->at[v] = p;
+            s->mu[v] = c * t->joint->joint.mu;
+            s->size[v] = sp__lesser(t, s->load, 1);
+            s->state[v] = 0;
+            s->loaded[v] = -1;
+            sp__branch_vertex(s, v, t, pb->local[p]);
+        }
+    }
+    sp__branch_balance(s, &e);
+    for (v = 0; v < s->points; v++) sp__branch_fixed(s, v, &e);
+    sp__lp_start(&s->lp);
+}
+
+/* d of vertex v at the programme's point. */
+static void sp__branch_rate(const sp__branch *s, int32_t v, sp_real d[3])
+{
+    const int32_t row = sp__branch_row(s, v, SP__ROW_GAP);
+    d[0] = d[1] = d[2] = 0;
+    for (int32_t q = 0; q < 3; q++)
+        for (int32_t e = s->lp.start[row]; e < s->lp.start[row + 1]; e++)
+            d[q] += s->d[v][q][e - s->lp.start[row]] * s->lp.x[s->lp.index[e]];
+}
+
+#ifdef SP_REAL_FLOAT
+#define SP__BRANCH_DUST ((sp_real)1e-3) /* force or gap that counts as none */
+#else
+#define SP__BRANCH_DUST ((sp_real)1e-7)
+#endif
+
+/* The vertex to branch on: of the unknown the worst fn (dn + g), then of those not open the most misaligned |ft| |dt|. -1: the
+ * point meets all conditions as closely as states can tell. */
+static int32_t sp__branch_pick(const sp__branch *s)
+{
+    int32_t pick = -1;
+    sp_real worst = 0;
+    for (int pass = 0; pass < 2 && pick < 0; pass++)
+        for (int32_t v = 0; v < s->points; v++) {
+            const sp_real *f = s->lp.x + 3 * v;
+            sp_real d[3];
+            if (s->state[v] == 1 || (!pass && s->state[v] > 0) || s->state[v] >= SP__BRANCH_DEEP) continue;
+            sp__branch_rate(s, v, d);
+            const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), dt = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+            const sp_real x = pass ? ft : f[0], y = pass ? dt : d[0] + s->k.eps, along = f[1] * d[1] + f[2] * d[2];
+            if (x <= SP__BRANCH_DUST || y <= SP__BRANCH_DUST) continue;
+            const sp_real value = s->size[v] * (!pass ? x * y : along > 0 ? x * y : sp__abs(f[1] * d[2] - f[2] * d[1]));
+            if (pass && value <= SP__BRANCH_DUST * s->size[v]) continue;
+            if (value > worst) { worst = value; pick = v; }
+        }
+    return pick;
+}
+
+/* Number of a constraint in the proof: rows as they are, bounds of f after the rows of their vertex; -1: a bound of dq. */
+static int32_t sp__branch_number(const sp__branch *s, int32_t i)
+{
+    const int32_t base = 6 * s->pb->blocks + 1, v = i < s->lp.m ? (i - base) / SP__ROWS : (i - s->lp.m) / 3;
+    if (i < base) return i;
+    if (i < s->lp.m) return i + 3 * v;
+    return i < s->lp.m + 3 * s->points ? base + (SP__ROWS + 3) * v + SP__ROWS + (i - s->lp.m) % 3 : -1;
+}
+
+/* What one unit of a constraint's scaled row is in the proof's. */
+static sp_real sp__branch_weight(const sp__branch *s, int32_t i)
+{
+    const int32_t base = 6 * s->pb->blocks + 1, v = i < s->lp.m ? (i - base) / SP__ROWS : (i - s->lp.m) / 3;
+    if (i < base - 1) return 1 / (s->load[i / 6] * (i % 6 < 3 ? 1 : s->arm[i / 6]));
+    if (i == base - 1 || (i < s->lp.m && (i - base) % SP__ROWS < SP__ROW_RUB)) return 1;
+    return 1 / s->size[v];
+}
+
+/* Multiplier of the k-th active constraint, of the failed one for k = n; 0 for dust, or where it would ask for a bound that is
+ * none. */
+static sp_real sp__branch_multiplier(const sp__branch *s, int32_t k, sp_real largest)
+{
+    const sp__lp *lp = &s->lp;
+    const int32_t i = k < lp->n ? lp->active[k] : lp->failed;
+    const sp_real sign = lp->low ? (sp_real)-1 : (sp_real)1, y = k < lp->n ? -sign * lp->t[k] : sign;
+    if (sp__abs(y) <= SP__LP_ZERO * largest) return 0;
+    return (y > 0 ? lp->upper[i] >= SP__LP_FREE : lp->lower[i] <= -SP__LP_FREE) ? 0 : y;
+}
+
+/* A closed node: its Farkas vector, 1 on the constraint that fails and -t on the active ones.     returns 0: no room */
+static int sp__branch_close(sp__branch *s)
+{
+    sp_proof *p = s->proof;
+    const int32_t from = p->entries;
+    sp_real largest = 1;
+    for (int32_t k = 0; k < s->lp.n; k++) largest = sp__max(largest, sp__abs(s->lp.t[k]));
+    for (int32_t k = 0; k <= s->lp.n; k++) {
+        const int32_t i = k < s->lp.n ? s->lp.active[k] : s->lp.failed, row = sp__branch_number(s, i);
+        const sp_real y = sp__branch_multiplier(s, k, largest);
+        if (row < 0 || !(sp__abs(y) > 0)) continue;
+        if (p->entries == s->entries) return 0;
+        p->row[p->entries] = (uint16_t)row;
+        p->y[p->entries++] = y * sp__branch_weight(s, i);
+    }
+    if (p->nodes == s->nodes) return 0;
+    p->node[p->nodes++] = from - p->entries;
+    p->leaves++;
+    return 1;
+}
+
+/* States that a state splits into: how many, and the first. */
+static int32_t sp__branch_children(int32_t state, int32_t *first)
+{
+    *first = state == 0 ? 1 : 2 * state;
+    return state == 2 ? 4 : 2;
+}
+
+typedef enum sp__outcome { SP__OUT_REFUTED, SP__OUT_POINT, SP__OUT_BUDGET } sp__outcome;
+
+SP__APART static sp__outcome sp__branch_run(sp__branch *s)
+{
+    s->depth = 0;
+    s->proof->nodes = s->proof->leaves = s->proof->entries = 0;
+    for (;;) {
+        for (int32_t v = 0; v < s->points; v++) sp__branch_load(s, v, s->state[v]);
+        const sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
+        if (status == SP__LP_GIVEN_UP) return SP__OUT_BUDGET;
+        if (status == SP__LP_POINT) {
+            const int32_t v = sp__branch_pick(s);
+            if (v < 0) return SP__OUT_POINT;
+            if (s->proof->nodes == s->nodes || s->depth == SP__PROOF_DEPTH * s->points) return SP__OUT_BUDGET;
+            sp__frame *f = &s->stack[s->depth++];
+            s->proof->node[s->proof->nodes++] = v;
+            f->state = s->state[v];
+            f->vertex = v;
+            f->child = 0;
+            sp__branch_children(f->state, &s->state[v]);
+            continue;
+        }
+        if (!sp__branch_close(s)) return SP__OUT_BUDGET;
+        for (; s->depth; s->depth--) {                      /* the next child of the deepest node that has one */
+            sp__frame *f = &s->stack[s->depth - 1];
+            int32_t first;
+            const int32_t n = sp__branch_children(f->state, &first);
+            s->state[f->vertex] = f->state;
+            if (++f->child == n) continue;
+            s->state[f->vertex] = first + f->child;
+            break;
+        }
+        if (!s->depth) return SP__OUT_REFUTED;
+    }
+}
+
+/* Nodes and multipliers a proof has room for; 0: nothing is decided. `points`: contact vertices that take part. */
+static int32_t sp__branch_room(int32_t points, int32_t blocks, int32_t asked, int32_t *entries)
+{
+    const int few = points > 0 && points <= SP_EXACT_POINTS && blocks <= SP_EXACT_POINTS;
+    const int32_t own = few ? 60 * points * points : 0, nodes = few && asked >= 0 ? asked : own;
+    const int32_t most = INT32_MAX / 32 - 32 * SP_EXACT_POINTS, room = nodes < most ? nodes : most;
+    *entries = room ? 20 * room + 3 * points + 6 * blocks + 1 : 0;
+    return room;
+}
+
+static void sp__proof_carve(sp_proof *p, const sp_scene *scene, int32_t free_blocks, const sp_settings *set, sp_arena *a)
+{
+    int32_t entries;
+    const int32_t nodes = sp__branch_room(sp__points_count(scene), free_blocks, set->coupled.nodes, &entries);
+    p->y = sp__take(a, (size_t)entries, sizeof *p->y);
+    p->node = sp__take(a, (size_t)nodes, sizeof *p->node);
+    p->row = sp__take(a, (size_t)entries, sizeof *p->row);
+}
+
+/* Bytes that the decision and the check of its proof take, one after the other. */
+static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
+{
+    sp__branch s;
+    int32_t entries;
+    if (!sp__branch_room(sp__points_count(pb->scene), pb->blocks, set->coupled.nodes, &entries)) return 0;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof s);
+    sp__branch_carve(&s, pb, &dry);
+    const size_t check = sp__refute_need(pb);
+    return dry.used > check ? dry.used : check;
+}
+
+/* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. */
+SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
+                                             sp_arena *a, sp_coupled *out)
+{
+    const size_t mark = a->used;
+    int32_t entries;
+    const int32_t nodes = sp__branch_room(sp__points_count(pb->scene), pb->blocks, set->coupled.nodes, &entries);
+    if (!nodes) return SP_OK;
+    sp__take(a, 1, sp__branch_need(pb, set));
+    if (sp__failed(a)) return SP_E_MEMORY;
+    a->used = mark;
+    sp__branch *s = sp__take(a, 1, sizeof *s);
+    sp__branch_carve(s, pb, a);
+    s->set = set;
+    s->j = j;
+    s->k = *k;
+    s->proof = &out->proof;
+    s->nodes = nodes;
+    s->entries = entries;
+    sp__branch_make(s);
+    const sp__outcome outcome = sp__branch_run(s);
+    out->cost.flops += s->lp.flops;
+    a->used = mark;
+    if (outcome == SP__OUT_REFUTED) {
+        out->margin = sp__judge_refuted(j, k, &out->proof, a);
+        out->cost.flops += 40 * (int64_t)out->proof.entries + 90 * (int64_t)out->proof.leaves * s->points;
+        a->used = mark;
+    }
+    if (out->margin > 0) {
+        out->verdict = SP_COUPLING_REFUTED;
+        out->reason = SP_COUPLING_NO_MOTION;
+        return SP_OK;
+    }
+    out->proof.nodes = out->proof.leaves = out->proof.entries = 0;
+    out->reason = outcome == SP__OUT_POINT ? SP_COUPLING_LIMIT : SP_COUPLING_BUDGET;
+    return SP_OK;
+}
+#endif /* SP_NO_CRA */
+
+/* 22 ------------------------------------------------------------------------------------------------------- coupled check */
 
 #ifndef SP_NO_CRA
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
@@ -4335,6 +5263,7 @@ static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set)
     sp__take(&dry, 1, sizeof(sp__cra));
     sp__triple_carve(&t, pb, &dry);
     sp__take(&dry, 1, sp__judge_need(pb, set));
+    sp__take(&dry, 1, sp__branch_need(pb, set));
     return dry.used;
 }
 
@@ -4381,10 +5310,10 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     }
     out->residual = w->residual;
     sp__cra_spread(w);
-    return SP_OK;
+    return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &w->j, &w->k, a, out) : SP_OK;
 }
 #endif /* SP_NO_CRA */
-/* 22 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 23 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -4405,6 +5334,7 @@ SP_API sp_settings sp_settings_default(void)
     s.stage[1] = SP_STAGE_EXACT;
     s.coupled.eps = -1;
     s.coupled.rounds = 12;
+    s.coupled.nodes = -1;
     return s;
 }
 
@@ -4481,18 +5411,27 @@ typedef struct sp__kept {
     sp_real *f, *dq, *y0;
     sp_demand *demand;
     sp_real *cdq, *alpha;               /* of the coupled check, where it is asked */
+    size_t used;                        /* of the arena so far */
+    sp_proof proof;
 } sp__kept;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, int coupled, sp_arena *a)
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp_settings *set, sp_arena *a)
 {
-    r->cdq = r->alpha = NULL;
+    memset(r, 0, sizeof *r);
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
-    if (!coupled) return;
+    r->used = a->used;
+#ifndef SP_NO_CRA
+    if (!set || !set->coupled.asked) return;
     r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
     r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
+    r->used = a->used;
+    sp__proof_carve(&r->proof, scene, free_blocks, set, a);
+#else
+    (void)set;
+#endif
 }
 
 static void sp__state_carve(sp_state *s, int32_t free_blocks, sp_arena *a)
@@ -4506,6 +5445,7 @@ typedef struct sp__check {
     sp_problem pb;
     sp_state state;
     sp_result r;
+    size_t kept;                        /* of the arena, with room for a proof */
 } sp__check;
 
 SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
@@ -4557,7 +5497,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     if (most == SIZE_MAX) return SP_E_MEMORY;
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
-    sp__kept_carve(&kept, scene, c->pb.blocks, c->set.coupled.asked, &dry);
+    sp__kept_carve(&kept, scene, c->pb.blocks, &c->set, &dry);
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__state_carve(&c->state, c->pb.blocks, &dry);
@@ -4652,7 +5592,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 23 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 24 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -4739,7 +5679,7 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 24 --------------------------------------------------------------------------------------------------------------- check */
+/* 25 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
@@ -4804,7 +5744,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
     r->interfaces = c->pb.contacts;
-    for (int32_t k = 0; k < c->pb.contacts; k++) r->points += c->pb.contact[k].points;
+    r->points = sp__points_count(scene);
     r->verdict = b ? SP_UNDECIDED : SP_STABLE;
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
     r->verified = !b;
@@ -4818,14 +5758,17 @@ SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_setti
     sp_problem count;
     sp__kept arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, settings && settings->coupled.asked, a);
-    *kept = a->used;
+    sp__kept_carve(&arrays, scene, count.blocks, settings, a);
+    *kept = arrays.used;
+    const size_t all = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
     c->r.f = arrays.f; c->r.dq = arrays.dq; c->r.y0 = arrays.y0; c->r.demand = arrays.demand;
     c->r.coupled.dq = arrays.cdq;
     c->r.coupled.alpha = arrays.alpha;
+    c->r.coupled.proof = arrays.proof;
+    c->kept = all;
     sp_status status = sp__settings_resolve(settings, &c->set);
     if (!status) status = sp_problem_build(scene, a, &c->pb);
     if (status) return status;
@@ -4854,13 +5797,13 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (c->r.verdict == SP_STABLE) c->r.level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
     sp__check_read(scene, &c->r);
     c->r.peak_bytes = a.peak;
-    arena->used = kept;
+    arena->used = c->r.coupled.proof.nodes ? c->kept : kept;
     arena->peak = a.peak;
     *result = c->r;
     return SP_OK;
 }
 
-/* 25 -------------------------------------------------------------------------------------------------------------- verify */
+/* 26 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -4874,6 +5817,10 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, 1, sp__judge_need(&pb, &set));
+#ifndef SP_NO_CRA
+    pb.scene = scene;
+    if (sp__points_count(scene) <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(&pb));
+#endif
     return dry.used;
 }
 
@@ -4901,7 +5848,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp__judge j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
     if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, &scratch)) return SP_E_MEMORY;
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
     e.omega = sp__judge_forces(&j, claim->f, NULL);
     e.least_imbalance = sp__judge_mechanism(&j, dq, &e.final);
@@ -4916,12 +5863,17 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
         e.residual = sp__judge_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
         if (e.level && e.residual <= 1) e.level = SP_COUPLED;
     }
+    if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        e.margin = sp__judge_refuted(&j, &k, &claim->coupled.proof, &scratch);
+        if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }
+    }
 #endif
     *evidence = e;
     return SP_OK;
 }
 
-/* 26 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 27 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {

@@ -328,7 +328,11 @@ typedef struct sp_coupled_settings {
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
     int32_t rounds;             /* of the search's alternation                                               [3.3]      12 */
+    int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 250 bytes each.
+                                   0: none; below 0: 60 x (contact vertices)^2 up to SP_EXACT_POINTS of them, none above -1 */
 } sp_coupled_settings;
+
+#define SP_EXACT_POINTS 48      /* contact vertices up to which the coupled check is decided by branch and bound */
 
 struct sp_stage;
 struct sp_qp_solver;
@@ -368,6 +372,29 @@ typedef struct sp_demand {
     sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
 } sp_demand;
 
+/* A proof that no triple meets the conditions of the coupled check. Every contact vertex that takes part, 0..V-1 in the order
+ * of interfaces, is in one of these cases, of which finer ones halve the sector of coarser ones (angles from t1 to t2):
+ *
+ *     0 unknown;  1 open, f = 0;  2 engaged, dn = -eps;  4..7 engaged, dt and -ft in that quarter;  2s, 2s + 1 the halves of s
+ *
+ * node[] is a tree in preorder, its root has all unknown: k >= 0 splits vertex k (0 into 1, 2; 2 into 4, 5, 6, 7; s into 2s,
+ * 2s + 1), k < 0 is a leaf that takes the next -k of row[] and y[]: multipliers of inequalities of its case, numbered
+ *
+ *     0..6b-1     Aeq f + p = 0                                  6b              eps sum fn <= p . dq
+ *     6b+1+24v+   0 dn;  1..4 dt along 0, 45, 90, 135 degrees;  5 along the sector's middle m;
+ *                 6, 7 a x dt >= 0, b x dt <= 0 at its ends;  8, 9 a x ft <= s fn, b x ft >= -s fn,
+ *                 s = 1e-6 of the most |ft| / fn (float 1e-2);
+ *                 10..12 ft along -a, -m, -b (pyramids of more than 8 faces: on the three nearest there);
+ *                 13..20 ft around (pyramids of up to 8 faces: on those; else every 45 degrees);  21..23 fn, ft1, ft2
+ *
+ * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet. */
+typedef struct sp_proof {
+    int32_t nodes, leaves, entries;     /* 0: no proof */
+    int32_t *node;
+    uint16_t *row;
+    sp_real *y;
+} sp_proof;
+
 /* What the coupled check found; zero where it was not asked. */
 typedef struct sp_coupled {
     sp_coupling verdict;        /* refuted makes the check's verdict UNSTABLE, not found UNDECIDED */
@@ -377,6 +404,9 @@ typedef struct sp_coupled {
     sp_real eps, eta;           /* in force [m] */
     sp_real *dq;                /* 6 x scene.count.blocks: virtual displacement of the centroid, rotation      [m, 1] */
     sp_real *alpha;             /* scene.count.points; the forces are result.f                                 [N/m] */
+    sp_proof proof;             /* of a refuted, unless statics refute it; behind all other arrays */
+    sp_real margin;             /* of the proof, > 0: what is left of its weakest leaf when all that a triple may be
+                                   out by, and rounding, are taken off                                                   [1] */
     sp_cost cost;               /* of this check alone; also in result.cost */
 } sp_coupled;
 
@@ -430,12 +460,13 @@ typedef struct sp_evidence {
     sp_real omega, least_imbalance;
     sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
     sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
+    sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
 } sp_evidence;
 
 SP_API size_t sp_verify_memory(const sp_scene *scene);
 
 /* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
- * NULL), nothing else. tol, force_bound, eps and eta are those of the settings.
+ * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (coupled, in a build without it),
  *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,

@@ -82,7 +82,7 @@ static sp_result empty_claim(const sp_scene *s)
 /* What a claim proves; what cannot be judged proves nothing. */
 static sp_verdict judged(const sp_scene *s, const sp_result *claim, const sp_settings *settings)
 {
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     const sp_status status = sp_verify(s, settings, claim, test_arena, &e);
     if (status != SP_E_NOT_FINITE) CHECK_INT(status, SP_OK);
     CHECK(number(e.omega) && number(e.least_imbalance));

@@ -131,7 +131,7 @@ TEST(building_and_checking_keep_to_their_pieces)
         for (int32_t faces = 0; faces <= 8; faces += 8) {
             sp_scene s;
             sp_result r;
-            sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+            sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
             size_t bytes;
             sp_settings set = sp_settings_default();
             set.faces = faces;

@@ -159,7 +159,7 @@ TEST(verify_memory_is_enough_and_less_is_refused)
     const size_t need = sp_verify_memory(&scene);
     NEED(need > 0);
     for (size_t cap = 0; cap <= need; cap++) {
-        sp_evidence evidence = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+        sp_evidence evidence = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
         const fenced f = fence(cap);
         const sp_status status = sp_verify(&scene, &settings, &result, fenced_arena(&f), &evidence);
         if (!CHECK(fence_holds(&f)) || (status != SP_OK && !CHECK_INT(status, SP_E_MEMORY))) {

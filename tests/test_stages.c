@@ -809,7 +809,7 @@ static void refused(const sp_scene *s, const sp_settings *set, sp_status want, c
     if (!CHECK_INT(sp_check(s, set, &test_arena, &r), want) || !untouched(&r, &test_arena, &before)) TEST_PRINT("    %s\n", what);
     CHECK_INT(sp_memory(s, set, test_arena, &bytes), want);
     CHECK_INT(bytes, 7);
-    sp_evidence e = { SP_STABLE, 1, 2, 3, SP_NONE, 0 };
+    sp_evidence e = { SP_STABLE, 1, 2, 3, SP_NONE, 0, 0 };
     memset(&r, 0, sizeof r);
     r.f = &s->point[0][0];                              /* numbers of the right count, whatever they say */
     r.dq = &s->point[0][0];

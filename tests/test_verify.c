@@ -15,7 +15,7 @@ static void build(const char *name, const char *param, double value, sp_scene *s
 /* What a claim proves; a claim with a NaN or an infinity in it is refused and proves nothing. */
 static sp_verdict judged(const sp_scene *scene, const sp_result *claim)
 {
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     const sp_status status = sp_verify(scene, NULL, claim, test_arena, &e);
     if (status != SP_E_NOT_FINITE) CHECK_INT(status, SP_OK);
     return e.verdict;
@@ -245,7 +245,7 @@ TEST(a_pebble_is_judged_by_its_own_weight)
 TEST(verify_says_which_argument_it_cannot_use)
 {
     sp_scene s;
-    sp_evidence e = { SP_STABLE, 1, 2, 3, SP_NONE, 0 };
+    sp_evidence e = { SP_STABLE, 1, 2, 3, SP_NONE, 0, 0 };
     build("two-cubes", NULL, 0, &s);
     sp_result r = empty_claim(&s);
     CHECK_INT(sp_verify(NULL, NULL, &r, test_arena, &e), SP_E_ARGUMENT);

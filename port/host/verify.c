@@ -215,7 +215,7 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
 int command_verify(int argc, char **argv)
 {
     text_error error = { 0, "" };
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0 };
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     options o;
     sp_real gravity[3];
     int turned = 0;
