@@ -92,7 +92,28 @@ static void json_cost(json_out *j, const report *r)
     json_close(j, '}');
 }
 
-/* The coupled check; with --forces its whole triple. */
+/* What refutes, and its size; with `whole` all of it. */
+static void json_proof(json_out *j, const sp_coupled *c, int whole)
+{
+    const sp_proof *p = &c->proof;
+    json_open(j, "proof", '{');
+    json_int(j, "nodes", p->nodes);
+    json_int(j, "leaves", p->leaves);
+    json_int(j, "multipliers", p->entries);
+    json_real(j, "margin", (double)c->margin);
+    if (whole) {
+        json_open(j, "node", '[');
+        for (int32_t k = 0; k < p->nodes; k++) json_int(j, NULL, p->node[k]);
+        json_close(j, ']');
+        json_open(j, "row", '[');
+        for (int32_t k = 0; k < p->entries; k++) json_int(j, NULL, p->row[k]);
+        json_close(j, ']');
+        json_reals(j, "y", p->y, p->entries);
+    }
+    json_close(j, '}');
+}
+
+/* The coupled check; with --forces its whole triple, or proof. */
 static void json_coupled(json_out *j, const report *r)
 {
     const sp_coupled *c = &r->result.coupled;
@@ -107,6 +128,7 @@ static void json_coupled(json_out *j, const report *r)
     json_open(j, "cost", '{');
     json_work(j, &c->cost);
     json_close(j, '}');
+    if (c->proof.nodes) json_proof(j, c, r->options->forces);
     if (r->options->forces) {
         json_open(j, "motion", '[');
         for (int32_t b = 0; b < r->scene->scene.count.blocks; b++) json_reals(j, NULL, c->dq + 6 * (size_t)b, 6);
@@ -215,6 +237,8 @@ static void text_certainty(FILE *out, const report *r)
     row(out, "how sure");
     if (x->verdict == SP_STABLE) fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->omega, (double)x->tol);
     else if (x->verdict == SP_UNSTABLE && x->final) fprintf(out, "no forces of any size would do");
+    else if (x->reason == SP_REASON_NO_MOTION)
+        fprintf(out, "no motion in any of %ld cases, margin %.2g", (long)x->coupled.proof.leaves, (double)x->coupled.margin);
     else if (x->verdict == SP_UNSTABLE)
         fprintf(out, "at least %.2g of a block's forces stays unbalanced, tol %.2g", (double)x->least_imbalance, (double)x->tol);
     else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
@@ -254,7 +278,7 @@ static void text_mechanism(FILE *out, const report *r)
 {
     enum { SHOWN = 6 };
     int32_t moving = 0;
-    if (r->result.verdict != SP_UNSTABLE) return;
+    if (r->result.verdict != SP_UNSTABLE || r->result.reason == SP_REASON_NO_MOTION) return;
     row(out, "moving");
     for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
         if (report_motion(r, b) > 0 && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);

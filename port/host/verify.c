@@ -129,6 +129,47 @@ static int read_triple(const reading *r, sp_real *dq, sp_real *alpha)
     return 0;
 }
 
+static int32_t length(const reading *r, const json_value *array)
+{
+    int32_t n = 0;
+    if (array && array->kind == JSON_ARRAY) for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next) n++;
+    return n;
+}
+
+/* Whole numbers from low to high of an array; 0 if it is not so. */
+static int wholes(const reading *r, const json_value *array, double low, double high, int32_t *node, uint16_t *row)
+{
+    int32_t k = 0;
+    for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next, k++) {
+        const double x = r->tree.value[i].as.number;
+        if (r->tree.value[i].kind != JSON_NUMBER || !(x >= low && x <= high) || x < (double)(int32_t)x || x > (double)(int32_t)x) return 0;
+        if (node) node[k] = (int32_t)x;
+        else row[k] = (uint16_t)x;
+    }
+    return 1;
+}
+
+/* Its proof, if there is one, into memory of its own (free p->y). */
+static int read_proof(const reading *r, sp_proof *p)
+{
+    const json_value *proof = json_member(&r->tree, json_member(&r->tree, r->all, "coupled"), "proof");
+    const json_value *node = json_member(&r->tree, proof, "node"), *row = json_member(&r->tree, proof, "row");
+    const json_value *y = json_member(&r->tree, proof, "y");
+
+    if (!proof) return 0;
+    p->nodes = length(r, node);
+    p->entries = length(r, row);
+    if (!p->nodes || !p->entries || length(r, y) != p->entries)
+        return fail(r, proof, "no proof in the coupled check: make it with check --json --forces");
+    p->y = malloc((size_t)p->entries * (sizeof *p->y + sizeof *p->row) + (size_t)p->nodes * sizeof *p->node);
+    if (!p->y) return text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    p->node = (int32_t *)(p->y + p->entries);
+    p->row = (uint16_t *)(p->node + p->nodes);
+    if (!reals(r, y, p->entries, p->y) || !wholes(r, node, -INT32_MAX, INT32_MAX, p->node, NULL) ||
+        !wholes(r, row, 0, UINT16_MAX, NULL, p->row)) return fail(r, proof, "bad proof of the coupled check");
+    return 0;
+}
+
 /* Blocks stand in the mechanism in the order of the scene; others are at rest. */
 static int read_mechanism(const reading *r, sp_real *dq)
 {
@@ -173,12 +214,14 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     if (!status) status = read_forces(r, f);
     if (!status) status = read_mechanism(r, dq);
     if (!status && o->settings.coupled.asked) status = read_triple(r, claim.coupled.dq, claim.coupled.alpha);
+    if (!status && o->settings.coupled.asked) status = read_proof(r, &claim.coupled.proof);
     if (!status) {
         made = sp_arena_init(&scratch, memory, bytes + SP_ALIGN);
         if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
         if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
     }
     o->settings.tol = claim.tol;
+    free(claim.coupled.proof.y);
     free(f);
     free(dq);
     free(memory);
@@ -228,10 +271,11 @@ int command_verify(int argc, char **argv)
         if (o.mu >= 0) printf(", asked with friction %g", (double)o.mu);
         if (turned) printf(", asked with gravity %g %g %g", (double)gravity[0], (double)gravity[1], (double)gravity[2]);
         printf(": ");
-        if (e.verdict == SP_UNSTABLE)
+        if (e.verdict == SP_UNSTABLE && !(e.margin > 0))
             printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
         printf("omega %s", text_shortest(e.omega, omega));
-        if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
+        if (e.margin > 0) printf(", refuted, margin %.2g", (double)e.margin);
+        else if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
         putchar('\n');
         return report_exit(o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED ? SP_UNDECIDED : e.verdict);
     }

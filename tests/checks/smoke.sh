@@ -31,6 +31,12 @@ round_trip() {                                          # scene -> convert -> th
     "$cli" check --json - < "$tmp/scene.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/a" &&
     "$cli" check --json - < "$tmp/again.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/b" && cmp "$tmp/a" "$tmp/b"
 }
+refuted() {                                             # a proof told in full is checked again; damaged it proves nothing
+    gen h-model && "$cli" check --json --forces --coupled "$tmp/scene.obj" > "$tmp/result.json"
+    says 'refuted, margin' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" || return 1
+    sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
+    says 'not coupled' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
+}
 found_or_given() {                                      # contacts found are the contacts given: same verdict
     gen "$1" && grep -v '^#@ interface' "$tmp/scene.obj" > "$tmp/bare.obj"
     "$cli" check "$tmp/scene.obj"; a=$?
@@ -117,6 +123,7 @@ part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" 
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
+part "refuted: the proof, read again"  refuted
 qps
 for b in sparse dense cg; do
     part "qp: $b"                   says 'objective 8.371' "$cli" qp --backend $b "$tmp/small.qps"
