@@ -576,7 +576,8 @@ typedef struct sp_stage {
  *
  *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
  *
- * A solver on its own; it has never heard of a stone. SP_NO_QP leaves its calls out.      [Stellato et al. 2020, "OSQP"]
+ * A solver on its own; it has never heard of a stone. SP_NO_QP leaves its calls out, SP_QP_NO_CG the matrix-free back end,
+ * SP_QP_NO_POLISH the polish and the sharpening of certificates.                         [Stellato et al. 2020, "OSQP"]
  */
 #define SP_QP_INFINITY ((sp_real)1e20)  /* l <= -1e20, u >= 1e20 (also IEEE infinities): no bound */
 
@@ -600,7 +601,7 @@ typedef enum sp_qp_backend {
 } sp_qp_backend;
 
 typedef enum sp_qp_status {
-    SP_QP_SOLVED = 0,           /* residuals and gap within eps, on the data as given */
+    SP_QP_SOLVED = 0,           /* residuals within eps, and the objective (strict), on the data as given */
     SP_QP_INACCURATE,           /* stopped (iterations, budget), all within 10 eps */
     SP_QP_PRIMAL_INFEASIBLE,    /* y proves: no x with |x| < radius meets the constraints */
     SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, to the same kind of radius */
@@ -615,10 +616,12 @@ typedef struct sp_qp_settings {
     sp_real eps_abs, eps_rel;   /* largest residual: eps_abs + eps_rel x the size of its terms       1e-6 1e-5, float 1e-4 */
     sp_real eps_pinf, eps_dinf; /* certificates looser than this are not looked at                                   1e-4 */
     sp_real radius;             /* a certificate must rule out solutions so many times larger than the iterate  1e6, 1e3 */
-    int32_t strict;             /* also asks the duality gap, and the residuals in equilibrated units, to be within eps 1 */
-    int32_t polish;             /* guess the active rows, solve for them exactly; two factorisations an attempt         1 */
+    int32_t strict;             /* also: the objective right to eps_abs + eps_rel |objective| (see gap), and residuals within
+                                   eps in equilibrated units, so that small rows count as large ones                    1 */
+    int32_t polish;             /* method of multipliers from the iterate for the last digits, and where ADMM takes long;
+                                   about as much work as ADMM's                                  1 (0: SP_QP_NO_POLISH) */
     int32_t iterations;         /*                                                                                   8000 */
-    int64_t budget;             /* flops after which to stop, looked at every `check` iterations; 0: none               0 */
+    int64_t budget;             /* a cap on the flops of a run; one too small for an iteration judges the guess; 0: none 0 */
     int32_t check;              /* iterations between looks at the residuals                                           10 */
     int32_t passes;             /* of equilibration                                                                    10 */
     sp_real sigma, relax;       /* proximal weight, over-relaxation                           1e-6 (float 1e-3) and 1.6 */
@@ -634,7 +637,9 @@ typedef struct sp_qp_result {
     const sp_real *x, *y;       /* n unknowns, m multipliers (y_i > 0 pushes down from u, < 0 up from l); in the arena. If
                                    primal infeasible y is the certificate, x 0; if dual infeasible x is, y 0; largest 1 */
     sp_real objective;          /* 1/2 x'Px + q'x */
-    sp_real primal, dual, gap;  /* residuals on the data as given: |Ax - z|, |Px + q + A'y|, |x'Px + q'x + u'y+ + l'y-| */
+    sp_real primal, dual;       /* residuals on the data as given: |Ax - z|, |Px + q + A'y| */
+    sp_real gap;                /* how far off the objective is, at about the solution: the larger of |y|'|Ax - z| and
+                                   |x'Px + q'x + u'y+ + l'y-| + |x|'|Px + q + A'y| */
     sp_real radius;             /* of a certificate: no solution with |x / D|_1 (or |x / D|_1 + |y / E|_1) below it */
     sp_real rho;                /* at the end: a good start for a similar problem */
     int32_t polished;           /* the result comes from the polish */
@@ -687,7 +692,8 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
 /* Solve. settings NULL: the default ones. x0 (n), y0 (m): a guess, each may be NULL.
  *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
  *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u, settings),
- *           SP_E_INDEFINITE (P), SP_E_MEMORY */
+ *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its size, float -5e-7 n; the matrix-free back
+ *           end can only look for one and may miss one that is small), SP_E_MEMORY */
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
                              const sp_real *y0, sp_qp_result *result);
 

@@ -64,9 +64,20 @@ without_cra() {                                         # so can the coupled che
         $CC $base -DSP_NO_CRA $wc_real -Os -c stonepack.c -o $out/no_cra.o && ! nm $out/no_cra.o | grep -E 'sp__(cra|coupled)' || return 1
     done
 }
+qp_parts() {                                            # the switches of its parts, alone and together, double and float
+    for qs_real in '' -DSP_REAL_FLOAT; do
+        for qs in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH'; do
+            # shellcheck disable=SC2086
+            $CC $base $qs $qs_real -Os -c stonepack.c -o $out/qp_part.o &&
+            $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -O2 $qs $qs_real '-DTEST_SUITES=X(qp)' \
+                tests/run.c tests/test_qp.c $host_c stonepack.c -lm -o $out/run_qp && $out/run_qp qp/ || return 1
+        done
+    done
+}
 check_warnings() {
     part "SP_NO_CRA: no coupled check left" without_cra
     part "SP_NO_QP: no quadratic programs left" without_qp
+    count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
     # shellcheck disable=SC2086
     part "warnings: gcc, library" warn gcc $gcc_only
     part "warnings: gcc, program and tests" warn_host gcc
