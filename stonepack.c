@@ -60,8 +60,14 @@
 #endif
 #ifndef SP_NO_QP
 #include "solvers/ldl.c"
+#ifndef SP_QP_NO_CG
 #include "solvers/cg.c"
+#endif
 #include "solvers/ruiz.c"
+#include "solvers/qp.c"
+#include "solvers/kkt.c"
+#include "solvers/proof.c"
+#include "solvers/auglag.c"
 #include "solvers/admm.c"
 #include "solvers/dykstra.c"
 #endif
