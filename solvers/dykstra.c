@@ -169,24 +169,26 @@ static void sp__dykstra_round(sp__dykstra *w)
 static sp_real sp__dykstra_judge(sp__dykstra *w, const sp_qp_settings *set, sp_qp_result *out)
 {
     const sp_qp *qp = w->qp;
-    sp_real rows = 0, columns = 0, terms, xPx = 0, qx = 0;
+    sp_real rows = 0, columns = 0, price = 0, moved = 0, terms, xPx = 0, qx = 0;
     out->primal = out->dual = 0;
     sp__qp_A(qp, w->x, w->Ax);
     sp__qp_At(qp, w->y, w->g);
     for (int32_t i = 0; i < qp->m; i++) {
         const sp_real a = w->Ax[i], off = sp__max(sp__qp_no_u(qp, i) ? 0 : a - qp->u[i], sp__qp_no_l(qp, i) ? 0 : qp->l[i] - a);
         out->primal = sp__max(out->primal, off);
+        price += sp__abs(w->y[i]) * sp__max(off, 0);
         rows = sp__max(rows, sp__abs(a));
     }
     for (int32_t j = 0; j < qp->n; j++) {
         const sp_real p = w->x[j] * ((sp_real)1 / w->W[j] - SP__DYKSTRA_SMALL), q = sp__qp_q(qp, j);
         out->dual = sp__max(out->dual, sp__abs(p + q + w->g[j]));
         columns = sp__max(columns, sp__max(sp__abs(p), sp__max(sp__abs(q), sp__abs(w->g[j]))));
+        moved += sp__abs(w->x[j]) * sp__abs(p + q + w->g[j]);
         xPx += p * w->x[j];
         qx += q * w->x[j];
     }
     out->objective = (sp_real)0.5 * xPx + qx;
-    out->gap = sp__abs(xPx + qx + sp__qp_support(qp, w->y, &terms));
+    out->gap = sp__max(price, sp__abs(xPx + qx + sp__qp_support(qp, w->y, &terms)) + moved);
     const sp_real off = sp__max(out->primal / (set->eps_abs + set->eps_rel * rows), out->dual / (set->eps_abs + set->eps_rel * columns));
     return sp__finite(out->objective + out->gap + off) ? off : SP__NEVER;
 }

@@ -57,7 +57,8 @@ static void sp__kkt_dense_row(sp__qp *w, int32_t j, sp_real *t)
     const sp_qp *qp = &w->qp;
     sp_real *r = w->M + (size_t)j * ((size_t)j + 1) / 2;
     for (int32_t k = 0; k <= j; k++) r[k] = 0;
-    for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) r[qp->Pi[k]] = w->c * w->D[qp->Pi[k]] * qp->Px[k] * w->D[j];
+    for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++)
+        r[qp->Pi[k]] = w->c * w->D[qp->Pi[k]] * qp->Px[k] * w->D[j];
     r[j] += w->sigma;
     for (int32_t i = 0; i < qp->m; i++) t[i] = 0;
     for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {

@@ -47,13 +47,10 @@ static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_r
 /* Y judged as a certificate of primal infeasibility. Multipliers of bounds that are not there are dropped first. */
 static sp_real sp__proof_primal(sp__qp *w)
 {
-    sp_real down = 0, terms = 0;
-    for (int32_t i = 0; i < w->qp.m; i++) {
+    sp_real terms;
+    for (int32_t i = 0; i < w->qp.m; i++)
         if (w->Y[i] > 0 ? sp__qp_no_u(&w->qp, i) : sp__qp_no_l(&w->qp, i)) w->Y[i] = 0;
-        const sp_real t = sp__qp_push(&w->qp, i, w->Y[i]);
-        down -= t;
-        terms += sp__abs(t);
-    }
+    const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
     w->flops += w->products + 6 * (int64_t)w->qp.m;
     return down > 0 ? sp__proof_radius(down, terms, w->qp.m, sp__proof_rest(w)) : (sp_real)0;
 }

@@ -72,11 +72,19 @@ static sp_real sp__qp_clip(const sp_qp *qp, int32_t i, sp_real v)
     return v;
 }
 
-/* y_i times the bound it pushes against; 0 if there is none. */
-static sp_real sp__qp_push(const sp_qp *qp, int32_t i, sp_real y)
+/* u'y+ + l'y-, the support function of [l, u] at y; *terms: sum of |terms|. A multiplier of a bound that is not there counts 0:
+ * callers make sure there is none. */
+static sp_real sp__qp_support(const sp_qp *qp, const sp_real *y, sp_real *terms)
 {
-    if (y > 0) return sp__qp_no_u(qp, i) ? (sp_real)0 : qp->u[i] * y;
-    return sp__qp_no_l(qp, i) ? (sp_real)0 : qp->l[i] * y;
+    sp_real s = 0;
+    *terms = 0;
+    for (int32_t i = 0; i < qp->m; i++) {
+        const sp_real t = y[i] > 0 ? (sp__qp_no_u(qp, i) ? (sp_real)0 : qp->u[i] * y[i])
+                                   : (sp__qp_no_l(qp, i) ? (sp_real)0 : qp->l[i] * y[i]);
+        s += t;
+        *terms += sp__abs(t);
+    }
+    return s;
 }
 
 /* ------------------------------------------------------------------------------------------------------------ products */
@@ -137,16 +145,14 @@ static sp_real sp__rest_over(const sp__rest *a, const sp_qp_settings *set)
     return set->strict && scaled > off ? scaled : off;
 }
 
-/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u]. Returns its price |Y|'|AX - z|; *support: u'Y+ + l'Y-. */
-static sp_real sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out, sp_real *support)
+/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u]. Returns its price |Y|'|AX - z|. */
+static sp_real sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
 {
     sp_real price = 0;
-    *support = 0;
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a), r = sp__abs(a - to);
         sp__rest_widen(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i]);
         price += sp__abs(w->Y[i]) * r;
-        *support += sp__qp_push(&w->qp, i, w->Y[i]);
     }
     return price;
 }
@@ -179,11 +185,11 @@ SP__APART static void sp__qp_judge(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
     sp__rest primal = { 0, 0, 0, 0 }, dual = { 0, 0, 0, 0 };
-    sp_real support, xPx = 0, qx = 0;
+    sp_real terms, xPx = 0, qx = 0;
     sp__qp_A(qp, w->X, w->Ax);
     sp__qp_P(qp, w->X, w->Px);
     sp__qp_At(qp, w->Y, w->Aty);
-    const sp_real infeasible = sp__qp_primal(w, z, &primal, &support), unbalanced = sp__qp_dual(w, &dual);
+    const sp_real infeasible = sp__qp_primal(w, z, &primal), unbalanced = sp__qp_dual(w, &dual);
     for (int32_t j = 0; j < qp->n; j++) {
         xPx += w->X[j] * w->Px[j];
         qx += w->X[j] * sp__qp_q(qp, j);
@@ -193,7 +199,7 @@ SP__APART static void sp__qp_judge(sp__qp *w, const sp_real *z)
     w->rel_primal = sp__rest_relative(&primal);
     w->rel_dual = sp__rest_relative(&dual);
     w->objective = (sp_real)0.5 * xPx + qx;
-    w->gap = sp__max(infeasible, sp__abs(xPx + qx + support) + unbalanced);
+    w->gap = sp__max(infeasible, sp__abs(xPx + qx + sp__qp_support(qp, w->Y, &terms)) + unbalanced);
     w->off = sp__max(sp__rest_over(&primal, &w->set), sp__rest_over(&dual, &w->set));
     if (w->set.strict) w->off = sp__max(w->off, w->gap / (w->set.eps_abs + w->set.eps_rel * sp__abs(w->objective)));
     if (!(w->off < SP__NEVER) || !sp__finite(w->primal + w->dual + w->gap + w->objective)) w->off = SP__NEVER;
