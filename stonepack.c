@@ -3015,6 +3015,7 @@ typedef struct sp__dual {
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
     sp_real *h;                         /* temporaries of the assembly */
+    const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
     sp_cost *cost;
 } sp__dual;
@@ -3090,15 +3091,20 @@ SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_
     return sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
 }
 
+SP__APART static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
+{
+    sp__order order;
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, a);
+}
+
 /* Bytes the symbolic step takes. */
 SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
 {
     sp__dual w;
-    sp__order order;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof w);
     sp__dual_carve_graph(&w, pb, &dry);
-    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &dry);
+    sp__dual_carve_order(pb, &dry);
     return dry.peak;
 }
 
@@ -3245,7 +3251,7 @@ static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
     w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
 }
 
-typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE } sp__law;     /* f = S u, or f = S P_K(u) */
+typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN } sp__law;     /* f = S u, f = S P_K(u), or df = D du, D given */
 
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
@@ -3336,6 +3342,7 @@ SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, in
             else if (region == SP__APEX) continue;
         }
         D[0] *= S; D[1] *= S * k; D[2] *= S * k; D[3] *= S * k * k; D[4] *= S * k * k; D[5] *= S * k * k;
+        if (law == SP__GIVEN) memcpy(D, w->given + 6 * (size_t)v, sizeof D);
         sp__vertex_hessian(D, l, h);
         carries = 1;
     }
@@ -5242,7 +5249,17 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
 
 #ifndef SP_NO_CRA
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
- * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; DESIGN 9.3] */
+ * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; DESIGN 9.3]
+ *
+ * For any alpha >= 0 the motion that minimises   -p . dq + 1/2 sum alpha |dt|^2   subject to dn >= -eps   meets every condition
+ * but two: fn, its multiplier, balances the loads with ft = -alpha dt, but |ft| may exceed mu fn, and slips eta. So the search
+ * looks for alpha. It starts with a drag so weak that joints close before friction carries anything, cuts each vertex's friction
+ * at mu times the normal force it saw last, and lets the drag grow, which shortens the slips:
+ *
+ *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2       h: drag/2 |dt|^2, from drag |dt| = cap on linear
+ *
+ * by Newton steps on the block matrix of the dual; lam <- fn, cap <- mu fn. Where forces and slips then agree, the motion is
+ * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
 typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
 
 typedef struct sp__cra {
@@ -5252,8 +5269,32 @@ typedef struct sp__cra {
     sp__judge j;
     sp__triple t;                       /* on offer */
     sp_real omega, residual;            /* what the judge says of it */
+    sp_real best;                       /* least residual of those offered */
     sp_coupled *out;
+    sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
+    sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
+    sp_real *lam, *cap;                 /* points: multiplier of the normal, bound of the friction */
+    sp_real *kept;                      /* 6b */
+    const sp_real *statics;             /* 3 x points: the forces that were found [N] */
+    sp_real drag;                       /* of slip, in sbar / L */
+    sp_real most;                       /* largest sbar of a contact */
+    sp_real goal, violation, change;    /* friction beyond its cone, change of fn, relative to sbar */
+    int viscous;                        /* friction beyond its cone is lessened by its drag, cap is a factor on it; else cut */
+    int far;                            /* forces and slips agree, but a slip or opening exceeds eta */
+    sp_real grow;                       /* how fast a drag that was lessened may grow again */
+    int tiny;                           /* friction had to be dropped because its slip was too short */
 } sp__cra;
+
+#ifdef SP_REAL_FLOAT
+#define SP__AGREE ((sp_real)1e-3)       /* forces and slips agree so far when their other digits are tried */
+#define SP__STIFF ((sp_real)100)        /* kn: of joints, in sbar / L */
+#define SP__DUST ((sp_real)1e-5)        /* forces below it, relative to sbar, are taken for none */
+#else
+#define SP__AGREE ((sp_real)1e-7)
+#define SP__STIFF ((sp_real)1e4)
+#define SP__DUST ((sp_real)1e-8)
+#endif
+#define SP__CRA_FLOPS 4000000000        /* work after which the search gives up */
 
 static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
 {
@@ -5262,32 +5303,383 @@ static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
     t->alpha = sp__take(a, (size_t)pb->points, sizeof *t->alpha);
 }
 
-static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set)
+static void sp__cra_carve(sp__cra *c, const sp_problem *pb, sp_arena *a)
 {
-    sp__triple t;
+    const size_t v = (size_t)pb->points;
+    c->f = sp__take(a, v, 3 * sizeof *c->f);
+    c->d = sp__take(a, v, 3 * sizeof *c->d);
+    c->D = sp__take(a, v, 6 * sizeof *c->D);
+    c->lam = sp__take(a, v, sizeof *c->lam);
+    c->cap = sp__take(a, v, sizeof *c->cap);
+    c->kept = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->kept);
+}
+
+static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    const size_t dual = sp__dual_need(pb, set, 0, scratch);
+    sp__cra *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c || dual == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sizeof(sp__cra));
-    sp__triple_carve(&t, pb, &dry);
+    sp__take(&dry, 1, sizeof *c);
+    sp__triple_carve(&c->t, pb, &dry);
+    sp__cra_carve(c, pb, &dry);
     sp__take(&dry, 1, sp__judge_need(pb, set));
-    sp__take(&dry, 1, sp__branch_need(pb, set));
+    const size_t branch = sp__branch_need(pb, set);
+    sp__take(&dry, 1, dual > branch ? dual : branch);
     return dry.used;
 }
 
-/* Is the triple on offer coupled?     returns 1 when it is verified */
-static int sp__cra_judge(sp__cra *w)
+/* sbar of the vertices of contact c, the smaller. */
+static sp_real sp__cra_sbar(const sp__cra *c, const sp_contact *t)
 {
-    w->omega = sp__judge_forces(&w->j, w->t.f, w->t.f);
-    w->residual = sp__judge_coupled(&w->j, &w->k, w->t.f, w->t.dq, w->t.alpha);
-    return w->omega <= w->set->tol && w->residual <= 1;
+    return sp__lesser(t, &c->j.scale->s, sizeof *c->j.scale / sizeof c->j.scale->s);
+}
+
+/* Largest |ft| / fn against slip d: mu, of a pyramid what it reaches in that direction. */
+static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_real d[3])
+{
+    const sp_real mu = t->joint->joint.mu * c->j.mu_factor, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    sp_real most = 0;
+    if (!c->set->faces || !(slip > 0)) return mu;
+    for (int32_t k = 0; k < c->set->faces; k++)
+        most = sp__max(most, -(c->j.direction[k][0] * d[1] + c->j.direction[k][1] * d[2]));
+    return mu * (slip / most);
+}
+
+/* u = Aeq' y at every vertex. */
+SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
+{
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        sp_real V[3], W[3];
+        sp__dual_twist(c->w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
+    }
+    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
+}
+
+/* w->r = Aeq f + load (load: 1 or 0), weighted. */
+SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int load)
+{
+    const sp_problem *pb = c->pb;
+    if (load) sp__dual_load(c->w, c->w->r);
+    else memset(c->w->r, 0, 6 * (size_t)pb->blocks * sizeof *c->w->r);
+    for (int32_t q = 0; q < pb->contacts; q++) {
+        const sp_contact *t = &pb->contact[q];
+        sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *g = f + 3 * (size_t)v;
+            sp__cross3(pb->local[v], g, m);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+        }
+        sp__dual_scatter(c->w, t, F, M, c->w->r);
+    }
+    sp__dual_release(c->w, c->w->r);
+    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
+}
+
+/* Force and derivative of one vertex that moves by d; the energy stored in it is added to *energy. */
+static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
+{
+    const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), cap = c->viscous ? SP__HUGE : c->cap[v];
+    const sp_real drag = c->drag * s * (c->viscous ? c->cap[v] : 1), fn = c->lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
+    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    const int slides = drag * slip > cap;
+    const sp_real al = slides ? cap / slip : drag, z = al / (SP__STIFF * c->most);
+    const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
+    f[0] = sp__max(fn, 0);
+    f[1] = -al * d[1];
+    f[2] = -al * d[2];
+    D[0] = fn > 0 ? s / c->most : 0;
+    D[1] = D[2] = 0;
+    D[3] = z * (1 - x * x);
+    D[4] = -z * x * y;
+    D[5] = z * (1 - y * y);
+    *energy += f[0] * f[0] / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
+}
+
+/* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
+SP__APART static sp_real sp__cra_springs(sp__cra *c)
+{
+    sp_real energy = 0;
+    sp__cra_rates(c, c->w->y, c->d);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            sp__cra_vertex(c, (size_t)v, s, &energy);
+    }
+    sp__cra_balance(c, c->f, 1);
+    return energy - sp__dual_work(c->w, c->w->y);
+}
+
+/* Largest component of Aeq' y. */
+SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
+{
+    sp_real most = 0;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        sp_real V[3], W[3], u[3];
+        sp__dual_twist(c->w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp__dual_rate(c->w, V, W, c->pb->local[v], u);
+            for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
+        }
+    }
+    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
+    return most;
+}
+
+/* Newton steps with halving on the energy.     returns 0 when the motion runs away */
+SP__APART static int sp__cra_descend(sp__cra *c)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp__dual *w = c->w;
+    const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->goal);
+    sp_real energy = sp__cra_springs(c);
+    for (int it = 0; it < 15; it++) {
+        if (sp__dual_norm(w, w->r) <= enough * w->load) return 1;
+        sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__dual_solve(w, w->r, w->d);
+        const sp_real down = sp__dot(w->r, w->d, n), whole = 1 / (SP__STIFF * c->most), far = sp__cra_extent(c, w->d);
+        memcpy(c->kept, w->y, n * sizeof *w->y);
+        sp_real step = far * whole > 20 * (1 + c->k.eta) ? 20 * (1 + c->k.eta) / far : whole, next = energy;
+        for (int half = 0; half < 30; half++, step /= 2) {
+            memcpy(w->y, c->kept, n * sizeof *w->y);
+            sp__dual_axpy(w, step, w->d, w->y);
+            next = sp__cra_springs(c);
+            if (next <= energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(energy)) break;
+        }
+        energy = next;
+        c->out->cost.iterations++;
+        if (!(sp__cra_extent(c, w->y) < 1000 * (1 + c->k.eta))) return 0;
+    }
+    return 1;
+}
+
+/* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
+static int sp__cra_update(sp__cra *c, sp_real damp)
+{
+    c->violation = c->change = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            const sp_real s = sp__cra_sbar(c, t);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *f = c->f + 3 * (size_t)v;
+                const sp_real room = sp__cra_reach(c, t, c->d + 3 * (size_t)v) * f[0], ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+                if (!pass) {
+                    c->violation = sp__max(c->violation, (ft - room) / s);
+                    c->change = sp__max(c->change, sp__abs(f[0] - c->lam[v]) / (SP__STIFF * s));
+                    c->lam[v] = f[0];
+                } else if (c->viscous) {
+                    if (ft > 0) c->cap[v] *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->grow);
+                    if (c->cap[v] > 1) c->cap[v] = 1;
+                } else c->cap[v] = c->cap[v] < SP__HUGE ? damp * room + (1 - damp) * c->cap[v] : room;
+            }
+            if (q + 1 == c->pb->contacts && !pass && c->violation <= c->goal) pass = 1;     /* the caps are good */
+        }
+    return c->violation <= c->goal && c->change <= c->goal;
+}
+
+/* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
+SP__APART static void sp__cra_press(sp__cra *c)
+{
+    sp__dual *w = c->w;
+    for (int round = 0; round < 5; round++) {
+        sp__cra_rates(c, w->y, c->d);
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            const sp_real s = sp__cra_sbar(c, t) / c->most;
+            for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+                const int presses = c->f[3 * v] > 0;
+                sp_real *D = c->D + 6 * v;
+                D[0] = presses ? s : 0;
+                D[1] = D[2] = D[4] = 0;
+                D[3] = D[5] = (sp_real)1e-6 * s;
+                c->d[3 * v] = presses ? -s * (c->d[3 * v] + c->k.eps) : 0;
+                c->d[3 * v + 1] = c->d[3 * v + 2] = 0;
+            }
+        }
+        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__cra_balance(c, c->d, 0);
+        sp__dual_solve(w, w->r, w->d);
+        sp__dual_axpy(w, 1, w->d, w->y);
+    }
+    sp__cra_rates(c, w->y, c->d);
+}
+
+/* Forces are laid along the slips: df = -D Aeq' z where Aeq D Aeq' z = Aeq f + p; D of a vertex that presses, of one whose
+ * friction is free in size, of one at the rim of its cone.     returns 0 when a force changes its sign */
+SP__APART static int sp__cra_lay(sp__cra *c)
+{
+    sp__dual *w = c->w;
+    for (int round = 0; round < 4; round++) {
+        sp__cra_balance(c, c->f, 1);
+        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__dual_solve(w, w->r, w->d);
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            sp_real V[3], W[3], u[3];
+            sp__dual_twist(w, t, w->d, V, W);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *D = c->D + 6 * (size_t)v;
+                sp_real *f = c->f + 3 * (size_t)v;
+                if (!(f[0] > 0)) continue;
+                sp__dual_rate(w, V, W, c->pb->local[v], u);
+                f[0] -= D[0] * u[0] + D[1] * u[1] + D[2] * u[2];
+                f[1] -= D[1] * u[0] + D[3] * u[1] + D[4] * u[2];
+                f[2] -= D[2] * u[0] + D[4] * u[1] + D[5] * u[2];
+                if (!(f[0] > 0) || f[1] * c->d[3 * (size_t)v + 1] + f[2] * c->d[3 * (size_t)v + 2] > 0) return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* How each vertex's force may change: none where it is open, along n, along the slip, along both at the rim of the cone.
+ * Friction whose slip is too short is dropped. */
+SP__APART static void sp__cra_freedoms(sp__cra *c)
+{
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), wn = sp__max(sp__max(f[0], ft) / c->most, (sp_real)1e-6 * s / c->most);
+            const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
+            const sp_real x = rubs ? -d[1] / slip : 0, y = rubs ? -d[2] / slip : 0;
+            const sp_real wt = rim ? wn * reach * reach : rubs ? wn : 0, cross = rim ? wn * reach : 0;
+            if (!rubs && ft > 100 * SP__DUST * s) c->tiny = 1;
+            D[0] = f[0] > 0 ? wn : 0;
+            D[1] = cross * x; D[2] = cross * y;
+            D[3] = wt * x * x; D[4] = wt * x * y; D[5] = wt * y * y;
+            f[1] = (rim ? reach * f[0] : ft) * x;
+            f[2] = (rim ? reach * f[0] : ft) * y;
+        }
+    }
+}
+
+/* The triple in metres and newtons.     returns 1 when it is verified */
+SP__APART static int sp__cra_offer(sp__cra *c)
+{
+    const sp__dual *w = c->w;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * w->y[k];
+    memset(c->t.f, 0, 3 * (size_t)c->pb->points * sizeof *c->t.f);
+    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real *f = c->f + 3 * v, *d = c->d + 3 * v;
+            const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+            sp__scale3(w->unit, f, c->t.f + 3 * v);
+            if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
+        }
+    }
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    return c->omega <= c->set->tol && c->residual <= 1;
+}
+
+/* Forces and slips agree to some digits: the rest of the digits.     returns 1 when a triple is verified */
+SP__APART static int sp__cra_polish(sp__cra *c)
+{
+    memcpy(c->kept, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (c->f[3 * (size_t)v] <= SP__DUST * s) memset(c->f + 3 * (size_t)v, 0, 3 * sizeof *c->f);
+    }
+    sp__cra_press(c);
+    sp__cra_freedoms(c);
+    return sp__cra_lay(c) && sp__cra_offer(c);
+}
+
+/* Rounds at one drag, to more digits where fewer do not do.     returns 1: a triple is verified, 0: go on, -1: the motion ran away */
+SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
+{
+    sp_real last = SP__HUGE;
+    c->goal = SP__AGREE;
+    for (int round = 0; round < 25 && c->out->cost.flops < SP__CRA_FLOPS; round++) {
+        c->out->rounds++;
+        if (!sp__cra_descend(c)) return -1;
+        c->far = 0;
+        if (sp__cra_update(c, damp)) {
+            c->far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
+            if (c->far) return 0;
+            if (sp__cra_polish(c)) return 1;
+            memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+            c->goal /= 1000;
+            if (c->goal < 100 * (sp_real)SP_EPSILON) return 0;
+        }
+        if (c->violation > last) damp = sp__max((sp_real)0.1, damp * (sp_real)0.7);
+        last = c->violation;
+    }
+    return 0;
+}
+
+/* From rest, with growing drag.     returns 1 when a triple is verified */
+SP__APART static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
+{
+    memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
+    memset(c->lam, 0, (size_t)c->pb->points * sizeof *c->lam);
+    for (c->drag = drag; c->drag < 200 || (c->far && c->drag < 20000); c->drag *= 10) {
+        const int found = sp__cra_rounds(c, damp);
+        if (found) return found > 0;
+    }
+    return 0;
+}
+
+/* Friction to start with: without a bound, at mu times statics' fn, a whole or (other contacts than `lone`, or it alone) hardly
+ * any of the drag. */
+typedef enum sp__start { SP__START_FREE, SP__START_STATICS, SP__START_DRAG, SP__START_LONE, SP__START_OTHERS } sp__start;
+
+static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
+{
+    c->viscous = how >= SP__START_DRAG;
+    c->grow = how == SP__START_DRAG ? 2 : 1;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real most = t->joint->joint.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->unit);
+            c->cap[v] = c->viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
+        }
+    }
+}
+
+#define SP__LONE_MOST 24                /* contacts up to which each is tried alone: what jams askew does so by unequal drag */
+
+/* Several starts, the likeliest first. */
+static int sp__cra_search(sp__cra *c)
+{
+    static const struct { sp__start how; sp_real drag, damp; } start[] = {
+        { SP__START_FREE, (sp_real)0.01, (sp_real)0.7 }, { SP__START_FREE, (sp_real)0.1, (sp_real)0.3 },
+        { SP__START_DRAG, (sp_real)0.01, 0 },            { SP__START_STATICS, (sp_real)0.01, (sp_real)0.3 },
+        { SP__START_DRAG, 1, 0 },                        { SP__START_STATICS, 1, (sp_real)0.3 },
+        { SP__START_FREE, 1, (sp_real)0.3 },             { SP__START_DRAG, (sp_real)1e-4, 0 } };
+    for (int k = 0; k < 8; k++) {
+        sp__cra_start(c, start[k].how, 0);
+        if (sp__cra_grow(c, start[k].drag, start[k].damp)) return 1;
+        if (c->out->cost.flops >= SP__CRA_FLOPS) return 0;
+    }
+    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST; q++)
+        for (int others = 0; others < 2; others++) {
+            sp__cra_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
+            if (sp__cra_grow(c, (sp_real)0.01, 0)) return 1;
+        }
+    return 0;
 }
 
 /* The motion of the free blocks into the scene's. */
-static void sp__cra_spread(const sp__cra *w)
+static void sp__cra_spread(const sp__cra *c)
 {
-    const sp_problem *pb = w->pb;
+    const sp_problem *pb = c->pb;
     for (int32_t i = 0; i < pb->blocks; i++)
-        memcpy(w->out->dq + 6 * (size_t)pb->block[i], w->t.dq + 6 * (size_t)i, 6 * sizeof *w->t.dq);
-    memcpy(w->out->alpha, w->t.alpha, (size_t)pb->points * sizeof *w->t.alpha);
+        memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
+    memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
 }
 
 /* Forces are known (state->f): is there a triple? f becomes its forces where one is found.
@@ -5295,28 +5687,44 @@ static void sp__cra_spread(const sp__cra *w)
 SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
                                            sp_coupled *out, sp_real *omega)
 {
-    sp__cra *w = sp__take(a, 1, sizeof *w);
-    if (!w) return SP_E_MEMORY;
-    sp__triple_carve(&w->t, pb, a);
-    if (!sp__judge_open(&w->j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
-    w->pb = pb;
-    w->set = set;
-    w->out = out;
-    w->k = sp__coupled_lengths(pb, set);
-    memcpy(w->t.f, state->f, (size_t)pb->points * 3 * sizeof *w->t.f);
-    memset(w->t.dq, 0, (size_t)pb->blocks * 6 * sizeof *w->t.dq);
-    memset(w->t.alpha, 0, (size_t)pb->points * sizeof *w->t.alpha);
+    sp__cra *c = sp__take(a, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    memset(c, 0, sizeof *c);
+    sp__triple_carve(&c->t, pb, a);
+    sp__cra_carve(c, pb, a);
+    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
+    const size_t mark = a->used;
+    sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
+    if (sp__failed(a)) return SP_E_MEMORY;
+    a->used = mark;
+    c->w = sp__dual_open(pb, set, SP__EXACT, &out->cost, a);
+    if (!c->w) return SP_E_MEMORY;
+    c->pb = pb;
+    c->set = set;
+    c->out = out;
+    c->k = sp__coupled_lengths(pb, set);
+    for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
+    memcpy(c->t.f, state->f, (size_t)pb->points * 3 * sizeof *c->t.f);
+    memset(c->t.dq, 0, (size_t)pb->blocks * 6 * sizeof *c->t.dq);
+    memset(c->t.alpha, 0, (size_t)pb->points * sizeof *c->t.alpha);
+    memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
     out->verdict = SP_COUPLING_NOT_FOUND;
     out->reason = SP_COUPLING_BUDGET;
-    if (sp__cra_judge(w)) {
+    sp__dual_bilateral(c->w);
+    sp__dual_sizes(c->w, c->w->y);
+    if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
+    c->w->given = c->D;
+    c->statics = state->f;
+    if (sp__cra_search(c)) {
         out->verdict = SP_COUPLING_COUPLED;
         out->reason = SP_COUPLING_MOTION;
-        memcpy(state->f, w->t.f, (size_t)pb->points * 3 * sizeof *w->t.f);
-        *omega = w->omega;
+        memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
+        *omega = c->omega;
     }
-    out->residual = w->residual;
-    sp__cra_spread(w);
-    return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &w->j, &w->k, a, out) : SP_OK;
+    out->residual = c->residual;
+    sp__cra_spread(c);
+    a->used = mark;
+    return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
 }
 #endif /* SP_NO_CRA */
 /* 23 -------------------------------------------------------------------------------------------------------------- ladder */
@@ -5483,7 +5891,7 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
     }
 #ifndef SP_NO_CRA
     if (set->coupled.asked) {
-        const size_t need = sp__coupled_need(pb, set);
+        const size_t need = sp__coupled_need(pb, set, scratch);
         if (need > most) most = need;
     }
 #endif

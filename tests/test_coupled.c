@@ -244,6 +244,228 @@ TEST(the_default_lengths_follow_the_mean_edge)
     CHECK_NEAR(r.coupled.eta, 1e-2, 1e-6);
 }
 
+/* ------------------------------------------------------------------------------------------------------- what is found */
+
+static sp_settings asked(double ratio, int box)
+{
+    sp_settings set = sp_settings_default();
+    set.coupled.asked = 1;
+    set.coupled.eps = R(1e-4);
+    set.coupled.eta = R(1e-4 * ratio);
+    set.coupled.box = box;
+    return set;
+}
+
+/* The answer, checked: what is coupled is admissible and passes sp_verify. */
+static sp_coupling answer(const sp_scene *s, const sp_settings *set, sp_result *r)
+{
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+    if (!CHECK_INT(sp_check(s, set, &test_arena, r), SP_OK)) return SP_COUPLING_NOT_ASKED;
+    CHECK((r->level == SP_COUPLED) == (r->coupled.verdict == SP_COUPLING_COUPLED));
+    if (r->coupled.verdict == SP_COUPLING_COUPLED) {
+        CHECK_INT(r->verdict, SP_STABLE);
+        CHECK(r->omega <= r->tol && r->coupled.residual <= 1);
+        CHECK_INT(sp_verify(s, set, r, test_arena, &e), SP_OK);
+        CHECK_INT(e.level, SP_COUPLED);
+    } else CHECK(r->verdict != SP_STABLE);
+    return r->coupled.verdict;
+}
+
+static sp_coupling of(const char *name, const char *param, double value)
+{
+    sp_scene s;
+    sp_result r;
+    const sp_settings set = asked(100, 0);
+    test_arena.used = 0;
+    build(name, param, value, &s);
+    return answer(&s, &set, &r);
+}
+
+TEST(what_stands_by_its_weight_is_coupled)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "two-cubes", "offset", 0.4 }, { "incline", "angle", 30 }, { "topple", "angle", 12 }, { "overhang", "factor", 0.95 },
+        { "cantilever", "reach", 1.1 }, { "tower", "n", 6 }, { "diamond", "rows", 3 }, { "arch", "n", 12 }, { "wall", "rows", 4 } };
+    for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++)
+        if (!CHECK_INT(of(scene[k].name, scene[k].param, scene[k].value), SP_COUPLING_COUPLED)) TEST_PRINT("    %s\n", scene[k].name);
+}
+
+TEST(the_h_model_is_never_coupled)                      /* though statics accept it */
+{
+    static const double mu[] = { 0.01, 0.45, 0.84 };
+    for (int k = 0; k < 3; k++) {
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        build("h-model", "mu", mu[k], &s);
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, SP_STABLE);
+        for (double ratio = 2; ratio < 3e3; ratio *= 10) {
+            const sp_settings set = asked(ratio, 1);
+            test_arena.used = 0;
+            build("h-model", "mu", mu[k], &s);
+            CHECK(answer(&s, &set, &r) != SP_COUPLING_COUPLED);
+        }
+    }
+}
+
+/* A block w wide and h high between two walls, a metre deep, in world axes turned by `turn` about z; everything `unit` times as
+ * long, `heavy` times as heavy; `swap`: the block is A of its joints; `late`: it is added first. */
+typedef struct squeeze { double w, h, mu, turn, unit, heavy; int swap, late; } squeeze;
+
+static void squeezed(const squeeze *q, sp_scene *s)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
+    const sp_joint joint = sp_joint_friction(R(q->mu));
+    const double c = cos(q->turn), d = sin(q->turn);
+    int32_t wall[2], block = 0;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    for (int k = 0; k < 3; k++) {
+        const double x = (k == (q->late ? 0 : 2) ? 0 : k == 1 ? 1 : -1) * (q->w / 2 + 1) * q->unit;
+        const sp_real at[3] = { R(c * x), R(d * x), 0 };
+        int32_t *id = k == (q->late ? 0 : 2) ? &block : &wall[k == 1];
+        CHECK_INT(sp_scene_body(s, R(1000 * q->heavy), at, id == &block ? 0 : SP_FIXED, id), SP_OK);
+    }
+    for (int side = 0; side < 2; side++) {
+        sp_real xyz[12];
+        const int back = (side == 0) == (q->swap != 0);  /* seen from B anticlockwise */
+        for (int k = 0; k < 4; k++) {
+            const int v = back ? 3 - k : k;
+            const double x = (side ? 0.5 : -0.5) * q->w * q->unit, y = (v == 1 || v == 2 ? 0.5 : -0.5) * q->unit;
+            xyz[3 * k] = R(c * x - d * y);
+            xyz[3 * k + 1] = R(d * x + c * y);
+            xyz[3 * k + 2] = R((v >= 2 ? 0.5 : -0.5) * q->h * q->unit);
+        }
+        CHECK_INT(q->swap ? sp_scene_interface(s, block, wall[side], 4, xyz, &joint, NULL)
+                          : sp_scene_interface(s, wall[side], block, 4, xyz, &joint, NULL), SP_OK);
+    }
+}
+
+static sp_coupling squeeze_of(squeeze q, double ratio)
+{
+    sp_scene s;
+    sp_result r;
+    sp_settings set = asked(ratio, 1);
+    set.coupled.eps *= R(q.unit);
+    set.coupled.eta *= R(q.unit);
+    squeezed(&q, &s);
+    return answer(&s, &set, &r);
+}
+
+static const squeeze plain = { 1, 0.4, 1, 0, 1, 1, 0, 0 };
+
+TEST(a_squeezed_block_jams_across_its_diagonal_from_mu_2h_over_w_on)
+{
+    static const double h[] = { 0.2, 0.42, 1 };
+    for (int k = 0; k < 3; k++) {
+        squeeze q = plain;
+        q.h = h[k];
+        q.mu = 2 * h[k] * (1 + TOL(1e-3, 2e-2));
+        CHECK_INT(squeeze_of(q, 100), SP_COUPLING_COUPLED);
+        q.mu = 2 * h[k] * (1 - TOL(1e-3, 2e-2));
+        CHECK(squeeze_of(q, 100) != SP_COUPLING_COUPLED);
+    }
+}
+
+TEST(and_from_eta_over_eps_2w_over_h_on)
+{
+    static const double h[] = { 0.2, 0.42, 1 };
+    for (int k = 0; k < 3; k++) {
+        squeeze q = plain;
+        q.h = h[k];
+        q.mu = 4 * h[k];
+        CHECK_INT(squeeze_of(q, 2 / h[k] * (1 + TOL(1e-3, 2e-2))), SP_COUPLING_COUPLED);
+        CHECK(squeeze_of(q, 2 / h[k] * (1 - TOL(1e-3, 2e-2))) != SP_COUPLING_COUPLED);
+    }
+}
+
+TEST(the_answer_does_not_depend_on_units_axes_order_or_sides)
+{
+    for (int k = 0; k < 64; k++) {
+        squeeze q = plain;
+        q.turn = k & 1 ? 0.7 : 0;
+        q.unit = k & 2 ? 1e-3 : 1;
+        q.heavy = k & 4 ? TOL(1e6, 1e3) : 1;
+        q.swap = k >> 3 & 1;
+        q.late = k >> 4 & 1;
+        q.mu = k & 32 ? 0.9 : 0.7;                      /* 2 h / w = 0.8 */
+        if (k & 32) CHECK_INT(squeeze_of(q, 20), SP_COUPLING_COUPLED);
+        else CHECK(squeeze_of(q, 20) != SP_COUPLING_COUPLED);
+    }
+}
+
+/* Without friction a keystone sinks by eps / sin of its sides' angle. */
+TEST(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
+{
+    static const double angle[] = { -30, -5, -1 };
+    for (int k = 0; k < 3; k++)
+        for (int far = 0; far < 2; far++) {
+            sp_scene s;
+            sp_result r;
+            gen_scene g;
+            test_arena.used = 0;
+            CHECK(gen_open(&g, "keystone") && gen_set(&g, "angle", angle[k]) && gen_set(&g, "mu", 0));
+            CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+            const sp_settings set = asked((far ? 1.01 : 0.99) / tan(-angle[k] * acos(-1) / 180), 1);
+            const sp_coupling found = answer(&s, &set, &r);
+            if (far) CHECK_INT(found, SP_COUPLING_COUPLED);
+            else CHECK(found != SP_COUPLING_COUPLED);
+        }
+}
+
+/* A beam snug between a wall and an upright block that stands free on the ground: nothing squeezes it, and it is too high to jam
+ * across its diagonal, but statics let the upright's weight press it. */
+TEST(a_beam_snug_between_a_wall_and_a_free_upright_is_not_coupled)
+{
+    const sp_capacity cap = { 4, 0, 0, 0, 3, 12, 0 };
+    const sp_real ground[3] = { 0, 0, -1 }, wall[3] = { -2, 0, 1 }, beam[3] = { 0, 0, R(1.5) }, post[3] = { R(0.75), 0, 1 };
+    const sp_real left[12] = { R(-0.5), R(-0.5), R(1.2), R(-0.5), R(0.5), R(1.2), R(-0.5), R(0.5), R(1.8), R(-0.5), R(-0.5), R(1.8) };
+    const sp_real foot[12] = { R(0.5), R(-0.5), 0, 1, R(-0.5), 0, 1, R(0.5), 0, R(0.5), R(0.5), 0 };
+    const sp_joint joint = sp_joint_friction(R(0.7));
+    const sp_settings set = asked(100, 0);
+    sp_real right[12];
+    sp_scene s;
+    sp_result r;
+    int32_t id[4];
+    for (int k = 0; k < 12; k++) right[k] = k % 3 ? left[k] : R(0.5);
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, &id[0]), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, wall, SP_FIXED, &id[1]), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 100, beam, 0, &id[2]), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 5000, post, 0, &id[3]), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, id[1], id[2], 4, left, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, id[2], id[3], 4, right, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, id[0], id[3], 4, foot, &joint, NULL), SP_OK);
+    NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK(answer(&s, &set, &r) != SP_COUPLING_COUPLED);
+}
+
+TEST(the_coupled_check_takes_exactly_the_memory_it_says)
+{
+    sp_settings set = asked(100, 0);
+    for (int coupled_too = 0; coupled_too < 2; coupled_too++) {
+        sp_scene s;
+        sp_result r;
+        sp_arena a;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        set.coupled.asked = coupled_too;
+        build("arch", "n", 8, &s);
+        NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
+        const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        NEED(sp_arena_init(&a, test_arena.base + from, test_arena.cap - from) == SP_OK);
+        NEED(bytes <= a.cap);
+        a.cap = bytes;
+        CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
+        CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
+        a.used = 0;
+        a.cap = bytes - 1;
+        CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_MEMORY);
+    }
+}
+
 TEST_LIST(coupled)
     RUN(a_cube_that_sinks_and_a_block_that_creeps_down_its_slope_are_coupled)
     RUN(without_the_question_or_the_triple_a_state_is_admissible)
@@ -256,4 +478,12 @@ TEST_LIST(coupled)
     RUN(lengths_out_of_range_are_refused)
     RUN(what_statics_refuse_is_refuted)
     RUN(the_default_lengths_follow_the_mean_edge)
+    RUN(what_stands_by_its_weight_is_coupled)
+    RUN(the_h_model_is_never_coupled)
+    RUN(a_squeezed_block_jams_across_its_diagonal_from_mu_2h_over_w_on)
+    RUN(and_from_eta_over_eps_2w_over_h_on)
+    RUN(the_answer_does_not_depend_on_units_axes_order_or_sides)
+    RUN(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
+    RUN(a_beam_snug_between_a_wall_and_a_free_upright_is_not_coupled)
+    RUN(the_coupled_check_takes_exactly_the_memory_it_says)
 TEST_END
