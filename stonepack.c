@@ -103,7 +103,7 @@ SP_API const char *sp_status_text(sp_status status)
                     "the interface has no area, or its normal no length\0"
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
-                    "not supported here: cohesion, tension or crushing of joints, or a coupled check in a build without it\0"
+                    "not supported here: strength of joints with a friction pyramid, or a coupled check in a build without it\0"
                     "P of the quadratic program is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
@@ -526,8 +526,28 @@ static sp_status sp__joint_check(const sp_joint *joint)
 {
     const sp_real rest[3] = { joint->cohesion, joint->tension, joint->cap };
     if (!sp__finite(joint->mu) || !sp__finite3(rest)) return SP_E_NOT_FINITE;
-    if (joint->mu < 0) return SP_E_RANGE;
-    return sp__abs(rest[0]) + sp__abs(rest[1]) + sp__abs(rest[2]) > 0 ? SP_E_UNSUPPORTED : SP_OK;
+    return joint->mu >= 0 && rest[0] >= 0 && rest[1] >= 0 && rest[2] >= 0 ? SP_OK : SP_E_RANGE;
+}
+
+/* Has a joint strength beyond friction, or less than any? */
+static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
+
+static int sp__scene_strong(const sp_scene *scene)
+{
+    for (int32_t k = 0; k < scene->count.interfaces; k++) if (sp__joint_strong(&scene->interface[k].joint)) return 1;
+    return 0;
+}
+
+/* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
+ *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb] */
+typedef struct sp__strength { sp_real C, T, N; } sp__strength;
+
+static sp__strength sp__vertex_strength(const sp_interface *f)
+{
+    const sp_real share = f->area / (sp_real)f->points;
+    sp__strength k = { f->joint.cohesion * share, f->joint.tension * share, f->joint.cap > 0 ? f->joint.cap * share : SP__HUGE };
+    if (k.T * f->joint.mu > k.C) k.T = k.C / f->joint.mu;
+    return k;
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
@@ -645,6 +665,7 @@ SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp
     if (!n) return SP_E_ARGUMENT;
     sp_status status = sp__interface_start(scene, a, b, points, xyz, joint);
     if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->interface[scene->count.interfaces]);
+    if (!status && sp__joint_strong(joint)) status = SP_E_AREA;         /* strength is per area */
     if (!status) sp__interface_add(scene, points, xyz, id);
     return status;
 }
@@ -1961,6 +1982,7 @@ SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *set
 {
     if (!problem || !problem->scene || !settings || !arena || !arena->base || !out) return SP_E_ARGUMENT;
     if ((columns != 3 && columns != 4) || settings->faces < SP__FACES_MIN || settings->faces > SP__FACES_MAX) return SP_E_RANGE;
+    if (sp__scene_strong(problem->scene)) return SP_E_UNSUPPORTED;
     if (problem->points > INT32_MAX / (4 * settings->faces)) return SP_E_MEMORY;
     sp_arena a = *arena;
     sp_triplets t = { settings->faces * problem->points, columns * problem->points, 0, NULL, NULL, NULL };
@@ -1990,7 +2012,6 @@ SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *set
 #define SP__SCALE_NULL ((sp_real)1e-14)
 #endif
 #define SP__SCALE_KNOWN ((sp_real)1e-3) /* imbalance of f0, relative to a block's load, up to which it is that block's scale */
-#define SP__HUGE ((sp_real)1e30)        /* stands for a ratio with nothing below the line */
 
 typedef struct sp__scale {
     sp_real load, couple;               /* |force|, |moment| of the load */
@@ -2323,7 +2344,20 @@ static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
     return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
 }
 
-/* An admissible force near f: fn kept, ft shortened onto the cone; no tension, no more than the cap. out may be f. */
+/* Strength of a vertex in units; none where the joint has none. */
+static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
+{
+    const sp__strength none = { 0, 0, SP__HUGE };
+    if (!sp__joint_strong(&t->joint->joint)) return none;
+    sp__strength k = sp__vertex_strength(t->joint);
+    k.C /= j->unit;
+    k.T /= j->unit;
+    k.N = sp__ratio(k.N, j->unit);
+    return k;
+}
+
+/* An admissible force near f: fn kept, ft shortened onto the cone; no tension beyond strength, no more than the cap (K_v is
+ * convex and holds 0, so a shortened force stays in it). out may be f. */
 static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
@@ -2335,7 +2369,8 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
         const sp_real s = d[0] * f[1] + d[1] * f[2];
         if (s > most) most = s;
     }
-    const sp_real fn = f[0] > 0 ? f[0] : 0, room = mu * fn;
+    const sp__strength k = sp__judge_strength(j, t);
+    const sp_real fn = f[0] > k.N ? k.N : f[0] > -k.T ? f[0] : -k.T, room = sp__max(0, k.C + mu * fn);
     const sp_real share = most > room ? room / most : 1;
     out[0] = fn;
     out[1] = f[1] * share;
@@ -2410,6 +2445,20 @@ static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const s
     return most <= mu * u[0] ? all : best;
 }
 
+/* Largest f.u over f in K_v, |f| <= cap; K_v with strength lies between its lower rim (fn = -T, |ft| = low) and its upper one.
+ *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|
+ *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low) |P_cone(u)|
+ * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
+static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap, int *capped)
+{
+    const sp_real mu = t->joint->joint.mu, a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    const sp__strength k = sp__judge_strength(j, t);
+    const sp_real low = sp__max(0, k.C - mu * k.T), foot = low * a - k.T * u[0], top = (k.C + mu * k.N) * a + k.N * u[0];
+    const sp_real shut = foot > top ? foot : top, open = foot + (cap + k.T + low) * P;
+    if (shut <= open) *capped = 0;
+    return shut < open ? shut : open;
+}
+
 /* Largest displacement of a joint of block i. */
 static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
 {
@@ -2456,8 +2505,9 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
             sp__point_velocity(pb, NULL, t->a, v, j->x, 1, w);
             const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
-            resist += cap * P;
-            if (P > 256 * (sp_real)SP_EPSILON * moved) *final = 0;      /* below that: rounding of dq and u */
+            int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
+            resist += sp__joint_strong(&t->joint->joint) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
+            if (capped) *final = 0;
         }
     }
     j->sweeps++;
@@ -3003,6 +3053,7 @@ typedef struct sp__dual {
     const sp_problem *pb;
     const sp_settings *set;
     sp__cone cone;
+    sp__yield *yield;                   /* of the contact last asked for */
     sp__bchol L;                        /* factor of the Hessian + shift */
     sp_real *dense;                     /* or, not NULL, its dense factor */
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
@@ -3038,6 +3089,7 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
     w->dense = dense ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
     sp__cone_carve(&w->cone, faces, a);
+    w->yield = sp__take(a, 1, sizeof *w->yield);
     w->slot = sp__take(a, c, sizeof *w->slot);
     w->weight = sp__take(a, b, 2 * sizeof *w->weight);
     w->size = sp__take(a, b, 2 * sizeof *w->size);
@@ -3178,7 +3230,24 @@ static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
     return s;
 }
 
-static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->joint.mu * w->factor; }
+/* K of a vertex of contact c in units, and as f = S P_(K/S)(u) wants it: strength over S, friction in its own units. It lies in
+ * w->yield until the next call. */
+static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
+{
+    const sp_interface *f = w->pb->contact[c].joint;
+    sp__yield *k = w->yield;
+    k->mu = f->joint.mu * w->factor;
+    k->plain = !sp__joint_strong(&f->joint);
+    k->C = k->T = 0;
+    k->N = SP__HUGE;
+    if (k->plain) return k;
+    const sp__strength strength = sp__vertex_strength(f);
+    const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
+    k->C = strength.C * scale / w->slide;
+    k->T = strength.T * scale;
+    k->N = sp__ratio(strength.N, 1 / scale);
+    return k;
+}
 
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
 SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
@@ -3209,9 +3278,9 @@ static void sp__dual_rate(const sp__dual *w, const sp_real V[3], const sp_real W
 }
 
 /* f = S (P_K(u) - (max(0, -u_n) / gamma, 0, 0)), friction unweighed. */
-static void sp__dual_force(const sp__dual *w, int32_t c, const sp_real u[3], sp_real f[3])
+static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield, const sp_real u[3], sp_real f[3])
 {
-    sp__cone_project(&w->cone, sp__dual_mu(w, c), u, f);
+    sp__cone_project(&w->cone, yield, u, f);
     if (w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
     const sp_real S = sp__dual_S(w, c), slip = S * w->slide;
     f[0] *= S; f[1] *= slip; f[2] *= slip;
@@ -3260,13 +3329,14 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
         sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             const sp_real *l = pb->local[v];
             sp_real u[3], g[3];
             sp__dual_rate(w, V, W, l, u);
-            if (law == SP__ADMISSIBLE) sp__dual_force(w, c, u, g);
+            if (law == SP__ADMISSIBLE) sp__dual_force(w, c, yield, u, g);
             else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
             F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
             M[0] += l[1] * g[2] - l[2] * g[1];
@@ -3287,6 +3357,7 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
     sp_real sum = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
         sp_real V[3], W[3], dV[3], dW[3], part = 0;
         sp__dual_twist(w, t, y, V, W);
         sp__dual_twist(w, t, d, dV, dW);
@@ -3295,7 +3366,7 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
             sp_real u[3], du[3], f[3];
             sp__dual_rate(w, V, W, pb->local[v], u);
             sp__dual_rate(w, dV, dW, pb->local[v], du);
-            sp__dual_force(w, c, u, f);
+            sp__dual_force(w, c, yield, u, f);
             part += f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide;
         }
         sum += part;
@@ -3327,6 +3398,7 @@ static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
 SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
+    const sp__yield *yield = sp__dual_yield(w, c);
     const sp_real k = w->slide, S = sp__dual_S(w, c);
     sp_real V[3], W[3];
     int carries = 0;
@@ -3337,7 +3409,7 @@ SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, in
         sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
         if (law == SP__ADMISSIBLE) {
             sp__dual_rate(w, V, W, l, u);
-            const sp__region region = sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D);
+            const sp__region region = sp__cone_derivative(&w->cone, yield, u, D);
             if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
             else if (region == SP__APEX) continue;
         }
@@ -3867,15 +3939,16 @@ SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const 
     sp_real press = 0, pull = 0, beyond = 0, size = 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             const sp_real *g = f + 3 * (size_t)v;
             const sp_real flat[3] = { sp__max(0, g[0]), g[1], g[2] };
             sp__foot foot;
-            sp__cone_foot(&w->cone, sp__dual_mu(w, c), flat, &foot);
+            sp__cone_foot(&w->cone, yield, flat, &foot);
             press = sp__max(press, g[0]);
             pull = sp__max(pull, -g[0]);
             size = sp__max(size, sp__norm3(g));
-            beyond = sp__max(beyond, foot.a - sp__dual_mu(w, c) * (w->set->net ? g[0] : flat[0]));
+            beyond = sp__max(beyond, foot.a - yield->mu * (w->set->net ? g[0] : flat[0]));
         }
     }
     sp__dual_count(w, SP__FLOPS_SWEEP, 0);
@@ -3935,13 +4008,14 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
     sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
         sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, u[3], m[3];
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *g = f + 3 * (size_t)v;
             sp__dual_rate(w, V, W, pb->local[v], u);
             for (int k = 0; k < 3; k++) u[k] = g[k] + (k ? w->slide * u[k] : u[k]);
-            sp__cone_project(&w->cone, sp__dual_mu(w, c), u, g);
+            sp__cone_project(&w->cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
         }
@@ -4031,8 +4105,24 @@ SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_re
 }
 
 /* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared with,
- * for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)|, sum (sbar |v| + Sbar |w|). */
+ * for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)| (with strength: the support function of K_v),
+ * sum (sbar |v| + Sbar |w|). */
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
+
+/* What the vertices of contact c can resist a motion with. */
+SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp__yield *yield = sp__dual_yield(w, c);
+    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(t, w->size, 2) / S;
+    sp_real V[3], W[3], u[3], sum = 0;
+    sp__dual_twist(w, t, y, V, W);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp__dual_rate(w, V, W, w->pb->local[v], u);
+        sum += sp__cone_support(&w->cone, yield, u, most);
+    }
+    return S * sum;
+}
 
 SP__APART static sp__proof sp__newton_weigh(sp__dual *w, const sp_real *y)
 {
@@ -4042,18 +4132,7 @@ SP__APART static sp__proof sp__newton_weigh(sp__dual *w, const sp_real *y)
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
         o.scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
-    for (int32_t c = 0; c < pb->contacts && o.resist < o.work; c++) {
-        const sp_contact *t = &pb->contact[c];
-        sp_real V[3], W[3], sum = 0;
-        sp__dual_twist(w, t, y, V, W);
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real u[3];
-            sp__dual_rate(w, V, W, pb->local[v], u);
-            sp__cone_project(&w->cone, sp__dual_mu(w, c), u, u);
-            sum += sp__norm3(u);
-        }
-        o.resist += w->set->force_bound * sp__lesser(t, w->size, 2) * sum;
-    }
+    for (int32_t c = 0; c < pb->contacts && o.resist < o.work; c++) o.resist += sp__newton_resist(w, c, y);
     sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
     return o;
 }
@@ -4151,9 +4230,10 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
 SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
                                        sp_real M[3])
 {
+    const sp__yield *yield = sp__dual_yield(w, c);
     sp_real D[6], u[3], m[3];
     sp__dual_rate(w, twist[0], twist[1], l, u);
-    if (sp__cone_derivative(&w->cone, sp__dual_mu(w, c), u, D) == SP__APEX) return;
+    if (sp__cone_derivative(&w->cone, yield, u, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
     const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
@@ -4430,16 +4510,18 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 {
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
+        const sp__strength k = sp__vertex_strength(t->joint);
         sp_demand *o = &demand[t->id];
         sp_real V[3], W[3];
         sp__dual_twist(w, t, w->y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3], f[3];
             sp__dual_rate(w, V, W, w->pb->local[v], u);
-            sp__dual_force(w, c, u, f);
-            const sp_real slip = SP_SQRT(f[1] * f[1] + f[2] * f[2]) - t->joint->joint.mu * sp__max(0, f[0]);
-            o->tension = sp__max(o->tension, -f[0] * w->unit);
-            o->friction = sp__max(o->friction, slip * w->unit);
+            sp__dual_force(w, c, yield, u, f);
+            const sp_real held = k.C + t->joint->joint.mu * sp__max(-k.T, f[0] * w->unit);
+            o->tension = sp__max(o->tension, -f[0] * w->unit - k.T);
+            o->friction = sp__max(o->friction, SP_SQRT(f[1] * f[1] + f[2] * f[2]) * w->unit - held);
         }
     }
 }
@@ -5779,7 +5861,7 @@ static int sp__seed_fits(const sp_seed *s)
 }
 
 /* The caller's settings, checked and with the automatic values filled in. */
-static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
+static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *in, sp_settings *out)
 {
     *out = in ? *in : sp_settings_default();
     if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
@@ -5801,6 +5883,7 @@ static sp_status sp__settings_resolve(const sp_settings *in, sp_settings *out)
     if (out->coupled.asked) return SP_E_UNSUPPORTED;
 #endif
     if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
+    if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -5904,7 +5987,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
-    sp_status status = sp__settings_resolve(settings, &c->set);
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
     const size_t most = sp__stages_need(&c->pb, &c->set, scratch);
@@ -6023,17 +6106,18 @@ SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *
     if (interface < 0 || interface >= scene->count.interfaces) return SP_E_INDEX;
     const sp_interface *t = &scene->interface[interface];
     sp_interface_force o;
-    sp_real sum[3] = { 0, 0, 0 };
+    sp_real sum[3] = { 0, 0, 0 }, size = 0;
     memset(&o, 0, sizeof o);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *f = result->f + 3 * (size_t)v;
         const int first = v == t->point;
         for (int k = 0; k < 3; k++) sum[k] += f[k];
+        size += sp__abs(f[0]);
         if (first || f[0] < o.min_fn) o.min_fn = f[0];
         if (first || f[0] > o.max_fn) o.max_fn = f[0];
     }
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real share = sum[0] > 0 ? result->f[3 * (size_t)v] / sum[0] : 1 / (sp_real)t->points;
+        const sp_real share = size > 0 ? sp__abs(result->f[3 * (size_t)v]) / size : 1 / (sp_real)t->points;
         for (int k = 0; k < 3; k++) o.point[k] += share * (scene->point[v][k] - scene->point[t->point][k]);
     }
     for (int k = 0; k < 3; k++) {
@@ -6041,7 +6125,8 @@ SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *
         o.force[k] = sum[0] * t->n[k] + sum[1] * t->t1[k] + sum[2] * t->t2[k];
     }
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
-    o.utilisation = sum[0] + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, t->joint.mu * sum[0]) : 0;
+    const sp_real held = sp__max(0, t->joint.mu * sum[0] + t->joint.cohesion * t->area);
+    o.utilisation = size + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, held) : 0;
     *out = o;
     return SP_OK;
 }
@@ -6183,7 +6268,7 @@ SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_setti
     c->r.coupled.alpha = arrays.alpha;
     c->r.coupled.proof = arrays.proof;
     c->kept = all;
-    sp_status status = sp__settings_resolve(settings, &c->set);
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, a, &c->pb);
     if (status) return status;
     sp__state_carve(&c->state, c->pb.blocks, a);
@@ -6256,7 +6341,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (triple && !sp__all_finite(claim->coupled.alpha, (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
-    sp_status status = sp__settings_resolve(settings, &c->set);
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
     sp__judge j;

@@ -71,7 +71,7 @@ typedef enum sp_status {
     SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
     SP_E_SELF        = -13,     /* an interface between a block and itself */
     SP_E_EMPTY       = -14,     /* no block at all */
-    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: cohesion, tension or crushing of a joint, coupled */
+    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: strength of a joint with a pyramid, coupled */
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
@@ -117,12 +117,15 @@ typedef struct sp_mass {
     sp_real diameter;           /* diagonal of the bounding box [m] */
 } sp_mass;
 
-/* What a joint can carry. K_v of each of its vertices: |ft| <= mu fn; the other three are for later versions and must be 0. */
+/* What a joint can carry. K_v of each of its vertices, which share the joint's area A alike (A_v = A / points):
+ *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= cap A_v                                    [Mohr-Coulomb]
+ * Tension counts up to cohesion / mu, where the cone ends. Strength needs an area (not points) and the true cone; coupled
+ * checks, pyramids and the matrices know friction only: SP_E_UNSUPPORTED. */
 typedef struct sp_joint {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
-    sp_real cohesion;           /* shear strength at no pressure [Pa], 0 */
-    sp_real tension;            /* tensile strength [Pa], 0 */
-    sp_real cap;                /* crushing strength [Pa], 0: unlimited */
+    sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
+    sp_real tension;            /* tensile strength, >= 0 [Pa] */
+    sp_real cap;                /* crushing strength, >= 0 [Pa]; 0: unlimited */
 } sp_joint;
 
 #define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
@@ -198,13 +201,13 @@ SP_API sp_joint sp_joint_friction(sp_real mu);
 
 /* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
  * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated interfaces are legal.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (mu < 0),
- *           SP_E_UNSUPPORTED, SP_E_CAPACITY */
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (joint),
+ *           SP_E_CAPACITY */
 SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                     const sp_joint *joint, int32_t *id);
 
 /* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
- *   returns as sp_scene_interface */
+ *   returns as sp_scene_interface; SP_E_AREA: also strength without an area */
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
                                  const sp_real *xyz, const sp_joint *joint, int32_t *id);
 
@@ -248,7 +251,7 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
  *   scratch   by value: all of it may be overwritten
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE and SP_E_UNSUPPORTED (settings.joint), SP_E_MEMORY,
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY,
  *             SP_E_CAPACITY */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report);
@@ -476,9 +479,10 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 
 typedef struct sp_interface_force {
     sp_real force[3];           /* resultant on b, world axes [N] */
-    sp_real point[3];           /* where it acts: mean of the vertices weighted by fn [m] */
+    sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
     sp_real min_fn, max_fn;     /* [N] */
-    sp_real utilisation;        /* |sum ft| / (mu sum fn); 0 where less than 1e-4 of the lighter block's weight is carried [1] */
+    sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area); 0 where less than
+                                   1e-4 of the lighter block's weight is carried [1] */
 } sp_interface_force;
 
 /* Resultant of one interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */

@@ -5,6 +5,9 @@
  *                   By its mirror symmetry the nearest point lies in the sector of u: fold u into it, then the answer is
  *                   u itself, its foot on one face, its foot on one edge, or the apex. Cost log(faces).
  * mu is the coefficient in force (mu cos(pi/K) for an inscribed pyramid). P_K of a cone is homogeneous: P_K(s u) = s P_K(u).
+ *
+ *   with strength   K = { |ut| <= C + mu un, -T <= un <= N }, T <= C / mu: a cone moved down, cut off below and above. Turned
+ *                   about n it is a polygon in (un, |ut|): the nearest point lies on its slope, a wall, or a rim between them.
  */
 #ifndef SP__CONE_C
 #define SP__CONE_C
@@ -18,7 +21,10 @@ typedef struct sp__cone {
     sp_real (*direction)[2];            /* faces of them */
 } sp__cone;
 
-typedef enum sp__region { SP__APEX, SP__INSIDE, SP__FACE, SP__EDGE } sp__region;
+/* What one vertex can carry; plain: C = T = 0, N without end. Strength goes with the true cone only. */
+typedef struct sp__yield { sp_real mu, C, T, N; int plain; } sp__yield;
+
+typedef enum sp__region { SP__APEX, SP__INSIDE, SP__FACE, SP__EDGE, SP__WALL, SP__RIM } sp__region;
 
 /* Where u lies, and its local frame: w the unit vector of its face, b how far along the face (>= 0), side +-1. */
 typedef struct sp__foot { sp__region region; sp_real w[2], a, b, side, t; } sp__foot;
@@ -51,8 +57,27 @@ static int32_t sp__cone_sector(const sp__cone *k, sp_real x, sp_real y)
     return lo;
 }
 
-static void sp__cone_foot(const sp__cone *k, sp_real mu, const sp_real u[3], sp__foot *o)
+/* The polygon -T <= x <= N, y <= C + mu x, seen from (x, y) = (u_n, |u_t|): slope, walls, rims. */
+static void sp__yield_foot(const sp__yield *y, const sp_real u[3], sp__foot *o)
 {
+    const sp_real x = u[0], low = sp__max(0, y->C - y->mu * y->T), high = y->C + y->mu * y->N;
+    o->a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    o->b = 0; o->side = 1;
+    o->w[0] = o->a > 0 ? u[1] / o->a : 1;
+    o->w[1] = o->a > 0 ? u[2] / o->a : 0;
+    o->t = (x + y->mu * (o->a - y->C)) / (1 + y->mu * y->mu);
+    if (x >= -y->T && x <= y->N && o->a <= y->C + y->mu * x) o->region = SP__INSIDE;
+    else if (x < -y->T && o->a <= low) { o->region = SP__WALL; o->t = -y->T; }
+    else if (x > y->N && o->a <= high) { o->region = SP__WALL; o->t = y->N; }
+    else if (o->t <= -y->T) { o->region = SP__RIM; o->t = -y->T; }
+    else if (o->t >= y->N) { o->region = SP__RIM; o->t = y->N; }
+    else o->region = SP__FACE;
+}
+
+static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp__foot *o)
+{
+    const sp_real mu = yield->mu;
+    if (!k->faces && !yield->plain) { sp__yield_foot(yield, u, o); return; }
     if (!k->faces) {
         o->a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
         o->b = 0; o->side = 1;
@@ -80,13 +105,14 @@ static void sp__cone_foot(const sp__cone *k, sp_real mu, const sp_real u[3], sp_
 }
 
 /* f = P_K(u). f may be u. Returns the region. */
-static sp__region sp__cone_project(const sp__cone *k, sp_real mu, const sp_real u[3], sp_real f[3])
+static sp__region sp__cone_project(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp_real f[3])
 {
     sp__foot o;
-    sp__cone_foot(k, mu, u, &o);
+    sp__cone_foot(k, yield, u, &o);
     if (o.region == SP__INSIDE) { f[0] = u[0]; f[1] = u[1]; f[2] = u[2]; return o.region; }
     if (o.region == SP__APEX) { f[0] = f[1] = f[2] = 0; return o.region; }
-    const sp_real along = mu * o.t;
+    if (o.region == SP__WALL) { f[0] = o.t; f[1] = u[1]; f[2] = u[2]; return o.region; }
+    const sp_real along = sp__max(0, yield->C + yield->mu * o.t);
     const sp_real across = o.side * (o.region == SP__EDGE ? along * k->tan_half : o.b);
     f[0] = o.t;
     f[1] = along * o.w[0] - across * o.w[1];
@@ -95,15 +121,18 @@ static sp__region sp__cone_project(const sp__cone *k, sp_real mu, const sp_real 
 }
 
 /* D = DP_K(u), symmetric 3 x 3: D[0..5] = nn, n1, n2, 11, 12, 22. Returns the region. */
-SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, const sp_real u[3], sp_real D[6])
+SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp_real D[6])
 {
+    const sp_real mu = yield->mu;
     sp__foot o;
-    sp__cone_foot(k, mu, u, &o);
+    sp__cone_foot(k, yield, u, &o);
     D[0] = D[1] = D[2] = D[3] = D[4] = D[5] = 0;
-    if (o.region == SP__INSIDE) D[0] = D[3] = D[5] = 1;
-    if (o.region == SP__FACE) {                     /* true cone: (1, mu w)(1, mu w)'/(1 + mu^2) + mu t/a (I - w w')  */
-        const sp_real q = 1 / (1 + mu * mu);        /* pyramid: I - n n', so 1 in place of mu t/a                     */
-        const sp_real c = k->faces ? 1 : mu * o.t / o.a;
+    if (o.region == SP__INSIDE) D[0] = 1;
+    if (o.region == SP__INSIDE || o.region == SP__WALL) D[3] = D[5] = 1;
+    if (o.region == SP__FACE || o.region == SP__RIM) {              /* true cone: (1, mu w)(1, mu w)'/(1 + mu^2)      */
+        const sp_real q = o.region == SP__RIM ? 0 : 1 / (1 + mu * mu);          /* + (C + mu t)/a (I - w w'); a rim:  */
+        const sp_real c = k->faces ? 1 : o.a > 0 ? sp__max(0, yield->C + mu * o.t) / o.a : 0;    /* the second part alone */
+                                                    /* pyramid: I - n n', so 1 in place of (C + mu t)/a               */
         D[0] = q; D[1] = q * mu * o.w[0]; D[2] = q * mu * o.w[1];
         const sp_real s = q * mu * mu;
         D[3] = s * o.w[0] * o.w[0] + c * o.w[1] * o.w[1];
@@ -117,6 +146,23 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, sp_real mu, c
         D[0] = q; D[1] = q * x; D[2] = q * y; D[3] = q * x * x; D[4] = q * x * y; D[5] = q * y * y;
     }
     return o.region;
+}
+
+/* Largest f.u over f in K with |f| <= most, or a little more: over the polygon's rims; over the cone from the lower rim, the
+ * vector to which is no longer than T + low. */
+static sp_real sp__cone_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
+{
+    sp__yield cone = *y;
+    sp_real g[3];
+    cone.C = cone.T = 0;
+    cone.plain = 1;
+    sp__cone_project(k, &cone, u, g);
+    const sp_real size = sp__norm3(g);
+    if (y->plain) return most * size;
+    const sp_real low = sp__max(0, y->C - y->mu * y->T), high = y->C + y->mu * y->N, a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low) * size;
+    const sp_real crush = y->N * u[0] + high * a, shut = foot > crush ? foot : crush;
+    return shut < open ? shut : open;
 }
 
 #endif /* SP__CONE_C */

@@ -14,6 +14,8 @@
 #endif
 #endif
 
+#define SP__HUGE ((sp_real)1e30)        /* stands for no bound, and for a ratio with nothing below the line */
+
 static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x; }
 static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
 

@@ -27,6 +27,12 @@ static double outside(const sp__cone *k, double mu, const double f[3])
     return size > 0 ? (most - mu * f[0]) / size : 0;
 }
 
+static sp__yield friction(double mu)
+{
+    const sp__yield y = { R(mu), 0, 0, SP__HUGE, 1 };
+    return y;
+}
+
 static void random_force(double mu, sp_real u[3])
 {
     const double size = pow(10, (double)test_random_real(-3, 3));
@@ -46,8 +52,9 @@ TEST(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
             const double mu = (double)R(mus[trial % 5]);
             sp_real u[3], f[3], again[3];
             random_force(mu, u);
-            sp__cone_project(&k, R(mu), u, f);
-            sp__cone_project(&k, R(mu), f, again);
+            const sp__yield yield = friction(mu);
+            sp__cone_project(&k, &yield, u, f);
+            sp__cone_project(&k, &yield, f, again);
             double fd[3], rest[3], dot = 0, size = 0, moved = 0;
             for (int c = 0; c < 3; c++) {
                 fd[c] = (double)f[c], rest[c] = (double)u[c] - fd[c];
@@ -75,18 +82,19 @@ TEST(derivative_is_that_of_the_projection)
         sp__cone k;
         open_cone(kind, &k);
         for (int trial = 0; trial < 300; trial++) {
+            const sp__yield yield = friction(0.5);
             sp_real u[3], D[6];
             random_force(0.5, u);
             const double size = sqrt((double)u[0] * (double)u[0] + (double)u[1] * (double)u[1] + (double)u[2] * (double)u[2]);
             const double h = TOL(1e-6, 2e-3) * size;
-            const sp__region here = sp__cone_derivative(&k, R(0.5), u, D);
+            const sp__region here = sp__cone_derivative(&k, &yield, u, D);
             const double full[3][3] = { { (double)D[0], (double)D[1], (double)D[2] }, { (double)D[1], (double)D[3], (double)D[4] },
                                         { (double)D[2], (double)D[4], (double)D[5] } };
             for (int c = 0; c < 3; c++) {
                 sp_real lo[3], hi[3], f[3], e[3];
                 for (int i = 0; i < 3; i++) lo[i] = hi[i] = u[i];
                 lo[c] = R((double)u[c] - h), hi[c] = R((double)u[c] + h);
-                if (sp__cone_project(&k, R(0.5), lo, f) != here || sp__cone_project(&k, R(0.5), hi, e) != here) continue;
+                if (sp__cone_project(&k, &yield, lo, f) != here || sp__cone_project(&k, &yield, hi, e) != here) continue;
                 const double step = (double)hi[c] - (double)lo[c];
                 double off = 0;
                 for (int i = 0; i < 3; i++) off += fabs(((double)e[i] - (double)f[i]) / step - full[i][c]);
@@ -104,11 +112,12 @@ TEST(projection_scales_with_the_force)
         sp__cone k;
         open_cone(kind, &k);
         for (int trial = 0; trial < 200; trial++) {
+            const sp__yield yield = friction(0.7);
             sp_real u[3], v[3], f[3], g[3];
             random_force(0.7, u);
             for (int c = 0; c < 3; c++) v[c] = 8 * u[c];
-            sp__cone_project(&k, R(0.7), u, f);
-            sp__cone_project(&k, R(0.7), v, g);
+            sp__cone_project(&k, &yield, u, f);
+            sp__cone_project(&k, &yield, v, g);
             for (int c = 0; c < 3; c++) CHECK(g[c] <= 8 * f[c] && g[c] >= 8 * f[c]);
         }
     }
@@ -130,9 +139,94 @@ TEST(directions_of_a_pyramid_are_evenly_spaced_unit_vectors)
     }
 }
 
+/* Mortar, crushing, both, without friction: what random strength looks like. */
+static sp__yield strong(int kind)
+{
+    sp__yield y = { R(kind % 4 == 3 ? 0 : 0.6), 0, 0, SP__HUGE, 0 };
+    if (kind & 1) y.C = test_random_real(0.1, 2), y.T = test_random_real(0, 0.3);
+    if (kind & 2) y.N = test_random_real(0.1, 3);
+    if (y.T * y.mu > y.C || kind == 5) y.T = y.mu > 0 ? y.C / y.mu : y.T;        /* 5: out to the apex */
+    return y;
+}
+
+/* A force in K, from its polygon turned about n. */
+static void random_inside(const sp__yield *y, double g[3])
+{
+    const double low = -(double)y->T, high = y->N < 100 ? (double)y->N : 100, n = low + (high - low) * (double)test_random_real(0, 1);
+    const double r = ((double)y->C + (double)y->mu * n) * (double)test_random_real(0, 1), angle = (double)test_random_real(0, 6.2831853);
+    g[0] = n; g[1] = r * cos(angle); g[2] = r * sin(angle);
+}
+
+TEST(with_strength_the_nearest_point_is_inside_and_leaves_a_useless_rest)
+{
+    sp__cone k;
+    open_cone(0, &k);
+    for (int trial = 0; trial < 20000; trial++) {
+        const sp__yield y = strong(trial % 7);
+        const double eps = 256 * (double)SP_EPSILON;
+        sp_real u[3], f[3];
+        double use = 0, size = 1;
+        for (int c = 0; c < 3; c++) u[c] = test_random_real(-5, 5), size += (double)u[c] * (double)u[c];
+        sp__cone_project(&k, &y, u, f);
+        const double ft = sqrt((double)f[1] * (double)f[1] + (double)f[2] * (double)f[2]);
+        CHECK(f[0] >= -y.T && f[0] <= y.N && ft <= (double)y.C + (double)y.mu * (double)f[0] + eps);
+        double g[3];
+        random_inside(&y, g);
+        for (int c = 0; c < 3; c++) use += ((double)u[c] - (double)f[c]) * (g[c] - (double)f[c]);
+        if (!CHECK(use <= eps * size * 100)) return;
+    }
+}
+
+TEST(with_strength_the_derivative_is_that_of_the_projection)
+{
+    sp__cone k;
+    open_cone(0, &k);
+    for (int trial = 0; trial < 5000; trial++) {
+        const sp__yield y = strong(trial % 7);
+        const double h = TOL(1e-6, 2e-3);
+        sp_real u[3], D[6];
+        for (int c = 0; c < 3; c++) u[c] = test_random_real(-4, 4);
+        if ((double)u[1] * (double)u[1] + (double)u[2] * (double)u[2] < 0.04) continue;
+        const sp__region here = sp__cone_derivative(&k, &y, u, D);
+        const double full[3][3] = { { (double)D[0], (double)D[1], (double)D[2] }, { (double)D[1], (double)D[3], (double)D[4] },
+                                    { (double)D[2], (double)D[4], (double)D[5] } };
+        for (int c = 0; c < 3; c++) {
+            sp_real lo[3], hi[3], f[3], e[3];
+            for (int i = 0; i < 3; i++) lo[i] = hi[i] = u[i];
+            lo[c] = R((double)u[c] - h), hi[c] = R((double)u[c] + h);
+            if (sp__cone_project(&k, &y, lo, f) != here || sp__cone_project(&k, &y, hi, e) != here) continue;
+            for (int i = 0; i < 3; i++)
+                CHECK_WITHIN(((double)e[i] - (double)f[i]) / ((double)hi[c] - (double)lo[c]), full[i][c], TOL(1e-6, 5e-2));
+        }
+    }
+}
+
+/* f.u over forces inside never comes above it, and the nearest point to a far s u comes close. */
+TEST(the_support_function_bounds_what_strength_can_resist)
+{
+    sp__cone k;
+    open_cone(0, &k);
+    for (int trial = 0; trial < 20000; trial++) {
+        const sp__yield y = strong(trial % 7);
+        sp_real u[3], far[3], f[3];
+        double g[3], use = 0, reach = 0, size = 0;
+        for (int c = 0; c < 3; c++) u[c] = test_random_real(-1, 1), far[c] = 4096 * u[c];
+        const double most = 200, bound = (double)sp__cone_support(&k, &y, u, R(most));
+        random_inside(&y, g);
+        for (int c = 0; c < 3; c++) use += g[c] * (double)u[c], size += g[c] * g[c];
+        if (sqrt(size) <= most && !CHECK(use <= bound + 1e-4 * fabs(bound))) return;
+        sp__cone_project(&k, &y, far, f);
+        for (int c = 0; c < 3; c++) reach += (double)f[c] * (double)u[c];
+        if (y.N < 100 && !CHECK(reach >= bound - 0.05 * (1 + fabs(bound)))) return;
+    }
+}
+
 TEST_LIST(cone)
     RUN(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
     RUN(derivative_is_that_of_the_projection)
     RUN(projection_scales_with_the_force)
+    RUN(with_strength_the_nearest_point_is_inside_and_leaves_a_useless_rest)
+    RUN(with_strength_the_derivative_is_that_of_the_projection)
+    RUN(the_support_function_bounds_what_strength_can_resist)
     RUN(directions_of_a_pyramid_are_evenly_spaced_unit_vectors)
 TEST_END

@@ -120,7 +120,7 @@ TEST(vertices_no_face_uses_are_left_out)
 TEST(what_is_written_reads_back_the_same)
 {
     static const char text[] = "#@ gravity 0.1 -1e-3 -9.7\n" GROUND STONE "#@ density 1234.5678901234567\n#@ fixed y rz\n" JOINT
-                               "#@ mu 0.1\n#@ load stone 1 2 3 4 5 6\n#@ live stone 0 0 -7 0.1 0.2 0.3 couple # down\n"
+                               "#@ mu 0.1\n#@ tension 5e4\n#@ cohesion 1e5\n#@ load stone 1 2 3 4 5 6\n#@ live stone 0 0 -7 0.1 0.2 0.3 couple # down\n"
                                "#@ points ground stone 0 0 2 0.333333333333333333 0.1 0\n#@ mu 0.2\n";
     host_scene s, t;
     CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
@@ -131,6 +131,9 @@ TEST(what_is_written_reads_back_the_same)
     CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
     CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
     CHECK_NEAR(t.scene.interface[1].joint.mu, s.scene.interface[1].joint.mu, 0);
+    CHECK_NEAR(t.scene.interface[0].joint.cohesion, 1e5, 0);
+    CHECK_NEAR(t.scene.interface[0].joint.tension, 5e4, 0);
+    CHECK_WITHIN(t.scene.interface[1].joint.tension, 0, 0);
     CHECK_INT(t.scene.block[1].fixed, 2 + 32);
     CHECK_INT(t.scene.count.loads, 3);                  /* the second written as a force and a couple */
     CHECK_INT(t.scene.load[1].live + t.scene.load[2].live, 2);
@@ -158,6 +161,8 @@ TEST(every_refusal_tells_line_and_block)
     refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite");
     refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
     refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");
+    refuse("#@ cohesion -1\n", "t.obj:1: must not be negative: 'cohesion'");
+    refuse("#@ crushing\n", "t.obj:1: strength of a joint needs a number");
     refuse("#@ live a 0 0\n", "t.obj:1: a load needs a force of three numbers");
     refuse("#@ load a 0 0 1 0 0 0 pair\n", "t.obj:1: unexpected 'pair'");
     refuse("o a\n#@ fixed x w\n", "t.obj:2: fixed knows x y z rx ry rz, not 'w' in block 'a'");

@@ -123,7 +123,7 @@ TEST(every_status_has_its_own_sentence)
     CHECK(strstr(sp_status_text(SP_E_MEMORY), "memory") != NULL);
     CHECK(strstr(sp_status_text(SP_E_INWARD), "inward") != NULL);
     CHECK(strstr(sp_status_text(SP_E_OPEN), "open") != NULL);
-    CHECK(strstr(sp_status_text(SP_E_UNSUPPORTED), "cohesion") != NULL);
+    CHECK(strstr(sp_status_text(SP_E_UNSUPPORTED), "strength") != NULL);
 }
 
 TEST(words_follow_their_enumerators)
@@ -855,9 +855,9 @@ TEST(bad_interfaces_leave_the_scene_alone)
         j.mu = R(-0.1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
         j.mu = inf;      REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
         j.mu = nan_;     REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
-        j = good; j.cohesion = R(1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_UNSUPPORTED);
-        j = good; j.tension = R(-1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_UNSUPPORTED);
-        j = good; j.cap = R(1);       REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_UNSUPPORTED);
+        j = good; j.cohesion = R(-1); REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
+        j = good; j.tension = R(-1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
+        j = good; j.cap = R(-1);      REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
         j = good; j.cap = inf;        REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
         xyz[7] = nan_;   REFUSED(ADD(&scene, 0, 1, 4, xyz, &good), SP_E_NOT_FINITE);
         xyz[7] = -inf;   REFUSED(ADD(&scene, 0, 1, 4, xyz, &good), SP_E_NOT_FINITE);

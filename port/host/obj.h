@@ -3,6 +3,7 @@
  *   o NAME                             starts a block; v and f as usual; vn vt g s usemtl mtllib are ignored
  *   #@ mu 0.84                         friction, whole scene; after an interface: that interface
  *   #@ gravity 0 0 -9.80665
+ *   #@ cohesion 1e5                    [Pa] likewise; also tension, crushing (none: it is never crushed)
  *   #@ density 2400                    whole scene; after an o line: that block
  *   #@ fixed                           after an o line; only in some directions: #@ fixed x y z rx ry rz
  *   #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B
@@ -35,7 +36,7 @@ typedef struct obj_contact {
     int32_t line, point, points;
     int polygon;                /* 0: points that share the normal n */
     sp_real n[3];
-    sp_real mu;                 /* -1: the scene's */
+    sp_real mu, strength[3];    /* cohesion, tension, crushing [Pa]; -1: the scene's */
 } obj_contact;
 
 typedef struct obj_load {
@@ -50,7 +51,7 @@ typedef struct obj_file {
     char *text;                 /* names point into it */
     size_t length;
     int32_t lines;
-    sp_real mu, density, gravity[3];
+    sp_real mu, strength[3], density, gravity[3];
     int32_t blocks, faces, corners, vertices, contacts, points, loads;
     obj_block *block;
     obj_face *face;

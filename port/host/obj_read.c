@@ -210,6 +210,25 @@ static int read_mu(reader *r)
     return line_is_over(r);
 }
 
+static const char *const strength[] = { "cohesion", "tension", "crushing" };
+
+/* Which of them the word is, -1: none. */
+static int strength_word(text_word w)
+{
+    for (int k = 0; k < 3; k++) if (text_is(w, strength[k])) return k;
+    return -1;
+}
+
+static int read_strength(reader *r, int k, text_word w)
+{
+    sp_real x;
+    int status = reals(r, 1, &x, "strength of a joint needs a number");
+    if (status) return status;
+    if (x < 0) return fail_word(r, "must not be negative:", w);
+    *(r->f->contacts > 0 ? &r->f->contact[r->f->contacts - 1].strength[k] : &r->f->strength[k]) = x;
+    return line_is_over(r);
+}
+
 static int read_gravity(reader *r)
 {
     int status = reals(r, 3, r->f->gravity, "gravity needs three numbers");
@@ -271,7 +290,8 @@ static int read_load(reader *r, int live)
 /* A B, then for points nx ny nz, then x y z of each vertex. */
 static int read_contact(reader *r, int polygon)
 {
-    obj_contact c = { { { NULL, 0 }, { NULL, 0 } }, -1, -1, r->at.line, r->f->points, 0, polygon, { 0, 0, 0 }, -1 };
+    obj_contact c = { { { NULL, 0 }, { NULL, 0 } }, -1, -1, r->at.line, r->f->points, 0, polygon, { 0, 0, 0 }, -1,
+                      { -1, -1, -1 } };
     text_word w;
     int status;
 
@@ -302,6 +322,7 @@ static int read_word(reader *r, text_word w)
 {
     if (w.n == 0 && !text_next_word(&r->at, &w)) return fail(r, "a word is missing after '#@'");
     if (text_is(w, "mu")) return read_mu(r);
+    if (strength_word(w) >= 0) return read_strength(r, strength_word(w), w);
     if (text_is(w, "gravity")) return read_gravity(r);
     if (text_is(w, "density")) return read_density(r);
     if (text_is(w, "fixed")) return read_fixed(r);

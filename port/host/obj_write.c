@@ -58,6 +58,9 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
     for (int32_t k = 0; k < c->points; k++) triple(out, "", s->point[c->point + k]);
     fputs("\n", out);
     if (own_mu) setting(out, "mu", c->joint.mu);
+    if (c->joint.cohesion > 0) setting(out, "cohesion", c->joint.cohesion);
+    if (c->joint.tension > 0) setting(out, "tension", c->joint.tension);
+    if (c->joint.cap > 0) setting(out, "crushing", c->joint.cap);
 }
 
 static int is_zero(const sp_real x[3])

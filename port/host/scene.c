@@ -110,10 +110,19 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
     return text_fail_status(error, status, f->path, block->line, what);
 }
 
+/* A joint with this friction and strength; of strength the scene's where a number is below 0 (points have none: no area). */
+static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
+{
+    sp_real k[3];
+    for (int i = 0; i < 3; i++) k[i] = own[i] >= 0 ? own[i] : polygon ? f->strength[i] : 0;
+    const sp_joint joint = { mu, k[0], k[1], k[2] };
+    return joint;
+}
+
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, text_error *error)
 {
     const obj_contact *c = &f->contact[i];
-    const sp_joint joint = sp_joint_friction(mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu);
+    const sp_joint joint = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
     const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &joint, NULL)
                                         : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &joint, NULL);
@@ -190,7 +199,7 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
     void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
     sp_arena scratch;
 
-    settings.joint = sp_joint_friction(mu >= 0 ? mu : f->mu);
+    settings.joint = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
     if (!memory || sp_arena_init(&scratch, memory, bytes + SP_ALIGN) != SP_OK) {
         free(memory);
         return out_of_memory(f, error);
