@@ -12,7 +12,7 @@ PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
-HOST_H   = stonepack.h $(wildcard port/*/*.h) tests/scenes/gen.h
+HOST_H   = stonepack.h $(wildcard port/*/*.h settle/*.h) tests/scenes/gen.h
 
 # Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it has no .pc file).
 IPOPT_L := $(shell pkg-config --libs ipopt 2> /dev/null)
@@ -29,7 +29,20 @@ PLUGINS += port/osqp
 PLUG_C  += -DWITH_OSQP -isystem $(OSQP)/include
 PLUG_L  += $(OSQP_L) -Wl,-rpath,$(dir $(OSQP_L))
 endif
-PLUG     = $(wildcard $(PLUGINS:%=%/*.c))
+PLUG     = $(wildcard $(PLUGINS:%=%/*.c)) $(SETTLE_C)
+
+# Where stones come to rest: Bullet 3 and a C++ compiler. `make BULLET=` leaves it out.
+ifeq ($(origin BULLET),undefined)
+BULLET  := $(shell command -v $(CXX) > /dev/null 2>&1 && for p in bullet-float64 bullet; do \
+             pkg-config --exists $$p 2> /dev/null && echo $$p && break; done)
+endif
+ifneq ($(BULLET),)
+SETTLE_C = $(wildcard settle/*.c)
+SETTLE_O = build/settle.o
+BULLET_I := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(BULLET)))
+PLUG_C  += -DWITH_BULLET
+PLUG_L  += -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -lstdc++
+endif
 
 SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
@@ -60,10 +73,14 @@ build/stonepack.o: $(PARTS)
 build/libstonepack.a: build/stonepack.o
 	$(AR) rcs $@ $<
 
-build/stonepack: $(MAIN) $(HOST) $(PLUG) $(HOST_H) build/libstonepack.a build/plugins
-	$(CC) $(ALL_C) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) build/libstonepack.a $(PLUG_L) -lm -o $@
+build/settle.o: settle/settle.cpp $(wildcard settle/*.h) stonepack.h
+	@mkdir -p build
+	$(CXX) -std=c++11 -ffp-contract=off $(CFLAGS) $(WARN) $(BULLET_I) -c $< -o $@
 
-# What is built in; changes when a solver comes or goes.
+build/stonepack: $(MAIN) $(HOST) $(PLUG) $(HOST_H) $(SETTLE_O) build/libstonepack.a build/plugins
+	$(CC) $(ALL_C) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) $(SETTLE_O) build/libstonepack.a $(PLUG_L) -lm -o $@
+
+# What is built in; changes when one comes or goes.
 build/plugins: always
 	@mkdir -p build
 	@echo '$(PLUG_C) $(PLUG_L)' | cmp -s - $@ || echo '$(PLUG_C) $(PLUG_L)' > $@
@@ -82,11 +99,12 @@ build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)   #
 RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
-$(foreach p,double float,build/$p/tests/test_plugins.o build/$p/port/host/solvers.o): build/plugins
-build/run: $(RUN_O:%=build/double/%)
+$(foreach p,double float,build/$p/tests/test_plugins.o build/$p/tests/test_settle.o \
+  build/$p/port/host/solvers.o build/$p/port/host/settle.o): build/plugins
+build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
-build/run_float: $(RUN_O:%=build/float/%)
+build/run_float: $(RUN_O:%=build/float/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
 -include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))

@@ -42,8 +42,7 @@ static sp_status memory_of(const host_scene *s, const sp_settings *settings, siz
     return status;
 }
 
-/* Make the check; its arrays live in *memory, to be freed by the caller. */
-static int run(report *r, void **memory, text_error *error)
+int report_check(report *r, void **memory, text_error *error)
 {
     sp_arena arena;
     double start;
@@ -85,7 +84,7 @@ static int check_one(const char *path, const options *o, text_error *error)
     if (!status && !options_tilt(o->tilt, o->azimuth, s.scene.gravity))
         status = text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
     if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
-    if (!status) status = run(&r, &memory, error);
+    if (!status) status = report_check(&r, &memory, error);
     if (!status && o->svg) status = draw(&r, error);
     progress("", "");
     if (!status) {

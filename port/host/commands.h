@@ -7,6 +7,7 @@ int command_verify(int argc, char **argv);
 int command_qp(int argc, char **argv);
 int command_contacts(int argc, char **argv);
 int command_convert(int argc, char **argv);
+int command_settle(int argc, char **argv);
 int command_gen(int argc, char **argv);
 
 #endif

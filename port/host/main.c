@@ -49,6 +49,20 @@ static const char help_qp[] =
 "  --json             one JSON object, with x\n\n"
 "Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file.\n";
 
+static const char help_settle[] =
+"stonepack settle [options] SCENE -o OUT.obj\n"
+"stonepack settle --confirm [options] SCENE\n\n"
+"Where do the stones come to rest? They fall under gravity, are tamped, and are written with the points they touch in, for\n"
+"`check` to decide. --confirm instead asks whether the scene keeps still, and whether statics says the same. Needs Bullet.\n\n"
+"  -o FILE            writes the scene as it came to rest\n"
+"  --near X           contacts written are faces nearer than X m, not Bullet's points\n"
+"  --frames FILE      draws the fall in nine pictures (SVG)\n"
+"  --mu X             friction of every contact, whatever the scene says\n"
+"  --set LIST         settings NAME=VALUE,...; names and defaults: stonepack settle --set help\n"
+"  --json             one JSON object\n\n"
+"Exit status: 0 all settled, 1 some fell out; of --confirm 0 both say it stands, 1 both say it falls, 2 they differ or\n"
+"statics is undecided; 69 this program was built without Bullet.\n";
+
 static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"
 "stonepack gen NAME [NUMBER=VALUE ...]      writes a scene made by formula to standard output, e.g. gen arch n=15 t=0.1\n";
@@ -62,6 +76,7 @@ static const struct {
     { "contacts", "what touches what?",                    help_contacts, command_contacts },
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
     { "qp",       "solve a quadratic program",             help_qp,       command_qp },
+    { "settle",   "where do stones come to rest?",         help_settle,   command_settle },
     { "gen",      "write a scene made by formula",         help_gen,      command_gen },
 };
 

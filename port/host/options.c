@@ -84,6 +84,14 @@ static int take(options *o, const char *name, const char *value, text_error *err
 {
     if (strcmp(name, "--svg") == 0) {
         o->svg = value;
+    } else if (strcmp(name, "-o") == 0) {
+        o->out = value;
+    } else if (strcmp(name, "--frames") == 0) {
+        o->frames = value;
+    } else if (strcmp(name, "--set") == 0) {
+        o->set = value;
+    } else if (strcmp(name, "--near") == 0) {
+        if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--tol") == 0) {
         if (!real(value, &o->settings.tol) || !(o->settings.tol >= 4 * SP_EPSILON && o->settings.tol <= (sp_real)0.1))
             return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1"
@@ -138,6 +146,7 @@ static int flag(options *o, const char *name)
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
     if (strcmp(name, "--net") == 0) return o->settings.net = 1;
+    if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
     return 0;
 }
 

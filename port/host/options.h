@@ -7,6 +7,10 @@
 typedef struct options {
     int json, forces;
     const char *svg;            /* file, or NULL */
+    const char *out, *frames;   /* of settle: files, or NULL */
+    const char *set;            /* of settle: NAME=VALUE,... or NULL */
+    double near;                /* of settle: contacts are faces nearer than this [m]; 0: Bullet's points */
+    int confirm;                /* of settle */
     sp_real mu;                 /* overrides every friction; -1: not given */
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
     sp_real eps;                /* of qp; 0: not given */

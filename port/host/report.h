@@ -15,6 +15,9 @@ typedef struct report {
     size_t bytes;               /* its arena [byte] */
 } report;
 
+/* Make the check of r->scene; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */
+int report_check(report *r, void **memory, text_error *error);
+
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
 

@@ -260,6 +260,7 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
     sp_capacity cap = { 0, 0, 0, 0, 0, 0, 0 };
     int status = keep_names(f, s, error);
 
+    s->mu = mu >= 0 ? mu : f->mu;
     if (status) return status;
     if (!make_room(f, m) || !count_meshes(f, &cap, m)) return out_of_memory(f, error);
     if (given) {

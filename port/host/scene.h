@@ -12,6 +12,7 @@ typedef struct host_scene {
     size_t bytes;               /* sp_scene_memory of what the scene holds */
     const char **name;          /* of each block; they lie in names */
     char *names;
+    sp_real mu;                 /* friction of the scene, for contacts without one of their own */
     int found;                  /* the contacts were found, not given */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */

@@ -757,3 +757,81 @@ int svg_write(FILE *out, const report *r)
     free(p.bend);
     return good;
 }
+
+/* --------------------------------------------------------------------------------------------------------------- sheet */
+
+enum { SHEET_COLUMNS = 3, SHEET_ROWS = 20 };
+#define SHEET_GAP 14.0                  /* [px] */
+#define SHEET_CAPTION 24.0
+
+/* Paper for some moments, without what fell below where everything began. */
+static void cover_moments(picture *p, const sp_scene *s, int frames, const svg_frame *frame, double lowest)
+{
+    for (int c = 0; c < 2; c++) { p->low[c] = HUGE_VAL; p->high[c] = -HUGE_VAL; }
+    for (int i = 0; i < frames; i++)
+        for (int32_t k = 0; k < s->count.vertices; k++)
+            if ((double)frame[i].vertex[k][2] >= lowest) cover(p, frame[i].vertex[k]);
+    for (int c = 0; c < 2 && !(p->high[0] >= p->low[0]); c++) p->low[c] = p->high[c] = 0;
+}
+
+static int draw_moment(picture *p, sp_scene *s, const svg_frame *f, double x, double y, double w, double h)
+{
+    int good;
+    s->vertex = f->vertex;
+    p->edges = 0;
+    fprintf(p->out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, w, h);
+    good = find_creases(p) && draw_blocks(p);
+    fputs("</svg>\n", p->out);
+    label(p->out, x, y + h + 16);
+    escaped(p->out, f->caption, sizeof f->caption);
+    fputs("</text>\n", p->out);
+    free(p->edge);
+    free(p->crease);
+    free(p->bend);
+    return good;
+}
+
+int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *frame, const char *title)
+{
+    const double w = (WIDTH - 2 * MARGIN - (SHEET_COLUMNS - 1) * SHEET_GAP) / SHEET_COLUMNS;
+    double lowest = HUGE_VAL, bottom, height[SHEET_ROWS], y = 62, total = y + SHEET_GAP;
+    const int rows = (frames + SHEET_COLUMNS - 1) / SHEET_COLUMNS;
+    sp_scene s = *scene;
+    picture p;
+    int good = frames > 0 && rows <= SHEET_ROWS;
+
+    if (!good) return 0;
+    memset(&p, 0, sizeof p);
+    p.out = out;
+    p.s = &s;
+    s.vertex = frame[frames - 1].vertex;
+    p.v = choose_view(&s);
+    for (int32_t k = 0; k < s.count.vertices; k++) lowest = fmin(lowest, (double)frame[0].vertex[k][2]);
+    cover_moments(&p, scene, frames, frame, lowest);
+    bottom = p.low[1];
+    p.size = fmax(fmax(p.high[0] - p.low[0], p.high[1] - p.low[1]), 1e-300);
+    p.scale = (w - 2) / fmax(fmax(p.high[0] - p.low[0], 0.6 * (p.high[1] - p.low[1])), 1e-12 * p.size);
+    p.left = (w - p.scale * (p.high[0] - p.low[0])) / 2;
+    p.top = 1;
+    for (int r = 0; r < rows; r++) {                    /* a row is as high as what it shows */
+        const int first = r * SHEET_COLUMNS, n = frames - first < SHEET_COLUMNS ? frames - first : SHEET_COLUMNS;
+        cover_moments(&p, scene, n, frame + first, lowest);
+        height[r] = p.scale * (p.high[1] - bottom) + 2;
+        total += height[r] + SHEET_CAPTION + SHEET_GAP;
+    }
+    page_start(&p, total);
+    fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", MARGIN);
+    escaped(out, title, 90);
+    fputs("</text>\n", out);
+    cover_moments(&p, scene, frames, frame, lowest);
+    for (int i = 0; i < frames && good; i++) {
+        const int r = i / SHEET_COLUMNS;
+        if (i % SHEET_COLUMNS == 0) {
+            if (r) y += height[r - 1] + SHEET_CAPTION + SHEET_GAP;
+            p.high[1] = p.low[1] + (height[r] - 2) / p.scale;
+        }
+        good = draw_moment(&p, &s, &frame[i], MARGIN + i % SHEET_COLUMNS * (w + SHEET_GAP), y, w, height[r]);
+    }
+    fputs("</svg>\n", out);
+    return good;
+}

@@ -7,4 +7,14 @@
 /* Draw the scene with its forces, its weakest joint and, where it is unstable, how it moves.  returns 1, 0: out of memory */
 int svg_write(FILE *out, const report *r);
 
+/* One picture of a sheet: the scene's vertices at that moment, and what stands below. */
+typedef struct svg_frame {
+    sp_real (*vertex)[3];
+    char caption[48];
+} svg_frame;
+
+/* Draw a scene at several moments, three in a row, up to 60, all in the view that suits
+ * the last and in one scale.                                              returns 1, 0: out of memory */
+int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *frame, const char *title);
+
 #endif

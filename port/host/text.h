@@ -12,7 +12,7 @@
 
 /* Exit status of the program (sysexits.h where it has a name for it). */
 enum { EXIT_STABLE = 0, EXIT_UNSTABLE = 1, EXIT_UNDECIDED = 2, EXIT_USAGE = 64, EXIT_SCENE = 65, EXIT_NO_INPUT = 66,
-       EXIT_INTERNAL = 70, EXIT_MEMORY = 71 };
+       EXIT_UNAVAILABLE = 69, EXIT_INTERNAL = 70, EXIT_MEMORY = 71 };
 
 #define TEXT_CAP ((size_t)1 << 30)      /* [byte] longest file read */
 

@@ -303,7 +303,7 @@ warn_plugins() {                                        # warn_plugins COMPILER 
 sanitized_plugins() {                                   # sanitized_plugins FILTER
     # shellcheck disable=SC2086
     $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES='X(plugins)' -O1 -g \
-        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C tests/run.c tests/test_plugins.c $host_c \
+        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C -UWITH_BULLET tests/run.c tests/test_plugins.c $host_c \
         $(for sp in ${PLUGINS:-}; do ls "$sp"/*.c; done) stonepack.c $PLUG_L -lm -o $out/run_plugins && $out/run_plugins "$1"
 }
 plugin() {                                              # plugin NAME DIRECTORY
@@ -325,6 +325,47 @@ check_plugins() {
 
 check_static() {
     if have cppcheck; then part "cppcheck" cppcheck_run; else skip "cppcheck" cppcheck; fi
+}
+# ---------------------------------------------------------------------------------------------------------------- settle
+settle_flags() {
+    for sf in bullet-float64 bullet; do
+        if pkg-config --exists $sf 2> /dev/null; then
+            bullet_i=$(pkg-config --cflags $sf | sed 's/-I/-isystem /g') bullet_l=$(pkg-config --libs $sf)
+            return 0
+        fi
+    done
+    return 1
+}
+settle_warnings() {
+    for sw_real in '' -DSP_REAL_FLOAT; do
+        # shellcheck disable=SC2086
+        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/test_settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O2 -c settle/pieces.c -o $out/warn.o && "$1" $host $sw_real -O2 -c settle/assembly.c -o $out/warn.o || return 1
+    done
+    # shellcheck disable=SC2086
+    "$2" -std=c++11 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -O2 $bullet_i -c settle/settle.cpp -o $out/warn.o
+}
+settle_sanitized() {
+    # shellcheck disable=SC2086
+    g++ -std=c++11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all $bullet_i -c settle/settle.cpp -o $out/settle_san.o &&
+    run_build gcc stonepack.c $out/run_settle -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -DWITH_BULLET \
+        settle/pieces.c settle/assembly.c $out/settle_san.o $bullet_l -lstdc++ && $out/run_settle settle/
+}
+settle_cases() { python3 tests/checks/settle_cases.py build/stonepack ../shared/cases; }
+check_settle() {
+    if ! have g++ || ! settle_flags; then
+        skip "where stones come to rest" "g++ pkg-config libbullet-dev"
+        return
+    fi
+    part "settle: warnings, gcc and g++" settle_warnings gcc g++
+    if have clang++; then part "settle: warnings, clang" settle_warnings clang clang++; fi
+    count "settle: tests under ASan and UBSan" settle_sanitized
+    if [ -d ../shared/cases ]; then
+        SHOW=1
+        part "settle agrees with statics on cases of known truth" settle_cases
+        SHOW=
+    fi
 }
 cases() { python3 ../shared/tools/run_cases.py --cli build/stonepack --jobs 2; }
 pictures() {
@@ -352,7 +393,7 @@ check_demo() {
 }
 
 count "tests, as make test" sh tests/checks/test.sh
-for check in warnings cpp symbols arm pair sanitizers bits plugins static cases oracle bench demo; do
+for check in warnings cpp symbols arm pair sanitizers settle bits plugins static cases oracle bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total

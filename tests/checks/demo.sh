@@ -38,5 +38,13 @@ rubble-tilted unstable rubble tilt=40
 vault-large stable vault
 dome-large stable dome
 END
+heap() {                                                # a hundred stones fall; statics decides what they come to
+    "$cli" gen rubble count=100 > $out/loose.obj
+    "$cli" settle $out/loose.obj -o $out/heap.obj --frames $out/falling.svg --set rest_steps=3000,energy=1e-6
+    name=heap
+    "$cli" check --json --svg $out/heap.svg $out/heap.obj > $out/heap.json || [ $? -le 2 ] || exit 1
+    echo "heap of 100 stones: $(field verdict), $(field interfaces) joints, $(field contact_vertices) points"
+}
+if [ -f build/settle.o ]; then heap; else echo "no heap: settle needs g++ and Bullet (apt-get install g++ libbullet-dev)"; fi
 echo "pictures: $out/*.svg"
 exit $wrong

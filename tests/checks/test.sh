@@ -5,5 +5,6 @@ count "tests, double" build/run
 count "tests, float" build/run_float
 if [ -f tests/checks/bad.sh ]; then count "bad scenes" sh tests/checks/bad.sh build/stonepack; fi
 count "program" sh tests/checks/smoke.sh build/stonepack
+if [ -f build/settle.o ]; then count "settle, as a program" sh tests/checks/settle.sh build/stonepack; else skip "settle" "g++ libbullet-dev"; fi
 count "README" sh tests/checks/readme.sh build/stonepack
 total

@@ -1,0 +1,34 @@
+/* Convex solids as loose polygons, and cutting by planes. */
+#ifndef SETTLE_PIECES_H
+#define SETTLE_PIECES_H
+
+#include "settle.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Polygons, each with its own corners; of a convex solid all of them, outward. */
+typedef struct pieces_solid {
+    int32_t faces, corners, face_room, corner_room;
+    int32_t *size;
+    double (*xyz)[3];
+} pieces_solid;
+
+/* A box.                                                                                   returns 1, 0: out of memory */
+int pieces_box(pieces_solid *s, const double low[3], const double high[3]);
+
+/* The part of a convex solid with n . x <= d (n of length 1), into `out`, which is overwritten. Points within eps of the plane
+ * count as on it.                                                                          returns 1, 0: out of memory */
+int pieces_clip(const pieces_solid *s, const double n[3], double d, double eps, pieces_solid *out);
+
+/* Newell's normal, its length twice the polygon's area. */
+void pieces_normal(int32_t corners, const double (*xyz)[3], double n[3]);
+
+void pieces_free(pieces_solid *s);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
