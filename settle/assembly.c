@@ -63,6 +63,8 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
 
     if (!scene || !assembly) return SETTLE_E_ARGUMENT;
     *assembly = none;
+    for (int c = 0; c < 3; c++)
+        if (scene->count.loads || scene->body[c] < 0 || scene->body[c] > 0) return SETTLE_E_LOAD;
     for (int32_t b = 0; b < scene->count.blocks; b++) {
         if (scene->block[b].fixed) continue;
         edge += cbrt((double)scene->block[b].volume);
@@ -80,6 +82,7 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
         settle_status status;
         assembly->block = b;
         if (block->faces == 0) return SETTLE_E_BODY;
+        if (block->fixed && block->fixed != SP_FIXED) return SETTLE_E_LOAD;
         mesh = mesh_of(scene, block, assembly->scale);
         if (!mesh) return SETTLE_E_MEMORY;
         status = closed(scene, block) ? settle_split(mesh, 1e-3, &piece, &s->pieces)

@@ -536,6 +536,7 @@ const char *settle_status_text(settle_status status)
     case SETTLE_E_STOPPED:  return "stopped";
     case SETTLE_E_BODY:     return "a block without a mesh, or a free one whose mesh is open";
     case SETTLE_E_DIVERGED: return "the simulation left the finite numbers";
+    case SETTLE_E_LOAD:     return "loads besides weight, or a block held in some directions only, are not simulated";
     }
     return "unknown status";
 }

@@ -28,7 +28,8 @@ typedef enum settle_status {
     SETTLE_E_PIECES    = -6,    /* more convex pieces than SETTLE_PIECES in one stone */
     SETTLE_E_STOPPED   = -7,    /* by settings.watch */
     SETTLE_E_BODY      = -8,    /* a block of the scene without a mesh, or a free one whose mesh is open */
-    SETTLE_E_DIVERGED  = -9     /* the simulation left the finite numbers */
+    SETTLE_E_DIVERGED  = -9,    /* the simulation left the finite numbers */
+    SETTLE_E_LOAD      = -10    /* the scene has loads besides weight, or a block held in some directions only */
 } settle_status;
 
 /* One sentence on a status. Never NULL; static storage. */
@@ -177,7 +178,7 @@ typedef struct settle_assembly {
  * become plates of a twentieth of their diameter behind their faces.
  *   unit      0: as it is; 1: lengths scaled so that the mean edge of the free blocks (cube root of volume) is 1, masses so that
  *             their mean is 1, which suits margins and limits to any assembly
- *   returns   what settle_split returns, SETTLE_E_BODY: a block without a mesh, or a free one with an open one; free the assembly in every case */
+ *   returns   what settle_split returns, SETTLE_E_BODY: a block without a mesh, or a free one with an open one; SETTLE_E_LOAD; free the assembly in every case */
 settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_assembly *assembly);
 
 void settle_assembly_free(settle_assembly *assembly);

@@ -427,7 +427,7 @@ TEST(contacts_of_a_cube_have_its_corners)
 static sp_status at_rest(const sp_scene *scene, const settle_result *r, sp_scene *out)
 {
     const sp_joint joint = sp_joint_friction(R(0.84));
-    sp_capacity cap = { scene->count.blocks, 0, 0, 0, 0, 0 };
+    sp_capacity cap = { scene->count.blocks, 0, 0, 0, 0, 0, 0 };
     sp_status status;
     settle_count_interfaces(r, scene, &cap);
     status = sp_scene_create(out, &cap, &test_arena);
@@ -625,13 +625,31 @@ TEST(nonsense_is_refused_with_its_status)
 TEST(a_block_without_a_mesh_is_refused_by_name)
 {
     sp_scene scene;
-    const sp_capacity cap = { 2, 0, 0, 0, 0, 0 };
+    const sp_capacity cap = { 2, 0, 0, 0, 0, 0, 0 };
     const sp_real c[3] = { 0, 0, 0 };
     settle_assembly a;
     NEED(sp_scene_create(&scene, &cap, &test_arena) == SP_OK);
     NEED(sp_scene_body(&scene, 1, c, 0, NULL) == SP_OK);
     CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_E_BODY);
     CHECK_INT(a.block, 0);
+    settle_assembly_free(&a);
+}
+
+TEST(what_a_simulation_of_weight_cannot_have_is_refused)
+{
+    sp_scene scene;
+    settle_assembly a;
+    NEED(build("two-cubes", NULL, 0, NULL, 0, &scene));
+    scene.block[1].fixed = 1;                           /* held along x only */
+    CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_E_LOAD);
+    CHECK_INT(a.block, 1);
+    settle_assembly_free(&a);
+    scene.block[1].fixed = 0;
+    scene.body[0] = 1;                                  /* pushed sideways */
+    CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_E_LOAD);
+    settle_assembly_free(&a);
+    scene.body[0] = 0;
+    CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_OK);
     settle_assembly_free(&a);
 }
 
@@ -658,6 +676,7 @@ TEST_LIST(settle)
     RUN(an_open_ground_becomes_plates)
     RUN(nonsense_is_refused_with_its_status)
     RUN(a_block_without_a_mesh_is_refused_by_name)
+    RUN(what_a_simulation_of_weight_cannot_have_is_refused)
 TEST_END
 
 #endif

@@ -18,6 +18,18 @@ draw arch arch n=15 t=0.14
 draw arch-falling arch n=15 t=0.09
 draw overhang-falling overhang n=6 factor=1.05
 draw wall rubble rows=7 bricks=6
+settle() {                                              # settle COUNT --frames SVG | -o SCENE
+    "$cli" gen rubble count="$1" > build/figures/loose.obj
+    "$cli" settle build/figures/loose.obj "$2" "$3" --set rest_steps=3000,energy=1e-6 > build/figures/settle.txt
+    echo "$3"
+}
+if [ -f build/settle.o ]; then
+    settle 24 --frames $out/falling.svg
+    settle 100 -o build/figures/heap.obj
+    "$cli" check --svg $out/heap.svg build/figures/heap.obj > build/figures/heap.txt || [ $? -le 2 ]
+else
+    echo "figures: no heap without g++ and libbullet-dev" >&2
+fi
 
 python=/usr/bin/python3                                 # Debian's own, the one its python3-matplotlib belongs to
 if ! $python -c 'import matplotlib' 2> /dev/null; then
