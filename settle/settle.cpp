@@ -266,7 +266,7 @@ settle_status simulation::add(const settle_stone &s, int32_t id)
     integrals sum;
     double trace = 0, C[3][3];
     btMatrix3x3 inertia, axes;
-    btVector3 moments;
+    btVector3 moments(0, 0, 0);
     settle_status status = SETTLE_OK;
     stone body;
 

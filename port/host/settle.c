@@ -12,7 +12,7 @@ int command_settle(int argc, char **argv)
 {
     (void)argc, (void)argv;
     fputs("stonepack: settle needs Bullet and g++, which were missing when this was built: apt-get install g++ libbullet-dev, "
-          "then make clean all\n", stderr);
+          "then make\n", stderr);
     return EXIT_UNAVAILABLE;
 }
 
