@@ -5351,7 +5351,7 @@ typedef struct sp__cra {
     sp__judge j;
     sp__triple t;                       /* on offer */
     sp_real omega, residual;            /* what the judge says of it */
-    sp_real best;                       /* least residual of those offered */
+    int offered;                        /* there was one */
     sp_coupled *out;
     sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
     sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
@@ -5661,6 +5661,7 @@ SP__APART static int sp__cra_offer(sp__cra *c)
     }
     c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->offered = 1;
     return c->omega <= c->set->tol && c->residual <= 1;
 }
 
@@ -5668,6 +5669,7 @@ SP__APART static int sp__cra_offer(sp__cra *c)
 SP__APART static int sp__cra_polish(sp__cra *c)
 {
     memcpy(c->kept, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    c->tiny = 0;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
@@ -5803,6 +5805,8 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
         memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
         *omega = c->omega;
     }
+    if (!c->offered) c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);   /* statics' forces at rest */
+    if (out->verdict == SP_COUPLING_NOT_FOUND && c->offered && c->tiny) out->reason = SP_COUPLING_LIMIT;
     out->residual = c->residual;
     sp__cra_spread(c);
     a->used = mark;

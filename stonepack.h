@@ -322,7 +322,7 @@ typedef enum sp_coupling_reason {
     SP_COUPLING_STATICS,        /* refuted: statically unstable; not found: statically undecided */
     SP_COUPLING_NO_MOTION,      /* refuted: no consistent motion */
     SP_COUPLING_LIMIT,          /* not found: what was found needs alpha without bound */
-    SP_COUPLING_BUDGET          /* not found: the search spent its rounds */
+    SP_COUPLING_BUDGET          /* not found: the search spent its work */
 } sp_coupling_reason;
 
 typedef struct sp_coupled_settings {

@@ -9,13 +9,18 @@ int report_exit(sp_verdict verdict)
     return verdict == SP_STABLE ? EXIT_STABLE : verdict == SP_UNSTABLE ? EXIT_UNSTABLE : EXIT_UNDECIDED;
 }
 
+int report_virtual(const report *r) { return r->result.level == SP_COUPLED && r->result.coupled.dq != NULL; }
+
+const sp_real *report_dq(const report *r) { return report_virtual(r) ? r->result.coupled.dq : r->result.dq; }
+
 double report_motion(const report *r, int32_t b)
 {
     const sp_scene *s = &r->scene->scene;
-    const sp_real *dq = r->result.dq + 6 * (size_t)b;
+    const sp_real *dq = report_dq(r) + 6 * (size_t)b;
+    const double unit = report_virtual(r) ? (double)(r->result.coupled.eps > 0 ? r->result.coupled.eps : r->result.coupled.eta) : 1;
     const double turn = sqrt((double)(dq[3] * dq[3] + dq[4] * dq[4] + dq[5] * dq[5])) * (double)s->block[b].diameter / 2;
     const double go = sqrt((double)(dq[0] * dq[0] + dq[1] * dq[1] + dq[2] * dq[2]));
-    return go > turn ? go : turn;
+    return (go > turn ? go : turn) / unit;
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- JSON */

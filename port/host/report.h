@@ -21,7 +21,11 @@ int report_check(report *r, void **memory, text_error *error);
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
 
-/* How block b moves in the mechanism: fastest point's speed relative to the largest dq, 0: at rest. */
+/* Is the motion to be shown the virtual one of the coupled check, not a mechanism? And that motion, 6 x blocks. */
+int report_virtual(const report *r);
+const sp_real *report_dq(const report *r);
+
+/* How block b moves in it: fastest point's speed relative to the largest dq (virtual: way, in eps), 0: at rest. */
 double report_motion(const report *r, int32_t b);
 
 /* Exit status of a verdict. */

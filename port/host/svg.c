@@ -398,7 +398,7 @@ static int draw_forces(const picture *p)
 /* Where a corner of block b goes: x -> c + R (x - c) + shift v, R the rotation by shift w.                  [Rodrigues] */
 static void moved(const picture *p, int32_t b, const sp_real x[3], double shift, sp_real out[3])
 {
-    const sp_real *dq = p->r->result.dq + 6 * (size_t)b, *o = p->s->block[b].centroid;
+    const sp_real *dq = report_dq(p->r) + 6 * (size_t)b, *o = p->s->block[b].centroid;
     const double rate = norm_real(dq + 3), angle = shift * rate, k = rate > 0 ? 1 / rate : 0;
     const double w[3] = { k * (double)dq[3], k * (double)dq[4], k * (double)dq[5] };
     double d[3], along;
@@ -521,8 +521,8 @@ static void scale_motion(picture *p)
 {
     const double length = fmin(fmax(p->block / 3, 0.04 * p->size), 0.12 * p->size);
     double probe, rate;
-    if (p->r->result.verdict != SP_UNSTABLE) return;
-    probe = 1e-3 * p->size;
+    if (p->r->result.verdict != SP_UNSTABLE && !report_virtual(p->r)) return;
+    probe = 1e-3 * p->size * (report_virtual(p->r) ? 1 / fmax((double)p->r->result.coupled.eta, 1e-300) : 1);
     rate = farthest(p, probe) / probe;
     if (!(rate > 0)) return;
     p->moving = 1;
@@ -662,7 +662,7 @@ static void legend_motion(const picture *p, double x, double y)
     fprintf(p->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
             "stroke-dasharray=\"5 3\"/>\n", x, y - 11, color_motion);
     label(p->out, x + 36, y);
-    fputs("how it starts to move, drawn to ", p->out);
+    fputs(report_virtual(p->r) ? "virtual motion that explains the forces, drawn to " : "how it starts to move, drawn to ", p->out);
     quantity(p->out, p->largest_shift, "m");
     fputs(" at most</text>\n", p->out);
 }

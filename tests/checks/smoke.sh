@@ -120,6 +120,8 @@ part "admm on the net normal"       says '"tension_ratio": *[0-9]' "$cli" check 
 part "no admm, no ratio"            says '"tension_ratio": *null' "$cli" check --json "$tmp/scene.obj"
 part "admm by ours, named"          says ", by ADMM$" "$cli" check --net --cone 8i --stages gates,admm --solver admm "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
+part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
+part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
