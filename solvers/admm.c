@@ -93,8 +93,8 @@ static int64_t sp__qp_look_flops(const sp__qp *w)
 /* Iterate until the next look, as far as the budget goes. Returns whether it went that far. */
 static int sp__qp_advance(sp__qp *w)
 {
-    for (int32_t j = 0; j < w->qp.n; j++) w->xc[j] = w->x[j];
-    for (int32_t i = 0; i < w->qp.m; i++) w->yc[i] = w->y[i];
+    memcpy(w->xc, w->x, (size_t)w->qp.n * sizeof *w->x);
+    memcpy(w->yc, w->y, (size_t)w->qp.m * sizeof *w->y);
     if (w->stale) {
         if (sp__kkt_factor_flops(w) + sp__qp_step_flops(w) > w->limit - w->flops) return 0;
         sp__qp_refactor(w);
@@ -104,13 +104,6 @@ static int sp__qp_advance(sp__qp *w)
         sp__qp_step(w);
     }
     return 1;
-}
-
-/* The iterate broke: back to the one before, as far as that is any good. */
-static void sp__qp_fall_back(sp__qp *w)
-{
-    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = sp__finite(w->xc[j]) ? w->xc[j] : (sp_real)0;
-    for (int32_t i = 0; i < w->qp.m; i++) w->y[i] = sp__finite(w->yc[i]) ? w->yc[i] : (sp_real)0;
 }
 
 /* One look at the iterate: 1 and a status when the run is over. The costly attempts come at 100, 200, 400 .. iterations. */
@@ -123,7 +116,8 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     const sp_real off = w->off;
     const int solved = off <= (sp_real)1, hard = !spent && (solved || last || (w->iterations == 100 * k && (k & (k - 1)) == 0));
     if (!(off < SP__NEVER)) {
-        sp__qp_fall_back(w);
+        memcpy(w->x, w->xc, (size_t)w->qp.n * sizeof *w->x);            /* back to the one before */
+        memcpy(w->y, w->yc, (size_t)w->qp.m * sizeof *w->y);
         out->status = SP_QP_NUMERICAL;
         return 1;
     }
@@ -137,6 +131,13 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     return solved || last || spent;
 }
 
+/* What left the range of sp_real becomes 0. */
+static void sp__qp_numbers(sp_real *v, int32_t n)
+{
+    for (int32_t k = 0; k < n; k++)
+        if (!sp__finite(v[k])) v[k] = 0;
+}
+
 /* What is left of the result, for a point or a certificate. No NaN leaves. */
 static void sp__qp_report(sp__qp *w, sp_qp_result *out)
 {
@@ -146,6 +147,8 @@ static void sp__qp_report(sp__qp *w, sp_qp_result *out)
         for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = 0;
     else if (!out->polished) {
         sp__qp_unscale(w);
+        sp__qp_numbers(w->X, w->qp.n);
+        sp__qp_numbers(w->Y, w->qp.m);
         sp__qp_judge(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
     }
     out->x = w->X;
@@ -232,28 +235,50 @@ static sp_status sp__qp_check(const sp_qp *qp, const sp_qp_settings *set)
     return status == SP_OK ? sp__qp_check_vectors(qp) : status;
 }
 
-/* P_jj >= 0 and P_ij^2 <= P_ii P_jj, scaled and up to rounding; in d (n) the roots of the diagonal.
- * Returns 0: indefinite, 1: can't tell, 2: diagonal, so semidefinite. */
+/* Is P diagonal? Then semidefinite is a look at its entries, in *least. */
+static int sp__qp_diagonal(const sp_qp *qp, sp_real *least)
+{
+    *least = 0;
+    for (int32_t j = 0; j < qp->n; j++)
+        for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
+            if (qp->Pi[k] != j) return 0;
+            if (qp->Px[k] < *least) *least = qp->Px[k];
+        }
+    return 1;
+}
+
+/* Largest row sum of |cDPD|, more than its largest eigenvalue; in b. */
+static sp_real sp__qp_size(sp__qp *w)
+{
+    for (int32_t j = 0; j < w->qp.n; j++) w->b[j] = 0;
+    for (int32_t j = 0; j < w->qp.n; j++)
+        for (int32_t k = w->qp.Pp[j]; k < w->qp.Pp[j + 1]; k++) {
+            const int32_t i = w->qp.Pi[k];
+            const sp_real a = w->c * w->D[i] * sp__abs(w->qp.Px[k]) * w->D[j];
+            w->b[j] += a;
+            if (i < j) w->b[i] += a;
+        }
+    return sp__largest(w->b, w->qp.n);
+}
+
+#ifndef SP_QP_NO_CG
+/* P_jj >= 0 and P_ij^2 <= P_ii P_jj, scaled and up to rounding; in d (n) the roots of the diagonal. */
 static int sp__qp_minors(const sp__qp *w, sp_real *d)
 {
     const sp_qp *qp = &w->qp;
-    int diagonal = 1;
     for (int32_t j = 0; j < qp->n; j++) d[j] = sp__kkt_diagonal(w, j);
     const sp_real slack = (sp_real)64 * SP_EPSILON * sp__largest(d, qp->n);
     for (int32_t j = 0; j < qp->n; j++) {
         if (d[j] < -slack) return 0;
         d[j] = SP_SQRT(sp__max(d[j], 0));
-        for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
+        for (int32_t k = qp->Pp[j]; k < qp->Pp[j + 1]; k++) {
             const int32_t i = qp->Pi[k];
-            if (i == j || !(sp__abs(qp->Px[k]) > 0)) continue;
-            diagonal = 0;
-            if (w->c * w->D[i] * sp__abs(qp->Px[k]) * w->D[j] > d[i] * d[j] * (sp_real)1.00001 + slack) return 0;
+            if (i < j && w->c * w->D[i] * sp__abs(qp->Px[k]) * w->D[j] > d[i] * d[j] * (sp_real)1.00001 + slack) return 0;
         }
     }
-    return 1 + diagonal;
+    return 1;
 }
 
-#ifndef SP_QP_NO_CG
 /* Conjugate gradients from a right-hand side without pattern meet a direction of negative curvature, if there is one, within n
  * steps, were it not for rounding. 1: none was met. */
 static int sp__qp_no_descent(sp__qp *w)
@@ -268,26 +293,16 @@ static int sp__qp_no_descent(sp__qp *w)
 }
 #endif
 
-/* Is P semidefinite? P + shift I, scaled, has a factor, the shift above what rounding can do. */
+/* Is P semidefinite? cDPD + shift I has a factor, the shift above what rounding can do. */
 static int sp__qp_semidefinite(sp__qp *w)
 {
-    const int known = sp__qp_minors(w, w->b);
-    if (known != 1) return known == 2;
-    sp_real most = 0;
-    for (int32_t j = 0; j < w->qp.n; j++) w->b[j] = 0;
-    for (int32_t j = 0; j < w->qp.n; j++)
-        for (int32_t k = w->qp.Pp[j]; k < w->qp.Pp[j + 1]; k++) {
-            const int32_t i = w->qp.Pi[k];
-            const sp_real a = w->c * w->D[i] * sp__abs(w->qp.Px[k]) * w->D[j];
-            w->b[j] += a;
-            if (i < j) w->b[i] += a;
-        }
-    for (int32_t j = 0; j < w->qp.n; j++) most = sp__max(most, w->b[j]);
-    w->sigma = most * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
+    sp_real least;
+    if (sp__qp_diagonal(&w->qp, &least)) return !(least < 0);
     for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = 0;
+    w->sigma = sp__qp_size(w) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
 #ifndef SP_QP_NO_CG
-    if (w->set.backend == SP_QP_CG) return sp__qp_no_descent(w);
+    if (w->set.backend == SP_QP_CG) return sp__qp_minors(w, w->b) && sp__qp_no_descent(w);
 #endif
     return w->broken == 0;
 }

@@ -15,10 +15,9 @@
 static int32_t sp__qp_p0(const sp_qp *qp, int32_t j) { return qp->Pp ? qp->Pp[j] : 0; }
 static int32_t sp__qp_a0(const sp_qp *qp, int32_t j) { return qp->m ? qp->Ap[j] : 0; }
 
-/* col[j], row[i]: largest |entry| of the scaled columns of [cP; A] and rows of A. */
-static void sp__ruiz_norms(const sp_qp *qp, const sp_real *D, const sp_real *E, sp_real c, sp_real *col, sp_real *row)
+/* col[j]: largest |entry| of the columns of cDPD. */
+static void sp__ruiz_norms_P(const sp_qp *qp, const sp_real *D, sp_real c, sp_real *col)
 {
-    for (int32_t i = 0; i < qp->m; i++) row[i] = 0;
     for (int32_t j = 0; j < qp->n; j++) {
         col[j] = 0;
         for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
@@ -27,29 +26,32 @@ static void sp__ruiz_norms(const sp_qp *qp, const sp_real *D, const sp_real *E, 
             col[i] = sp__max(col[i], a);                /* i <= j: set before */
             col[j] = sp__max(col[j], a);
         }
+    }
+}
+
+/* col[j], row[i]: those of [cDPD; EAD], and of the rows of EAD. */
+static void sp__ruiz_norms(const sp_qp *qp, const sp_real *D, const sp_real *E, sp_real c, sp_real *col, sp_real *row)
+{
+    sp__ruiz_norms_P(qp, D, c, col);
+    for (int32_t i = 0; i < qp->m; i++) row[i] = 0;
+    for (int32_t j = 0; j < qp->n; j++)
         for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
             const int32_t i = qp->Ai[k];
             const sp_real a = sp__abs(qp->Ax[k]) * E[i] * D[j];
             row[i] = sp__max(row[i], a);
             col[j] = sp__max(col[j], a);
         }
-    }
 }
 
 /* What c must be multiplied by: 1 / max(mean column norm of cDPD, |cDq|), 1 where both are nothing. */
 static sp_real sp__ruiz_cost(const sp_qp *qp, const sp_real *D, sp_real c, sp_real *col)
 {
     sp_real mean = 0, q = 0;
+    sp__ruiz_norms_P(qp, D, c, col);
     for (int32_t j = 0; j < qp->n; j++) {
-        col[j] = 0;
-        for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
-            const sp_real a = sp__abs(qp->Px[k]) * c * D[qp->Pi[k]] * D[j];
-            col[qp->Pi[k]] = sp__max(col[qp->Pi[k]], a);
-            col[j] = sp__max(col[j], a);
-        }
         if (qp->q) q = sp__max(q, c * D[j] * sp__abs(qp->q[j]));
+        mean += col[j] / (sp_real)qp->n;
     }
-    for (int32_t j = 0; j < qp->n; j++) mean += col[j] / (sp_real)qp->n;
     const sp_real size = sp__max(mean, q);
     return size > 0 ? (sp_real)1 / size : (sp_real)1;
 }

@@ -419,6 +419,29 @@ TEST(indefinite_P_is_refused_by_every_back_end)
     }
 }
 
+/* Numbers of every size, denormal to nearly infinite, in every place: whatever the status, what comes out are numbers. */
+TEST(no_NaN_leaves_whatever_goes_in)
+{
+    for (int trial = 0; trial < 300; trial++) {
+        sp_qp_settings set = with(all[trial % BACKENDS]);
+        sp_real *const arrays[] = { s.Px, s.Ax, s.q, s.l, s.u };
+        sp_qp_result r;
+        int numbers = 1;
+        make((kind)(trial % KINDS));
+        set.iterations = 300;
+        const int32_t sizes[] = { s.Pp[s.qp.n], s.Ap[s.qp.n], s.qp.n, s.qp.m, s.qp.m };
+        const int where = test_random_int(0, 4);
+        for (int32_t k = 0; k < sizes[where]; k++)
+            if (whole(0, 2) == 0) arrays[where][k] *= R(power(sizeof(sp_real) == 4 ? 30 : 250));
+        for (int32_t i = 0; i < s.qp.m; i++) if (s.l[i] > s.u[i]) s.u[i] = s.l[i];
+        const sp_status status = sp_qp_solve(&s.qp, &set, &test_arena, NULL, NULL, &r);
+        if (status != SP_OK) continue;
+        for (int32_t j = 0; j < s.qp.n; j++) numbers &= r.x[j] - r.x[j] >= 0;
+        for (int32_t i = 0; i < s.qp.m; i++) numbers &= r.y[i] - r.y[i] >= 0;
+        CHECK(numbers && r.objective - r.objective >= 0 && r.primal - r.primal >= 0 && r.dual - r.dual >= 0 && r.gap - r.gap >= 0);
+    }
+}
+
 /* --------------------------------------------------------------------------------------------------------------- memory */
 
 TEST(memory_is_exact)
@@ -548,6 +571,7 @@ TEST_LIST(qp)
     RUN(one_feasible_point_is_not_none)
     RUN(bad_problems_are_refused)
     RUN(indefinite_P_is_refused_by_every_back_end)
+    RUN(no_NaN_leaves_whatever_goes_in)
     RUN(memory_is_exact)
     RUN(warm_start_and_updates_cost_less)
     RUN(a_budget_is_a_cap)

@@ -91,6 +91,7 @@ static void print_json(const run *r, const char *path)
     json_string(&j, "status", sp_qp_status_text(a->status));
     if (has_point(r)) json_real(&j, "objective", objective(r));
     else json_null(&j, "objective");
+    json_real(&j, "constant", r->file.constant);
     json_real(&j, "primal", (double)a->primal);
     json_real(&j, "dual", (double)a->dual);
     json_real(&j, "gap", (double)a->gap);

@@ -6,8 +6,8 @@
 OPTIMA: lines `name,objective` (a header and comments are skipped). Options: --eps X (1e-4), --limit SECONDS (60),
 --columns N (2000: files of more columns are left out), --program PATH (build/stonepack), -- OPTIONS for `stonepack qp`.
 
-A solved problem is `right` if its objective is within 10 eps of the published one, relative to that or to 1 if it is smaller;
-else `wrong`. Files without a published objective are `unknown`. Standard library only; nothing of the collections is kept here.
+A solved problem is `right` if its objective is within 10 eps of the published one, relative to the larger of that, that without
+the file's constant, and 1; else `wrong`. Files without a published objective are `unknown`. Standard library only; nothing of the collections is kept here.
 """
 import argparse
 import csv
@@ -60,7 +60,7 @@ def judge(result, want, eps):
         return result["status"], ""
     if want is None:
         return "unknown", ""
-    error = abs(result["objective"] - want) / max(1.0, abs(want))
+    error = abs(result["objective"] - want) / max(1.0, abs(want), abs(want - result.get("constant", 0.0)))
     return ("right" if error <= 10 * eps else "wrong"), "%.1e" % error
 
 
@@ -77,7 +77,8 @@ def main():
     options = parse.parse_args()
     optima, count, told = published(options.optima), {}, csv.writer(sys.stdout)
     only = options.only.upper().split(",") if options.only else None
-    told.writerow(["name", "outcome", "error", "objective", "columns", "rows", "iterations", "factorisations", "seconds", "polished"])
+    told.writerow(["name", "outcome", "error", "objective", "columns", "rows", "iterations", "factorisations", "seconds",
+                   "polished"])
     for name in sorted(os.listdir(options.folder)):
         stem, path = name.rsplit(".", 1)[0].upper(), os.path.join(options.folder, name)
         if not name.lower().endswith(".qps") or (only and stem not in only) or columns(path) >= options.columns:
