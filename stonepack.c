@@ -46,18 +46,8 @@
 
 #include "solvers/arena.c"
 #include "solvers/real.c"
-#include "solvers/csc.c"
-#include "solvers/pyramid.c"
-#include "solvers/cone.c"
 #include "solvers/order.c"
 #include "solvers/chol.c"
-#include "solvers/bchol.c"
-#include "solvers/sort.c"
-#include "solvers/hull.c"
-#include "solvers/clip.c"
-#ifndef SP_NO_CRA
-#include "solvers/lp.c"
-#endif
 #ifndef SP_NO_QP
 #include "solvers/ldl.c"
 #ifndef SP_QP_NO_CG
@@ -70,6 +60,19 @@
 #include "solvers/auglag.c"
 #include "solvers/admm.c"
 #include "solvers/dykstra.c"
+#endif
+#ifndef SP_QP_ONLY
+#include "solvers/vec3.c"
+#include "solvers/csc.c"
+#include "solvers/pyramid.c"
+#include "solvers/cone.c"
+#include "solvers/bchol.c"
+#include "solvers/sort.c"
+#include "solvers/hull.c"
+#include "solvers/clip.c"
+#ifndef SP_NO_CRA
+#include "solvers/lp.c"
+#endif
 #endif
 
 /* 1 ---------------------------------------------------------------------------------------------------------------- words */
@@ -103,10 +106,21 @@ SP_API const char *sp_status_text(sp_status status)
                     "the interface has no area, or its normal no length\0"
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
-                    "not supported here: strength of joints with a friction pyramid, or a coupled check in a build without it\0"
+                    "not supported here: strength of joints with a friction pyramid, or a part that this build leaves out\0"
                     "P of the quadratic program is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
+
+#ifndef SP_NO_QP
+SP_API const char *sp_qp_status_text(sp_qp_status status)
+{
+    const int k = (int)status;
+    return sp__word("solved\0" "inaccurate\0" "primal infeasible\0" "dual infeasible\0" "iteration limit\0" "budget\0" "numerical\0"
+                    "unknown", k >= 0 && k <= 6 ? k : 7);
+}
+#endif
+
+#ifndef SP_QP_ONLY                                       /* all that follows */
 
 SP_API const char *sp_verdict_text(sp_verdict verdict)
 {
@@ -147,15 +161,6 @@ SP_API const char *sp_stage_text(sp_stage_id stage)
     return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "ADMM\0" "custom\0" "unknown",
                     k >= 0 && k <= 7 ? k : 8);
 }
-
-#ifndef SP_NO_QP
-SP_API const char *sp_qp_status_text(sp_qp_status status)
-{
-    const int k = (int)status;
-    return sp__word("solved\0" "inaccurate\0" "primal infeasible\0" "dual infeasible\0" "iteration limit\0" "budget\0" "numerical\0"
-                    "unknown", k >= 0 && k <= 6 ? k : 7);
-}
-#endif
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
 
@@ -6623,3 +6628,5 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
                     "resting face tilted\0" "too near the edge of its support\0" "unknown",
                     k >= 0 && k <= 4 ? k : 5);
 }
+
+#endif /* SP_QP_ONLY */

@@ -93,6 +93,8 @@ typedef struct sp_arena {
  *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
 SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 
+#ifndef SP_QP_ONLY
+
 /* 4 -------------------------------------------------------------------------------------------------------------- scene */
 
 /* What a scene has room for. Each number >= 0. */
@@ -576,6 +578,8 @@ typedef struct sp_stage {
     size_t (*need)(const sp_problem *problem, const sp_settings *settings, sp_arena scratch);
 } sp_stage;
 
+#endif /* SP_QP_ONLY */
+
 /* 10 --------------------------------------------------------------------------------------------------- quadratic programs
  *
  *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
@@ -720,6 +724,8 @@ SP_API const char *sp_qp_status_text(sp_qp_status status);
 
 #endif /* SP_NO_QP */
 
+#ifndef SP_QP_ONLY
+
 /* 11 ------------------------------------------------------------------------------------------------------ placing a stone
  *
  * Cheap looks at one stone before any statics: where a planner throws away most of its candidates.           [seed 6.1, 6.2]
@@ -851,6 +857,8 @@ SP_API const sp_seed *sp_seed_table(void);
 SP_API sp_settings sp_settings_seed(void);
 
 #endif
+
+#endif /* SP_QP_ONLY */
 
 #ifdef __cplusplus
 }

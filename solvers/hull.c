@@ -7,7 +7,7 @@
 
 #include "../stonepack.h"
 #include "arena.c"
-#include "real.c"
+#include "vec3.c"
 #include "sort.c"
 
 typedef struct sp__hull {

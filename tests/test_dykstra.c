@@ -1,12 +1,11 @@
 /* The seed's first solver: right where it can be, never a claim it can't make, and no number that is none where the seed's own
  * ran off to 1e60. */
 #include "test.h"
-#include "scenes/gen.h"
 
 #include <math.h>
 #include <string.h>
 
-#if !defined(SP_NO_QP) && !defined(SP_NO_DYKSTRA) && !defined(SP_QP_ONLY)
+#if !defined(SP_NO_QP) && !defined(SP_NO_DYKSTRA)
 
 enum { N = 12, M = 30 };
 
@@ -147,6 +146,9 @@ TEST(what_it_cannot_do_is_numerical)
 
 /* ----------------------------------------------------------------------------------------------------------- masonry rows */
 
+#ifndef SP_QP_ONLY
+#include "scenes/gen.h"
+
 /* The penalty program as it comes, in newtons and metres, 4 columns a vertex, rows times 10^+-e where e > 0; our own stage
  * scales what this one doesn't. */
 static int masonry(const char *name, double size, int e, sp_qp *qp)
@@ -244,6 +246,7 @@ TEST(in_a_check_it_decides_nothing_wrongly)
     CHECK(right >= 2);
 }
 #endif
+#endif
 
 TEST(dykstra_memory_is_exact)
 {
@@ -271,9 +274,11 @@ TEST_LIST(dykstra)
     RUN(solved_means_solved)
     RUN(what_has_no_solution_is_never_solved)
     RUN(what_it_cannot_do_is_numerical)
+#ifndef SP_QP_ONLY
     RUN(mixed_scale_masonry_rows_end_as_numerical)
 #ifndef SP_NO_ADMM
     RUN(in_a_check_it_decides_nothing_wrongly)
+#endif
 #endif
     RUN(dykstra_memory_is_exact)
 TEST_END

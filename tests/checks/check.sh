@@ -52,17 +52,24 @@ warn_host() {
         done
     done
 }
-without_qp() {                                          # the solver of quadratic programs can be left out
-    for wq_real in '' -DSP_REAL_FLOAT; do
+# Parts that can be left out: nothing of them stays behind, and the tests of all others pass without the program.
+without() {                                             # without GONE-REGEX FLAGS...
+    wo_gone=$1
+    shift
+    for wo_real in '' -DSP_REAL_FLOAT; do
         # shellcheck disable=SC2086
-        $CC $base -DSP_NO_QP $wq_real -Os -c stonepack.c -o $out/no_qp.o && ! nm $out/no_qp.o | grep sp_qp || return 1
+        $CC $base $wo_real "$@" -Os -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
+        nm $out/without.o | grep -E "$wo_gone" && return 1
     done
+    return 0
 }
-without_cra() {                                         # so can the coupled check
-    for wc_real in '' -DSP_REAL_FLOAT; do
-        # shellcheck disable=SC2086
-        $CC $base -DSP_NO_CRA $wc_real -Os -c stonepack.c -o $out/no_cra.o && ! nm $out/no_cra.o | grep -E 'sp__(cra|coupled)' || return 1
-    done
+tests_without() {                                       # tests_without "SUITES" "MORE.c" FLAGS...
+    tw_suites=$1 tw_more=$2
+    shift 2
+    # shellcheck disable=SC2086,SC2046
+    $CC -std=c99 -ffp-contract=off -fno-math-errno -O1 -Wno-unused-function \
+        -DTEST_SUITES="$(for s in $tw_suites; do printf 'X(%s) ' $s; done)" "$@" \
+        tests/run.c $(for s in $tw_suites; do echo tests/test_$s.c; done) $tw_more stonepack.c -lm -o $out/run_without && $out/run_without
 }
 qp_parts() {                                            # the switches of its parts, alone and together, double and float
     for qs_real in '' -DSP_REAL_FLOAT; do
@@ -74,10 +81,23 @@ qp_parts() {                                            # the switches of its pa
         done
     done
 }
-check_warnings() {
-    part "SP_NO_CRA: no coupled check left" without_cra
-    part "SP_NO_QP: no quadratic programs left" without_qp
+check_switches() {
+    core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins')     # these two test the program
+    no_qp=$(echo "$core" | grep -vx qp)
+    part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|judge|matrix|seed|cone|support)' -DSP_QP_ONLY
+    part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
+    part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
+    part "SP_NO_DYKSTRA: no projections left" without 'dykstra' -DSP_NO_DYKSTRA
+    part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
+    part "SP_NO_QP, SP_NO_CRA: both gone" without 'sp_qp|sp__(qp|cra)' -DSP_NO_QP -DSP_NO_CRA
     count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
+    for sw_real in '' -DSP_REAL_FLOAT; do
+        count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
+        count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
+        count "tests, SP_NO_ADMM, SP_NO_DYKSTRA $sw_real" tests_without "$core" tests/scenes/gen.c -DSP_NO_ADMM -DSP_NO_DYKSTRA $sw_real
+    done
+}
+check_warnings() {
     # shellcheck disable=SC2086
     part "warnings: gcc, library" warn gcc $gcc_only
     part "warnings: gcc, program and tests" warn_host gcc
@@ -192,6 +212,7 @@ check_arm() {
     part "Cortex-M4F: no double routine" arm_no_double m4_float
     SHOW=1
     part "Arm sizes at -Os" arm_sizes
+    part "Arm sizes at -Os, by build and part" sh tests/checks/sizes.sh
     SHOW=
 }
 
@@ -393,7 +414,7 @@ check_demo() {
 }
 
 count "tests, as make test" sh tests/checks/test.sh
-for check in warnings cpp symbols arm pair sanitizers settle bits plugins static cases oracle bench demo; do
+for check in warnings switches cpp symbols arm pair sanitizers settle bits plugins static cases oracle bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total
