@@ -4607,7 +4607,12 @@ static sp_qp_backend sp__program_backend(const sp_problem *pb, const sp_settings
     if (set->qp_solver) return seed->native.backend;
     if (!set->seed || seed->dense_cells <= 0) return seed->admm.backend;
     const int64_t n = qp->n, cells = n * (n + qp->m - 2 * pb->points);
-    return cells > seed->dense_cells ? SP_QP_CG : SP_QP_DENSE;
+    if (cells <= seed->dense_cells) return SP_QP_DENSE;
+#ifdef SP_QP_NO_CG
+    return SP_QP_SPARSE;
+#else
+    return SP_QP_CG;
+#endif
 }
 
 /* Without the preset the accuracy is that of the check, and the active rows are solved for exactly. */
@@ -4616,7 +4621,9 @@ static void sp__program_tighten(sp_qp_settings *s, sp_real tol)
     const sp_real eps = sp__max(tol / 4, 1000 * (sp_real)SP_EPSILON);
     if (eps < s->eps_abs) s->eps_abs = eps;
     if (eps < s->eps_rel) s->eps_rel = eps;
+#ifndef SP_QP_NO_POLISH
     s->polish = 1;
+#endif
 }
 
 /* Sizes, pyramid and who solves it.     returns 0: too large */
