@@ -12,7 +12,7 @@
 #ifndef SP__CONE_C
 #define SP__CONE_C
 
-#include "real.c"
+#include "vec3.c"
 #include "pyramid.c"
 
 typedef struct sp__cone {
