@@ -117,7 +117,7 @@ int command_check(int argc, char **argv)
     int worst = EXIT_STABLE;
 
     if (options_read(argc, argv, " --json --forces --svg --tol --cone --mu --stages --solver --preset --net --tilt --coupled --cra-eps --cra-eta"
-                     " --cra-box ", &o, &error)) {
+                     " --cra-box --cra-nodes ", &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

@@ -23,7 +23,8 @@ static const char help_check[] =
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
 "  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"
-"  --cra-box          that bound for each component of the slip, as compas_cra\n\n"
+"  --cra-box          that bound for each component of the slip, as compas_cra\n"
+"  --cra-nodes N      largest proof that there is none; up to 48 corners           60 corners^2\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
 

@@ -106,6 +106,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!real(value, &o->settings.coupled.eps) || o->settings.coupled.eps < 0) return usage(error, name, "needs a length, 0 or more");
     } else if (strcmp(name, "--cra-eta") == 0) {
         if (!real(value, &o->settings.coupled.eta) || !(o->settings.coupled.eta > 0)) return usage(error, name, "needs a length above 0");
+    } else if (strcmp(name, "--cra-nodes") == 0) {
+        sp_real n;
+        if (!real(value, &n) || !(n >= 0 && n <= (sp_real)1e7)) return usage(error, name, "needs a number from 0 to 1e7");
+        o->settings.coupled.nodes = (int32_t)n;
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
     } else if (strcmp(name, "--preset") == 0) {
