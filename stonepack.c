@@ -5716,11 +5716,27 @@ SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
     return 0;
 }
 
+/* A start with the joints that press already closed: forces as if dn + eps were dn, then the motion put onto dn = -eps there. */
+SP__APART static void sp__cra_close(sp__cra *c, sp_real drag)
+{
+    c->drag = drag;
+    c->goal = SP__AGREE;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            c->lam[v] = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
+    }
+    if (!(c->k.eps > 0)) return;                        /* they touch where they are */
+    sp__cra_descend(c);
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = c->f[3 * v];
+    sp__cra_press(c);
+}
+
 /* From rest, with growing drag.     returns 1 when a triple is verified */
 SP__APART static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
 {
     memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
-    memset(c->lam, 0, (size_t)c->pb->points * sizeof *c->lam);
+    sp__cra_close(c, drag);
     for (c->drag = drag; c->drag < 200 || (c->far && c->drag < 20000); c->drag *= 10) {
         const int found = sp__cra_rounds(c, damp);
         if (found) return found > 0;

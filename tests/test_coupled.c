@@ -285,7 +285,8 @@ TEST(what_stands_by_its_weight_is_coupled)
 {
     static const struct { const char *name, *param; double value; } scene[] = {
         { "two-cubes", "offset", 0.4 }, { "incline", "angle", 30 }, { "topple", "angle", 12 }, { "overhang", "factor", 0.95 },
-        { "cantilever", "reach", 1.1 }, { "tower", "n", 6 }, { "diamond", "rows", 3 }, { "arch", "n", 12 }, { "wall", "rows", 4 } };
+        { "cantilever", "reach", 1.1 }, { "tower", "n", 6 }, { "diamond", "rows", 3 }, { "arch", "n", 12 }, { "arch", "n", TOL(40, 12) },
+        { "wall", "rows", 4 } };
     for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++)
         if (!CHECK_INT(of(scene[k].name, scene[k].param, scene[k].value), SP_COUPLING_COUPLED)) TEST_PRINT("    %s\n", scene[k].name);
 }
