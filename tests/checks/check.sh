@@ -402,6 +402,7 @@ check_oracle() {
     if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
         SHOW=1
         part "random scenes near their limit, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --quick
+        part "linear programmes, against HiGHS" /usr/bin/python3 -B tests/oracle/lp.py
         SHOW=
     else
         skip "random scenes against linear programming" "python3-numpy python3-scipy"
