@@ -65,6 +65,10 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
     *assembly = none;
     for (int c = 0; c < 3; c++)
         if (scene->count.loads || scene->body[c] < 0 || scene->body[c] > 0) return SETTLE_E_LOAD;
+    for (int32_t i = 0; i < scene->count.interfaces; i++) {
+        const sp_joint *j = &scene->interface[i].joint;
+        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SETTLE_E_LOAD;
+    }
     for (int32_t b = 0; b < scene->count.blocks; b++) {
         if (scene->block[b].fixed) continue;
         edge += cbrt((double)scene->block[b].volume);

@@ -35,7 +35,7 @@ static int reserve(pieces_solid *s, int32_t faces, int32_t corners)
     return 1;
 }
 
-static int add_polygon(pieces_solid *s, int32_t n, const double (*xyz)[3])
+int pieces_add(pieces_solid *s, int32_t n, const double (*xyz)[3])
 {
     if (!reserve(s, s->faces + 1, s->corners + n)) return 0;
     memcpy(s->xyz + s->corners, xyz, (size_t)n * sizeof *xyz);
@@ -52,7 +52,7 @@ int pieces_box(pieces_solid *s, const double low[3], const double high[3])
     for (int f = 0; f < 6; f++) {
         for (int k = 0; k < 4; k++)
             for (int c = 0; c < 3; c++) q[k][c] = side[f][k] >> c & 1 ? high[c] : low[c];
-        if (!add_polygon(s, 4, (const double (*)[3])q)) {
+        if (!pieces_add(s, 4, (const double (*)[3])q)) {
             pieces_free(s);
             return 0;
         }
@@ -143,7 +143,7 @@ static int add_lid(pieces_solid *s, const double normal[3], double d, double eps
     q = malloc((size_t)n * sizeof *q);
     good = q != NULL;
     for (int32_t i = 0; good && i < n; i++) memcpy(q[m++], p[i].x, sizeof *q);
-    good = good && add_polygon(s, m, (const double (*)[3])q);
+    good = good && pieces_add(s, m, (const double (*)[3])q);
     free(q);
     free(p);
     return good;
@@ -165,7 +165,7 @@ int pieces_clip(const pieces_solid *s, const double n[3], double d, double eps, 
         level |= on == s->size[f];
         m = on == s->size[f] ? 0 : under(s->size[f], q, n, d, eps, out->xyz + out->corners);
         if (m < 3) {
-            if (on == s->size[f] && !add_polygon(out, s->size[f], q)) return 0;
+            if (on == s->size[f] && !pieces_add(out, s->size[f], q)) return 0;
             continue;
         }
         out->size[out->faces++] = m;
@@ -536,7 +536,7 @@ const char *settle_status_text(settle_status status)
     case SETTLE_E_STOPPED:  return "stopped";
     case SETTLE_E_BODY:     return "a block without a mesh, or a free one whose mesh is open";
     case SETTLE_E_DIVERGED: return "the simulation left the finite numbers";
-    case SETTLE_E_LOAD:     return "loads besides weight, or a block held in some directions only, are not simulated";
+    case SETTLE_E_LOAD:     return "loads besides weight, mortar, and blocks held in some directions only are not simulated";
     }
     return "unknown status";
 }

@@ -15,6 +15,9 @@ typedef struct pieces_solid {
     double (*xyz)[3];
 } pieces_solid;
 
+/* Add a polygon.                                                                           returns 1, 0: out of memory */
+int pieces_add(pieces_solid *s, int32_t n, const double (*xyz)[3]);
+
 /* A box.                                                                                   returns 1, 0: out of memory */
 int pieces_box(pieces_solid *s, const double low[3], const double high[3]);
 

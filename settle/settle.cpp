@@ -185,6 +185,7 @@ private:
 
 /* A stone in the world. Its body lies at the centroid along the principal axes: x = body * (frame' (x0 - c)). */
 struct stone {
+    const settle_stone *given;
     std::vector<std::unique_ptr<btConvexHullShape>> hull;
     std::unique_ptr<btCompoundShape> compound;
     std::unique_ptr<btMotionState> motion;
@@ -202,8 +203,7 @@ struct simulation {
     btSequentialImpulseConstraintSolver solver;
     world w;
     std::vector<stone> stones;
-    std::vector<std::unique_ptr<btCollisionShape>> wall_shape;
-    std::vector<std::unique_ptr<btCollisionObject>> wall;
+    struct { double xyz[24]; settle_mesh mesh; settle_stone stone; } wall[5];
     std::vector<btTransform> history;           /* of all stones in the last steps, a ring */
     std::vector<settle_pose> pose;
     int32_t step, steps;
@@ -215,27 +215,22 @@ struct simulation {
         w.getSolverInfo().m_numIterations = s.iterations;
         w.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     }
-    ~simulation() { leave(); }
-
-    void leave()
+    ~simulation()
     {
         for (size_t k = 0; k < stones.size(); k++)
             if (stones[k].body->isInWorld()) w.removeRigidBody(stones[k].body.get());
-        for (size_t k = 0; k < wall.size(); k++)
-            if (wall[k]->getBroadphaseHandle()) w.removeCollisionObject(wall[k].get());
     }
 
     settle_status add(const settle_stone &s, int32_t id);
     settle_status shapes_of(const settle_stone &s, const btTransform &frame, stone *out);
-    void add_container();
-    void add_wall(const btVector3 &middle, const btVector3 &half);
+    settle_status add_container();
     void read_poses();
     double energy() const;
     settle_status make_steps(int32_t n, double pull, bool may_end);
-    settle_status protocol();
+    settle_status protocol(int32_t count);
     double penetration() const;
     double drift() const;
-    void contacts(std::vector<settle_contact> *out);
+    bool contacts(std::vector<settle_contact> *out);
 };
 
 settle_status simulation::shapes_of(const settle_stone &s, const btTransform &frame, stone *out)
@@ -283,6 +278,7 @@ settle_status simulation::add(const settle_stone &s, int32_t id)
     inertia.diagonalize(axes, btScalar(1e-12), 50);
     body.mass = std::fmax(s.mass, set.mass_floor);
     for (int c = 0; c < 3; c++) moments[c] = btScalar(body.mass * trace) * inertia[c][c];
+    body.given = &s;
     body.fixed = s.fixed != 0;
     body.start = btTransform(axes, vector(body.centroid));
     status = shapes_of(s, body.start, &body);
@@ -305,28 +301,27 @@ settle_status simulation::add(const settle_stone &s, int32_t id)
     return SETTLE_OK;
 }
 
-void simulation::add_wall(const btVector3 &middle, const btVector3 &half)
+/* Floor and walls are stones, too: fixed, of number -1. */
+settle_status simulation::add_container()
 {
-    wall_shape.push_back(std::unique_ptr<btCollisionShape>(new btBoxShape(half)));
-    wall_shape.back()->setMargin(btScalar(std::fmin(set.margin, 0.2 * set.wall)));
-    wall.push_back(std::unique_ptr<btCollisionObject>(new btCollisionObject));
-    wall.back()->setCollisionShape(wall_shape.back().get());
-    wall.back()->setWorldTransform(btTransform(btQuaternion::getIdentity(), middle));
-    wall.back()->setRestitution(btScalar(set.restitution));
-    wall.back()->setUserIndex(-1);
-    w.addCollisionObject(wall.back().get(), btBroadphaseProxy::StaticFilter, btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
-}
-
-void simulation::add_container()
-{
-    const btScalar t(set.wall), x = btScalar(set.container[0] / 2), y = btScalar(set.container[1] / 2), z = btScalar(set.container[2] / 2);
-    const btVector3 o = vector(set.floor);
-    if (!(set.container[0] > 0)) return;
-    add_wall(o + btVector3(0, 0, -t), btVector3(x + 2 * t, y + 2 * t, t));
-    for (int side = -1; side <= 1; side += 2) {
-        add_wall(o + btVector3(btScalar(side) * (x + t), 0, z), btVector3(t, y + 2 * t, z));
-        add_wall(o + btVector3(0, btScalar(side) * (y + t), z), btVector3(x, t, z));
+    static const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
+    static const int32_t corner[24] = { 0, 2, 3, 1,  4, 5, 7, 6,  0, 1, 5, 4,  2, 6, 7, 3,  0, 4, 6, 2,  1, 3, 7, 5 };
+    const double x = set.container[0] / 2, y = set.container[1] / 2, z = set.container[2], t = 2 * set.wall;
+    const double box[5][6] = { { -x - t, -y - t, -t, x + t, y + t, 0 }, { -x - t, -y - t, 0, -x, y + t, z }, { x, -y - t, 0, x + t, y + t, z },
+                               { -x, -y - t, 0, x, -y, z }, { -x, y, 0, x, y + t, z } };
+    settle_status status = SETTLE_OK;
+    if (!(set.container[0] > 0)) return SETTLE_OK;
+    for (int k = 0; k < 5 && !status; k++) {
+        const settle_mesh mesh = { 8, 6, wall[k].xyz, size, corner };
+        for (int v = 0; v < 8; v++)
+            for (int c = 0; c < 3; c++) wall[k].xyz[3 * v + c] = set.floor[c] + box[k][v >> c & 1 ? 3 + c : c];
+        wall[k].mesh = mesh;
+        wall[k].stone.pieces = 1;
+        wall[k].stone.piece = &wall[k].mesh;
+        wall[k].stone.mass = wall[k].stone.fixed = 1;
+        status = add(wall[k].stone, -1);
     }
+    return status;
 }
 
 /* -------------------------------------------------------------------------------------------------------------- steps */
@@ -354,7 +349,7 @@ double angle_of(const btMatrix3x3 &R)
 
 void simulation::read_poses()
 {
-    for (size_t k = 0; k < stones.size(); k++) {
+    for (size_t k = 0; k < pose.size(); k++) {
         const btTransform &at = stones[k].body->getWorldTransform();
         const btMatrix3x3 R = at.getBasis() * stones[k].start.getBasis().transpose();
         settle_pose &p = pose[k];
@@ -398,14 +393,14 @@ settle_status simulation::make_steps(int32_t n, double pull, bool may_end)
 }
 
 /* Ramp, settle, tamp.                                                                                       [seed 5] */
-settle_status simulation::protocol()
+settle_status simulation::protocol(int32_t count)
 {
     const double full = std::sqrt(dot(set.gravity, set.gravity));
     settle_status status = SETTLE_OK;
 
     steps = 3 * set.ramp_steps + set.steps + set.tamps * (set.tamp_steps + set.rest_steps);
     history.assign(HISTORY * stones.size(), btTransform::getIdentity());
-    pose.resize(stones.size());
+    pose.resize(size_t(count));                 /* the container has none */
     read_poses();
     if (set.watch && set.watch(set.user, 0, steps, 0, pose.data())) return SETTLE_E_STOPPED;
     for (int k = 0; k < 3 && !status; k++) status = make_steps(set.ramp_steps, full > 0 ? std::fmin(set.ramp[k] / full, 1) : 0, false);
@@ -445,13 +440,6 @@ struct touch {
     double along(const settle_contact &c) const { return double(n.x()) * c.n[0] + double(n.y()) * c.n[1] + double(n.z()) * c.n[2]; }
 };
 
-bool has(const settle_contact &c, const btVector3 &x, double within)
-{
-    for (int32_t k = 0; k < c.points; k++)
-        if (double((vector(c.point[k]) - x).length()) < within) return true;
-    return false;
-}
-
 void add_point(settle_contact *c, const touch &t)
 {
     for (int d = 0; d < 3; d++) c->point[c->points][d] = double(t.x[d]);
@@ -485,44 +473,86 @@ void add_contacts(const btPersistentManifold &m, double gap, contact_map *all)
     }
 }
 
-/* More points of contacts already known, from a search that rocks the stones by some degrees: the corners of a face or an edge
- * of which the simulation met only some. Only the place is taken from it, not its normal. */
-void complete_contacts(const btPersistentManifold &m, double gap, contact_map *all)
+/* From the stone's coordinates as given to where it is. */
+btTransform motion_of(const stone &s) { return s.body->getWorldTransform() * s.start.inverse(); }
+
+void place(const btTransform &T, const double x[3], double out[3])
 {
-    const int a = m.getBody0()->getUserIndex(), b = m.getBody1()->getUserIndex();
-    std::vector<settle_contact> &out = (*all)[std::make_pair(std::min(a, b), std::max(a, b))];
-    for (int i = 0; i < m.getNumContacts(); i++) {
-        const touch t(m.getContactPoint(i), a > b);
-        size_t best = out.size();
-        for (size_t k = 0; k < out.size(); k++)
-            if (t.along(out[k]) > std::cos(6 * pi / 180) && (best == out.size() || t.along(out[k]) > t.along(out[best]))) best = k;
-        if (t.depth < -gap || best == out.size() || out[best].points == SETTLE_POINTS || has(out[best], t.x, gap)) continue;
-        add_point(&out[best], t);
-    }
+    const btVector3 y = T * vector(x);
+    for (int c = 0; c < 3; c++) out[c] = double(y[c]);
 }
 
-void simulation::contacts(std::vector<settle_contact> *out)
+/* The part of piece `a`, moved by the gap along n, that lies in piece `b`: its corners outline where they are that near. */
+bool overlap(const settle_mesh &a, const btTransform &Ta, const settle_mesh &b, const btTransform &Tb, const double shift[3], solid *out)
 {
-    btDefaultCollisionConfiguration rocking;
-    btCollisionDispatcher found(&rocking);
-    btDbvtBroadphase pairs;
-    btCollisionWorld still(&found, &pairs, &rocking);
-    contact_map all;
+    const int32_t *corner = a.corner;
+    const std::vector<plane> side = planes_of(b);
+    std::vector<double> q;
+    solid next;
+    for (int32_t f = 0; f < a.faces; corner += a.size[f++]) {
+        q.resize(3 * size_t(a.size[f]));
+        for (int32_t k = 0; k < a.size[f]; k++) {
+            place(Ta, a.xyz + 3 * size_t(corner[k]), &q[3 * size_t(k)]);
+            for (int c = 0; c < 3; c++) q[3 * size_t(k) + size_t(c)] += shift[c];
+        }
+        if (!pieces_add(out, a.size[f], reinterpret_cast<const double (*)[3]>(q.data()))) return false;
+    }
+    for (size_t k = 0; k < side.size() && out->faces > 0; k++) {
+        const btVector3 n = Tb.getBasis() * vector(side[k].n);
+        const double m[3] = { double(n.x()), double(n.y()), double(n.z()) };
+        if (!pieces_clip(out, m, side[k].d + double(n.dot(Tb.getOrigin())), 1e-9 * side[k].width, &next)) return false;
+        std::swap(static_cast<pieces_solid &>(*out), static_cast<pieces_solid &>(next));
+    }
+    return true;
+}
 
+/* The simulation meets some points of a contact; here it gets its outline: of all points where the stones are within the gap,
+ * those farthest in eight directions of its plane. a: one stone, or the parts of the container. */
+bool outline(const stone *a, const stone *a_end, const stone &b, double gap, settle_contact *c)
+{
+    std::vector<btVector3> near;
+    const btVector3 n = vector(c->n), first = vector(c->point[0]);
+    const double shift[3] = { gap * c->n[0], gap * c->n[1], gap * c->n[2] };
+    btVector3 u, v;
+    for (int32_t k = 0; k < c->points; k++) near.push_back(vector(c->point[k]));
+    for (; a < a_end; a++)
+        for (int32_t i = 0; i < a->given->pieces; i++)
+            for (int32_t j = 0; j < b.given->pieces; j++) {
+                solid s;
+                if (!overlap(a->given->piece[i], motion_of(*a), b.given->piece[j], motion_of(b), shift, &s)) return false;
+                for (int32_t k = 0; k < s.corners; k++) {
+                    const btScalar h = n.dot(vector(s.xyz[k]) - first);
+                    if (std::fabs(double(h)) <= 2 * gap) near.push_back(vector(s.xyz[k]) - n * h);
+                }
+            }
+    btPlaneSpace1(n, u, v);
+    c->points = 0;
+    for (int k = 0; k < SETTLE_POINTS; k++) {
+        const btVector3 way = u * btScalar(std::cos(2 * pi * k / SETTLE_POINTS)) + v * btScalar(std::sin(2 * pi * k / SETTLE_POINTS));
+        size_t best = 0;
+        bool fresh = true;
+        for (size_t i = 1; i < near.size(); i++)
+            if (way.dot(near[i]) > way.dot(near[best])) best = i;
+        for (int32_t i = 0; i < c->points; i++) fresh = fresh && double((vector(c->point[i]) - near[best]).length()) > gap;
+        for (int d = 0; d < 3 && fresh; d++) c->point[c->points][d] = double(near[best][d]);
+        c->points += fresh;
+    }
+    return true;
+}
+
+bool simulation::contacts(std::vector<settle_contact> *out)
+{
+    contact_map all;
     w.performDiscreteCollisionDetection();                      /* the last ones are older than the last step */
     for (int k = 0; k < dispatcher.getNumManifolds(); k++) add_contacts(*dispatcher.getManifoldByIndexInternal(k), set.touch, &all);
-    std::vector<btRigidBody *> body;
-    for (size_t k = 0; k < stones.size(); k++)
-        if (stones[k].body->isInWorld()) body.push_back(stones[k].body.get());
-    leave();
-    rocking.setConvexConvexMultipointIterations(4, 4);
-    for (size_t k = 0; k < body.size(); k++) still.addCollisionObject(body[k]);
-    for (size_t k = 0; k < wall.size(); k++) still.addCollisionObject(wall[k].get());
-    still.performDiscreteCollisionDetection();
-    for (int k = 0; k < found.getNumManifolds(); k++) complete_contacts(*found.getManifoldByIndexInternal(k), set.touch, &all);
-    for (size_t k = 0; k < body.size(); k++) still.removeCollisionObject(body[k]);
-    for (size_t k = 0; k < wall.size(); k++) still.removeCollisionObject(wall[k].get());
-    for (contact_map::const_iterator c = all.begin(); c != all.end(); ++c) out->insert(out->end(), c->second.begin(), c->second.end());
+    for (contact_map::iterator c = all.begin(); c != all.end(); ++c)
+        for (size_t k = 0; k < c->second.size(); k++) {
+            settle_contact &x = c->second[k];
+            const stone *a = x.a < 0 ? stones.data() + pose.size() : &stones[size_t(x.a)];
+            if (!outline(a, x.a < 0 ? stones.data() + stones.size() : a + 1, stones[size_t(x.b)], set.touch, &x)) return false;
+            out->push_back(x);
+        }
+    return true;
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- calls */
@@ -571,10 +601,10 @@ settle_status finish(simulation &sim, settle_result *out)
     std::vector<settle_contact> touch;
     settle_result r;
     std::memset(&r, 0, sizeof r);
-    sim.contacts(&touch);
-    r.stones = int32_t(sim.stones.size());
+    if (!sim.contacts(&touch)) return SETTLE_E_MEMORY;
+    r.stones = int32_t(sim.pose.size());
     r.held = 1;
-    for (size_t k = 0; k < sim.stones.size(); k++) {
+    for (size_t k = 0; k < sim.pose.size(); k++) {
         const settle_pose &p = sim.pose[k];
         r.settled += p.settled;
         r.moved = std::fmax(r.moved, p.moved);
@@ -600,8 +630,8 @@ settle_status run(int32_t n, const settle_stone *stone, const settle_settings &s
     for (int32_t k = 0; k < n && !status; k++) status = check_stone(stone[k]);
     for (int32_t k = 0; k < n && !status; k++) status = sim.add(stone[k], k);
     if (status) return status;
-    sim.add_container();
-    status = sim.protocol();
+    status = sim.add_container();
+    if (!status) status = sim.protocol(n);
     return status ? status : finish(sim, result);
 }
 
@@ -638,8 +668,8 @@ settle_status seat(int32_t n, const settle_stone *stone, int32_t which, const se
     if (status) return status;
     for (int32_t k = 0; k < n; k++)
         if (k != which && box_gap(stone[k], stone[which]) > settings.reach) sim.w.removeRigidBody(sim.stones[size_t(k)].body.get());
-    sim.add_container();
-    status = sim.protocol();
+    status = sim.add_container();
+    if (!status) status = sim.protocol(n);
     return status ? status : finish(sim, result);
 }
 

@@ -29,7 +29,7 @@ typedef enum settle_status {
     SETTLE_E_STOPPED   = -7,    /* by settings.watch */
     SETTLE_E_BODY      = -8,    /* a block of the scene without a mesh, or a free one whose mesh is open */
     SETTLE_E_DIVERGED  = -9,    /* the simulation left the finite numbers */
-    SETTLE_E_LOAD      = -10    /* the scene has loads besides weight, or a block held in some directions only */
+    SETTLE_E_LOAD      = -10    /* the scene has loads besides weight, mortar, or a block held in some directions only */
 } settle_status;
 
 /* One sentence on a status. Never NULL; static storage. */
@@ -127,7 +127,7 @@ typedef struct settle_pose {
 
 #define SETTLE_POINTS 8
 
-/* Points in which two stones touch: a face has at least its corners, an edge its ends. */
+/* Points in which two stones touch: the outline of where they are nearer than settings.touch, in the plane of the normal. */
 typedef struct settle_contact {
     int32_t a, b;               /* stones; a = -1: the container */
     double n[3];                /* unit normal from a into b */

@@ -301,7 +301,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
     sp_status status = SP_E_CAPACITY;
     near.distance = (sp_real)s->o->near;
     near.absolute = 1;
-    near.angle = (sp_real)0.05;                 /* stones at rest lean against each other by a few degrees at most */
+    near.angle = (sp_real)0.05;                 /* 3 degrees */
     near.joint = sp_joint_friction(s->in.mu);
     for (int pass = 0; pass < 2 && status == SP_E_CAPACITY; pass++) {
         size_t bytes;
