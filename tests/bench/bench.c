@@ -118,6 +118,22 @@ static job *add(bench *b, kind what, const char *config, const sp_settings *set)
     return j;
 }
 
+/* The seed's stages at the seed's accuracy, one by one; its program with our sparse factor, kept from iteration to iteration. */
+static void add_seed(bench *b)
+{
+    static sp_seed table;
+    sp_settings s = sp_settings_seed();
+    table = *sp_seed_table();
+    table.dense_cells = 0;
+    s.seed = &table;
+    s.localise = 0;
+    s.stage_count = 2;
+    s.stage[1] = SP_STAGE_POLISH;
+    add(b, CHECK, "seed: polish", &s);
+    s.stage[1] = SP_STAGE_ADMM;
+    add(b, CHECK, "seed: ADMM", &s);
+}
+
 static void add_checks(bench *b, int contacts)
 {
     sp_settings s = b->set;
@@ -139,6 +155,7 @@ static void add_checks(bench *b, int contacts)
     s.localise = 0;
     s.stage[1] = SP_STAGE_LEAST_SQUARES;
     if (b->expected == SP_STABLE) add(b, CHECK, "least squares", &s);
+    if (contacts && b->scene.count.points <= 700 && !strcmp(b->family, "wall")) add_seed(b);
 }
 
 /* The arena of a job, exact. */
