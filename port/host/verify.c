@@ -211,6 +211,8 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     }
     if (!f || !dq || !memory) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     if (!status) status = read_accuracy(r, &claim);
+    o->settings.tol = claim.tol;                        /* the question's, which read_accuracy found in range */
+    o->settings.force_bound = claim.force_bound;
     if (!status) status = read_forces(r, f);
     if (!status) status = read_mechanism(r, dq);
     if (!status && o->settings.coupled.asked) status = read_triple(r, claim.coupled.dq, claim.coupled.alpha);
@@ -220,7 +222,6 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
         if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
         if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
     }
-    o->settings.tol = claim.tol;
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
