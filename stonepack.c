@@ -2023,9 +2023,12 @@ typedef struct sp__scale {
     sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
     sp_real s, S;                       /* sbar, Sbar */
     sp_real cap;                        /* sbar that bounds the forces of its contacts */
-    int known;                          /* f0 balances this block */
+    sp_real known;                      /* 1: f0 balances this block */
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
+
+/* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
+typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
 typedef struct sp__judge {
     const sp_problem *pb;
@@ -2274,8 +2277,8 @@ static int32_t sp__judge_sums(sp__judge *j)
         sp__release(pb, i, j->r + 6 * (size_t)i);
         s->f0 = j->q[2 * (size_t)i];
         s->m0 = j->q[2 * (size_t)i + 1];
-        s->known = sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
-        unknown += !s->known;
+        s->known = (sp_real)sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
+        unknown += s->known < 1;
     }
     j->sweeps++;
     return unknown;
@@ -2333,7 +2336,7 @@ static void sp__judge_scales(sp__judge *j, const sp_real *y0)
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         s->cap = s->load + s->f0;
-        if (!s->known) {
+        if (s->known < 1) {
             s->cap = settled ? s->cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
             s->f0 = s->load;
             s->m0 = s->load * s->arm;
