@@ -26,6 +26,37 @@ static const double gen_pi = 3.14159265358979323846;
 
 static double rad(double degrees) { return degrees * (gen_pi / 180.0); }
 
+/* sin and cos by their series on |r| <= pi/4, r = x - k pi/2 with pi/2 in two parts: C libraries differ in the last bit, this
+ * does not. For |x| up to some hundred turns. */
+static void turned(double x, double *sine, double *cosine)
+{
+    const double k = floor(x * (2 / gen_pi) + 0.5), r = (x - k * 1.57079632673412561417) - k * 6.07710050650619224932e-11, q = r * r;
+    double s = 0, c = 0;
+    for (int i = 17; i >= 3; i -= 2) s = q / (i * (i - 1)) * (1 - s);       /* sin r = r (1 - q/6 (1 - q/20 (1 - ... */
+    for (int i = 18; i >= 2; i -= 2) c = q / (i * (i - 1)) * (1 - c);       /* cos r = 1 - q/2 (1 - q/12 (1 - ... */
+    s = r - r * s;
+    c = 1 - c;
+    const int quarter = (int)k & 3;
+    *sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
+    *cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
+}
+
+double gen_sin(double x)
+{
+    double s, c;
+    turned(x, &s, &c);
+    return s;
+}
+
+double gen_cos(double x)
+{
+    double s, c;
+    turned(x, &s, &c);
+    return c;
+}
+
+static double tangent(double x) { return gen_sin(x) / gen_cos(x); }
+
 /* -1 <= x < 1                                                                                            [xorshift64*] */
 static double jitter(gen_sink *s)
 {
@@ -147,7 +178,7 @@ static void two_cubes(gen_sink *s, const double *v)
  * that angle to the first edge of the joint. */
 static void slope(gen_sink *s, double angle, double azimuth, double length, double depth, double height)
 {
-    const double ca = cos(rad(angle)), sa = sin(rad(angle)), cz = cos(rad(azimuth)), sz = sin(rad(azimuth));
+    const double ca = gen_cos(rad(angle)), sa = gen_sin(rad(angle)), cz = gen_cos(rad(azimuth)), sz = gen_sin(rad(azimuth));
     const double r = 0.75 * sqrt(length * length + depth * depth);
     double slab[8][3], block[8][3];
     for (int i = 0; i < 8; i++) {                           /* corners 0-3 face down, so they run the other way */
@@ -253,8 +284,8 @@ static void inverted_triangle(gen_sink *s, const double *v) { rows_up_and_down(s
 
 static void polar(double r, double angle, double q[2])
 {
-    q[0] = r * cos(angle);
-    q[1] = r * sin(angle);
+    q[0] = r * gen_cos(angle);
+    q[1] = r * gen_sin(angle);
 }
 
 enum { GEN_FACETS = 60 };                       /* chords of a voussoir's inside and outside, at most */
@@ -293,7 +324,7 @@ static void arch(gen_sink *s, const double *v)
 static void flat_arch(gen_sink *s, const double *v)
 {
     const int32_t n = whole(v[0]);
-    const double span = v[1], h = v[2], depth = v[4], grow = tan(rad(v[3])) * h / (0.5 * span);
+    const double span = v[1], h = v[2], depth = v[4], grow = tangent(rad(v[3])) * h / (0.5 * span);
     int32_t before = -1;
     for (int32_t i = -1; i <= n; i++) {
         const double x0 = span * ((double)i / n - 0.5), x1 = span * ((double)(i + 1) / n - 0.5);
@@ -307,7 +338,7 @@ static void flat_arch(gen_sink *s, const double *v)
 /* One wedge between two supports; its sides lean by `angle` from upright, wider below for angle > 0: stands iff mu >= tan. */
 static void keystone(gen_sink *s, const double *v)
 {
-    const double w = 0.5 * v[1], h = v[2], d = v[3], lean = 0.5 * h * tan(rad(v[0])), far = w + fabs(lean) + 0.5 * v[1];
+    const double w = 0.5 * v[1], h = v[2], d = v[3], lean = 0.5 * h * tangent(rad(v[0])), far = w + fabs(lean) + 0.5 * v[1];
     const double left[4][2] = { { -far, 0 }, { -w - lean, 0 }, { -w + lean, h }, { -far, h } };
     const double stone[4][2] = { { -w - lean, 0 }, { w + lean, 0 }, { w - lean, h }, { -w + lean, h } };
     const double right[4][2] = { { w + lean, 0 }, { far, 0 }, { far, h }, { w - lean, h } };
@@ -583,9 +614,9 @@ static void vault(gen_sink *s, const double *v)
 /* A point of a dome: radius, angle from the zenith, azimuth. */
 static void spherical(double r, double phi, double azimuth, double x[3])
 {
-    x[0] = r * sin(phi) * cos(azimuth);
-    x[1] = r * sin(phi) * sin(azimuth);
-    x[2] = r * cos(phi);
+    x[0] = r * gen_sin(phi) * gen_cos(azimuth);
+    x[1] = r * gen_sin(phi) * gen_sin(azimuth);
+    x[2] = r * gen_cos(phi);
 }
 
 /* The fixed ring under a dome: `n` corners each inside and outside, at its top and its foot. */
@@ -762,9 +793,9 @@ sp_status gen_capacity(const gen_scene *g, sp_capacity *cap)
 void gen_gravity(double tilt, double azimuth, sp_real gravity[3])
 {
     const double g = 9.80665;
-    gravity[0] = (sp_real)(g * sin(rad(tilt)) * cos(rad(azimuth)));
-    gravity[1] = (sp_real)(g * sin(rad(tilt)) * sin(rad(azimuth)));
-    gravity[2] = (sp_real)(-g * cos(rad(tilt)));
+    gravity[0] = (sp_real)(g * gen_sin(rad(tilt)) * gen_cos(rad(azimuth)));
+    gravity[1] = (sp_real)(g * gen_sin(rad(tilt)) * gen_sin(rad(azimuth)));
+    gravity[2] = (sp_real)(-g * gen_cos(rad(tilt)));
 }
 
 sp_status gen_build(const gen_scene *g, sp_arena *arena, sp_scene *scene)

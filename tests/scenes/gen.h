@@ -8,7 +8,7 @@
  *     gen_capacity(&g, &cap);                   how much room (a dry run)
  *     gen_build(&g, &arena, &scene);            sp_scene_create and all blocks and interfaces
  *
- * The same numbers give the same scene everywhere the C library's sin and cos agree. Needs the public calls and libm.
+ * The same numbers give the same scene, bit by bit, on every machine. Needs the public calls, floor, fabs and sqrt.
  */
 #ifndef GEN_H
 #define GEN_H
@@ -53,6 +53,10 @@ sp_status gen_capacity(const gen_scene *g, sp_capacity *cap);
 
 /* Make the scene in an arena.                              returns what the building calls return */
 sp_status gen_build(const gen_scene *g, sp_arena *arena, sp_scene *scene);
+
+/* Sine and cosine of x [rad] that are the same on every machine: own series, right to an ulp or so for |x| < 1000. */
+double gen_sin(double x);
+double gen_cos(double x);
 
 /* Gravity of a world turned by `tilt` degrees: its horizontal part points along `azimuth` degrees from x towards y. */
 void gen_gravity(double tilt, double azimuth, sp_real gravity[3]);
