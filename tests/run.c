@@ -2,11 +2,16 @@
  *
  *     run [FILTER] [SEED]        tests whose "file/name" contains FILTER; SEED of the random numbers
  *     run -l                     names only
+ *     run -m                     names, bytes of memory touched, thousands of instructions: what a board needs to run them
  *
  * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
- * a board may choose fewer. The last line is `N passed, N failed`; the exit status is 1 if a test failed, or none was run.
+ * a board may choose fewer. TEST_LEAVE_OUT is a file of "stem/name", one a line: tests too large for a board; they are named,
+ * each with its reason, by whoever left them out. The last line is `N passed, N failed`; the exit status is 1 if a test failed,
+ * or none was run.
  */
 #include "test.h"
+
+#include <string.h>
 
 #ifndef TEST_SUITES
 #define TEST_SUITES X(scene) X(matrices) X(clip) X(contacts) X(order) X(chol) X(bchol) X(newton) X(verify) X(closed) \
@@ -23,9 +28,16 @@ static const struct { const char *stem; const test_entry *entry; } suite[] = {
 #undef X
 };
 
+static const char *const left_out[] = {
+#ifdef TEST_LEAVE_OUT
+#include TEST_LEAVE_OUT
+#endif
+    NULL
+};
+
 sp_arena test_arena;
 
-static unsigned char memory[TEST_ARENA_BYTES];
+static uint64_t memory[TEST_ARENA_BYTES / 8];
 static uint64_t seed = 20260101u, state;
 static int failures;                                    /* of the running test */
 static const char *running_stem, *running_name;
@@ -119,6 +131,24 @@ static int contains(const char *stem, const char *name, const char *part)
     return 0;
 }
 
+static int leave_out(const char *stem, const char *name)
+{
+    for (const char *const *l = left_out; *l; l++)
+        if (contains(stem, name, *l)) return 1;
+    return 0;
+}
+
+/* Bytes of memory up to the last one touched since it was painted; painted again. */
+static size_t touched(void)
+{
+    enum { PAINT = 0xa5 };
+    size_t n = sizeof memory;
+    const uint64_t paint = 0xa5a5a5a5a5a5a5a5u;
+    while (n >= 8 && memory[n / 8 - 1] == paint) n -= 8;
+    memset(memory, PAINT, n);
+    return n;
+}
+
 /* One test from a clean start: whether it passed. */
 static int run(const char *stem, const test_entry *e)
 {
@@ -133,10 +163,11 @@ static int run(const char *stem, const test_entry *e)
 
 int main(int argc, char **argv)
 {
-    const int list = argc > 1 && equal(argv[1], "-l");
-    const char *filter = argc > 1 && !list ? argv[1] : "";
+    const int list = argc > 1 && equal(argv[1], "-l"), measure = argc > 1 && equal(argv[1], "-m");
+    const char *filter = argc > 1 && !list && !measure ? argv[1] : "";
     int passed = 0, failed = 0;
     TEST_START();
+    if (measure) touched();
     if (argc > 2) {
         seed = 0;
         for (const char *s = argv[2]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');
@@ -144,7 +175,16 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof suite / sizeof suite[0]; i++)
         for (const test_entry *e = suite[i].entry; e->run; e++) {
             if (!contains(suite[i].stem, e->name, filter)) continue;
+            if (leave_out(suite[i].stem, e->name)) continue;
             if (list) TEST_PRINT("%s/%s\n", suite[i].stem, e->name);
+            else if (measure) {
+                const uint64_t before = TEST_WORK();
+                const int held = run(suite[i].stem, e);
+                const uint64_t work = TEST_WORK() - before;
+                if (held) passed++;
+                else failed++;
+                TEST_PRINT("%s/%s %lu %lu\n", suite[i].stem, e->name, (unsigned long)touched(), (unsigned long)(work / 1000));
+            }
             else if (run(suite[i].stem, e)) passed++;
             else failed++;
         }

@@ -40,6 +40,10 @@ typedef struct test_entry { const char *name; void (*run)(void); } test_entry;
 #define RUN(name)       { #name, name },
 #define TEST_END        { NULL, NULL } };
 
+#ifndef TEST_WORK
+#define TEST_WORK() ((uint64_t)0)                       /* instructions so far, where a board can count them */
+#endif
+
 /* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */
 extern sp_arena test_arena;
 
