@@ -1,0 +1,86 @@
+#!/bin/sh
+# check: each way of packaging builds a program that works, as far as its tool is here. Ends with `N passed, N failed`.
+. tests/checks/tally.sh
+top=$(pwd)
+to=$top/build/package
+rm -rf "$to"
+mkdir -p "$to/user"
+cat > "$to/user/main.c" <<'E2'
+#include <stonepack.h>
+int main(void)
+{
+    static double memory[64];
+    sp_arena arena;
+    return sp_arena_init(&arena, memory, sizeof memory) == SP_OK && arena.cap == sizeof memory ? 0 : 1;
+}
+E2
+cat > "$to/user/CMakeLists.txt" <<'E2'
+cmake_minimum_required(VERSION 3.13)
+project(user C)
+find_package(stonepack 0.1 REQUIRED)
+add_executable(user main.c)
+target_link_libraries(user stonepack::stonepack)
+E2
+cat > "$to/user/meson.build" <<'E2'
+project('user', 'c')
+executable('user', 'main.c', dependencies : dependency('stonepack'))
+E2
+
+installed() { make -s install DESTDIR="$to/dest" PREFIX=/opt/stonepack && "$to/dest/opt/stonepack/bin/stonepack" --version; }
+pkgconfig() {
+    export PKG_CONFIG_LIBDIR="$to/dest/opt/stonepack/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$to/dest"
+    pkg-config --exists 'stonepack >= 0.1' &&
+    # shellcheck disable=SC2046
+    ${CC:-gcc} "$to/user/main.c" $(pkg-config --cflags --libs --static stonepack) -o "$to/by_pkgconfig" && "$to/by_pkgconfig"
+}
+cmake_user() {                                          # cmake_user PREFIX: find_package there, build, run
+    cmake -S "$to/user" -B "$1.user" -DCMAKE_PREFIX_PATH="$1" && cmake --build "$1.user" && "$1.user/user"
+}
+cmake_package() {
+    for cp_float in OFF ON; do
+        cp_to=$to/cmake_$cp_float
+        cmake -S "$to/stonepack" -B "$cp_to.build" -DCMAKE_INSTALL_PREFIX="$cp_to" -DSTONEPACK_FLOAT=$cp_float &&
+        cmake --build "$cp_to.build" && cmake --install "$cp_to.build" && cmake_user "$cp_to" || return 1
+    done
+}
+meson_package() {
+    mkdir -p "$to/user/subprojects" &&
+    cp -r "$to/stonepack" "$to/user/subprojects/" && cp "$to/stonepack/stonepack.wrap" "$to/user/subprojects/" &&
+    meson setup "$to/meson" "$to/user" --wrap-mode=nodownload && meson compile -C "$to/meson" && "$to/meson/user"
+}
+# As the Arduino builder does it: every source below src/, the sketch as C++ with <Arduino.h> before it.
+arduino() {
+    cat > "$to/Arduino.h" <<'E2'
+struct serial { void begin(long); void println(const char *); };
+extern serial Serial;
+void delay(unsigned long);
+void setup();
+void loop();
+E2
+    for ar_cpu in '-mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16' '-mcpu=cortex-m3'; do
+        # shellcheck disable=SC2086
+        arm-none-eabi-gcc $ar_cpu -mthumb -Os -ffp-contract=off -I"$to/stonepack/src" -c "$to/stonepack/src/stonepack.c" -o "$to/arduino.o" &&
+        arm-none-eabi-g++ $ar_cpu -mthumb -Os -Wall -Werror -fno-exceptions -fno-rtti -I"$to/stonepack/src" -I"$to" -include Arduino.h \
+            -x c++ -c "$to/stonepack/examples/verdict/verdict.ino" -o "$to/sketch.o" || return 1
+    done
+    for ar_field in name version author maintainer sentence paragraph category architectures; do
+        grep -q "^$ar_field=." "$to/stonepack/library.properties" || { echo "library.properties: no $ar_field"; return 1; }
+    done
+}
+platformio() { python3 -m json.tool "$to/stonepack/library.json"; }
+# Their tools are not in Debian: what the files name must be there.
+sources() {
+    (cd "$to/stonepack" && grep -q 'SRCS src/stonepack.c' CMakeLists.txt && grep -q '\.\./src/stonepack\.c' zephyr/CMakeLists.txt &&
+        ls src/stonepack.c src/stonepack.h zephyr/Kconfig zephyr/module.yml idf_component.yml && ! grep -rn '@[A-Z]*@' .)
+}
+
+part "make install" installed
+if have pkg-config; then part "pkg-config" pkgconfig; else skip "pkg-config" pkg-config; fi
+if have cmake; then part "find_package after make install" cmake_user "$to/dest/opt/stonepack"; fi
+part "package" sh port/package/package.sh "$to/stonepack"
+if have cmake; then part "CMake project, double and float" cmake_package; else skip "CMake" cmake; fi
+if have meson; then part "Meson subproject" meson_package; else skip "Meson" meson; fi
+if have arm-none-eabi-g++; then part "Arduino library" arduino; else skip "Arduino library" gcc-arm-none-eabi; fi
+if have python3; then part "PlatformIO library.json" platformio; else skip "PlatformIO library.json" python3; fi
+part "ESP-IDF and Zephyr: files named are there" sources
+total
