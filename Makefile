@@ -48,7 +48,7 @@ SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
 TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
-.PHONY: always all lib demo test deps pair bench figures check help clean
+.PHONY: always all lib demo test deps test-boards footprint pair package install bench figures check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -58,8 +58,12 @@ help:
 	@echo "make demo      checks some scenes, draws them into build/demo/"
 	@echo "make test      tests in seconds; needs gcc and make only"
 	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack)"
+	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/README.md"
+	@echo "make footprint    measures code, stack and instructions on microcontrollers: port/board/footprint.txt"
 	@echo "make deps      installs what check can use (Debian, needs root)"
 	@echo "make pair      the library as two files, in build/pair/"
+	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
+	@echo "make install   library, header, program into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
 	@echo "make figures   the pictures of the README"
 	@echo "make clean     removes build/"
@@ -109,8 +113,24 @@ build/run_float: $(RUN_O:%=build/float/%) $(SETTLE_O)
 
 -include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))
 
-test: build/run build/run_float build/stonepack
+test: build/run build/run_float build/stonepack build/corpus-double.txt build/corpus-float.txt
 	@sh tests/checks/test.sh
+
+# One number over the bundled scenes, verdicts and force bits; every other build must find the same.
+CORPUS = tests/corpus/corpus.c $(GEN)
+
+build/scenes.h: tests/corpus/scenes.awk $(wildcard tests/scenes/*.obj)
+	@mkdir -p build
+	awk -f tests/corpus/scenes.awk tests/scenes/*.obj > $@
+
+build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) $(PARTS) build/scenes.h
+	sh tests/corpus/corpus.sh $* $(CC) $(CFLAGS) > $@.new && mv $@.new $@
+
+test-boards: build/corpus-double.txt build/corpus-float.txt
+	@sh port/board/boards.sh
+
+footprint:
+	@sh port/board/footprint.sh > build/footprint.txt && mv build/footprint.txt port/board/footprint.txt
 
 demo: build/stonepack
 	@sh tests/checks/demo.sh
@@ -119,6 +139,22 @@ pair: build/pair/stonepack.c
 
 build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
 	sh port/pair/pair.sh stonepack.c build/pair
+
+package:
+	sh port/package/package.sh build/package/stonepack
+
+# Library, header, program, and what pkg-config and CMake look for.
+PREFIX ?= /usr/local
+TO      = $(DESTDIR)$(PREFIX)
+
+install: build/libstonepack.a build/stonepack
+	install -d $(TO)/bin $(TO)/include $(TO)/lib/pkgconfig $(TO)/lib/cmake/stonepack
+	install build/stonepack $(TO)/bin/
+	install -m 644 stonepack.h $(TO)/include/
+	install -m 644 build/libstonepack.a $(TO)/lib/
+	sh port/package/package.sh --fill port/package/stonepack.pc $(PREFIX) > $(TO)/lib/pkgconfig/stonepack.pc
+	for f in stonepackConfig stonepackConfigVersion; do \
+	    sh port/package/package.sh --fill port/package/$$f.cmake $(PREFIX) > $(TO)/lib/cmake/stonepack/$$f.cmake || exit 1; done
 
 check: all pair build/run build/run_float build/bench
 	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh

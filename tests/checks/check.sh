@@ -23,7 +23,7 @@ run_build() {                                           # run_build COMPILER LIB
     shift 3
     # shellcheck disable=SC2086
     $rb_cc -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES="$suites" "$@" \
-        $test_c $host_c "$rb_lib" -lm -o "$rb_out"
+        $test_c $host_c ${rb_lib:+"$rb_lib"} -lm -o "$rb_out"
 }
 cli_build() {                                           # cli_build COMPILER OUTPUT FLAGS...
     cb_cc=$1 cb_out=$2
@@ -251,13 +251,22 @@ pair_standards() {
 pair_tests() {
     run_build "$CC" build/pair/stonepack.c $out/run_pair -O2 "$@" && $out/run_pair
 }
+pair_bits() {
+    for pb_std in c99 c11 c2x; do (export LIBRARY=build/pair/stonepack.c STD=$pb_std; corpus "$CC" -O2 "$@") || return 1; done
+}
 check_pair() {
     sh port/pair/pair.sh stonepack.c build/pair || failed=$((failed + 1))
     part "pair: C99, C11, C2x, float" pair_standards
     part "pair: static, nothing left over" pair_static
     count "pair: tests" pair_tests
     count "pair: tests, float" pair_tests -DSP_REAL_FLOAT
+    part "pair: the bits of the tree, C99, C11, C2x" pair_bits
+    for pa_switch in $(grep -o 'SP_NO_[A-Z_]*' stonepack.h | sort -u); do
+        part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
+    done
 }
+
+check_package() { count "packages" sh port/package/check.sh; }
 
 # ------------------------------------------------------------------------------------------------- sanitizers, valgrind
 sanitized() {                                           # sanitized COMPILER FLAGS...
@@ -284,27 +293,17 @@ check_sanitizers() {
 }
 
 # ------------------------------------------------------------------------------------------------------------ same bits
-# Every build gives the same answer to the last digit.
-fingerprint() {                                         # fingerprint PROGRAM
-    for fp in "arch" "arch t=0.1" "wall jitter=0.35 seed=3" "wall tilt=20 azimuth=90" "rubble" "dome" "vault" "diamond"; do
-        # shellcheck disable=SC2086
-        "$1" gen $fp | "$1" check --json --forces - | sed 's/"seconds": *[-+.e0-9]*//g'
-    done
+# The corpus: every build finds the same verdicts and forces to the last bit.
+corpus() {                                              # corpus COMPILER [FLAGS...], in both precisions
+    for co_real in double float; do DIFFER=1 sh tests/corpus/corpus.sh $co_real "$@" || return 1; done
 }
-same_bits() {
-    fingerprint build/stonepack > $out/bits_0 || true
-    for sb_opt in -O0 -O1 -O3 -Os "-O3 -march=native"; do
-        # shellcheck disable=SC2086
-        cli_build gcc $out/stonepack_bits $sb_opt && { fingerprint $out/stonepack_bits > $out/bits_1 || true; }
-        cmp $out/bits_0 $out/bits_1 || { echo "gcc $sb_opt differs"; return 1; }
-    done
-    if have clang; then
-        cli_build clang $out/stonepack_bits -O2 && { fingerprint $out/stonepack_bits > $out/bits_1 || true; }
-        cmp $out/bits_0 $out/bits_1 || { echo "clang differs"; return 1; }
-    fi
-    test -s $out/bits_0
+check_bits() {
+    part "same bits: gcc -O1" corpus gcc -O1
+    part "same bits: gcc -Os" corpus gcc -Os
+    part "same bits: gcc -O3 -march=native" corpus gcc -O3 -march=native
+    if have clang; then part "same bits: clang -O2" corpus clang -O2; else skip "same bits: clang" clang; fi
+    if have tcc; then part "same bits: tcc" corpus tcc; else skip "same bits: tcc" tcc; fi
 }
-check_bits() { part "same bits: gcc -O0 -O1 -O2 -O3 -Os native, clang" same_bits; }
 
 # ------------------------------------------------------------------------------------------------------------- the rest
 cppcheck_run() {
@@ -414,8 +413,8 @@ check_demo() {
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
 }
 
-count "tests, as make test" sh tests/checks/test.sh
-for check in warnings switches cpp symbols arm pair sanitizers settle bits plugins static cases oracle bench demo; do
+[ "${ONLY:-}" ] || count "tests, as make test" sh tests/checks/test.sh
+for check in warnings switches cpp symbols arm pair package sanitizers settle bits plugins static cases oracle bench demo; do
     case $check in *"${ONLY:-}"*) check_$check ;; esac
 done
 total
