@@ -7,7 +7,11 @@
 #include "../port/osqp/osqp_qp.h"
 #endif
 #ifdef WITH_IPOPT
+#include "scenes/gen.h"
+#include "../port/host/solvers.h"
 #include "../port/ipopt/ipopt_qp.h"
+
+#include <math.h>
 #endif
 
 enum { N = 12, M = 20 };
@@ -127,7 +131,7 @@ TEST(unbounded_needs_a_direction)
     CHECK_INT(judged(&slope, SP_QP_DUAL_INFEASIBLE, x, y, &r), SP_QP_NUMERICAL);
 }
 
-/* ------------------------------------------------------------------------------------------- every solver, the same questions */
+/* ----------------------------------------------------------------------------------------- every solver, the same questions */
 
 #if defined WITH_OSQP || defined WITH_IPOPT
 
@@ -371,6 +375,125 @@ TEST(ipopt_inaccurate_is_never_solved)
 }
 #endif
 
+/* ---------------------------------------------------------------------------------------- the published coupled program */
+
+#ifdef WITH_IPOPT
+
+#define EPS R(1e-3)                                     /* [m] */
+#define ETA R(2e-2)
+#define WEIGHT (2400 * 9.80665)                         /* of a unit cube [N] */
+
+/* Our check and the published program on a scene by formula, compas_cra's bounds. faces 0: the true cone. */
+typedef struct pair {
+    sp_scene scene;
+    sp_settings set;
+    sp_result ours;
+    solvers_published his;
+} pair;
+
+static void compare(pair *p, const char *name, const char *number, double number_is, double mu, int32_t faces)
+{
+    gen_scene g;
+    test_arena.used = 0;
+    p->set = sp_settings_default();
+    p->set.coupled.asked = p->set.coupled.box = 1;
+    p->set.coupled.eps = EPS;
+    p->set.coupled.eta = ETA;
+    p->set.faces = faces;
+    p->set.inscribed = 0;
+    NEED(gen_open(&g, name) == 1 && gen_set(&g, "mu", mu) == 1 && (!number || gen_set(&g, number, number_is) == 1));
+    NEED(gen_build(&g, &test_arena, &p->scene) == SP_OK);
+    NEED(sp_check(&p->scene, &p->set, &test_arena, &p->ours) == SP_OK);
+    NEED(solvers_publish(&p->scene, &p->set, &p->ours, &p->his) == SP_OK);
+}
+
+static int proved(const pair *p) { return p->his.evidence.level == SP_COUPLED; }
+
+/* A cube on a cube: a quarter of its weight on every corner, no friction: W^2 / 4. Also for eps = 0. */
+TEST(ipopt_coupled_cube_is_a_quarter_on_every_corner)
+{
+    static pair p;
+    compare(&p, "two-cubes", "offset", 0, 0.84, 8);
+    CHECK(p.his.answer.solved && proved(&p));
+    CHECK_NEAR(p.his.answer.objective, WEIGHT * WEIGHT / 4, TOL(1e-6, 1e-5));
+    p.ours.coupled.eps = p.set.coupled.eps = 0;
+    NEED(solvers_publish(&p.scene, &p.set, &p.ours, &p.his) == SP_OK);
+    CHECK(p.his.answer.solved && p.his.answer.gap <= 1e-6);
+    CHECK_NEAR(p.his.answer.objective, WEIGHT * WEIGHT / 4, TOL(1e-6, 1e-5));
+}
+
+/* A block of height .2 on a slope of 20 degrees slips as far as it may: alpha = (W sin / 4) / eta in every corner, and
+ * fn = W cos / 4 +- W sin h / 4 from the moment W sin h / 2 on levers of .5. */
+TEST(ipopt_coupled_slope_has_its_closed_form)
+{
+    static pair p;
+    const double w = 0.2 * WEIGHT, rad = 3.14159265358979323846 / 180, c = w * cos(20 * rad), s = w * sin(20 * rad);
+    for (int faces = 0; faces < 9; faces += 8) {
+        compare(&p, "incline", NULL, 0, 0.84, faces);
+        CHECK(p.his.answer.solved || proved(&p));
+        CHECK_NEAR(p.his.answer.objective, pow(s / 2 / (double)ETA, 2) + c * c / 4 + pow(s * 0.2 / 2, 2), TOL(1e-5, 1e-2));
+        CHECK_INT(p.his.evidence.verdict, SP_STABLE);
+    }
+}
+
+TEST(ipopt_refuses_the_H_model_and_so_do_we)
+{
+    static const double mu[] = { 0.01, 0.45, 0.84 };
+    for (int k = 0; k < 3; k++) {
+        static pair p;
+        compare(&p, "h-model", NULL, 0, mu[k], 8);
+        CHECK(!p.his.answer.solved && !proved(&p));
+        CHECK(p.his.residual > 1e-3);
+        CHECK(p.ours.coupled.verdict != SP_COUPLING_COUPLED && p.ours.level != SP_COUPLED);
+    }
+}
+
+/* Nobody refutes what the other one proves; what statics refutes, Ipopt does not solve. */
+TEST(ipopt_and_we_do_not_contradict_each_other)
+{
+    static const struct { const char *name, *number; double value, mu; } scene[] = {
+        { "two-cubes", "offset", 0.3, 0.84 }, { "two-cubes", "offset", 0.6, 0.84 }, { "incline", "angle", 30, 0.5 },
+        { "incline", "angle", 25, 0.5 }, { "topple", "angle", 13, 0.84 }, { "cantilever", NULL, 0, 0.84 },
+        { "tower", "n", 3, 0.84 }, { "overhang", "n", 3, 0.84 }, { "arch", "n", 5, 0.84 }, { "arch", "t", 0.3, 0.84 },
+        { "keystone", "angle", -10, 0.84 }, { "keystone", "angle", 20, 0.2 }, { "flat-arch", "n", 3, 0.84 } };
+    int solved = 0, verified = 0;
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++) {
+        static pair p;
+        compare(&p, scene[k].name, scene[k].number, scene[k].value, scene[k].mu, 8);
+        solved += p.his.answer.solved;
+        verified += proved(&p);
+        if (p.ours.coupled.verdict == SP_COUPLING_REFUTED) CHECK(!p.his.answer.solved && !proved(&p));
+        if (proved(&p)) CHECK(p.ours.verdict != SP_UNSTABLE);
+    }
+    CHECK(verified >= 8);                               /* of the ten that stand */
+    CHECK(solved >= 8);
+}
+
+TEST(ipopt_that_stops_early_has_solved_nothing)
+{
+    static pair p;
+    static sp_real f[3 * 64], dq[6 * 16], alpha[64];
+    ipopt_cra_question q = { EPS, ETA, 1, 1, 60, 1e-8, NULL };
+    ipopt_cra_answer a;
+    compare(&p, "incline", NULL, 0, 0.84, 8);
+    NEED(p.scene.count.points <= 64 && p.scene.count.blocks <= 16);
+    CHECK_INT(ipopt_cra_solve(&p.scene, &p.set, &q, f, dq, alpha, &a), SP_OK);
+    CHECK_TEXT(a.status, "Maximum_Iterations_Exceeded");
+    CHECK(!a.solved && a.iterations == 1);
+    q.eta = 0;
+    CHECK_INT(ipopt_cra_solve(&p.scene, &p.set, &q, f, dq, alpha, &a), SP_E_RANGE);
+    q.eta = ETA;
+    q.eps = -EPS;
+    CHECK_INT(ipopt_cra_solve(&p.scene, &p.set, &q, f, dq, alpha, &a), SP_E_RANGE);
+    q.eps = EPS;
+    q.iterations = 3000;
+    p.scene.block[0].fixed = p.scene.block[1].fixed = SP_FIXED;     /* nothing to ask */
+    CHECK_INT(ipopt_cra_solve(&p.scene, &p.set, &q, f, dq, alpha, &a), SP_OK);
+    CHECK(a.solved && a.objective <= 0);
+}
+
+#endif
+
 TEST_LIST(plugins)
     RUN(the_judge_believes_residuals_only)
     RUN(a_multiplier_without_contact_is_seen_in_the_gap)
@@ -384,5 +507,10 @@ TEST_LIST(plugins)
 #ifdef WITH_IPOPT
     RUN(ipopt_answers_as_it_must)
     RUN(ipopt_inaccurate_is_never_solved)
+    RUN(ipopt_coupled_cube_is_a_quarter_on_every_corner)
+    RUN(ipopt_coupled_slope_has_its_closed_form)
+    RUN(ipopt_refuses_the_H_model_and_so_do_we)
+    RUN(ipopt_and_we_do_not_contradict_each_other)
+    RUN(ipopt_that_stops_early_has_solved_nothing)
 #endif
 TEST_END

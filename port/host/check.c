@@ -68,11 +68,22 @@ static int draw(const report *r, text_error *error)
     return failed ? text_fail(error, EXIT_INTERNAL, r->options->svg, 0, "can't write the picture") : 0;
 }
 
+/* The coupled question once more, as the program its authors publish. */
+static int publish(report *r, solvers_published *p, text_error *error)
+{
+    sp_status status;
+    progress("asking Ipopt about", r->scene->path);
+    status = solvers_publish(&r->scene->scene, &r->options->settings, &r->result, p);
+    r->published = p;
+    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+}
+
 /* Read, turn, check, tell. */
 static int check_one(const char *path, const options *o, text_error *error)
 {
     host_scene s;
     report r;
+    solvers_published p;
     void *memory = NULL;
     int status;
 
@@ -85,6 +96,7 @@ static int check_one(const char *path, const options *o, text_error *error)
         status = text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
     if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
+    if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = publish(&r, &p, error);
     if (!status && o->svg) status = draw(&r, error);
     progress("", "");
     if (!status) {

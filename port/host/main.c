@@ -24,7 +24,8 @@ static const char help_check[] =
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
 "  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"
 "  --cra-box          that bound for each component of the slip, as compas_cra\n"
-"  --cra-nodes N      largest proof that there is none; up to 48 corners           60 corners^2\n\n"
+"  --cra-nodes N      largest proof that there is none; up to 48 corners           60 corners^2\n"
+"  --solver ipopt     with --coupled: puts the published program's answer beside ours\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
 

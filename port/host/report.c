@@ -143,6 +143,29 @@ static void json_coupled(json_out *j, const report *r)
     json_close(j, '}');
 }
 
+/* The published program's answer beside ours. */
+static void json_published(json_out *j, const solvers_published *p)
+{
+    const ipopt_cra_answer *a = &p->answer;
+    json_open(j, "published", '{');
+    json_string(j, "solver", "ipopt");
+    json_string(j, "status", a->status);
+    json_bool(j, "solved", a->solved);
+    json_bool(j, "verified", p->evidence.level == SP_COUPLED);
+    json_real(j, "objective", a->objective);
+    json_open(j, "residuals", '{');
+    json_real(j, "balance", a->balance);
+    json_real(j, "cone", a->cone);
+    json_real(j, "contact", a->contact);
+    json_real(j, "gap", a->gap);
+    json_real(j, "slip", a->slip);
+    json_real(j, "bound", a->bound);
+    json_close(j, '}');
+    json_int(j, "iterations", a->iterations);
+    json_real(j, "seconds", a->seconds);
+    json_close(j, '}');
+}
+
 /* All that a later `verify` needs: the question as it was put, and the force of every contact vertex. */
 static void json_forces(json_out *j, const report *r)
 {
@@ -192,6 +215,7 @@ void report_json(FILE *out, const report *r)
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);
+    if (r->published) json_published(&j, r->published);
     if (r->options->forces) json_forces(&j, r);
     json_close(&j, '}');
     fputc('\n', out);
@@ -264,6 +288,15 @@ static void text_coupled(FILE *out, const report *r)
     else fputs("unbounded\n", out);
 }
 
+static void text_published(FILE *out, const solvers_published *p)
+{
+    const ipopt_cra_answer *a = &p->answer;
+    if (!p) return;
+    row(out, "Ipopt");
+    fprintf(out, "%s after %ld iterations, %.3g s; objective %.9g, residual %.2g; %s\n", a->status, (long)a->iterations, a->seconds,
+            a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
+}
+
 static void text_weakest(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
@@ -311,6 +344,7 @@ void report_text(FILE *out, const report *r)
     fprintf(out, "%s\n", why(x->reason));
     text_certainty(out, r);
     text_coupled(out, r);
+    text_published(out, r->published);
     text_weakest(out, r);
     text_mechanism(out, r);
     row(out, "forces");

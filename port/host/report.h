@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include "options.h"
 #include "scene.h"
+#include "solvers.h"
 
 /* A check that was made. */
 typedef struct report {
@@ -13,6 +14,7 @@ typedef struct report {
     sp_result result;
     double seconds;             /* of the check itself, without reading and contacts */
     size_t bytes;               /* its arena [byte] */
+    const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
 
 /* Make the check of r->scene; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */

@@ -1,5 +1,6 @@
 #include "solvers.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #ifdef WITH_OSQP
@@ -39,3 +40,44 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
     }
     return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
 }
+
+#ifdef WITH_IPOPT
+
+/* f, dq, alpha of a triple and scratch for sp_verify. */
+static sp_status judge(const sp_scene *scene, const sp_settings *settings, const sp_result *result, sp_real *f, sp_real *dq,
+                       sp_real *alpha, sp_evidence *evidence)
+{
+    const size_t bytes = sp_verify_memory(scene) + SP_ALIGN;
+    void *memory = malloc(bytes);
+    sp_result claim = *result;
+    sp_arena scratch;
+    sp_status status = memory ? sp_arena_init(&scratch, memory, bytes) : SP_E_MEMORY;
+    claim.f = f;
+    claim.coupled.dq = dq;
+    claim.coupled.alpha = alpha;
+    if (status == SP_OK) status = sp_verify(scene, settings, &claim, scratch, evidence);
+    free(memory);
+    return status;
+}
+
+sp_status solvers_publish(const sp_scene *scene, const sp_settings *settings, const sp_result *result, solvers_published *out)
+{
+    const ipopt_cra_question q = { result->coupled.eps, result->coupled.eta, settings->coupled.box, 3000, 60, 1e-8, NULL };
+    const size_t v = (size_t)scene->count.points, b = (size_t)scene->count.blocks;
+    sp_real *f = calloc(4 * v + 6 * b + 1, sizeof *f);
+    sp_status status = f ? ipopt_cra_solve(scene, settings, &q, f, f + 4 * v, f + 3 * v, &out->answer) : SP_E_MEMORY;
+    out->residual = status == SP_OK ? ipopt_cra_residual(&out->answer) : 0;
+    if (status == SP_OK) status = judge(scene, settings, result, f, f + 4 * v, f + 3 * v, &out->evidence);
+    free(f);
+    return status;
+}
+
+#else
+
+sp_status solvers_publish(const sp_scene *scene, const sp_settings *settings, const sp_result *result, solvers_published *out)
+{
+    (void)scene; (void)settings; (void)result; (void)out;
+    return SP_E_UNSUPPORTED;
+}
+
+#endif

@@ -3,9 +3,20 @@
 #define STONEPACK_HOST_SOLVERS_H
 
 #include "text.h"
+#include "../ipopt/ipopt_cra.h"
 
 /* The solver of this name: "admm", "dykstra", "osqp" or "ipopt".
  * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */
 int solvers_find(const char *name, sp_qp_solver *out, text_error *error);
+
+/* The coupled question of a check as its authors' program, by Ipopt. */
+typedef struct solvers_published {
+    ipopt_cra_answer answer;
+    double residual;            /* the largest of its residuals */
+    sp_evidence evidence;       /* what sp_verify says of its triple */
+} solvers_published;
+
+/* returns SP_OK, SP_E_UNSUPPORTED: not built in, or what ipopt_cra_solve and sp_verify return */
+sp_status solvers_publish(const sp_scene *scene, const sp_settings *settings, const sp_result *result, solvers_published *out);
 
 #endif
