@@ -328,9 +328,9 @@ sanitized_plugins() {                                   # sanitized_plugins FILT
 }
 plugin() {                                              # plugin NAME DIRECTORY
     part "$1: warnings" warn_plugins "$CC" "$2"
-    count "$1: as a solver" build/run "plugins/${2#port/}"
-    count "$1: as a solver, float" build/run_float "plugins/${2#port/}"
-    count "$1: under ASan and UBSan" sanitized_plugins "plugins/${2#port/}"
+    count "$1: tests" build/run "plugins/${2#port/}"
+    count "$1: tests, float" build/run_float "plugins/${2#port/}"
+    count "$1: tests under ASan and UBSan" sanitized_plugins "plugins/${2#port/}"
 }
 check_plugins() {
     case " ${PLUGINS:-} " in
