@@ -461,6 +461,10 @@ sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, co
     sp_status status;
     if (!scene || !settings || !q || !f || !dq || !alpha || !answer) return SP_E_ARGUMENT;
     if (!(q->eps >= 0) || !(q->eta > 0)) return SP_E_RANGE;
+    for (int32_t i = 0; i < scene->count.interfaces; i++) {
+        const sp_joint *j = &scene->interface[i].joint;
+        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SP_E_UNSUPPORTED;
+    }
     memset(&p, 0, sizeof p);
     memset(f, 0, 3 * (size_t)scene->count.points * sizeof *f);
     memset(dq, 0, 6 * (size_t)scene->count.blocks * sizeof *dq);

@@ -1,4 +1,4 @@
-/* The coupled check as its authors publish it, a nonlinear program, by Ipopt.                       [Kao et al. 2022, Eq. 11] */
+/* The coupled check as its authors publish it, a nonlinear program, by Ipopt.                      [Kao et al. 2022, Eq. 11] */
 #ifndef STONEPACK_IPOPT_CRA_H
 #define STONEPACK_IPOPT_CRA_H
 
@@ -30,7 +30,8 @@ typedef struct ipopt_cra_answer {
 } ipopt_cra_answer;
 
 /* Solve. f (3 x scene.count.points), dq (6 x blocks) and alpha (points) are the caller's, written whatever Ipopt says.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_RANGE (eps, eta), SP_E_MEMORY, or what sp_problem_build returns */
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_RANGE (eps, eta), SP_E_UNSUPPORTED (joints with strength), SP_E_MEMORY,
+ *           or what sp_problem_build returns */
 sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, const ipopt_cra_question *question, sp_real *f,
                           sp_real *dq, sp_real *alpha, ipopt_cra_answer *answer);
 
