@@ -107,12 +107,13 @@ static double support(const sp_qp *qp, const double *y, double *terms)
 /* The three residuals of x, y, and the largest of them over its tolerance.                                [seed 4.2]
  *   |Ax - z|       <= eps_abs + eps_rel max(|Ax|, |z|)               z: Ax moved onto [l, u]
  *   |Px + q + A'y| <= eps_abs + eps_rel max(|Px|, |A'y|, |q|)
- *   |x'Px + q'x + u'y+ + l'y-| <= eps_abs + eps_rel max of its terms  (whatever settings.strict: y knows nothing of z here) */
+ *   gap            <= eps_abs + eps_rel |objective|                  (whatever settings.strict: y knows nothing of z here)
+ * gap = max(|y|'|Ax - z|, |x'Px + q'x + u'y+ + l'y-| + |x|'|Px + q + A'y|) bounds what the objective is out by, see solvers/qp.c. */
 static double residuals(judge *g, const sp_qp_settings *set, sp_qp_result *out)
 {
     const sp_qp *qp = g->qp;
     const double abs_tol = (double)set->eps_abs, rel_tol = (double)set->eps_rel;
-    double primal = 0, dual = 0, size_p = 0, size_d = 0, terms, qx = 0;
+    double primal = 0, dual = 0, size_p = 0, size_d = 0, terms, qx = 0, infeasible = 0, unbalanced = 0;
     times_P(qp, g->x, g->Px);
     times_A(qp, g->x, g->Ax);
     times_At(qp, g->y, g->Aty);
@@ -120,23 +121,25 @@ static double residuals(judge *g, const sp_qp_settings *set, sp_qp_result *out)
         const double a = g->Ax[i], z = !no_l(qp, i) && a < (double)qp->l[i] ? (double)qp->l[i]
                                      : !no_u(qp, i) && a > (double)qp->u[i] ? (double)qp->u[i] : a;
         primal = larger(primal, fabs(a - z));
+        infeasible += fabs(g->y[i] * (a - z));
         size_p = larger(size_p, larger(fabs(a), fabs(z)));
     }
     for (int32_t j = 0; j < qp->n; j++) {
         const double q = q_of(qp, j);
         qx += q * g->x[j];
         dual = larger(dual, fabs(g->Px[j] + q + g->Aty[j]));
+        unbalanced += fabs(g->x[j] * (g->Px[j] + q + g->Aty[j]));
         size_d = larger(size_d, larger(fabs(q), larger(fabs(g->Px[j]), fabs(g->Aty[j]))));
     }
-    const double xPx = inner(g->x, g->Px, qp->n), s = support(qp, g->y, &terms), gap = fabs(xPx + qx + s);
-    out->objective = (sp_real)(0.5 * xPx + qx);
+    const double xPx = inner(g->x, g->Px, qp->n), s = support(qp, g->y, &terms), f = 0.5 * xPx + qx;
+    const double gap = larger(infeasible, fabs(xPx + qx + s) + unbalanced);
+    out->objective = (sp_real)f;
     out->primal = (sp_real)primal;
     out->dual = (sp_real)dual;
     out->gap = (sp_real)gap;
     if (!isfinite(primal + dual + gap + xPx + qx)) return HUGE_VAL;
     return larger(primal / (abs_tol + rel_tol * size_p),
-                  larger(dual / (abs_tol + rel_tol * size_d),
-                         gap / (abs_tol + rel_tol * larger(fabs(xPx), larger(fabs(qx), fabs(s))))));
+                  larger(dual / (abs_tol + rel_tol * size_d), gap / (abs_tol + rel_tol * fabs(f))));
 }
 
 static sp_qp_status point_status(sp_qp_status claim, double off)
