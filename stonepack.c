@@ -19,15 +19,16 @@
  *   16  exact stage: search and proof
  *   17  exact stage: rigid groups
  *   18  exact stage: steps               semismooth Newton, proximal path
- *   19  penalty form                     where help is wanted [seed 1.5]
- *   20  penalty program                  the same as a quadratic program [seed 1.5, 4]
- *   21  coupled check: exact decision    branch and bound over the states of joints
- *   22  coupled check                    a motion that explains the forces [seed 3]
- *   23  ladder                           settings, stages, memory, judgement
- *   24  reading a result                 resultants, utilisation, weakest joint
- *   25  check                            sp_check
- *   26  verify                           sp_verify
- *   27  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   19  exact stage: interior point      where Newton stalls; the run of the stage
+ *   20  penalty form                     where help is wanted [seed 1.5]
+ *   21  penalty program                  the same as a quadratic program [seed 1.5, 4]
+ *   22  coupled check: exact decision    branch and bound over the states of joints
+ *   23  coupled check                    a motion that explains the forces [seed 3]
+ *   24  ladder                           settings, stages, memory, judgement
+ *   25  reading a result                 resultants, utilisation, weakest joint
+ *   26  check                            sp_check
+ *   27  verify                           sp_verify
+ *   28  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -67,6 +68,9 @@
 #include "solvers/pyramid.c"
 #include "solvers/cone.c"
 #include "solvers/bchol.c"
+#ifndef SP_NO_IPM
+#include "solvers/ipm.c"
+#endif
 #include "solvers/sort.c"
 #include "solvers/hull.c"
 #include "solvers/clip.c"
@@ -2432,7 +2436,7 @@ static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const s
     const int32_t faces = j->set->faces;
     const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
     if (!faces) {
-        if (z <= mu * u[0]) return all;
+        if (u[0] >= 0 && z <= mu * u[0]) return all;
         const sp_real along = (u[0] + mu * z) / SP_SQRT(1 + mu * mu);
         return along > 0 ? along : 0;
     }
@@ -2450,7 +2454,7 @@ static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const s
         const sp_real e = (u[0] + mu * a + edge * b) / SP_SQRT(1 + mu * mu + edge * edge);
         if (e > best) best = e;
     }
-    return most <= mu * u[0] ? all : best;
+    return u[0] >= 0 && most <= mu * u[0] ? all : best;
 }
 
 /* Largest f.u over f in K_v, |f| <= cap; K_v with strength lies between its lower rim (fn = -T, |ft| = low) and its upper one.
@@ -2523,16 +2527,17 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
     return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
-/* The best proof a motion gives, with smaller motions held at 1e-12, 1e-9, 1e-6, 1e-3, 0.5 of the largest. The motion that
- * gives it is left in j->x. Stops at the first that is a proof by a wide margin. */
+/* The best proof a motion gives, a final one before others, with smaller motions held at 1e-12, 1e-9, 1e-6, 1e-3, 0.5 of the
+ * largest. The motion that gives it is left in j->x. */
 static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
 {
     static const sp_real rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
     sp_real best = -1, held = 0;
+    int32_t sure = 0;
     for (int k = 0; k < 6; k++) {
         const sp_real value = sp__judge_motion(j, dq, rest[k], final);
-        if (value > best) { best = value; held = rest[k]; }
-        if (*final && value > j->set->tol) return value;
+        *final &= value > j->set->tol;
+        if (*final > sure || (*final == sure && value > best)) { best = value; held = rest[k]; sure = *final; }
     }
     return sp__judge_motion(j, dq, held, final);
 }
@@ -3067,6 +3072,7 @@ typedef struct sp__dual {
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real factor;                     /* coefficient in force / mu */
+    struct sp__ipm *inner;              /* of the interior-point method */
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
     sp_real metric;                     /* 1 / largest sbar of a contact, or 0: S = 1 everywhere */
     int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
@@ -3168,8 +3174,8 @@ SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Bytes of the whole dual: the symbolic step and the factor share the space behind the graph. */
-static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, sp_arena scratch)
+/* Bytes of the whole dual and of so many rays a vertex: the symbolic step and the factor share the space behind the graph. */
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
 {
     sp__order order;
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
@@ -3181,6 +3187,7 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
     sp_arena symbolic = dry;
     sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &symbolic);
     sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
+    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *w->y);
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
@@ -3328,7 +3335,8 @@ static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
     w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
 }
 
-typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN } sp__law;     /* f = S u, f = S P_K(u), or df = D du, D given */
+/* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
+typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
@@ -3401,29 +3409,100 @@ static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
     }
 }
 
-/* The contact's share H = sum (I, -[l]x)' S D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
+#ifndef SP_NO_IPM
+typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
+
+/* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
+typedef struct sp__ipm {
+    sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
+    sp_real natural;                    /* force of x = e where S = 1 */
+    sp_real theta, gap;                 /* what is left of the start's residuals; sum of x z */
+    int outside;                        /* x or z is no longer inside, by rounding */
+    sp__pass pass;                      /* right-hand side; step length; step */
+    int corrected;                      /* the product of the predictor's changes is taken into account */
+    const sp_real *along[3];            /* y; its predictor and its step */
+    sp_real tau, kappa, mu, sigma;
+    sp_real reach;                      /* step length */
+    sp_real dtau, dkappa;
+} sp__ipm;
+
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`. */
+static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
+{
+    const sp_real mu = sp__dual_yield(w, c)->mu, h = mu * w->cone.tan_half, *d = w->cone.direction[k];
+    e[0] = w->inner->natural * sp__dual_S(w, c) / (sp_real)w->cone.faces;
+    e[1] = e[0] * (mu * d[0] - h * d[1]);
+    e[2] = e[0] * (mu * d[1] + h * d[0]);
+}
+
+/* D = E W^2 E' for rates u = Aeq' y, z = theta e - E'u; f (may be NULL) = E x. Adds x.z to the gap. */
+SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    sp_real *x = w->inner->x + (size_t)(w->cone.faces ? w->cone.faces : 3) * (size_t)v;
+    for (int k = 0; k < 6; k++) D[k] = 0;
+    for (int k = 0; f && k < 3; k++) f[k] = 0;
+    for (int32_t k = 0; k < w->cone.faces; k++) {
+        sp_real e[3];
+        sp__ipm_edge(w, c, k, e);
+        const sp_real z = w->inner->theta - sp__dot3(e, u), s = x[k] / z;
+        if (!(z > 0 && x[k] > 0)) w->inner->outside = 1;
+        w->inner->gap += x[k] * z;
+        D[0] += s * e[0] * e[0]; D[1] += s * e[0] * e[1]; D[2] += s * e[0] * e[2];
+        D[3] += s * e[1] * e[1]; D[4] += s * e[1] * e[2]; D[5] += s * e[2] * e[2];
+        for (int q = 0; f && q < 3; q++) f[q] += x[k] * e[q];
+    }
+    if (w->cone.faces) return;
+    const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_yield(w, c)->mu;
+    const sp_real z[3] = { w->inner->theta - S * u[0], -T * u[1], -T * u[2] };
+    sp__nt W;
+    if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
+    const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
+    w->inner->gap += sp__dot3(x, z);
+    D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
+    D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
+    D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
+    if (f) { f[0] = S * x[0]; f[1] = T * x[1]; f[2] = T * x[2]; }
+}
+#endif
+
+/* D of a vertex, df = D du for rates u = V + W x l.     returns 0 when it is zero: the vertex is open */
+SP__APART static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real V[3], const sp_real W[3],
+                                    sp_real D[6])
+{
+    const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
+    sp_real u[3];
+    if (law == SP__GIVEN) { memcpy(D, w->given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
+    D[0] = D[3] = D[5] = 1;
+    D[1] = D[2] = D[4] = 0;
+    sp__dual_rate(w, V, W, w->pb->local[v], u);
+#ifndef SP_NO_IPM
+    if (law == SP__INTERIOR) {
+        sp__ipm_derivative(w, c, v, u, D, NULL);
+        return 1;
+    }
+#endif
+    if (law == SP__ADMISSIBLE) {
+        const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
+        if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
+        else if (region == SP__APEX) return 0;
+    }
+    D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
+    return 1;
+}
+
+/* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
  *     returns 0 when all of it is zero: the contact is open */
-SP__APART static int sp__dual_contact_hessian(const sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp__yield *yield = sp__dual_yield(w, c);
-    const sp_real k = w->slide, S = sp__dual_S(w, c);
     sp_real V[3], W[3];
     int carries = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v];
-        sp_real u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
-        if (law == SP__ADMISSIBLE) {
-            sp__dual_rate(w, V, W, l, u);
-            const sp__region region = sp__cone_derivative(&w->cone, yield, u, D);
-            if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
-            else if (region == SP__APEX) continue;
-        }
-        D[0] *= S; D[1] *= S * k; D[2] *= S * k; D[3] *= S * k * k; D[4] *= S * k * k; D[5] *= S * k * k;
-        if (law == SP__GIVEN) memcpy(D, w->given + 6 * (size_t)v, sizeof D);
-        sp__vertex_hessian(D, l, h);
+        sp_real D[6];
+        if (!sp__vertex_law(w, law, c, v, V, W, D)) continue;
+        sp__vertex_hessian(D, w->pb->local[v], h);
         carries = 1;
     }
     return carries;
@@ -3577,18 +3656,26 @@ static void sp__dual_spread(sp__dual *w)
         }
 }
 
-/* L L' = Aeq S DP Aeq' + shift */
+/* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
 SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_real floor = 4 * (sp_real)SP_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n;
-    sp__dual_assemble(w, law, y, shift);
+    sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->cost->flops += w->dense ? n * n * 2 * w->L.n : w->L.flops;
+    w->cost->factorisations++;
+#ifndef SP_NO_IPM
+    if (law == SP__INTERIOR) {
+        sp__bchol_balance(&w->L, shift);
+        sp__bchol_factor(&w->L, floor);
+        sp__bchol_unbalance(&w->L);
+        return;
+    }
+#endif
     if (w->dense) {
         sp__dual_spread(w);
         sp__chol_factor(w->dense, 6 * w->L.n, floor);
     } else sp__bchol_factor(&w->L, floor);
-    w->cost->flops += w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    w->cost->factorisations++;
 }
 
 /* x <- (L L')^-1 b; x may be b. */
@@ -3724,6 +3811,9 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
 #endif
+#define SP__IPM_MOST 40                 /* interior-point iterations */
+#define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
+#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
 
 /* The seed's constants, each with its section; what a float can't reach is float's own. */
 #ifdef SP_REAL_FLOAT
@@ -3993,12 +4083,12 @@ static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_
 
 static size_t sp__sparse_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__dual_need(pb, set, 0, scratch);
+    return sp__dual_need(pb, set, 0, 0, scratch);
 }
 
 static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__dual_need(pb, set, 1, scratch);
+    return sp__dual_need(pb, set, 1, 0, scratch);
 }
 
 /* 15 -------------------------------------------------------------------------------------------------------------- polish */
@@ -4082,7 +4172,10 @@ typedef struct sp__newton {
     int proved;                         /* state->dq holds a proof */
     sp_real level;                      /* imbalance at the end of the last piece of the path */
     int stalled;                        /* it no longer falls with prox: something moves */
+    int found;                          /* state->f holds forces that balance */
 } sp__newton;
+
+static int sp__newton_open(const sp__newton *n) { return n->omega > n->goal && !n->proved && !n->found; }
 
 /* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
 typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
@@ -4481,9 +4574,277 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
     for (size_t k = 0; k < n; k++) state->dq[k] = -w->weight[k / 3] * state->y[k];
 }
 
+/* 19 ----------------------------------------------------------------------------------------- exact stage: interior point */
+
+/* Where Newton stalls, with thousands of joints about to slide or open at once. Forces f = E x of any size (E: sp__ipm_edge):
+ *
+ *   Aeq E x + tau p = theta r0,  z + E' Aeq' y = theta e,  kappa + p.y = theta,  x o z = mu e,  tau kappa = mu,  x, z in cones
+ *
+ * from x = z = e, y = 0, tau = kappa = theta = mu = 1 down to theta = mu = 0: the homogeneous self-dual embedding of "is there
+ * an f". Then f = E x / tau balances p, or no contact resists dq = -y while the load does work kappa. A step factorises
+ * Aeq E W^2 E' Aeq', the same blocks as Newton's; z is never stored. Mostly it ends long before that: when the least change of
+ * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
+ *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
+
+#ifndef SP_NO_IPM
+
+/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
+ * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
+SP__APART static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3])
+{
+    sp__nt W;
+    const sp_real keep = 1 - m->sigma, z[3] = { m->theta - u[0][0], -u[0][1], -u[0][2] };
+    sp_real h[3], dz[3];
+    if (!sp__soc_scaling(x, z, &W)) { m->outside = 1; return; }
+    for (int k = 0; k < 3; k++) h[k] = -x[k];
+    if (m->corrected) {
+        for (int k = 0; k < 3; k++) h[k] = u[1][k];
+        h[0] += m->theta;
+        sp__scale3(-1, h, dz);
+        sp__soc_square(&W, h);
+        sp__sub3(h, x, h);
+        sp__soc_aim(&W, x, z, h, dz, m->sigma * m->mu, h);
+    }
+    for (int k = 0; k < 3; k++) g[k] = m->pass == SP__AIM ? 0 : u[2][k];
+    g[0] += keep * m->theta;
+    sp__scale3(-1, g, dz);
+    sp__soc_square(&W, g);
+    for (int k = 0; k < 3; k++) g[k] += h[k];                               /* dx */
+    if (m->pass == SP__REACH) m->reach = sp__soc_step(z, dz, sp__soc_step(x, g, m->reach));
+    for (int k = 0; k < 3; k++) {
+        if (m->pass == SP__MOVE) x[k] += m->reach * g[k];
+        g[k] = -(keep * x[k] + g[k]);
+    }
+}
+
+/* The same for one edge of a pyramid, where W^2 = x / z. */
+static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
+{
+    const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z;
+    sp_real h = -*x;
+    if (m->corrected) {
+        const sp_real dz = -m->theta - u[1], dx = -*x - s * dz;
+        h += (m->sigma * m->mu - dx * dz) / z;
+    }
+    const sp_real dz = -keep * m->theta - (m->pass == SP__AIM ? 0 : u[2]), dx = h - s * dz;
+    if (m->pass == SP__REACH) m->reach = sp__ray_step(z, dz, sp__ray_step(*x, dx, m->reach));
+    if (m->pass == SP__MOVE) *x += m->reach * dx;
+    return -(keep * *x + dx);
+}
+
+/* One vertex: its cone or the edges of its pyramid. g is a force. */
+SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    const int32_t faces = w->cone.faces;
+    sp_real *x = m->x + (size_t)(faces ? faces : 3) * (size_t)v;
+    g[0] = g[1] = g[2] = 0;
+    for (int32_t k = 0; k < faces; k++) {
+        sp_real e[3];
+        sp__ipm_edge(w, c, k, e);
+        const sp_real rate[3] = { sp__dot3(e, u[0]), sp__dot3(e, u[1]), sp__dot3(e, u[2]) };
+        const sp_real a = sp__ipm_ray(m, x + k, rate);
+        for (int q = 0; q < 3; q++) g[q] += a * e[q];
+    }
+    if (faces) return;
+    const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_yield(w, c)->mu;
+    for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
+    sp__ipm_cone(m, x, u, g);
+    g[0] *= S; g[1] *= T; g[2] *= T;
+}
+
+/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p. */
+SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
+{
+    const sp_problem *pb = w->pb;
+    m->pass = pass;
+    if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real *twist = w->h, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        for (int k = 0; k < 3; k++) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3][3], g[3], a[3];
+            for (int k = 0; k < 3; k++) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
+            sp__ipm_vertex(w, m, c, v, u, g);
+            sp__cross3(pb->local[v], g, a);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
+        }
+        if (pass == SP__AIM) sp__dual_scatter(w, t, F, M, r);
+    }
+    if (pass == SP__AIM) sp__dual_release(w, r);
+    sp__dual_count(w, 3 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST);
+}
+
+/* r = Aeq f + p of f = P_K(E x / tau + E W^2 E' Aeq' d); f (may be NULL; its place may be that of x) gets the forces. */
+SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_real *d, sp_real *r, sp_real *f)
+{
+    const sp_problem *pb = w->pb;
+    sp__dual_load(w, r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
+        sp_real *twist = w->h, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp__dual_twist(w, t, w->y, twist, twist + 3);
+        sp__dual_twist(w, t, d, twist + 6, twist + 9);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3], D[6], g[3];
+            sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
+            sp__ipm_derivative(w, c, v, u, D, g);
+            sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
+            g[0] = g[0] / m->tau + (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]);
+            g[1] = g[1] / m->tau + (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
+            g[2] = g[2] / m->tau + (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
+            sp__cone_project(&w->cone, yield, g, g);
+            sp__cross3(pb->local[v], g, u);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
+            if (f) sp__scale3(w->unit, g, f + 3 * (size_t)v);
+        }
+        sp__dual_scatter(w, t, F, M, r);
+    }
+    sp__dual_release(w, r);
+    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
+}
+
+/* Does the least change of x that balances leave the forces admissible? What is not is projected and the rest balanced again
+ * while that gains. Then state->f holds them. */
+SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
+{
+    sp_real last = SP__HUGE;
+    memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+    for (int it = 0; it < 20; it++) {
+        sp__ipm_balance(w, m, w->d, w->r, NULL);
+        n->omega = sp__dual_omega(w, w->r);
+        if (n->omega > last / 2) break;
+        last = n->omega;
+        memcpy(state->dq, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+        sp__dual_solve(w, w->r, w->r);
+        sp__dual_axpy(w, -1, w->r, w->d);
+    }
+    n->omega = last;
+    if (!(last <= n->goal)) return;
+    n->best = last;
+    n->found = 1;
+    sp__ipm_balance(w, m, state->dq, w->r, state->f);
+}
+
+/* Changes of tau and kappa, from the step w->r of y that leaves tau alone and state->dq = dy / dtau. */
+static void sp__ipm_homogeneous(const sp__dual *w, sp__ipm *m, const sp_state *state, sp_real product)
+{
+    const sp_real rest = m->kappa + sp__dual_work(w, w->y), keep = 1 - m->sigma;
+    const sp_real c = m->tau * m->kappa + product - m->sigma * m->mu;
+    m->dtau = (c / m->tau - keep * rest - sp__dual_work(w, w->r)) / (sp__dual_work(w, state->dq) - m->kappa / m->tau);
+    m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
+}
+
+/* Longest step along m->along[2] that stays inside. */
+static void sp__ipm_reach(sp__dual *w, sp__ipm *m)
+{
+    m->reach = 1000;
+    sp__ipm_sweep(w, m, SP__REACH, NULL);
+    m->reach = sp__ray_step(m->kappa, m->dkappa, sp__ray_step(m->tau, m->dtau, m->reach));
+}
+
+/* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of dy / dtau
+ * that the load's work is kappa it is tried as a proof. */
+SP__APART static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__dual_load(w, state->dq);
+    for (size_t k = 0; k < size; k++) state->dq[k] = -state->dq[k];
+    sp__dual_solve(w, state->dq, state->dq);
+    m->corrected = 0;
+    m->sigma = 0;
+    sp__ipm_sweep(w, m, SP__AIM, w->d);
+    sp__dual_solve(w, w->d, w->d);
+    const sp_real pulls = -sp__dual_work(w, state->dq);
+    if (!(pulls > 0)) return;
+    const sp_real share = (m->kappa + sp__dual_work(w, w->y) + sp__dual_work(w, w->d)) / pulls;
+    for (size_t k = 0; k < size; k++) w->r[k] = w->y[k] + w->d[k] + share * state->dq[k];
+    sp__newton_try(w, n, w->r, state);
+}
+
+/* Predictor and corrector with the factor at hand, from what sp__ipm_motion left in w->d and state->dq. */
+SP__APART static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    for (size_t k = 0; k < n; k++) w->r[k] = w->d[k] + m->tau * state->dq[k];
+    sp__ipm_homogeneous(w, m, state, 0);
+    sp__dual_axpy(w, m->tau + m->dtau, state->dq, w->d);
+    m->along[1] = m->along[2] = w->d;
+    sp__ipm_reach(w, m);
+    const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), product = m->dtau * m->dkappa;
+    m->corrected = 1;
+    m->sigma = left * left * left;
+    sp__ipm_sweep(w, m, SP__AIM, w->r);
+    sp__dual_solve(w, w->r, w->r);
+    sp__dual_axpy(w, (1 - m->sigma) * m->tau, state->dq, w->r);
+    sp__ipm_homogeneous(w, m, state, product);
+    sp__dual_axpy(w, m->dtau, state->dq, w->r);
+    m->along[2] = w->r;
+    sp__ipm_reach(w, m);
+    m->reach *= SP__IPM_KEEP;
+    if (m->reach > 1) m->reach = 1;
+    sp__ipm_sweep(w, m, SP__MOVE, NULL);
+    sp__dual_axpy(w, m->reach, w->r, w->y);
+    m->tau += m->reach * m->dtau;
+    m->kappa += m->reach * m->dkappa;
+    m->theta *= 1 - m->reach * (1 - m->sigma);
+}
+
+/* x = z = e, y = 0. The natural force is a quarter of what an average block bears. */
+static void sp__ipm_start(sp__dual *w, sp__ipm *m)
+{
+    const int32_t faces = w->cone.faces;
+    memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    for (size_t k = 0; k < (size_t)(faces ? faces : 3) * (size_t)w->pb->points; k++) m->x[k] = faces || k % 3 == 0;
+    m->natural = 0;
+    for (int32_t i = 0; i < w->pb->blocks; i++) m->natural += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
+    if (w->metric > 0) m->natural = 1 / (4 * w->metric);
+    m->theta = m->tau = m->kappa = 1;
+    m->along[0] = m->along[1] = m->along[2] = w->y;
+    w->inner = m;
+}
+
+/* Leaves forces that balance (n->found), a proof (n->proved) or neither. x: 3 a vertex, faces of them for a pyramid; may be
+ * state->f where that is as long. */
+SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, sp_real *x)
+{
+    sp__ipm m;
+    const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
+    m.x = x;
+    sp__ipm_start(w, &m);
+    for (int it = 0; it < SP__IPM_MOST && n->left > 0 && m.theta > (sp_real)SP_EPSILON; it++) {
+        m.gap = 0;
+        m.outside = 0;
+        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        n->left--;
+        state->cost.iterations++;
+        state->cost.interior++;
+        if (m.outside) break;
+        m.mu = (m.gap + m.tau * m.kappa) / (cones + 1);
+        sp__ipm_forces(w, &m, n, state);
+        if (n->found) return;
+        sp__newton_try(w, n, w->y, state);
+        if (!n->proved) sp__ipm_motion(w, &m, n, state);
+        if (n->proved) return;
+        sp__ipm_step(w, &m, state);
+    }
+    sp__newton_look(w, n, state);
+}
+#endif
+
+static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+#ifdef SP_NO_IPM
+    return sp__dual_need(pb, set, 0, 0, scratch);
+#else
+    return sp__dual_need(pb, set, 0, (size_t)set->faces, scratch);
+#endif
+}
+
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0 };
+    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
@@ -4494,12 +4855,17 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_try(w, &n, w->y, state);
     sp__newton_look(w, &n, state);
     sp__newton_plain(w, &n, state);
-    if (!n.proved && n.omega > n.goal) {
+#ifndef SP_NO_IPM
+    sp_real *x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x) : state->f;
+    if (!x) return SP_E_MEMORY;
+    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, &n, state, x);    /* strength: no longer cones */
+#endif
+    if (sp__newton_open(&n)) {
         sp__newton_path(w, &n, state);
         sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
     }
-    if (!n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
-    sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
+    if (!n.found && !n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
+    if (!n.found) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
     if (n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++) state->dq[k] = -w->weight[k / 3] * w->y[k];
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
@@ -4508,7 +4874,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     return SP_OK;
 }
 
-/* 19 -------------------------------------------------------------------------------------------------------- penalty form */
+/* 20 -------------------------------------------------------------------------------------------------------- penalty form */
 
 /* min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2), Aeq f + p = 0, |ft| <= mu fp: tension at a price, so it always has a solution
  * and shows where help is wanted. It does not decide: a finite gamma buys a little tension even where none is needed.
@@ -4536,7 +4902,7 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 
 SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_demand *demand)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0 };   /* proved: no proofs are sought */
+    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     sp__dual_bilateral(w);
@@ -4549,7 +4915,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 20 ----------------------------------------------------------------------------------------------------- penalty program */
+/* 21 ----------------------------------------------------------------------------------------------------- penalty program */
 
 /* The penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
  *
@@ -4812,7 +5178,7 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
 
 #endif
 
-/* 21 ------------------------------------------------------------------------------------- coupled check: exact decision */
+/* 22 ------------------------------------------------------------------------------------- coupled check: exact decision */
 
 #ifndef SP_NO_CRA
 /* Whether any triple exists, by branch and bound. d = Aeq' dq / L, g = eps / L (1, or 0), reach = eta / L:
@@ -5342,7 +5708,7 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
 }
 #endif /* SP_NO_CRA */
 
-/* 22 ------------------------------------------------------------------------------------------------------- coupled check */
+/* 23 ------------------------------------------------------------------------------------------------------- coupled check */
 
 #ifndef SP_NO_CRA
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
@@ -5413,7 +5779,7 @@ static void sp__cra_carve(sp__cra *c, const sp_problem *pb, sp_arena *a)
 
 static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    const size_t dual = sp__dual_need(pb, set, 0, scratch);
+    const size_t dual = sp__dual_need(pb, set, 0, 0, scratch);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || dual == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
@@ -5844,7 +6210,7 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
 }
 #endif /* SP_NO_CRA */
-/* 23 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 24 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -5926,11 +6292,11 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 
 static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 {
-    sp_stage s = { sp__exact_run, sp__sparse_need };
+    sp_stage s = { sp__exact_run, sp__exact_need };
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
-    if (id == SP_STAGE_LEAST_SQUARES) s.run = sp__least_squares_run;
+    if (id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
     if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
-    if (id == SP_STAGE_POLISH) s.run = sp__polish_run;
+    if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__sparse_need; }
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
 #endif
@@ -6083,6 +6449,7 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
     to->flops += c->flops;
     to->factorisations += c->factorisations;
     to->iterations += c->iterations;
+    to->interior += c->interior;
 }
 
 /* The reason a result gives: the stage's own, unless the evidence says otherwise; least: the imbalance that is proved. */
@@ -6124,7 +6491,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 24 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 25 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -6213,7 +6580,7 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 25 --------------------------------------------------------------------------------------------------------------- check */
+/* 26 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
@@ -6337,7 +6704,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* 26 -------------------------------------------------------------------------------------------------------------- verify */
+/* 27 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -6407,7 +6774,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     return SP_OK;
 }
 
-/* 27 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 28 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {

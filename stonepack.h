@@ -34,6 +34,7 @@ extern "C" {
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
+ *   SP_NO_IPM       defined: no interior-point method; the exact stage leaves more of what is about to fall undecided
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
@@ -286,7 +287,7 @@ typedef enum sp_stage_id {
     SP_STAGE_LEAST_SQUARES,     /* the bilateral force, accepted if it happens to be admissible            [seed 2.1] */
     SP_STAGE_DENSE,             /* the same by one dense Cholesky factor, 36 b^2 / 2 numbers                [seed 2.1] */
     SP_STAGE_POLISH,            /* alternating projections onto the cone                                   [seed 2.2] */
-    SP_STAGE_EXACT,             /* semismooth Newton on the dual, proximal near collapse */
+    SP_STAGE_EXACT,             /* semismooth Newton on the dual; where that stalls interior points, then a proximal path */
     SP_STAGE_ADMM,              /* the penalty form as a quadratic program, at its own accuracy          [seed 1.5, 4] */
     SP_STAGE_CUSTOM             /* the caller's own: settings.custom */
 } sp_stage_id;
@@ -369,6 +370,7 @@ SP_API sp_settings sp_settings_default(void);
 typedef struct sp_cost {
     int64_t flops;              /* + - * / and square roots on matrices and forces, counted by formula */
     int32_t factorisations, iterations;
+    int32_t interior;           /* of the iterations those of the interior-point method */
 } sp_cost;
 
 /* What was found about one interface's share of help, from the penalty form. */

@@ -182,6 +182,40 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
     }
 }
 
+#ifndef SP_NO_IPM
+/* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
+static void sp__bchol_balance(sp__bchol *f, sp_real shift)
+{
+    for (size_t k = 0; k < (size_t)f->n; k++) {
+        sp_real *d = f->d + 21 * k, *t = f->t + 6 * k;
+        for (int c = 0; c < 6; c++) t[c] = d[sp__column[c]] > 0 ? 1 / SP_SQRT(d[sp__column[c]]) : 1;
+        for (int c = 0; c < 6; c++) {
+            for (int r = c; r < 6; r++) d[sp__column[c] + r - c] *= t[c] * t[r];
+            d[sp__column[c]] += shift;
+        }
+    }
+    for (int32_t k = 0; k < f->n; k++)
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp_real *s = f->t + 6 * (size_t)k, *t = f->t + 6 * (size_t)f->i[q];
+            for (size_t c = 0; c < 36; c++) f->x[36 * (size_t)q + c] *= s[c / 6] * t[c % 6];
+        }
+}
+
+/* L <- T^-1 L: the factor of A, not of T A T. */
+static void sp__bchol_unbalance(sp__bchol *f)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        sp_real *d = f->d + 21 * (size_t)k, *t = f->t + 6 * (size_t)k;
+        for (int c = 0; c < 6; c++) {
+            d[sp__column[c]] *= t[c];
+            for (int r = c + 1; r < 6; r++) d[sp__column[c] + r - c] /= t[r];
+        }
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++)
+            for (size_t c = 0; c < 36; c++) f->x[36 * (size_t)q + c] /= f->t[6 * (size_t)f->i[q] + c % 6];
+    }
+}
+#endif
+
 static void sp__bchol_zero(sp__bchol *f)
 {
     memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);

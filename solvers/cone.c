@@ -81,7 +81,7 @@ static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, const sp_re
     if (!k->faces) {
         o->a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
         o->b = 0; o->side = 1;
-        if (o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
+        if (u[0] >= 0 && o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
         if (mu * o->a <= -u[0]) { o->region = SP__APEX; return; }
         o->region = SP__FACE;
         o->w[0] = o->a > 0 ? u[1] / o->a : 1;
@@ -96,7 +96,7 @@ static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, const sp_re
     o->a = o->w[0] * u[1] + o->w[1] * u[2];
     o->b = o->w[0] * u[2] - o->w[1] * u[1];
     if (o->b < 0) { o->b = -o->b; o->side = -1; }
-    if (o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
+    if (u[0] >= 0 && o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
     o->t = (u[0] + mu * o->a) / (1 + mu * mu);
     if (o->t > 0 && o->b <= mu * k->tan_half * o->t) { o->region = SP__FACE; return; }
     const sp_real e = mu * k->tan_half;

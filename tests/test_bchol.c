@@ -33,8 +33,8 @@ static void make(int32_t n, int32_t edges, double shift)
     for (int32_t k = 0; k < 6 * n; k++) A[k][k] += shift;
 }
 
-/* The factor of A, in the test arena; pivots up to `floor` do not count. */
-static void factor_above(int32_t n, double floor, sp__bchol *f)
+/* A as blocks, in the test arena. */
+static void blocks_of(int32_t n, sp__bchol *f)
 {
     static int32_t xadj[BLOCKS + 1], adj[BLOCKS * BLOCKS], parent[BLOCKS], mark[BLOCKS];
     int32_t m = 0;
@@ -62,6 +62,12 @@ static void factor_above(int32_t n, double floor, sp__bchol *f)
             for (int r = 0; r < 6; r++)
                 for (int c = 0; c < 6; c++) f->x[36 * slot + (turned ? 6 * r + c : 6 * c + r)] = R(A[6 * i + r][6 * j + c]);
         }
+}
+
+/* The factor of A; pivots up to `floor` do not count. */
+static void factor_above(int32_t n, double floor, sp__bchol *f)
+{
+    blocks_of(n, f);
     sp__bchol_factor(f, R(floor));
 }
 
@@ -98,6 +104,50 @@ TEST(solutions_satisfy_their_system)
         CHECK_WITHIN(residual(n, x, b) / (double)SP_EPSILON, 0, 300);
     }
 }
+
+#ifndef SP_NO_IPM
+/* Rows of very different size: the floor that is far above some of them does not touch a balanced factor. */
+TEST(a_balanced_factor_is_that_of_the_matrix)
+{
+    for (int trial = 0; trial < 40; trial++) {
+        sp_real b[SIZE], x[SIZE];
+        double scale[SIZE];
+        sp__bchol f;
+        const int32_t n = test_random_int(1, BLOCKS);
+        test_arena.used = 0;
+        make(n, test_random_int(0, 3 * n), 1);
+        for (int32_t k = 0; k < 6 * n; k++) scale[k] = pow(10, (double)test_random_real(TOL(-9, -4), TOL(9, 4)));
+        for (int32_t i = 0; i < 6 * n; i++)
+            for (int32_t j = 0; j < 6 * n; j++) A[i][j] *= scale[i] * scale[j];
+        blocks_of(n, &f);
+        sp__bchol_balance(&f, 0);
+        sp__bchol_factor(&f, 8 * SP_EPSILON);
+        sp__bchol_unbalance(&f);
+        for (int32_t k = 0; k < 6 * n; k++) b[k] = R(scale[k] * (double)test_random_real(-1, 1));
+        sp__bchol_solve(&f, b, x);
+        CHECK_WITHIN(residual(n, x, b) / (double)SP_EPSILON, 0, 300);
+    }
+}
+
+/* Balanced, a row that is zero stays apart: the shift is its pivot, the others see it relative to themselves. */
+TEST(the_shift_of_a_balanced_matrix_is_relative)
+{
+    sp_real b[6] = { 0, 0, 0, 0, 0, 0 }, x[6];
+    sp__bchol f;
+    make(1, 0, 0);
+    A[1][1] = 1e6;
+    A[2][2] = 1e-6;
+    blocks_of(1, &f);
+    sp__bchol_balance(&f, R(0.25));
+    sp__bchol_factor(&f, 0);
+    sp__bchol_unbalance(&f);
+    b[0] = b[1] = b[2] = 1;
+    sp__bchol_solve(&f, b, x);
+    CHECK_NEAR(x[0], 4, 8 * (double)SP_EPSILON);
+    CHECK_NEAR(x[1], 1 / 1.25e6, 8 * (double)SP_EPSILON);
+    CHECK_NEAR(x[2], 1 / 1.25e-6, 8 * (double)SP_EPSILON);
+}
+#endif
 
 TEST(answer_may_replace_the_question)
 {
@@ -272,6 +322,10 @@ TEST(flops_of_a_chain_follow_the_formula)
 
 TEST_LIST(bchol)
     RUN(solutions_satisfy_their_system)
+#ifndef SP_NO_IPM
+    RUN(a_balanced_factor_is_that_of_the_matrix)
+    RUN(the_shift_of_a_balanced_matrix_is_relative)
+#endif
     RUN(answer_may_replace_the_question)
     RUN(one_dense_block_is_plain_cholesky)
     RUN(pivots_without_strength_are_raised_to_the_floor)

@@ -76,6 +76,21 @@ TEST(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
     }
 }
 
+/* Without friction the cone is a half line, and straight away from it nothing is admissible. */
+TEST(a_pull_without_friction_is_not_admissible)
+{
+    const sp__yield slippery = friction(0);
+    for (int kind = 0; kind < KINDS; kind++) {
+        const sp_real u[3] = { -2, 0, 0 };
+        sp_real f[3] = { 1, 1, 1 }, D[6];
+        sp__cone k;
+        open_cone(kind, &k);
+        CHECK_INT(sp__cone_project(&k, &slippery, u, f), SP__APEX);
+        for (int c = 0; c < 3; c++) CHECK_WITHIN(f[c], 0, 0);
+        CHECK_INT(sp__cone_derivative(&k, &slippery, u, D), SP__APEX);
+    }
+}
+
 TEST(derivative_is_that_of_the_projection)
 {
     for (int kind = 0; kind < KINDS; kind++) {
@@ -223,6 +238,7 @@ TEST(the_support_function_bounds_what_strength_can_resist)
 
 TEST_LIST(cone)
     RUN(nearest_point_is_in_the_cone_and_leaves_a_useless_rest)
+    RUN(a_pull_without_friction_is_not_admissible)
     RUN(derivative_is_that_of_the_projection)
     RUN(projection_scales_with_the_force)
     RUN(with_strength_the_nearest_point_is_inside_and_leaves_a_useless_rest)

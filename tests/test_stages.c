@@ -376,6 +376,44 @@ TEST(a_budget_is_kept_and_enough_of_it_decides)
     CHECK(decided);
 }
 
+/* Walls about to fall in their own plane, where Newton stalls: few interior-point iterations on either side of the limit.
+ * Steps of the ladder between which it lies were found by bisection and are told by gravity's angle. */
+static void leaning(int32_t size, int32_t faces, double angle, sp_verdict want)
+{
+    gen_scene g;
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    test_arena.used = 0;
+    CHECK_INT(gen_open(&g, "wall"), 1);
+    gen_set(&g, "size", size);
+    gen_set(&g, "tilt", angle);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    set.localise = 0;
+    set.faces = faces;
+    const sp_result r = check(&s, &set);
+    if (want == SP_UNDECIDED ? r.verdict == SP_STABLE : !CHECK_INT(r.verdict, want)) TEST_PRINT("    %d joints, %g\n", (int)size, angle);
+#ifndef SP_NO_IPM
+    CHECK(r.cost.interior <= 16);
+    if (want == SP_UNSTABLE) CHECK(r.cost.interior > 0);
+#endif
+}
+
+TEST(walls_about_to_fall_in_their_plane_take_few_iterations)
+{
+#if !defined SP_REAL_FLOAT && !defined SP_NO_IPM
+    leaning(500, 0, 31, SP_STABLE);
+    leaning(500, 0, 32, SP_UNSTABLE);
+    leaning(500, 0, 34, SP_UNSTABLE);
+    leaning(500, 8, 30, SP_STABLE);
+    leaning(500, 8, 31, SP_UNSTABLE);
+    leaning(2000, 0, 26, SP_STABLE);
+    leaning(2000, 0, 28, SP_UNSTABLE);
+    leaning(2000, 0, 33, SP_UNSTABLE);
+#endif
+    leaning(150, 0, 40, TOL(SP_UNSTABLE, SP_UNDECIDED));
+    leaning(500, 0, 36, TOL(SP_UNSTABLE, SP_UNDECIDED));
+}
+
 /* A later stage goes on where an earlier one ran dry. */
 TEST(what_runs_dry_leaves_the_rest_to_others)
 {
@@ -940,6 +978,7 @@ TEST_LIST(stages)
     RUN(exact_needs_no_gates)
     RUN(an_empty_budget_is_the_reason_not_a_verdict)
     RUN(a_budget_is_kept_and_enough_of_it_decides)
+    RUN(walls_about_to_fall_in_their_plane_take_few_iterations)
     RUN(what_runs_dry_leaves_the_rest_to_others)
     RUN(the_force_bound_follows_the_tolerance_unless_given)
     RUN(a_keystone_stands_when_the_force_bound_lets_it)

@@ -78,6 +78,7 @@ static void json_work(json_out *j, const sp_cost *c)
     json_int(j, "flops", c->flops);
     json_int(j, "factorisations", c->factorisations);
     json_int(j, "iterations", c->iterations);
+    json_int(j, "interior", c->interior);
 }
 
 static void json_cost(json_out *j, const report *r)
@@ -364,6 +365,7 @@ void report_text(FILE *out, const report *r)
     text_overlaps(out, r->scene);
     row(out, "cost");
     fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");
+    if (x->cost.interior) fprintf(out, "%ld of them interior-point, ", (long)x->cost.interior);
     scaled(out, (double)x->cost.flops, "flop");
     fprintf(out, ", %.1f KiB, ", (double)r->bytes / 1024);
     scaled(out, r->seconds, "s");
