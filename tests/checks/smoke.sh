@@ -93,6 +93,26 @@ plugged() {                                             # plugged FILE: same obj
         else [ $? -eq 64 ] && grep -q "^stonepack: --solver $pl is not in this build: .*install" "$tmp/said" || return 1; fi
     done
 }
+form() {                                                # form OBJECTIVE HEAD ROW RHS-AND-RANGES BOUNDS: of (x - 3)^2, or HEAD
+    printf '%b' "NAME form\n$2ROWS\n N o\n $3 c\nCOLUMNS\n x o -6 c 1\nRHS\n r o -9\n$4BOUNDS\n$5QUADOBJ\n x x 2\nENDATA\n" > "$tmp/form.qps"
+    says "objective $1\$" "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned"
+}
+forms() {
+    free=' FR b x\n'
+    form 1 '' L ' r c 2\n' "$free" && form 1 '' G ' r c 4\n' "$free" && form 4 '' E ' r c 5\n' "$free" &&
+    form 0 '' L ' r c 4\nRANGES\n r c 2\n' "$free" && form 1 '' L ' r c 5\nRANGES\n r c -1\n' "$free" &&
+    form 1 '' G ' r c 1\nRANGES\n r c -1\n' "$free" && form 1 '' E ' r c 5\nRANGES\n r c -1\n' "$free" &&
+    form 0.25 '' E ' r c 3.5\nRANGES\n r c 1\n' "$free" &&
+    form 25 '' G ' r c -9\n' ' UP b x -2\n' && form 25 '' G ' r c -9\n' ' LO b x -7\n UP b x -2\n' &&
+    form 9 '' L ' r c 9\n' ' UP b x 0\n' && form 16 '' G ' r c -9\n' ' FX b x 7\n' && form 0 '' G ' r c -9\n' ' MI b x\n' &&
+    form 4 '' L ' r c 9\n' ' BV b x\n' && form 0 '' N '' '' || return 1
+    sed -i "s/ x o -6 c 1/ M 'MARKER' 'INTORG'\n x o -6 c 1\n M 'MARKER' 'INTEND'/" "$tmp/form.qps"
+    says 'objective 0$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" && grep -q integer "$tmp/warned" || return 1
+    sed -i 's/^ROWS/OBJSENSE\n    MAX\nROWS/; s/ o -6 / o 6 /; s/ x x 2/ x x -2/; s/ o -9/ o 9/' "$tmp/form.qps"
+    says 'objective 0$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" || return 1
+    sed -i 's/MAX/MIN/' "$tmp/form.qps"
+    exits 65 "$cli" qp "$tmp/form.qps" 2> "$tmp/warned"                        # its curvature is the other way
+}
 edited() { sed "$1" "$tmp/small.qps" > "$tmp/edited.qps"; }
 
 part "version"                      exits 0 "$cli" --version
@@ -136,6 +156,7 @@ part "qp: the whole matrix"         says 'objective 8.371' "$cli" qp "$tmp/edite
 edited 's/^    x  /    x a/; s/bnd       x  /bnd       x a/; s/^    x a       y         2.0/    y         x a       2.0/; s/^    x a       x  /    x a       x a/'
 part "qp: fixed format, a blank in a name" says 'objective 8.371' "$cli" qp "$tmp/edited.qps"
 part "qp: infeasible: 1"            sh -c "sed 's/^ UP bnd       x         20.0/ UP bnd x 0.1\n UP bnd y 0.1/' '$tmp/small.qps' > '$tmp/none.qps'; '$cli' qp '$tmp/none.qps'; test \$? -eq 1"
+part "qp: ranges, bounds, largest, integers"  forms
 edited 's/10.0$/1o.0/'
 part "qp: a bad number: 65"         exits 65 "$cli" qp "$tmp/edited.qps"
 part "qp: file:line"                sh -c "'$cli' qp '$tmp/edited.qps' 2>&1 | grep -q 'edited.qps:20: not a number'"
