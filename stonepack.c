@@ -110,7 +110,7 @@ SP_API const char *sp_status_text(sp_status status)
                     "the interface has no area, or its normal no length\0"
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
-                    "not supported here: strength of joints with a friction pyramid, or a part that this build leaves out\0"
+                    "not supported here: strength of joints with a pyramid or the coupled check, or a part this build leaves out\0"
                     "P of the quadratic program is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
@@ -2564,13 +2564,16 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
 
 #ifndef SP_NO_CRA
 /* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
- * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion. */
+ * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap SP__GIVE_MOST
+ * at most, or a block that spins about the points it is held at would hide all of it. */
 #ifdef SP_REAL_FLOAT
 #define SP__GIVE ((sp_real)1e-4)
+#define SP__GIVE_MOST ((sp_real)1e-2)
 #define SP__SLIP ((sp_real)1e-2)
 #define SP__SLIP_ROUNDING (400 * (sp_real)SP_EPSILON)
 #else
 #define SP__GIVE ((sp_real)1e-10)
+#define SP__GIVE_MOST ((sp_real)1e-6)
 #define SP__SLIP ((sp_real)1e-6)
 #define SP__SLIP_ROUNDING (4000000 * (sp_real)SP_EPSILON)
 #endif
@@ -2624,7 +2627,8 @@ static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, s
 static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f[3], sp_real alpha, const sp_real d[3],
                                   sp_real moved, sp_real least)
 {
-    const sp_real g = SP__GIVE + SP__GIVE_ROUNDING * moved, gap = d[0] + k->eps;
+    const sp_real hidden = SP__GIVE_ROUNDING * moved, gap = d[0] + k->eps;
+    const sp_real g = SP__GIVE + (hidden < SP__GIVE_MOST ? hidden : SP__GIVE_MOST);
     const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
     const sp_real most = box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
     sp_real worst = sp__max(d[0], most) > k->eta ? (sp__max(d[0], most) - k->eta) / g : 0;
@@ -6196,13 +6200,14 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
     c->w->given = c->D;
     c->statics = state->f;
-    if (sp__cra_search(c)) {
+    c->omega = *omega;
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);     /* statics' forces, all at rest */
+    if (c->residual <= 1 || sp__cra_search(c)) {
         out->verdict = SP_COUPLING_COUPLED;
         out->reason = SP_COUPLING_MOTION;
         memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
         *omega = c->omega;
     }
-    if (!c->offered) c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);   /* statics' forces at rest */
     if (out->verdict == SP_COUPLING_NOT_FOUND && c->offered && c->tiny) out->reason = SP_COUPLING_LIMIT;
     out->residual = c->residual;
     sp__cra_spread(c);
@@ -6230,7 +6235,6 @@ SP_API sp_settings sp_settings_default(void)
     s.stage[0] = SP_STAGE_GATES;
     s.stage[1] = SP_STAGE_EXACT;
     s.coupled.eps = -1;
-    s.coupled.rounds = 12;
     s.coupled.nodes = -1;
     return s;
 }
@@ -6278,8 +6282,9 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
         if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
-    if (!sp__finite(out->coupled.eps) || !sp__finite(out->coupled.eta) || out->coupled.eta < 0 || out->coupled.rounds < 0)
-        return SP_E_RANGE;
+    const sp_coupled_settings *cs = &out->coupled;
+    if (!(cs->eps < SP__HUGE) || !sp__finite(cs->eps) || !(cs->eta < SP__HUGE) || cs->eta < 0) return SP_E_RANGE;
+    if (cs->eps > 0 && !(cs->eta / cs->eps < SP__HUGE)) return SP_E_RANGE;
 #ifdef SP_NO_CRA
     if (out->coupled.asked) return SP_E_UNSUPPORTED;
 #endif

@@ -328,12 +328,12 @@ typedef enum sp_coupling_reason {
     SP_COUPLING_BUDGET          /* not found: the search spent its work */
 } sp_coupling_reason;
 
+/* What the coupled check is asked with; eps, eta and eta / eps below 1e30. */
 typedef struct sp_coupled_settings {
     int32_t asked;              /* 1: where the forces exist, ask for the motion                                        0 */
     sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
-    int32_t rounds;             /* of the search's alternation                                               [3.3]      12 */
     int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 250 bytes each.
                                    0: none; below 0: 60 x (contact vertices)^2 up to SP_EXACT_POINTS of them, none above -1 */
 } sp_coupled_settings;

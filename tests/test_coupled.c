@@ -182,6 +182,35 @@ TEST(without_give_a_triple_may_have_any_size)
     }
 }
 
+/* A block held between two points, its centroid on the line through them: it may spin about that line as fast as you like. */
+TEST(no_spin_hides_that_a_joint_gives_too_little)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 2, 0 };
+    const sp_real at[3][3] = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }, n[3] = { 1, 0, 0 };
+    const sp_real left[3] = { R(-0.5), 0, 0 }, right[3] = { R(0.5), 0, 0 };
+    const sp_joint joint = sp_joint_friction(1);
+    const double ratio = sizeof(sp_real) == 8 ? 1e9 : 1e4;
+    sp_settings set = coupled();
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+    for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_body(&s, 1, at[k], k < 2 ? SP_FIXED : 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &joint, NULL), SP_OK);
+    set.coupled.eta = R(ratio) * EPS;
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    CHECK(r.level != SP_COUPLED);
+    r.coupled.dq[12 + 2] = R(-0.9) * set.coupled.eta;
+    for (int k = 0; k < 2; k++)
+        r.coupled.alpha[k] = R(hypot((double)r.f[3 * k + 1], (double)r.f[3 * k + 2])) / (R(0.9) * set.coupled.eta);
+    for (double spin = 1; spin < 1e20; spin *= 3) {
+        r.coupled.dq[12 + 3] = R(spin) * EPS;
+        CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+        CHECK_INT(e.level, SP_ADMISSIBLE);
+    }
+}
+
 TEST(numbers_that_are_none_are_no_triple)
 {
     triple t;
@@ -212,6 +241,12 @@ TEST(lengths_out_of_range_are_refused)
         set.coupled.eps = R(bad[k]);
         CHECK_INT(sp_check(&s, &set, &test_arena, &r), k < 3 ? SP_E_RANGE : SP_OK);
     }
+    sp_settings set = coupled();
+    set.coupled.eps = R(2e30);                          /* whose eta, by default, would not be a number */
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_RANGE);
+    set.coupled.eps = R(1e-20);
+    set.coupled.eta = R(1e20);
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_RANGE);
 }
 
 /* --------------------------------------------------------------------------------------------------------- what is said */
@@ -226,6 +261,19 @@ TEST(what_statics_refuse_is_refuted)
     CHECK_INT(r.verdict, SP_UNSTABLE);
     CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
     CHECK_INT(r.coupled.reason, SP_COUPLING_STATICS);
+}
+
+TEST(what_rests_without_load_is_coupled_as_it_is)
+{
+    const sp_settings set = coupled();
+    sp_scene s;
+    sp_result r;
+    build("tower", "n", 3, &s);
+    s.gravity[2] = 0;
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK_INT(r.level, SP_COUPLED);
+    CHECK_NEAR(r.coupled.residual, 0, 0);
 }
 
 TEST(the_default_lengths_follow_the_mean_edge)
@@ -475,9 +523,11 @@ TEST_LIST(coupled)
     RUN(a_joint_that_presses_gives_eps_and_no_joint_gives_more)
     RUN(no_slip_or_opening_exceeds_eta)
     RUN(without_give_a_triple_may_have_any_size)
+    RUN(no_spin_hides_that_a_joint_gives_too_little)
     RUN(numbers_that_are_none_are_no_triple)
     RUN(lengths_out_of_range_are_refused)
     RUN(what_statics_refuse_is_refuted)
+    RUN(what_rests_without_load_is_coupled_as_it_is)
     RUN(the_default_lengths_follow_the_mean_edge)
     RUN(what_stands_by_its_weight_is_coupled)
     RUN(the_h_model_is_never_coupled)

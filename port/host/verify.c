@@ -268,6 +268,7 @@ int command_verify(int argc, char **argv)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (!error.status && verify(o.file[0], o.file[1], &e, &o, gravity, &turned, &error) == 0) {
         char omega[32], least[32];
+        if (o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED) e.verdict = SP_UNDECIDED;
         printf("%s: %s by %s, cone %s, tol %.2g", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
         if (o.mu >= 0) printf(", asked with friction %g", (double)o.mu);
         if (turned) printf(", asked with gravity %g %g %g", (double)gravity[0], (double)gravity[1], (double)gravity[2]);
@@ -278,7 +279,7 @@ int command_verify(int argc, char **argv)
         if (e.margin > 0) printf(", refuted, margin %.2g", (double)e.margin);
         else if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
         putchar('\n');
-        return report_exit(o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED ? SP_UNDECIDED : e.verdict);
+        return report_exit(e.verdict);
     }
     fprintf(stderr, "%s\n", error.line);
     return error.status;
