@@ -1,8 +1,10 @@
 /* check: does each scene stand? */
 #define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
 #include "commands.h"
+#include "done.h"
 #include "report.h"
 #include "svg.h"
+#include "worker_client.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -28,33 +30,66 @@ static void progress(const char *what, const char *path)
 static void *get(size_t bytes) { return bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL; }
 
 /* Bytes of the arena that sp_check needs. */
-static sp_status memory_of(const host_scene *s, const sp_settings *settings, size_t *bytes)
+static sp_status memory_of(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
 {
-    const size_t need = sp_memory_scratch(&s->scene, settings);
+    const size_t need = sp_memory_scratch(scene, settings);
     void *memory = get(need);
     sp_arena scratch;
     sp_status status = SP_E_MEMORY;
     if (memory) {
         status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
-        if (status == SP_OK) status = sp_memory(&s->scene, settings, scratch, bytes);
+        if (status == SP_OK) status = sp_memory(scene, settings, scratch, bytes);
     }
     free(memory);
     return status;
 }
 
-int report_check(report *r, void **memory, text_error *error)
+sp_status check_scene(const sp_scene *scene, const sp_settings *settings, sp_result *result, blob_cost *cost, void **memory)
 {
     sp_arena arena;
     double start;
-    sp_status status = memory_of(r->scene, &r->options->settings, &r->bytes);
+    sp_status status;
 
-    if (status != SP_OK) return text_fail_status(error, status, r->scene->path, 0, "");
-    *memory = get(r->bytes);
-    if (!*memory) return text_fail_status(error, SP_E_MEMORY, r->scene->path, 0, "");
-    status = sp_arena_init(&arena, *memory, r->bytes + SP_ALIGN);
+    *memory = NULL;
+    status = memory_of(scene, settings, &cost->bytes);
+    if (status != SP_OK) return status;
+    *memory = get(cost->bytes);
+    if (!*memory) return SP_E_MEMORY;
+    status = sp_arena_init(&arena, *memory, cost->bytes + SP_ALIGN);
     start = now();
-    if (status == SP_OK) status = sp_check(&r->scene->scene, &r->options->settings, &arena, &r->result);
-    r->seconds = now() - start;
+    if (status == SP_OK) status = sp_check(scene, settings, &arena, result);
+    cost->seconds = now() - start;
+    return status;
+}
+
+/* The same by a worker, this program once more. */
+static int by_worker(report *r, void **memory, text_error *error)
+{
+    const options *o = r->options;
+    const char *const command[] = { o->program, "worker", NULL };
+    const worker_client client = { command, o->worker, (size_t)o->worker_memory, o->fallback };
+    worker_answer a;
+    const sp_status status = worker_check(&client, &r->scene->scene, &o->settings, &a);
+
+    *memory = a.memory;
+    r->result = a.result;
+    r->bytes = a.cost.bytes;
+    r->seconds = a.cost.seconds;
+    if (a.end > WORKER_REFUSED && !a.fell_back) return text_fail(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
+    if (status == SP_E_UNSUPPORTED)
+        return text_fail(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s", sp_status_text(status));
+    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+}
+
+int report_check(report *r, void **memory, text_error *error)
+{
+    blob_cost cost = { 0, 0 };
+    sp_status status;
+
+    if (r->options->worker > 0) return by_worker(r, memory, error);
+    status = check_scene(&r->scene->scene, &r->options->settings, &r->result, &cost, memory);
+    r->bytes = cost.bytes;
+    r->seconds = cost.seconds;
     return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
 }
 
@@ -125,11 +160,12 @@ static int worse(int a, int b)
 int command_check(int argc, char **argv)
 {
     text_error error = { 0, "" };
+    done_list done = { NULL, 0, 0, 0 };
     options o;
     int worst = EXIT_STABLE;
 
     if (options_read(argc, argv, " --json --forces --svg --tol --cone --mu --stages --solver --preset --net --tilt --coupled --cra-eps --cra-eta"
-                     " --cra-box --cra-nodes ", &o, &error)) {
+                     " --cra-box --worker --fallback --skip-done --cra-nodes ", &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
@@ -137,13 +173,20 @@ int command_check(int argc, char **argv)
         fputs(o.files == 0 ? "stonepack: check needs a scene\n" : "stonepack: --svg draws one scene\n", stderr);
         return EXIT_USAGE;
     }
+    if (o.done && done_read(o.done, &done, &error)) {
+        fprintf(stderr, "%s\n", error.line);
+        done_free(&done);
+        return error.status;
+    }
+    if (done.torn) fputc('\n', stdout);                 /* what is appended to it starts a line of its own */
     for (int i = 0; i < o.files; i++) {
-        const int status = check_one(o.file[i], &o, &error);
+        const int before = done_find(&done, o.file[i]), status = before >= 0 ? before : check_one(o.file[i], &o, &error);
         if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
-        if (!o.json && i + 1 < o.files) fputc('\n', stdout);
+        if (!o.json && i + 1 < o.files && before < 0) fputc('\n', stdout);
         fflush(stdout);
         worst = worse(worst, status);
     }
+    done_free(&done);
     if (ferror(stdout)) {
         fputs("stonepack: can't write\n", stderr);
         return EXIT_INTERNAL;

@@ -26,6 +26,9 @@ static const char help_check[] =
 "  --cra-box          that bound for each component of the slip, as compas_cra\n"
 "  --cra-nodes N      largest proof that there is none; up to 48 corners           60 corners^2\n"
 "  --solver ipopt     with --coupled: puts the published program's answer beside ours\n\n"
+"  --worker S[,MB]    a process of its own checks each scene: S seconds, MB megabytes, then it is killed (status 70)\n"
+"  --fallback         a worker that does not answer does not matter: check here\n"
+"  --skip-done FILE   leaves out scenes with a result in FILE (JSON Lines); what they were counts for the exit status\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
 
@@ -65,6 +68,13 @@ static const char help_settle[] =
 "Exit status: 0 all settled, 1 some fell out; of --confirm 0 both say it stands, 1 both say it falls, 2 they differ or\n"
 "statics is undecided; 69 this program was built without Bullet.\n";
 
+static const char help_worker[] =
+"stonepack worker\n"
+"stonepack worker --selftest | --roundtrip SCENE\n\n"
+"Answers checks that other programs send to its standard input, one after the other, on its standard output, until the input\n"
+"ends; port/host/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a scene\n"
+"come through as it was? `check --worker SECONDS` starts one for each scene.\n";
+
 static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"
 "stonepack gen NAME [NUMBER=VALUE ...]      writes a scene made by formula to standard output, e.g. gen arch n=15 t=0.1\n";
@@ -79,6 +89,7 @@ static const struct {
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
     { "qp",       "solve a quadratic program",             help_qp,       command_qp },
     { "settle",   "where do stones come to rest?",         help_settle,   command_settle },
+    { "worker",   "answers checks of other programs",      help_worker,   command_worker },
     { "gen",      "write a scene made by formula",         help_gen,      command_gen },
 };
 

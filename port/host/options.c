@@ -68,6 +68,21 @@ static int tilt(const char *s, options *o)
     return !s[n] || (number(s + n + 1, &o->azimuth) && fabs(o->azimuth) <= 360);
 }
 
+/* SECONDS[,MEGABYTES] */
+static int worker(const char *s, options *o)
+{
+    char first[64];
+    const size_t n = strcspn(s, ",");
+    if (n >= sizeof first) return 0;
+    memcpy(first, s, n);
+    first[n] = 0;
+    if (!number(first, &o->worker) || !(o->worker > 0)) return 0;
+    if (!s[n]) return 1;
+    if (!number(s + n + 1, &o->worker_memory) || !(o->worker_memory > 0 && o->worker_memory < 1e9)) return 0;
+    o->worker_memory *= 1e6;
+    return 1;
+}
+
 static int backend(const char *s, int *which)
 {
     static const char *const name[] = { "sparse", "dense", "cg" };              /* as sp_qp_backend */
@@ -116,6 +131,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         (void)value;                                    /* read before all others */
     } else if (strcmp(name, "--eps") == 0) {
         if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
+    } else if (strcmp(name, "--skip-done") == 0) {
+        o->done = value;
+    } else if (strcmp(name, "--worker") == 0) {
+        if (!worker(value, o)) return usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
     } else if (strcmp(name, "--backend") == 0) {
         if (!backend(value, &o->backend)) return usage(error, name, "needs sparse, dense or cg");
     } else if (strcmp(name, "--solver") == 0) {
@@ -150,6 +169,7 @@ static int flag(options *o, const char *name)
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
     if (strcmp(name, "--net") == 0) return o->settings.net = 1;
+    if (strcmp(name, "--fallback") == 0) return o->fallback = 1;
     if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
     return 0;
 }
@@ -176,6 +196,7 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
         const char *value = strncmp(argv[i], "--preset=", 9) == 0 ? argv[i] + 9 : strcmp(argv[i], "--preset") ? NULL : argv[i + 1];
         if (value && !preset(value, o)) return usage(error, "--preset", "needs default or seed");
     }
+    o->program = argv[0];
     o->file = argv + 2;
     for (int i = 2; i < argc; i++) {
         char *name = argv[i], *value;

@@ -19,6 +19,11 @@ typedef struct options {
     sp_qp_solver solver;        /* settings.qp_solver, where not ours */
     sp_settings settings;
     char cone[16];              /* "true", "8i", "4c" */
+    const char *program;        /* argv[0]: what a worker is started as */
+    double worker;              /* [s] the check is made by a worker that has so long; 0: here */
+    double worker_memory;       /* [byte] and this much memory; 0: unlimited */
+    int fallback;               /* where it doesn't answer: here */
+    const char *done;           /* scenes with a result in this file are left out, or NULL */
     int files;
     char **file;                /* what is no option, in order */
 } options;

@@ -3,6 +3,7 @@
 #define STONEPACK_HOST_REPORT_H
 
 #include <stdio.h>
+#include "blob.h"
 #include "options.h"
 #include "scene.h"
 #include "solvers.h"
@@ -17,7 +18,10 @@ typedef struct report {
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
 
-/* Make the check of r->scene; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */
+/* A check in memory of malloc's, *memory, which the caller frees in every case.      returns as sp_check */
+sp_status check_scene(const sp_scene *scene, const sp_settings *settings, sp_result *result, blob_cost *cost, void **memory);
+
+/* Make the check of r->scene, by a worker if the options ask for one; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */
 int report_check(report *r, void **memory, text_error *error);
 
 void report_text(FILE *out, const report *r);

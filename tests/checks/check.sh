@@ -82,7 +82,7 @@ qp_parts() {                                            # the switches of its pa
     done
 }
 check_switches() {
-    core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins')     # these two test the program
+    core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')  # these test the program
     no_qp=$(echo "$core" | grep -vx qp)
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|judge|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP

@@ -87,6 +87,25 @@ QUADOBJ
 ENDATA
 END
 }
+worked() {                                              # a worker for each scene: the same results, times apart
+    "$cli" check --json --forces --coupled --worker 60 "$here"/../scenes/[a-f]*.obj > "$tmp/a"
+    "$cli" check --json --forces --coupled "$here"/../scenes/[a-f]*.obj > "$tmp/b"
+    for w in a b; do sed 's/"seconds":[^,}]*//g' "$tmp/$w" > "$tmp/$w.bits"; done
+    test -s "$tmp/a" && cmp "$tmp/a.bits" "$tmp/b.bits"
+}
+resumed() {                                             # a run that was stopped goes on: every scene once, the worst counts
+    "$cli" check --json "$here"/../scenes/*.obj > "$tmp/all"
+    head -c "$(($(head -n 3 "$tmp/all" | wc -c) + 100))" "$tmp/all" > "$tmp/results.jsonl"
+    exits 1 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj > "$tmp/more" || return 1
+    cat "$tmp/more" >> "$tmp/results.jsonl"
+    [ "$(wc -l < "$tmp/more")" -eq "$(($(wc -l < "$tmp/all") - 2))" ] || { echo "not all but three of them"; return 1; }
+    exits 65 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj /dev/null > "$tmp/more" || return 1
+    test ! -s "$tmp/more"
+}
+goes_on() {                                             # a bad scene between two others: they are told, it is on stderr
+    gen arch && "$cli" check --json "$tmp/scene.obj" /dev/null "$tmp/scene.obj" > "$tmp/said"
+    [ $? -eq 65 ] && [ "$(grep -c '"verdict": *"stable"' "$tmp/said")" -eq 2 ]
+}
 plugged() {                                             # plugged FILE: same objective, or a line that says what is missing
     for pl in osqp ipopt; do
         if "$cli" qp --solver $pl "$1" > "$tmp/said" 2>&1; then grep -q 'objective 8.37[12]' "$tmp/said" || return 1
@@ -146,6 +165,16 @@ part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
+part "a bad scene among others"     goes_on
+part "skip-done: a stopped run goes on" resumed
+part "worker: selftest"             exits 0 "$cli" worker --selftest
+part "worker: a scene there and back" says 'same bits' "$cli" worker --roundtrip "$here/../scenes/vault.obj"
+part "worker: nothing to answer"    exits 0 "$cli" worker < /dev/null
+part "worker: no message: 65"       exits 65 sh -c "echo nonsense | '$cli' worker"
+part "worker: check by one"         worked
+gen wall size=2000
+part "worker: no time: 70"          exits 70 "$cli" check --worker 0.000001 "$tmp/scene.obj"
+part "worker: no time, fallback"    exits 0 "$cli" check --worker 0.000001 --fallback "$tmp/scene.obj"
 qps
 for b in sparse dense cg; do
     part "qp: $b"                   says 'objective 8.371' "$cli" qp --backend $b "$tmp/small.qps"

@@ -1,0 +1,196 @@
+/* worker: checks in a process of their own, which may run out of time or memory without harm to anyone. */
+#include "worker.h"
+#include "commands.h"
+#include "report.h"
+#include "../../tests/scenes/gen.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void refuse(blob *answer, sp_status status)
+{
+    if (blob_write_error(answer, status, sp_status_text(status))) blob_free(answer);
+}
+
+void worker_answer_to(const blob *request, blob *answer)
+{
+    void *memory = NULL, *results = NULL;
+    blob_cost cost;
+    sp_scene scene;
+    sp_settings settings;
+    sp_result result;
+    sp_status status = blob_read_request(request, &scene, &settings, &memory);
+
+    if (!status) status = check_scene(&scene, &settings, &result, &cost, &results);
+    if (!status) status = blob_write_result(answer, &scene, &result, &cost);
+    if (status) refuse(answer, status);
+    free(memory);
+    free(results);
+}
+
+/* Read until b holds `length` bytes; memory grows as they come, not as they are announced.     returns 0: end of input */
+static int fill(FILE *in, blob *b, size_t length)
+{
+    while (b->length < length) {
+        const size_t want = length - b->length < 65536 ? length - b->length : 65536;
+        size_t got;
+        if (!blob_grow(b, want)) return 0;
+        got = fread(b->data + b->length, 1, want, in);
+        b->length += got;
+        if (got < want) return 0;
+    }
+    return 1;
+}
+
+/* One message and its answer.      returns 0: go on; 1: end of input; 2: lost; 3: can't write */
+static int turn(FILE *in, FILE *out, blob *request, blob *answer)
+{
+    blob_kind kind;
+    size_t length;
+    sp_status status = SP_E_ARGUMENT;
+    int whole;
+
+    request->length = 0;
+    whole = fill(in, request, BLOB_HEADER);
+    if (!whole && !request->failed && request->length == 0) return 1;
+    if (whole) status = blob_header(request->data, &kind, &length);
+    whole = whole && !status && fill(in, request, length);
+    if (whole) worker_answer_to(request, answer);
+    else refuse(answer, request->failed ? SP_E_MEMORY : status ? status : SP_E_ARGUMENT);
+    if (fwrite(answer->data, 1, answer->length, out) != answer->length || fflush(out) != 0) return 3;
+    return whole ? 0 : 2;
+}
+
+int worker_session(FILE *in, FILE *out)
+{
+    blob request = { NULL, 0, 0, 0 }, answer = { NULL, 0, 0, 0 };
+    int end;
+    do end = turn(in, out, &request, &answer); while (end == 0);
+    blob_free(&request);
+    blob_free(&answer);
+    return end == 1 ? 0 : end == 2 ? EXIT_SCENE : EXIT_INTERNAL;
+}
+
+static int same_block(const sp_block *a, const sp_block *b)
+{
+    return memcmp(&a->mass, &b->mass, sizeof a->mass) == 0 && memcmp(a->centroid, b->centroid, sizeof a->centroid) == 0
+        && memcmp(&a->density, &b->density, sizeof a->density) == 0 && memcmp(&a->volume, &b->volume, sizeof a->volume) == 0
+        && memcmp(&a->diameter, &b->diameter, sizeof a->diameter) == 0 && a->fixed == b->fixed
+        && a->vertex == b->vertex && a->vertices == b->vertices && a->face == b->face && a->faces == b->faces;
+}
+
+static int same_interface(const sp_interface *a, const sp_interface *b)
+{
+    return a->a == b->a && a->b == b->b && a->point == b->point && a->points == b->points
+        && memcmp(a->n, b->n, sizeof a->n) == 0 && memcmp(a->t1, b->t1, sizeof a->t1) == 0
+        && memcmp(a->t2, b->t2, sizeof a->t2) == 0 && memcmp(&a->area, &b->area, sizeof a->area) == 0
+        && memcmp(&a->joint, &b->joint, sizeof a->joint) == 0;
+}
+
+static int same_load(const sp_load *a, const sp_load *b)
+{
+    return a->block == b->block && a->live == b->live && memcmp(a->point, b->point, sizeof a->point) == 0
+        && memcmp(a->force, b->force, sizeof a->force) == 0 && memcmp(a->couple, b->couple, sizeof a->couple) == 0
+        && memcmp(&a->mass, &b->mass, sizeof a->mass) == 0;
+}
+
+int worker_same_scene(const sp_scene *a, const sp_scene *b)
+{
+    const sp_capacity *n = &a->count;
+    int same = memcmp(n, &b->count, sizeof *n) == 0 && memcmp(a->gravity, b->gravity, sizeof a->gravity) == 0
+        && memcmp(&a->live, &b->live, sizeof a->live) == 0 && memcmp(a->body, b->body, sizeof a->body) == 0;
+    for (int32_t k = 0; same && k < n->blocks; k++) same = same_block(&a->block[k], &b->block[k]);
+    for (int32_t k = 0; same && k < n->interfaces; k++) same = same_interface(&a->interface[k], &b->interface[k]);
+    for (int32_t k = 0; same && k < n->loads; k++) same = same_load(&a->load[k], &b->load[k]);
+    return same && memcmp(a->vertex, b->vertex, (size_t)n->vertices * sizeof *a->vertex) == 0
+        && memcmp(a->face, b->face, (size_t)n->faces * sizeof *a->face) == 0
+        && memcmp(a->corner, b->corner, (size_t)n->corners * sizeof *a->corner) == 0
+        && memcmp(a->point, b->point, (size_t)n->points * sizeof *a->point) == 0;
+}
+
+/* Scene -> message -> scene. */
+static int round_trip(const char *path)
+{
+    const sp_settings settings = sp_settings_default();
+    text_error error = { 0, "" };
+    blob b = { NULL, 0, 0, 0 };
+    void *memory = NULL;
+    host_scene s;
+    sp_scene again;
+    sp_settings set;
+    int exit_status = scene_read(path, -1, SCENE_GIVEN, &s, &error);
+
+    if (!exit_status) {
+        sp_status status = blob_write_request(&b, &s.scene, &settings);
+        if (!status) status = blob_read_request(&b, &again, &set, &memory);
+        if (status) exit_status = text_fail_status(&error, status, path, 0, "");
+        else if (!worker_same_scene(&s.scene, &again)) exit_status = text_fail(&error, EXIT_INTERNAL, path, 0, "not the same bits");
+        else printf("%s: %lu bytes, same bits\n", path, (unsigned long)b.length);
+    }
+    if (exit_status) fprintf(stderr, "%s\n", error.line);
+    blob_free(&b);
+    free(memory);
+    scene_free(&s);
+    return exit_status;
+}
+
+/* A session with one request; is the answer the check's own result, bit by bit? Times don't count. */
+static int session_agrees(const sp_scene *scene, const sp_settings *settings)
+{
+    blob request = { NULL, 0, 0, 0 }, answer = { NULL, 0, 0, 0 }, told = { NULL, 0, 0, 0 }, own = { NULL, 0, 0, 0 };
+    void *memory = NULL, *read = NULL;
+    blob_cost cost = { 0, 0 }, theirs = { 0, 0 };
+    sp_result result, got;
+    sp_status status = check_scene(scene, settings, &result, &cost, &memory);
+    int same;
+
+    if (!status) status = blob_write_request(&request, scene, settings);
+    if (!status) worker_answer_to(&request, &answer);
+    if (!status) status = blob_read_result(&answer, scene, &got, &theirs, &read);
+    cost.seconds = theirs.seconds;
+    if (!status) status = blob_write_result(&own, scene, &result, &cost);
+    if (!status) status = blob_write_result(&told, scene, &got, &theirs);
+    same = !status && own.length == told.length && memcmp(own.data, told.data, own.length) == 0;
+    blob_free(&request);
+    blob_free(&answer);
+    blob_free(&told);
+    blob_free(&own);
+    free(memory);
+    free(read);
+    return same;
+}
+
+static int agrees(const char *name, int coupled)
+{
+    sp_settings settings = sp_settings_default();
+    sp_capacity cap;
+    sp_arena arena;
+    sp_scene scene;
+    gen_scene g;
+    void *memory = NULL;
+    int same = gen_open(&g, name) && gen_capacity(&g, &cap) == SP_OK;
+    if (same) memory = malloc(sp_scene_memory(&cap) + SP_ALIGN);
+    settings.coupled.asked = coupled;
+    same = same && memory && sp_arena_init(&arena, memory, sp_scene_memory(&cap) + SP_ALIGN) == SP_OK
+        && gen_build(&g, &arena, &scene) == SP_OK && session_agrees(&scene, &settings);
+    free(memory);
+    if (!same) fprintf(stderr, "worker: %s: not the same bits\n", name);
+    return same;
+}
+
+/* A few scenes by formula, here and as messages. */
+static int self_test(void)
+{
+    const int same = agrees("arch", 0) & agrees("wall", 1) & agrees("h-model", 1);
+    if (same) puts("worker: 3 scenes, same bits as in-process");
+    return same ? 0 : EXIT_INTERNAL;
+}
+
+int command_worker(int argc, char **argv)
+{
+    if (argc == 2) return worker_session(stdin, stdout);
+    if (argc == 3 && strcmp(argv[2], "--selftest") == 0) return self_test();
+    if (argc == 4 && strcmp(argv[2], "--roundtrip") == 0) return round_trip(argv[3]);
+    fputs("stonepack: worker takes --selftest, --roundtrip SCENE, or nothing and speaks on its standard input and output\n", stderr);
+    return EXIT_USAGE;
+}
