@@ -175,6 +175,8 @@ part "worker: check by one"         worked
 gen wall size=2000
 part "worker: no time: 70"          exits 70 "$cli" check --worker 0.000001 "$tmp/scene.obj"
 part "worker: no time, fallback"    exits 0 "$cli" check --worker 0.000001 --fallback "$tmp/scene.obj"
+gen wall size=10000
+part "worker: too little memory: 71" exits 71 "$cli" check --stages gates,dense --worker 60,400 "$tmp/scene.obj"
 qps
 for b in sparse dense cg; do
     part "qp: $b"                   says 'objective 8.371' "$cli" qp --backend $b "$tmp/small.qps"
