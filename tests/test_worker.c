@@ -21,8 +21,8 @@ static double near_to(double x) { return x * (double)test_random_real(0.8, 1.25)
 /* A small scene by formula, its numbers about their defaults. */
 static void by_formula(sp_scene *s)
 {
-    static const char *const name[] = { "two-cubes", "incline", "topple", "overhang", "cantilever", "arch", "flat-arch", "keystone",
-                                        "h-model", "wall" };
+    static const char *const name[] = { "two-cubes", "incline", "topple", "overhang", "cantilever", "arch", "flat-arch",
+                                        "keystone", "h-model", "wall" };
     gen_scene g;
     CHECK_INT(gen_open(&g, name[test_random_int(0, 9)]), 1);
     for (int k = 0; k < GEN_OWN && g.entry->param[k].name; k++) gen_set(&g, g.entry->param[k].name, near_to(g.value[k]));
@@ -48,7 +48,8 @@ static void by_hand(sp_scene *s)
         const sp_real spot[6] = { test_random_real(-1, 1), 0, z - 1, 0, test_random_real(-1, 1), z - 1 };
         const sp_joint strong = { R(0.7), test_random_real(0, 100), test_random_real(0, 50), test_random_real(1e5, 1e6) };
         const sp_joint plain = sp_joint_friction(test_random_real(0, 1));
-        const sp_load load = { k, test_random_int(0, 1), { 0, 0, z }, { test_random_real(-5, 5), 0, -1 }, { 0, 1, 0 }, test_random_real(0, 9) };
+        const sp_load load = { k, test_random_int(0, 1), { 0, 0, z }, { test_random_real(-5, 5), 0, -1 }, { 0, 1, 0 },
+                               test_random_real(0, 9) };
         CHECK_INT(sp_scene_body(s, test_random_real(1, 100), c, (uint32_t)test_random_int(0, 7), NULL), SP_OK);
         CHECK_INT(sp_scene_interface(s, k - 1, k, 4, level, test_random() & 1 ? &strong : &plain, NULL), SP_OK);
         if (test_random() & 1) CHECK_INT(sp_scene_points(s, k - 1, k, n3, 2, spot, &plain, NULL), SP_OK);

@@ -81,8 +81,8 @@ sp_status blob_whole(const blob *b, blob_kind kind)
     if (b->length < BLOB_HEADER + 4) return SP_E_ARGUMENT;
     status = blob_header(b->data, &got, &length);
     if (status) return status;
-    if (got != kind || length != b->length || get(b->data + length - 4, 4) != crc32_of(b->data, length - 4)) return SP_E_ARGUMENT;
-    return SP_OK;
+    if (got != kind || length != b->length) return SP_E_ARGUMENT;
+    return get(b->data + length - 4, 4) == crc32_of(b->data, length - 4) ? SP_OK : SP_E_ARGUMENT;
 }
 
 /* --------------------------------------------------------------------------------------------- fields, in either direction */
@@ -337,10 +337,12 @@ static sp_status add_block(const raw *r, int32_t b, sp_scene *scene)
 {
     const sp_block *x = &r->block[b];
     const sp_capacity *cap = &scene->cap, *n = &scene->count;
-    const sp_mesh mesh = { x->vertices, x->faces, r->vertex + 3 * (size_t)n->vertices, r->size + n->faces, r->corner + n->corners };
+    const sp_mesh mesh = { x->vertices, x->faces, r->vertex + 3 * (size_t)n->vertices, r->size + n->faces,
+                           r->corner + n->corners };
     int32_t room = cap->corners - n->corners;
     if (x->vertices > cap->vertices - n->vertices || x->faces > cap->faces - n->faces) return SP_E_CAPACITY;
-    if (!(x->density > 0)) return x->faces || x->vertices ? SP_E_RANGE : sp_scene_body(scene, x->mass, x->centroid, x->fixed, NULL);
+    if (!(x->density > 0) && (x->faces || x->vertices)) return SP_E_RANGE;
+    if (!(x->density > 0)) return sp_scene_body(scene, x->mass, x->centroid, x->fixed, NULL);
     for (int32_t k = 0; k < x->faces; k++) {
         if (mesh.size[k] < 0 || mesh.size[k] > room) return SP_E_CAPACITY;
         room -= mesh.size[k];
@@ -379,9 +381,9 @@ static sp_status read_scene(io *s, raw *r, const sp_capacity *n, sp_scene *scene
     for (int32_t k = 0; k < n->faces; k++) io_int(s, &r->size[k], 0, INT32_MAX);
     for (int32_t k = 0; k < n->corners; k++) io_int(s, &r->corner[k], 0, INT32_MAX);
     for (int32_t k = 0; !s->bad && !status && k < n->blocks; k++) status = add_block(r, k, scene);
-    if (!status && (scene->count.vertices != n->vertices || scene->count.faces != n->faces || scene->count.corners != n->corners))
-        status = SP_E_RANGE;
-    if (s->bad || status) return status ? status : SP_E_RANGE;
+    if (status) return status;
+    if (s->bad || scene->count.vertices != n->vertices || scene->count.faces != n->faces || scene->count.corners != n->corners)
+        return SP_E_RANGE;
 
     const size_t interfaces = (size_t)n->interfaces * (16 + 13 * REAL);
     io points = { NULL, s->p + interfaces, s->left - interfaces, 0 };       /* they come after the interfaces */

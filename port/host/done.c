@@ -1,3 +1,4 @@
+/* done: what an earlier run left of its results. */
 #define _POSIX_C_SOURCE 200809L         /* access */
 #include "done.h"
 #include "json_in.h"
@@ -6,7 +7,10 @@
 #include <string.h>
 #include <unistd.h>
 
-static int by_name(const void *a, const void *b) { return strcmp(((const done_entry *)a)->scene, ((const done_entry *)b)->scene); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const done_entry *)a)->scene, ((const done_entry *)b)->scene);
+}
 
 static int status_of(const char *verdict)
 {
@@ -41,14 +45,14 @@ static int take(done_list *d, const char *line, size_t length)
     json_tree tree;
     text_error ignored;
     char *text = malloc(length + 1);
-    int ok = 1;
+    int ok = 1, status;
     if (!text) return 0;
     memcpy(text, line, length);
     text[length] = 0;
     if (json_parse("", text, length, &tree, &ignored) == 0 && tree.value[0].kind == JSON_OBJECT) {
         const json_value *scene = json_member(&tree, tree.value, "scene"), *verdict = json_member(&tree, tree.value, "verdict");
-        if (scene && verdict && scene->kind == JSON_STRING && verdict->kind == JSON_STRING && status_of(verdict->as.string) >= 0)
-            ok = add(d, scene->as.string, status_of(verdict->as.string));
+        status = verdict && verdict->kind == JSON_STRING ? status_of(verdict->as.string) : -1;
+        if (status >= 0 && scene && scene->kind == JSON_STRING) ok = add(d, scene->as.string, status);
     }
     json_free(&tree);
     return ok;

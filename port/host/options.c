@@ -56,31 +56,31 @@ static int stages(const char *s, sp_settings *settings)
     }
 }
 
-/* DEG[,AZIMUTH] */
-static int tilt(const char *s, options *o)
+/* X[,Y]; y is left as it is where there is none. */
+static int one_or_two(const char *s, double *x, double *y)
 {
     char first[64];
     const size_t n = strcspn(s, ",");
     if (n >= sizeof first) return 0;
     memcpy(first, s, n);
     first[n] = 0;
-    if (!number(first, &o->tilt) || fabs(o->tilt) > 360) return 0;
-    return !s[n] || (number(s + n + 1, &o->azimuth) && fabs(o->azimuth) <= 360);
+    return number(first, x) && (!s[n] || number(s + n + 1, y));
+}
+
+/* DEG[,AZIMUTH] */
+static int tilt(const char *s, options *o)
+{
+    return one_or_two(s, &o->tilt, &o->azimuth) && fabs(o->tilt) <= 360 && fabs(o->azimuth) <= 360;
 }
 
 /* SECONDS[,MEGABYTES] */
 static int worker(const char *s, options *o)
 {
-    char first[64];
-    const size_t n = strcspn(s, ",");
-    if (n >= sizeof first) return 0;
-    memcpy(first, s, n);
-    first[n] = 0;
-    if (!number(first, &o->worker) || !(o->worker > 0)) return 0;
-    if (!s[n]) return 1;
-    if (!number(s + n + 1, &o->worker_memory) || !(o->worker_memory > 0 && o->worker_memory < 1e9)) return 0;
-    o->worker_memory *= 1e6;
-    return 1;
+    double megabytes = 0;
+    const int some = strchr(s, ',') != NULL;
+    if (!one_or_two(s, &o->worker, &megabytes) || !(o->worker > 0)) return 0;
+    o->worker_memory = 1e6 * megabytes;
+    return some ? megabytes > 0 && megabytes < 1e9 : 1;
 }
 
 static int backend(const char *s, int *which)

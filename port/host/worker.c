@@ -42,7 +42,7 @@ static int fill(FILE *in, blob *b, size_t length)
     return 1;
 }
 
-/* One message and its answer.      returns 0: go on; 1: end of input; 2: lost; 3: can't write */
+/* One message and its answer.      returns 0: go on; 1: end of input; 2: lost; 3: can't answer */
 static int turn(FILE *in, FILE *out, blob *request, blob *answer)
 {
     blob_kind kind;
@@ -57,7 +57,7 @@ static int turn(FILE *in, FILE *out, blob *request, blob *answer)
     whole = whole && !status && fill(in, request, length);
     if (whole) worker_answer_to(request, answer);
     else refuse(answer, request->failed ? SP_E_MEMORY : status ? status : SP_E_ARGUMENT);
-    if (fwrite(answer->data, 1, answer->length, out) != answer->length || fflush(out) != 0) return 3;
+    if (!answer->length || fwrite(answer->data, 1, answer->length, out) != answer->length || fflush(out) != 0) return 3;
     return whole ? 0 : 2;
 }
 
@@ -124,7 +124,8 @@ static int round_trip(const char *path)
         sp_status status = blob_write_request(&b, &s.scene, &settings);
         if (!status) status = blob_read_request(&b, &again, &set, &memory);
         if (status) exit_status = text_fail_status(&error, status, path, 0, "");
-        else if (!worker_same_scene(&s.scene, &again)) exit_status = text_fail(&error, EXIT_INTERNAL, path, 0, "not the same bits");
+        else if (!worker_same_scene(&s.scene, &again))
+            exit_status = text_fail(&error, EXIT_INTERNAL, path, 0, "not the same bits");
         else printf("%s: %lu bytes, same bits\n", path, (unsigned long)b.length);
     }
     if (exit_status) fprintf(stderr, "%s\n", error.line);
@@ -191,6 +192,6 @@ int command_worker(int argc, char **argv)
     if (argc == 2) return worker_session(stdin, stdout);
     if (argc == 3 && strcmp(argv[2], "--selftest") == 0) return self_test();
     if (argc == 4 && strcmp(argv[2], "--roundtrip") == 0) return round_trip(argv[3]);
-    fputs("stonepack: worker takes --selftest, --roundtrip SCENE, or nothing and speaks on its standard input and output\n", stderr);
+    fputs("stonepack: worker takes --selftest, --roundtrip SCENE, or nothing: then it answers its standard input\n", stderr);
     return EXIT_USAGE;
 }

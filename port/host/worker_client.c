@@ -1,3 +1,4 @@
+/* worker_client: starts a worker, talks to it until a deadline, ends it. */
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it */
 #include "worker_client.h"
@@ -134,9 +135,8 @@ static int over(pid_t pid, int fd, worker_end end)
 /* What the message says. */
 static void take(const blob *b, const sp_scene *scene, worker_answer *a)
 {
-    sp_status status = blob_whole(b, BLOB_RESULT) == SP_OK ? blob_read_result(b, scene, &a->result, &a->cost, &a->memory) : SP_E_ARGUMENT;
-    a->status = status;
-    if (status == SP_OK) return;
+    a->status = blob_read_result(b, scene, &a->result, &a->cost, &a->memory);
+    if (a->status == SP_OK) return;
     a->end = WORKER_GARBLED;
     if (blob_whole(b, BLOB_ERROR) != SP_OK) return;
     a->end = WORKER_REFUSED;
