@@ -123,7 +123,8 @@ static int same_numbers(const sp_scene *s, const sp_result *a, const sp_result *
 
 static int same_cost(const sp_cost *a, const sp_cost *b)
 {
-    return a->flops == b->flops && a->factorisations == b->factorisations && a->iterations == b->iterations;
+    return a->flops == b->flops && a->factorisations == b->factorisations && a->iterations == b->iterations
+        && a->interior == b->interior;
 }
 
 static int same_words(const sp_result *a, const sp_result *b)
@@ -146,7 +147,7 @@ TEST(every_field_of_settings_and_result_is_known_to_the_messages)
 {
     if (sizeof(void *) != 8) return;
     CHECK_INT(sizeof(sp_settings), TOL(152, 112));
-    CHECK_INT(sizeof(sp_result), TOL(384, 336));
+    CHECK_INT(sizeof(sp_result), TOL(448, 400));
 }
 
 TEST(a_thousand_scenes_come_through_and_are_answered_as_in_process_bit_by_bit)
@@ -231,7 +232,8 @@ static void copy(const blob *from, blob *to)
 /* One to four places changed: a byte, a word of a kind that hurts, or bytes gone. */
 static void mutate(blob *b)
 {
-    static const uint32_t hurtful[] = { 0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x7ff00000, 0x7ff80000, 0x7fe00000, 0x00100000, 65536 };
+    static const uint32_t hurtful[] = { 0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x7ff00000, 0x7ff80000, 0x7fe00000,
+                                         0x00100000, 65536 };
     for (int k = test_random_int(1, 4); k > 0; k--) {
         const size_t at = (size_t)test_random_int(0, (int32_t)b->length - 5);
         switch (test_random_int(0, 4)) {
@@ -490,7 +492,8 @@ TEST(a_worker_that_dies_is_told_with_its_status)
 
 TEST(limits_are_set_before_the_worker_starts)
 {
-    static const char *const command[] = { "sh", "-c", "test $(ulimit -v) = 100000 && test $(ulimit -t) = 61 && test $(ulimit -c) = 0 && exit 5", NULL };
+    static const char *const command[] = { "sh", "-c", "test $(ulimit -v) = 100000 && test $(ulimit -t) = 61 && "
+                                           "test $(ulimit -c) = 0 && exit 5", NULL };
     const worker_client client = { command, 60, (size_t)100000 * 1024, 0 };
     worker_answer a;
     sp_scene s;

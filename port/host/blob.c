@@ -451,6 +451,7 @@ static void io_cost(io *s, sp_cost *c)
     io_long(s, &c->flops);
     io_int(s, &c->factorisations, INT32_MIN, INT32_MAX);
     io_int(s, &c->iterations, INT32_MIN, INT32_MAX);
+    io_int(s, &c->interior, INT32_MIN, INT32_MAX);
 }
 
 /* Counts of the arrays that not only the scene tells. */

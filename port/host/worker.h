@@ -7,7 +7,8 @@
 
 /* Answer every message of `in` on `out`. A body that is wrong gets an error and the session goes on; after a header that is
  * wrong nobody knows where the next message starts: it gets an error, too, and the session ends.
- *   returns 0: the input ended where a message does; EXIT_SCENE: it did not; EXIT_INTERNAL: can't write, or no memory for an error */
+ *   returns 0: the input ended where a message does; EXIT_SCENE: it did not; EXIT_INTERNAL: can't write, or
+ *           no memory for an error */
 int worker_session(FILE *in, FILE *out);
 
 /* Answer one message; `answer` is a result or an error, empty only where memory ran out. */
