@@ -4714,12 +4714,13 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_re
 SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
     sp_real last = SP__HUGE;
+    int more = 8;                                       /* once balanced: lightly loaded blocks come to rest last */
     memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
-    for (int it = 0; it < 20; it++) {
+    for (int it = 0; it < 60; it++) {
         sp__ipm_balance(w, m, w->d, w->r, NULL);
         n->omega = sp__dual_omega(w, w->r);
-        if (n->omega > last / 2) break;
-        last = n->omega;
+        if (n->omega > last / 2 && (last > n->goal || !more--)) break;
+        last = n->omega < last ? n->omega : last;
         memcpy(state->dq, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->d);
         sp__dual_solve(w, w->r, w->r);
         sp__dual_axpy(w, -1, w->r, w->d);
