@@ -456,7 +456,7 @@ TEST(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
             test_arena.used = 0;
             CHECK(gen_open(&g, "keystone") && gen_set(&g, "angle", angle[k]) && gen_set(&g, "mu", 0));
             CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
-            const sp_settings set = asked((far ? 1.01 : 0.99) / tan(-angle[k] * acos(-1) / 180), 1);
+            const sp_settings set = asked((far ? 1.01 : 0.99) / tan(-angle[k] * 3.14159265358979323846 / 180), 1);
             const sp_coupling found = answer(&s, &set, &r);
             if (far) CHECK_INT(found, SP_COUPLING_COUPLED);
             else CHECK(found != SP_COUPLING_COUPLED);

@@ -119,7 +119,7 @@ static sp_status judge(const sp_scene *scene, int32_t faces, sp_arena *arena, ui
 static sp_status build(const compiled_scene *c, sp_arena *arena, sp_scene *scene)
 {
     const sp_joint friction = sp_joint_friction(c->mu);
-    sp_capacity room = { c->blocks, 0, 0, 0, c->joints, 0 };
+    sp_capacity room = { c->blocks, 0, 0, 0, c->joints, 0, 0 };
     const sp_real *xyz = c->xyz, *point = c->point;
     const int32_t *size = c->size, *corner = c->corner;
     for (int32_t b = 0, f = 0; b < c->blocks; b++) {

@@ -451,6 +451,13 @@ static int corner_of(const double (*n)[3], const double *d, const int32_t pick[3
     return 1;
 }
 
+/* Grows with the angle of (x, y) from 0 to 4 in one turn; no arcus tangens, so the same everywhere. */
+static double turn(double x, double y)
+{
+    if (y >= 0) return x >= 0 ? y / (x + y) : 1 - x / (y - x);
+    return x < 0 ? 2 + y / (x + y) : 3 + x / (x - y);
+}
+
 /* Corners of a face, anticlockwise seen from outside: by their angle about the middle, in the plane. */
 static int32_t face_of(const double (*x)[3], int32_t n, const uint32_t *on, int32_t face, const double normal[3], int32_t *corner)
 {
@@ -467,8 +474,8 @@ static int32_t face_of(const double (*x)[3], int32_t n, const uint32_t *on, int3
         double along = 0, across = 0;
         int32_t at = k;
         for (int c = 0; c < 3; c++) along += u[c] * (x[id][c] - mean[c]), across += w[c] * (x[id][c] - mean[c]);
-        double a = k ? atan2(across, along * sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])) : 0;
-        if (a < 0) a += 2 * gen_pi;
+        along *= sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        const double a = k ? turn(along, across) : 0;
         for (; at > 0 && angle[at - 1] > a; at--) angle[at] = angle[at - 1], corner[at] = corner[at - 1];
         angle[at] = a;
         corner[at] = id;
@@ -518,7 +525,8 @@ static void loose_stone(gen_sink *s, const double middle[3], const double half[3
 static void loose(gen_sink *s, int32_t count, const double half[3], double rough)
 {
     const double pitch = 2.3 * sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
-    const int32_t side = (int32_t)ceil(0.8 * cbrt(count));
+    int32_t side = 1;
+    while (1.953125 * side * side * side < count) side++;       /* 0.8 of the cube root, rounded up */
     const double edge = (0.5 * side + 1.5) * pitch;
     box(s, -edge, -edge, -2 * half[2], edge, edge, 0, SP_FIXED);
     for (int32_t k = 0; k < count; k++) {
