@@ -291,8 +291,8 @@ static void text_coupled(FILE *out, const report *r)
 
 static void text_published(FILE *out, const solvers_published *p)
 {
-    const ipopt_cra_answer *a = &p->answer;
-    if (!p) return;
+    const ipopt_cra_answer *a = p ? &p->answer : NULL;
+    if (!a) return;
     row(out, "Ipopt");
     fprintf(out, "%s after %ld iterations, %.3g s; objective %.9g, residual %.2g; %s\n", a->status, (long)a->iterations, a->seconds,
             a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
