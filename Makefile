@@ -15,6 +15,9 @@ HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
 HOST_H   = stonepack.h $(wildcard port/*/*.h settle/*.h) tests/scenes/gen.h
 
 # Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it has no .pc file).
+PLUGINS  =
+PLUG_C   =
+PLUG_L   =
 IPOPT_L := $(shell pkg-config --libs ipopt 2> /dev/null)
 OSQP_H   = include/osqp/osqp_api_types.h
 OSQP    ?= $(patsubst %/$(OSQP_H),%,$(firstword $(wildcard /usr/local/$(OSQP_H) /usr/$(OSQP_H))))
