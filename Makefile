@@ -4,6 +4,9 @@ ifeq ($(origin CC),default)
 CC = gcc
 endif
 CFLAGS  ?= -O2
+ifeq ($(filter -j%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc 2> /dev/null || echo 1)
+endif
 STRICTC  = -std=c99 -ffp-contract=off -fno-math-errno
 WARN     = -Wall -Wextra -Wshadow
 ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)

@@ -1,13 +1,36 @@
 #!/bin/sh
 # test: what `make test` runs: the tests in double and in float, malformed scenes, the corpus, the program, README.
+# All of it starts at once, what takes longest first; answers come in the order below.
 . tests/checks/tally.sh
-count "tests, double" build/run
-count "tests, float" build/run_float
-if [ -f tests/checks/bad.sh ]; then count "bad scenes" sh tests/checks/bad.sh build/stonepack; fi
-for real in double float; do
-    part "same bits without optimisation, $real" env DIFFER=1 sh tests/corpus/corpus.sh $real "${CC:-gcc}" -O0
-done
-count "program" sh tests/checks/smoke.sh build/stonepack
-if [ -f build/settle.o ]; then count "settle, as a program" sh tests/checks/settle.sh build/stonepack; else skip "settle" "g++ libbullet-dev"; fi
-count "README" sh tests/checks/readme.sh build/stonepack
+out=$(mktemp -d)
+trap 'rm -rf "$out" "$tally_log"' EXIT
+
+begin() {                                               # begin NAME COMMAND...
+    begin_name=$1
+    shift
+    "$@" > "$out/$begin_name" 2>&1 &
+    eval "pid_$begin_name=$!"
+}
+end() {                                                 # end NAME > what it printed; its status
+    eval "wait \$pid_$1"
+    end_status=$?
+    cat "$out/$1"
+    return $end_status
+}
+
+begin float build/run_float
+begin double build/run
+for real in double float; do begin "bits_$real" env DIFFER=1 sh tests/corpus/corpus.sh $real "${CC:-gcc}" -O0; done
+begin program sh tests/checks/smoke.sh build/stonepack
+if [ -f build/settle.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
+begin bad sh tests/checks/bad.sh build/stonepack
+begin readme sh tests/checks/readme.sh build/stonepack
+
+count "tests, double" end double
+count "tests, float" end float
+count "bad scenes" end bad
+for real in double float; do part "same bits without optimisation, $real" end bits_$real; done
+count "program" end program
+if [ -f build/settle.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
+count "README" end readme
 total
