@@ -2,9 +2,13 @@
 # check: everything this machine can test. Ends with what it could not run, and `N passed, N failed`.
 #
 #     STRICT=1     what could not be run counts as a failure
-#     ONLY=text    only parts whose function names contain the text
+#     ONLY=text    only groups whose names contain the text
+#
+# The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
-out=build/check
+groups='warnings switches cpp symbols arm pair package sanitizers settle bits plugins static cases oracle bench demo'
+longest='sanitizers warnings switches settle oracle pair'              # these begin first
+out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
 CC=${CC:-gcc}
 
@@ -415,8 +419,34 @@ check_demo() {
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
 }
 
-[ "${ONLY:-}" ] || count "tests, as make test" sh tests/checks/test.sh
-for check in warnings switches cpp symbols arm pair package sanitizers settle bits plugins static cases oracle bench demo; do
-    case $check in *"${ONLY:-}"*) check_$check ;; esac
-done
+side_by_side() {
+    # shellcheck disable=SC2086
+    printf '%s\n' $longest $groups | awk '!seen[$1]++' |
+        xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "ONLY={} sh '$0' > $out/{}.log 2>&1"
+}
+joined() {                                              # joined GROUP: what it printed, and its numbers added
+    jo_line=$(sed -n '$p' "$out/$1.log")
+    if echo "$jo_line" | grep -qxE '[0-9]+ passed, [0-9]+ failed'; then
+        sed '$d' "$out/$1.log" | grep -v '^skipped: '
+        # shellcheck disable=SC2086
+        set -- "$1" $jo_line
+        passed=$((passed + $2)) failed=$((failed + $4))
+        jo_skipped=$(grep '^skipped: ' "$out/$1.log") && skipped="$skipped
+$jo_skipped"
+    else
+        failed=$((failed + 1))
+        echo "FAILED  $1: no end"
+        tail -n 20 "$out/$1.log"
+    fi
+}
+
+if [ "${ONLY:-}" ]; then
+    for group in $groups; do
+        case $group in *"$ONLY"*) check_$group ;; esac
+    done
+else
+    count "tests, as make test" sh tests/checks/test.sh
+    side_by_side
+    for group in $groups; do joined "$group"; done
+fi
 total
