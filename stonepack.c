@@ -2045,6 +2045,7 @@ typedef struct sp__judge {
     sp_real total;                      /* sum of |load| */
     sp_real cap;                        /* of the contact at hand */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
+    int32_t most;                       /* of them, for the scales */
 } sp__judge;
 
 static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, sp_arena *a)
@@ -2235,7 +2236,7 @@ SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
     sp_real rg = sp__dot(j->r, j->g, n);
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0)) return;
+        if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
         const sp_real alpha = rg / qq;
         for (size_t k = 0; k < n; k++) { to[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
         sp__judge_normal(j, j->r, j->g);
@@ -2318,11 +2319,11 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     for (int own = !y0; own < 2; own++) {
         sp__judge_hint(j, own ? NULL : y0, j->x);
         sp__judge_hint(j, own ? NULL : y0 + n, j->e);
-        for (int round = 0; round < 4; round++) {
+        for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
             if (!sp__judge_sums(j)) return 1;
             sp__judge_weigh(j, j->r);
             if ((round || !own) && sp__judge_optimal(j)) return 1;
-            if (!own || round == 3) break;
+            if (!own || round == 3 || j->sweeps + 2 > j->most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
             sp__judge_solve(j, round ? j->e : j->x);
         }
@@ -2542,8 +2543,9 @@ static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *fin
     return sp__judge_motion(j, dq, held, final);
 }
 
-/* Set up a judge in `a` and find the scales.     returns 0 when the arena is too small */
-SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, sp_arena *a)
+/* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more.     returns 0 when the arena is too small */
+SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
+                                    sp_arena *a)
 {
     sp__judge_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
@@ -2552,6 +2554,7 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
     j->mu_factor = 1;
     j->tan_half = 0;
     j->sweeps = 0;
+    j->most = most;
     if (set->faces) {
         sp_real c;
         sp__pyramid_half(set->faces, &c, &j->tan_half);
@@ -3087,6 +3090,8 @@ typedef struct sp__dual {
     const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
     sp_cost *cost;
+    int64_t limit;                      /* flops that cost may reach */
+    int spent;                          /* a piece of work did not fit; from then on none is done */
 } sp__dual;
 
 #define SP__DUAL_H 96
@@ -3334,9 +3339,19 @@ SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, c
 #define SP__FLOPS_HESSIAN 75            /* a vertex of the assembly; a contact adds SP__FLOPS_BLOCKS */
 #define SP__FLOPS_BLOCKS 900
 
-static void sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
+/* Count work before it is done. What would exceed the budget latches, as a full arena does: this and all later work is left out,
+ * so a check on a budget is a check without one that stops early.                       returns whether the work is to be done */
+static int sp__dual_pay(sp__dual *w, int64_t flops)
 {
-    w->cost->flops += (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts;
+    if (flops > w->limit - w->cost->flops) w->spent = 1;
+    if (!w->spent) w->cost->flops += flops;
+    return !w->spent;
+}
+
+/* The same for so many flops a vertex and a contact. */
+static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
+{
+    return sp__dual_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
 }
 
 /* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
@@ -3346,6 +3361,7 @@ typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } 
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -3367,7 +3383,6 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
         sp__dual_scatter(w, t, F, M, r);
     }
     sp__dual_release(w, r);
-    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */
@@ -3375,6 +3390,7 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
 {
     const sp_problem *pb = w->pb;
     sp_real sum = 0;
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -3391,7 +3407,6 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
         }
         sum += part;
     }
-    sp__dual_count(w, SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
     return sum + sp__dual_work(w, d);
 }
 
@@ -3638,7 +3653,6 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     if (held) sp__dual_hold(w);
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
         for (int q = 0; q < 6; q++) w->L.d[21 * i + sp__column[q]] += shift;
-    sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
 /* The assembled blocks as one dense lower triangle, in elimination order. */
@@ -3664,9 +3678,9 @@ static void sp__dual_spread(sp__dual *w)
 SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_real floor = 4 * (sp_real)SP_EPSILON;
-    const int64_t n = 6 * (int64_t)w->L.n;
+    const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
+    if (!sp__dual_pay(w, own + (int64_t)SP__FLOPS_HESSIAN * w->pb->points + (int64_t)SP__FLOPS_BLOCKS * w->pb->contacts)) return;
     sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
-    w->cost->flops += w->dense ? n * n * 2 * w->L.n : w->L.flops;
     w->cost->factorisations++;
 #ifndef SP_NO_IPM
     if (law == SP__INTERIOR) {
@@ -3682,11 +3696,14 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
     } else sp__bchol_factor(&w->L, floor);
 }
 
-/* x <- (L L')^-1 b; x may be b. */
+/* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
 static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 {
     const int64_t n = 6 * (int64_t)w->L.n;
-    w->cost->flops += w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n;
+    if (!sp__dual_pay(w, w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n)) {
+        memset(x, 0, (size_t)n * sizeof *x);
+        return;
+    }
     if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
     for (size_t k = 0; k < (size_t)n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
     sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
@@ -3730,6 +3747,7 @@ SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, cons
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
+    if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
@@ -3748,13 +3766,13 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
     }
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
         w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->r[i] / w->set->tol;
-    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
 }
 
 /* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */
 static int sp__dual_metric(sp__dual *w)
 {
     sp_real least = SP__HUGE, most = 0;
+    if (w->spent) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_real s = sp__lesser(&w->pb->contact[c], w->size, 2);
         if (s < least) least = s;
@@ -3779,6 +3797,8 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
     w->set = set;
     w->cost = cost;
+    w->limit = INT64_MAX;
+    w->spent = 0;
     w->soft = penalty && !set->net ? 1 / set->gamma : 0;
     w->slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
     if (form == SP__METRIC) w->slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma));     /* fp and fm move together: 1 + 1/gamma */
@@ -3935,6 +3955,9 @@ static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_
     (void)set;
     int32_t *up = sp__take(arena, (size_t)pb->blocks + 1, sizeof *up);
     if (sp__failed(arena)) return SP_E_MEMORY;
+    state->reason = SP_REASON_BUDGET;
+    if (state->left < 6 * (int64_t)pb->blocks) return SP_OK;
+    state->reason = SP_REASON_STAGES;
     sp_real load = 0;
     memset(state->dq, 0, 6 * (size_t)pb->blocks * sizeof *state->dq);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) load = sp__max(load, sp__abs(pb->p[k]));
@@ -3980,7 +4003,7 @@ static void sp__bilateral_correct(sp__dual *w)
 }
 
 /* w->y: potential of the bilateral force in the metric at hand; w->d: what rounding left of it, y - d is better. Factorises
- * once. */
+ * once. Worth nothing when w->spent. */
 SP__APART static void sp__dual_bilateral(sp__dual *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -3995,6 +4018,7 @@ SP__APART static void sp__dual_bilateral(sp__dual *w)
         sp__bilateral_correct(w);
         sp__dual_axpy(w, -1, w->r, w->y);
         sp__dual_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
+        if (w->spent) return;
         const sp_real now = sp__dual_norm(w, w->r);
         if (!w->singular && now > SP__SCALE_TOL * w->load) {            /* again, for a matrix with null vectors in the load */
             w->singular = 1;
@@ -4026,7 +4050,7 @@ static void sp__dual_hint(const sp__dual *w, sp_state *state)
 static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state *state)
 {
     sp__dual_gradient(w, law, y, w->r, state->f);
-    for (int32_t c = 0; c < w->pb->contacts; c++) {
+    for (int32_t c = 0; c < w->pb->contacts && !w->spent; c++) {
         const sp_contact *t = &w->pb->contact[c];
         for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->unit;
     }
@@ -4039,6 +4063,8 @@ typedef struct sp__gate { int tension, friction; } sp__gate;
 SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const sp_real *f)
 {
     sp_real press = 0, pull = 0, beyond = 0, size = 0;
+    const sp__gate shut = { 0, 0 };
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return shut;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -4053,7 +4079,6 @@ SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const 
             beyond = sp__max(beyond, foot.a - yield->mu * (w->set->net ? g[0] : flat[0]));
         }
     }
-    sp__dual_count(w, SP__FLOPS_SWEEP, 0);
     const sp__gate gate = { pull <= seed->tension * press, beyond <= seed->cone * size };
     return gate;
 }
@@ -4063,9 +4088,13 @@ static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set,
 {
     sp__dual *w = sp__dual_open(pb, set, form, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+    w->limit = state->left;
+    state->reason = SP_REASON_BUDGET;
     sp__dual_bilateral(w);
+    if (w->spent) return SP_OK;
     if (form != SP__METRIC) sp__dual_hint(w, state);
     sp__dual_forces(w, SP__BILATERAL, w->y, state);
+    if (w->spent) return SP_OK;
     state->reason = SP_REASON_STAGES;
     *claim = SP_STABLE;
     if (!set->seed) return SP_OK;
@@ -4107,6 +4136,7 @@ static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_ar
 SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -4124,7 +4154,6 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
         sp__dual_scatter(w, t, F, M, r);
     }
     sp__dual_release(w, r);
-    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
 }
 
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
@@ -4132,22 +4161,26 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
     sp__dual *w = sp__dual_open(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+    w->limit = state->left;
     const size_t n = 6 * (size_t)pb->blocks;
     const sp_real goal = set->seed && seed->balance < set->tol / 4 ? seed->balance : set->tol / 4;
-    state->reason = SP_REASON_STAGES;
+    state->reason = SP_REASON_BUDGET;
     sp__dual_bilateral(w);
+    if (w->spent) return SP_OK;
     if (!set->seed) sp__dual_hint(w, state);
     sp__dual_sizes(w, w->y);
     if (set->seed) sp__dual_forces(w, SP__BILATERAL, w->y, state);
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
-    if (gate.friction && !gate.tension) return SP_OK;
+    if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
     memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
     sp__polish_round(w, w->y, state->f, w->r);
+    if (w->spent) return SP_OK;
     sp_real omega = sp__dual_omega(w, w->r), last = omega;
     for (int round = 1; omega > goal && round <= seed->rounds; round++) {
         sp__dual_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
         sp__polish_round(w, w->y, state->f, w->r);
+        if (w->spent) break;
         omega = sp__dual_omega(w, w->r);
         state->cost.iterations++;
         if (round % seed->window) continue;
@@ -4155,6 +4188,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
         last = omega;
     }
     for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w->unit;
+    if (!w->spent) state->reason = SP_REASON_STAGES;
     *claim = omega <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
     return SP_OK;
 }
@@ -4178,6 +4212,9 @@ typedef struct sp__newton {
     int stalled;                        /* it no longer falls with prox: something moves */
     int found;                          /* state->f holds forces that balance */
 } sp__newton;
+
+/* Is there work left to spend? */
+static int sp__newton_left(const sp__dual *w, const sp__newton *n) { return n->left > 0 && !w->spent; }
 
 static int sp__newton_open(const sp__newton *n) { return n->omega > n->goal && !n->proved && !n->found; }
 
@@ -4233,12 +4270,13 @@ SP__APART static sp__proof sp__newton_weigh(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
     sp__proof o = { -sp__dual_work(w, y), 0, 0 };
+    const sp__proof none = { 0, 0, 0 };
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return none;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
         o.scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
     for (int32_t c = 0; c < pb->contacts && o.resist < o.work; c++) o.resist += sp__newton_resist(w, c, y);
-    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
     return o;
 }
 
@@ -4351,6 +4389,7 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
 {
     const sp_problem *pb = w->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
+    if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real twist[4][3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
@@ -4360,7 +4399,6 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
         sp__dual_scatter(w, t, F, M, out);
     }
     sp__dual_release(w, out);
-    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
 }
 
 /* Tie the candidate w->d and sharpen it; w->r, L.t and state->dq are used up.     returns 0 when everything is tied down */
@@ -4396,6 +4434,7 @@ SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state
 /* After a step: imbalance, best so far. */
 static void sp__newton_keep(const sp__dual *w, sp__newton *n, sp_state *state)
 {
+    if (w->spent) return;                               /* w->r is not of this y */
     n->omega = sp__dual_omega(w, w->r);
     if (n->omega < n->best) {
         n->best = n->omega;
@@ -4446,7 +4485,7 @@ static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *
 /* The candidate in w->d, tied into rigid groups. */
 SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_state *state)
 {
-    if (n->proved) return;
+    if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
     if (sp__rigid_sharpen(w, w->xadj, state)) sp__newton_try(w, n, w->d, state);
     sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
@@ -4457,6 +4496,7 @@ SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *s
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
+    if (w->spent) return 0;
     n->left--;
     state->cost.iterations++;
     if (n->stalled) {
@@ -4495,7 +4535,7 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
     n->prox = 0;
     n->stalled = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0; it < 12 && n->left > 0 && n->omega > n->goal && !n->proved && tiny < 2; it++) {
+    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved && tiny < 2; it++) {
         const sp_real s = sp__newton_step(w, n, state);
         if (s < (sp_real)0.03) { tiny++; n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1; }
         if (s > (sp_real)0.5) n->shift = sp__max(SP__SHIFT, n->shift / 100);
@@ -4511,7 +4551,7 @@ SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *s
     const sp_real y = sp__dual_norm(w, w->y);
     if (!(y > 0)) return;
     for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
-    for (int it = 0; it < 3 && n->left > 0 && !n->proved; it++, n->left--) {
+    for (int it = 0; it < 3 && sp__newton_left(w, n) && !n->proved; it++, n->left--) {
         sp__dual_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
         sp__dual_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
         sp__dual_load(w, w->L.t);
@@ -4532,7 +4572,7 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
     n->shift = 0;
     n->level = SP__HUGE;
     sp__newton_look(w, n, state);
-    for (int extra = 8; extra > 0 && n->left > 0 && n->omega > n->goal && !n->proved; ) {
+    for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
         if (n->prox <= SP__SHIFT) {
             if (extra-- == 8) sp__newton_restore(w, n, state);
@@ -4568,6 +4608,7 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
     for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
         memcpy(w->d, state->y, n * sizeof *w->d);
         if (pass) sp__dual_solve(w, w->d, w->d);
+        if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
         sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
         if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
         const sp__proof now = sp__newton_weigh(w, w->d);
@@ -4661,6 +4702,7 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
 {
     const sp_problem *pb = w->pb;
     m->pass = pass;
+    if (!sp__dual_count(w, 3 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
     if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -4676,13 +4718,13 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
         if (pass == SP__AIM) sp__dual_scatter(w, t, F, M, r);
     }
     if (pass == SP__AIM) sp__dual_release(w, r);
-    sp__dual_count(w, 3 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST);
 }
 
 /* r = Aeq f + p of f = P_K(E x / tau + E W^2 E' Aeq' d); f (may be NULL; its place may be that of x) gets the forces. */
 SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_real *d, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
+    if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -4706,7 +4748,6 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_re
         sp__dual_scatter(w, t, F, M, r);
     }
     sp__dual_release(w, r);
-    sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST);
 }
 
 /* Does the least change of x that balances leave the forces admissible? What is not is projected and the rest balanced again
@@ -4718,6 +4759,7 @@ SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *
     memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
     for (int it = 0; it < 60; it++) {
         sp__ipm_balance(w, m, w->d, w->r, NULL);
+        if (w->spent) return;
         n->omega = sp__dual_omega(w, w->r);
         if (n->omega > last / 2 && (last > n->goal || !more--)) break;
         last = n->omega < last ? n->omega : last;
@@ -4727,9 +4769,10 @@ SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *
     }
     n->omega = last;
     if (!(last <= n->goal)) return;
+    sp__ipm_balance(w, m, state->dq, w->r, state->f);
+    if (w->spent) return;
     n->best = last;
     n->found = 1;
-    sp__ipm_balance(w, m, state->dq, w->r, state->f);
 }
 
 /* Changes of tau and kappa, from the step w->r of y that leaves tau alone and state->dq = dy / dtau. */
@@ -4818,10 +4861,11 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, s
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
     m.x = x;
     sp__ipm_start(w, &m);
-    for (int it = 0; it < SP__IPM_MOST && n->left > 0 && m.theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__IPM_MOST && sp__newton_left(w, n) && m.theta > (sp_real)SP_EPSILON; it++) {
         m.gap = 0;
         m.outside = 0;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->spent) break;
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
@@ -4831,7 +4875,7 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, s
         if (n->found) return;
         sp__newton_try(w, n, w->y, state);
         if (!n->proved) sp__ipm_motion(w, &m, n, state);
-        if (n->proved) return;
+        if (n->proved || w->spent) return;
         sp__ipm_step(w, &m, state);
     }
     sp__newton_look(w, n, state);
@@ -4852,7 +4896,11 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+    const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
+    w->limit = state->left - tail;
+    state->reason = SP_REASON_BUDGET;
     sp__dual_bilateral(w);
+    if (w->spent) return SP_OK;
     sp__dual_hint(w, state);
     sp__dual_sizes(w, w->y);
     if (w->singular) sp__newton_loose(w, &n, state);
@@ -4870,12 +4918,17 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
         sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
     }
     if (!n.found && !n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
-    if (!n.found) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
+    const int spent = w->spent;
+    w->limit = state->left;
+    w->spent = 0;
+    if (!n.found && n.best < SP__HUGE) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
+    w->spent = spent;
     if (n.proved && set->localise) sp__newton_settle(w, state);
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++) state->dq[k] = -w->weight[k / 3] * w->y[k];
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
+        state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
-                  : n.left > 0 && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+                  : n.left > 0 && !spent && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
     return SP_OK;
 }
 
@@ -4887,6 +4940,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
 
 SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 {
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -4910,12 +4964,14 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+    w->limit = state->left;
     sp__dual_bilateral(w);
+    if (w->spent) return SP_OK;
     sp__dual_sizes(w, w->y);
     if (sp__dual_metric(w)) sp__dual_bilateral(w);
     sp__newton_look(w, &n, state);
     n.shift = SP__SHIFT;
-    while (n.left > 0 && n.omega > n.goal) sp__newton_step(w, &n, state);
+    while (sp__newton_left(w, &n) && n.omega > n.goal) sp__newton_step(w, &n, state);
     if (n.omega <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a slide without friction, a loose stone */
     return SP_OK;
 }
@@ -5113,6 +5169,13 @@ static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp
     return sp__ratio(pull, press);
 }
 
+/* What a run of the quadratic program takes before it heeds a budget: two looks at the first guess. */
+static int64_t sp__program_least(const sp__program *g)
+{
+    const int64_t products = 4 * ((int64_t)g->at.Ap[g->qp.n] + 2 * (int64_t)g->qp.n) + 2 * (int64_t)g->at.Ap[g->qp.n];
+    return 2 * (6 * products + 700 * ((int64_t)g->qp.n + g->qp.m));
+}
+
 /* dq <- the multipliers of Aeq. */
 static void sp__program_motion(const sp__program *g, const sp_problem *pb, sp_real *dq)
 {
@@ -5128,6 +5191,8 @@ static sp_status sp__admm_run(const sp_problem *pb, const sp_settings *set, sp_s
     sp__program *g = sp__program_make(pb, set, state->f, arena);
     if (!g) return SP_E_MEMORY;
     state->reason = SP_REASON_BUDGET;
+    if (set->budget > 0) g->set.budget = state->left;
+    if (set->budget > 0 && state->left < sp__program_least(g)) return SP_OK;
     const sp_status status = g->solver.solve(g->solver.self, &g->qp, &g->set, arena, g->at.x, NULL, &g->r);
     if (status) return status == SP_E_MEMORY ? status : SP_OK;
     state->cost.flops += g->r.flops;
@@ -6178,7 +6243,7 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     memset(c, 0, sizeof *c);
     sp__triple_carve(&c->t, pb, a);
     sp__cra_carve(c, pb, a);
-    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
+    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -6232,6 +6297,7 @@ SP_API sp_settings sp_settings_default(void)
     s.tau = 1;
     s.localise = 1;
     s.iterations = 300;
+    s.budget = 0;
     s.stage_count = 2;
     s.stage[0] = SP_STAGE_GATES;
     s.stage[1] = SP_STAGE_EXACT;
@@ -6274,7 +6340,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->faces && (out->faces < 3 || out->faces > 64)) return SP_E_RANGE;
     if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
-    if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
+    if (out->iterations < 0 || out->budget < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
     for (int32_t k = 0; k < out->stage_count; k++) {
         if (out->stage[k] <= SP_STAGE_NONE || out->stage[k] > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
 #if defined(SP_NO_QP) || defined(SP_NO_ADMM)
@@ -6338,9 +6404,13 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
 #endif
 }
 
-static void sp__state_carve(sp_state *s, int32_t free_blocks, sp_arena *a)
+/* On a budget stages work on arrays of their own, and the result keeps the best of them. */
+static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, sp_arena *a)
 {
-    s->y = sp__take(a, (size_t)free_blocks, 6 * sizeof *s->y);
+    s->y = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->y);
+    if (set->budget <= 0) return;
+    s->f = sp__take(a, (size_t)pb->points, 3 * sizeof *s->f);
+    s->dq = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->dq);
 }
 
 /* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
@@ -6404,7 +6474,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     sp__kept_carve(&kept, scene, c->pb.blocks, &c->set, &dry);
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sp_problem_memory(scene));
-    sp__state_carve(&c->state, c->pb.blocks, &dry);
+    sp__state_carve(&c->state, &c->pb, &c->set, &dry);
     sp__take(&dry, 1, most);
     *bytes = dry.used;
     return SP_OK;
@@ -6432,7 +6502,23 @@ static void sp__check_motion(const sp__judge *j, sp_result *r)
         for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-/* What the state proves, whatever was claimed; its evidence into the result. Forces are judged unless a motion is claimed, and
+#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep of the judge, who takes at least 2 for the scales, 1 for forces, 7 for a motion */
+
+/* Flops that are left of the budget. */
+static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
+{
+    return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
+}
+
+/* Sweeps the judge may take for the scales out of so many flops. */
+static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
+{
+    if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
+    const int64_t sweeps = flops / (SP__FLOPS_JUDGE * (int64_t)pb->points) - 8;
+    return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
+}
+
+/* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there. Forces are judged unless a motion is claimed, and
  * a motion unless forces are. */
 SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
 {
@@ -6440,12 +6526,17 @@ SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_ve
     const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
-    r->omega = sp__judge_forces(j, state->f, state->f);
-    if (claim != SP_UNSTABLE && r->omega <= r->tol) return SP_STABLE;
+    const int own = state->f != r->f;                   /* on a budget */
+    const sp_real omega = sp__judge_forces(j, state->f, state->f);
+    if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
+    if (!own || omega < r->omega) r->omega = omega;
+    if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
     if (claim == SP_STABLE) return SP_UNDECIDED;
-    r->least_imbalance = sp__judge_mechanism(j, state->dq, &final);
-    if (claim != SP_UNSTABLE || r->least_imbalance > r->tol) sp__check_motion(j, r);
-    if (!(r->least_imbalance > r->tol)) return SP_UNDECIDED;
+    const sp_real least = sp__judge_mechanism(j, state->dq, &final);
+    if (own && least < r->least_imbalance) return SP_UNDECIDED;
+    r->least_imbalance = least;
+    if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r);
+    if (!(least > r->tol)) return SP_UNDECIDED;
     r->final = final;
     return SP_UNSTABLE;
 }
@@ -6474,18 +6565,25 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     sp_verdict claim = SP_UNDECIDED;
     const size_t mark = a->used;
     const int last = k + 1 == set->stage_count;
+    const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
     memset(&state->cost, 0, sizeof state->cost);
+    if (left < judge) {
+        r->reason = SP_REASON_BUDGET;
+        return SP_OK;
+    }
+    state->left = left - judge;
     const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, a, &claim);
     if (status) return status;
     a->used = mark;
     r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
-    if (claim || last) {
+    if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
         sp__judge j;
-        if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, a)) return SP_E_MEMORY;
+        const int32_t most = sp__budget_sweeps(set, pb, left - state->cost.flops);
+        if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
         const sp_verdict proved = sp__check_judge(&j, state, claim, r);
         a->used = mark;
-        state->cost.flops += 90 * (int64_t)j.sweeps * pb->points;
+        state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
         *done = proved != SP_UNDECIDED;
         r->verdict = proved;
         r->verified = *done;
@@ -6599,6 +6697,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
     if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
     const size_t mark = a->used;
     memset(&state->cost, 0, sizeof state->cost);
+    state->left = sp__budget_left(set, r);
     const sp_status status = sp__penalty_run(pb, set, state, a, r->demand);
     sp__cost_add(&r->cost, &state->cost);
     a->used = mark;
@@ -6619,7 +6718,10 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     out->verdict = r->verdict == SP_STABLE ? SP_COUPLING_COUPLED : r->verdict ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
     out->reason = r->verdict == SP_STABLE ? SP_COUPLING_MOTION : SP_COUPLING_STATICS;
     if (r->verdict != SP_STABLE) return SP_OK;
-    if (c->pb.blocks) status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega);
+    if (sp__budget_left(&c->set, r) <= 0) {
+        out->verdict = SP_COUPLING_NOT_FOUND;
+        out->reason = SP_COUPLING_BUDGET;
+    } else if (c->pb.blocks) status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED) return status;
@@ -6644,9 +6746,15 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
     c->state.reason = SP_REASON_STAGES;
     c->state.tension_ratio = r->tension_ratio = -1;
-    c->state.f = r->f;
     c->state.y0 = r->y0;
-    c->state.dq = r->dq;                                /* free blocks first; spread over the scene's once it is a proof */
+    if (c->set.budget > 0) {
+        memset(c->state.f, 0, 3 * (size_t)c->pb.points * sizeof *c->state.f);
+        memset(c->state.dq, 0, 6 * b * sizeof *c->state.dq);
+        r->omega = b ? 1 : 0;                           /* of no forces at all */
+    } else {
+        c->state.f = r->f;
+        c->state.dq = r->dq;                            /* free blocks first; spread over the scene's once it is a proof */
+    }
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
@@ -6679,7 +6787,7 @@ SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_setti
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, a, &c->pb);
     if (status) return status;
-    sp__state_carve(&c->state, c->pb.blocks, a);
+    sp__state_carve(&c->state, &c->pb, &c->set, a);
     if (sp__failed(a)) return SP_E_MEMORY;
     sp__check_clear(scene, c);
     *check = c;
@@ -6754,7 +6862,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (status) return status;
     sp__judge j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
-    if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, &scratch)) return SP_E_MEMORY;
+    if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
     e.omega = sp__judge_forces(&j, claim->f, NULL);

@@ -272,7 +272,7 @@ typedef enum sp_reason {
     SP_REASON_NO_SUPPORT,       /* unstable: a group of blocks has no path to a support */
     SP_REASON_MECHANISM,        /* unstable: a motion that no admissible force can resist */
     SP_REASON_LIMIT,            /* undecided: neither forces nor motion within tol; the limit is nearer than tol can tell */
-    SP_REASON_BUDGET,           /* undecided: the search gave up, its iterations spent or without progress */
+    SP_REASON_BUDGET,           /* undecided: the search gave up, its iterations or budget spent, or without progress */
     SP_REASON_STAGES,           /* undecided: the chosen stages cannot decide this */
     SP_REASON_NO_MOTION,        /* unstable, coupled check: no virtual motion explains any admissible forces */
     SP_REASON_NOT_COUPLED,      /* undecided: the coupled check found neither a motion nor a proof that there is none */
@@ -344,6 +344,15 @@ struct sp_stage;
 struct sp_qp_solver;
 struct sp_seed;
 
+#define SP_TOL_QUICK ((sp_real)1e-3)    /* steps of the one dial, settings.tol */
+#ifdef SP_REAL_FLOAT
+#define SP_TOL_STANDARD ((sp_real)1e-4)
+#define SP_TOL_PRECISE ((sp_real)1e-5)
+#else
+#define SP_TOL_STANDARD ((sp_real)1e-6)
+#define SP_TOL_PRECISE ((sp_real)1e-9)
+#endif
+
 /* Settings of a check. Get them from sp_settings_default() and change what you must. */
 typedef struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4 */
@@ -355,6 +364,10 @@ typedef struct sp_settings {
     sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
     int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted                1 */
     int32_t iterations;         /* factorisations an exact solve may spend                                           300 */
+    int64_t budget;             /* flops the check may spend, never more; 0: no limit. The result is then the best evidence so
+                                   far: a larger budget decides what a smaller one did and has no larger omega from the stages
+                                   of this file (ADMM's last iterate may). A custom stage heeds state.left by itself, a coupled
+                                   check starts where anything is left and keeps to its own limits                     0 */
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
@@ -566,6 +579,7 @@ typedef struct sp_state {
     sp_reason reason;           /* why, when a stage claims */
     sp_real tension_ratio;      /* max fm / max fp of the penalty form, -1 unless a stage solved it */
     sp_cost cost;               /* of the running stage */
+    int64_t left;               /* flops it may spend; what judges it is already off */
 } sp_state;
 
 /* A stage: looks for forces or a motion. It only proposes; sp_check judges what it left in the state by sp_verify's code.

@@ -220,6 +220,7 @@ static void io_settings(io *s, sp_settings *set)
     io_int(s, &set->net, 0, 1);
     io_int(s, &set->localise, 0, 1);
     io_int(s, &set->iterations, INT32_MIN, BLOB_STEPS);
+    io_long(s, &set->budget);
     io_int(s, &set->stage_count, 0, SP_STAGES_MAX);
     for (int k = 0; k < SP_STAGES_MAX; k++) IO_ENUM(s, set->stage[k], sp_stage_id, SP_STAGE_ADMM);
     io_int(s, &seed, 0, 1);

@@ -14,7 +14,9 @@
  *     request body, sizes by the counts alone; i: int32
  *     7 i    count of blocks, vertices, faces, corners, interfaces, points, loads
  *     7 r    gravity[3], live, body[3]
- *     14 i   settings: faces inscribed net localise iterations stage_count stage[6] seed (1: sp_seed_table()) asked
+ *     5 i    settings: faces inscribed net localise iterations
+ *     1 l    budget, 8 bytes
+ *     9 i    stage_count stage[6] seed (1: sp_seed_table()) asked
  *     2 i    of the coupled check: box nodes
  *     6 r    settings: tol force_bound gamma tau, coupled eps eta
  *     block      3 i 5 r   fixed vertices faces; density (0: given by its mass) mass centroid[3]

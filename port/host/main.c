@@ -12,10 +12,12 @@ static const char help_check[] =
 "  --forces           with --json: every contact force too, so that `verify` can re-check the result\n"
 "  --svg FILE         draws the scene (one scene only)\n"
 "  --tol X            largest imbalance of a block relative to its forces          1e-9\n"
+"  --budget FLOPS     stops before it would do more work, with the best found      no limit\n"
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
 "  --mu X             friction of every joint, whatever the scene says\n"
 "  --stages LIST      of gates,least-squares,dense,polish,exact,admm               gates,exact\n"
-"  --preset NAME      seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
+"  --preset NAME      quick, standard, precise: --tol 1e-3, 1e-6, 1e-9;\n"
+"                     seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
 "                     other options change it                                      default\n"
 "  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
@@ -44,6 +46,16 @@ static const char help_contacts[] =
 static const char help_convert[] =
 "stonepack convert [--mu X] SCENE [OUT]\n\n"
 "Reads a scene and writes it (OUT or standard output) with its contacts, found if it has none.\n";
+
+static const char help_cost[] =
+"stonepack cost [options] SCENE\n\n"
+"What does accuracy cost on this scene? Checks it with every cone (true, 4, 8, 16, 32 faces inside and around it), every\n"
+"stage alone (least squares, polish, ADMM, exact) and six tolerances, 216 checks; tells verdict, work and imbalance of each.\n\n"
+"  --json             one JSON object, with times\n"
+"  --svg FILE         draws imbalance over work and over time\n"
+"  --budget FLOPS     no check does more than that      a hundred times the exact stage, at least 1e8\n"
+"  --mu X, --tilt DEG[,AZ]   as check\n\n"
+"Exit status as check, by the exact stage with the true cone.\n";
 
 static const char help_qp[] =
 "stonepack qp [options] FILE.qps\n\n"
@@ -87,6 +99,7 @@ static const struct {
     { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
     { "contacts", "what touches what?",                    help_contacts, command_contacts },
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
+    { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost },
     { "qp",       "solve a quadratic program",             help_qp,       command_qp },
     { "settle",   "where do stones come to rest?",         help_settle,   command_settle },
     { "worker",   "answers checks of other programs",      help_worker,   command_worker },

@@ -111,6 +111,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!real(value, &o->settings.tol) || !(o->settings.tol >= 4 * SP_EPSILON && o->settings.tol <= (sp_real)0.1))
             return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1"
                                                           : "needs a number from 2.4e-7 to 0.1");
+    } else if (strcmp(name, "--budget") == 0) {
+        double flops;
+        if (!number(value, &flops) || !(flops >= 1 && flops <= 1e18)) return usage(error, name, "needs a number of flops from 1 to 1e18");
+        o->settings.budget = (int64_t)flops;
     } else if (strcmp(name, "--mu") == 0) {
         if (!real(value, &o->mu) || o->mu < 0) return usage(error, name, "needs a number, 0 or more");
     } else if (strcmp(name, "--cone") == 0) {
@@ -155,6 +159,15 @@ static int preset(const char *value, options *o)
         strcpy(o->cone, "true");
         return 1;
     }
+    for (int k = 0; k < 3; k++) {
+        static const struct { const char *name; sp_real tol; } dial[] = {
+            { "quick", SP_TOL_QUICK }, { "standard", SP_TOL_STANDARD }, { "precise", SP_TOL_PRECISE } };
+        if (strcmp(value, dial[k].name)) continue;
+        o->settings = sp_settings_default();
+        o->settings.tol = dial[k].tol;
+        strcpy(o->cone, "true");
+        return 1;
+    }
     if (strcmp(value, "seed") != 0) return 0;
     o->settings = sp_settings_seed();
     snprintf(o->cone, sizeof o->cone, "%ld%c", (long)o->settings.faces, o->settings.inscribed ? 'i' : 'c');
@@ -194,7 +207,7 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
     preset("default", o);
     for (int i = 2; known(allowed, "--preset") && i < argc && strcmp(argv[i], "--"); i++) {
         const char *value = strncmp(argv[i], "--preset=", 9) == 0 ? argv[i] + 9 : strcmp(argv[i], "--preset") ? NULL : argv[i + 1];
-        if (value && !preset(value, o)) return usage(error, "--preset", "needs default or seed");
+        if (value && !preset(value, o)) return usage(error, "--preset", "needs default, quick, standard, precise or seed");
     }
     o->program = argv[0];
     o->file = argv + 2;

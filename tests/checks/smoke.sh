@@ -37,6 +37,15 @@ refuted() {                                             # a proof told in full i
     sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
     says 'undecided by .* not coupled' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
 }
+costs() {                                               # the table, its picture, its JSON: 9 cones, 4 stages, 6 tolerances
+    gen "$@" && says 'pyramids against the true cone' "$cli" cost --svg "$tmp/cost.svg" "$tmp/scene.obj" &&
+    grep -q 'What accuracy costs' "$tmp/cost.svg" &&
+    "$cli" cost --json "$tmp/scene.obj" > "$tmp/cost.json" && [ "$(grep -o '"omega"' "$tmp/cost.json" | wc -l)" -eq 216 ]
+}
+on_a_budget() {                                         # undecided by name, and decided with more
+    gen arch && says 'UNDECIDED' "$cli" check --budget 1e4 "$tmp/scene.obj"
+    exits 0 "$cli" check --budget 1e7 "$tmp/scene.obj" > "$tmp/said"
+}
 found_or_given() {                                      # contacts found are the contacts given: same verdict
     gen "$1" && grep -v '^#@ interface' "$tmp/scene.obj" > "$tmp/bare.obj"
     "$cli" check "$tmp/scene.obj"; a=$?
@@ -177,6 +186,8 @@ part "worker: no time: 70"          exits 70 "$cli" check --worker 0.000001 "$tm
 part "worker: no time, fallback"    exits 0 "$cli" check --worker 0.000001 --fallback "$tmp/scene.obj"
 gen wall size=10000
 part "worker: too little memory: 71" exits 71 "$cli" check --stages gates,dense --worker 60,400 "$tmp/scene.obj"
+part "cost: table, picture, JSON"     costs arch n=5
+part "check on a budget"               on_a_budget
 qps
 for b in sparse dense cg; do
     part "qp: $b"                   says 'objective 8.371' "$cli" qp --backend $b "$tmp/small.qps"

@@ -1,0 +1,238 @@
+/* cost: what accuracy costs on one scene: cones, stages and tolerances side by side, as a table, a picture, JSON. */
+#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#include "commands.h"
+#include "cost.h"
+#include "json_out.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *const cone_name[COST_CONES] = { "true", "4i", "4c", "8i", "8c", "16i", "16c", "32i", "32c" };
+static const sp_stage_id stage_id[COST_STAGES] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_POLISH, SP_STAGE_ADMM, SP_STAGE_EXACT };
+
+#ifdef SP_REAL_FLOAT
+static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5 };
+#else
+static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12 };
+#endif
+
+static void progress(int k, const cost_row *r)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    if (r) fprintf(stderr, "\r\033[K%d of %d: %s, cone %s, tol %.0e ...", k + 1, COST_ROWS, sp_stage_text(r->stage), r->cone, r->tol);
+    else fputs("\r\033[K", stderr);
+}
+
+/* One check, three times where that is quick; the best time counts. */
+static sp_status measure(const host_scene *s, const sp_settings *set, cost_row *row)
+{
+    double spent = 0;
+    for (int k = 0; k < 3 && spent < 0.03; k++) {
+        sp_result r;
+        blob_cost cost = { 0, 0 };
+        void *memory = NULL;
+        const sp_status status = check_scene(&s->scene, set, &r, &cost, &memory);
+        free(memory);
+        if (status) return status;
+        spent += cost.seconds;
+        row->seconds = k && row->seconds < cost.seconds ? row->seconds : cost.seconds;
+        row->verdict = r.verdict;
+        row->reason = r.reason;
+        row->omega = (double)r.omega;
+        row->least = (double)r.least_imbalance;
+        row->cost = r.cost;
+        row->bytes = r.peak_bytes;
+    }
+    return SP_OK;
+}
+
+/* The verdict others are compared with: the exact stage, the true cone, the least tol that decides. */
+static sp_status refer(const host_scene *s, const sp_settings *base, cost_table *t)
+{
+    for (int k = COST_TOLS - 1; k >= 0; k--) {
+        sp_settings set = *base;
+        cost_row row;
+        set.tol = (sp_real)tol_of[k];
+        const sp_status status = measure(s, &set, &row);
+        if (status) return status;
+        t->truth = row.verdict;
+        t->truth_tol = tol_of[k];
+        if (k == COST_TOLS - 1 || row.cost.flops > t->truth_flops) t->truth_flops = row.cost.flops;
+        if (row.verdict) return SP_OK;
+    }
+    return SP_OK;
+}
+
+sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *t)
+{
+    sp_settings set = *base;
+    memset(t, 0, sizeof *t);
+    set.localise = 0;
+    sp_status status = refer(s, &set, t);
+    t->budget = base->budget ? base->budget : t->truth_flops > 1000000 ? 100 * t->truth_flops : 100000000;
+    for (int k = 0; k < COST_ROWS && !status; k++) {
+        cost_row *row = &t->row[k];
+        row->cone = cone_name[k / COST_TOLS % COST_CONES];
+        row->stage = stage_id[k / COST_TOLS / COST_CONES];
+        row->tol = tol_of[k % COST_TOLS];
+        progress(k, row);
+        options_cone(row->cone, &set);
+        set.tol = (sp_real)row->tol;
+        set.budget = t->budget;
+        set.stage_count = 2;
+        set.stage[1] = row->stage;
+        status = measure(s, &set, row);
+    }
+    progress(0, NULL);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- table */
+
+static int wrong(const cost_table *t, const cost_row *r) { return r->verdict && t->truth && r->verdict != t->truth; }
+
+static const char *scaled(double x, char *text, size_t size)
+{
+    static const char unit[] = " kMGTP";
+    int k = 0;
+    for (; x >= 999.5 && unit[k + 1]; k++) x /= 1000;
+    snprintf(text, size, x < 9.95 && k ? "%.1f%c" : "%.0f%c", x, unit[k]);
+    return text;
+}
+
+/* S stable, U unstable, ? undecided, ! after it: not the verdict of the reference. */
+static void table_cell(FILE *out, const cost_table *t, const cost_row *r)
+{
+    char flops[16];
+    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], wrong(t, r) ? '!' : ' ', scaled((double)r->cost.flops, flops, sizeof flops), r->omega);
+}
+
+/* Share of the friction that a pyramid takes away or adds. */
+static double capacity(const char *cone)
+{
+    const int faces = atoi(cone);
+    const double c = faces ? cos(3.14159265358979323846 / faces) : 1;
+    return cone[strlen(cone) - 1] == 'i' ? c - 1 : 1 / c - 1;
+}
+
+static const cost_row *find(const cost_table *t, sp_stage_id stage, const char *cone, int tol)
+{
+    for (int k = 0; k < COST_ROWS; k++)
+        if (t->row[k].stage == stage && strcmp(t->row[k].cone, cone) == 0 && k % COST_TOLS == tol) return &t->row[k];
+    return NULL;
+}
+
+/* What each pyramid does to friction and work, exact stage, at the tol that decides: one line each. */
+static void table_words(FILE *out, const cost_table *t)
+{
+    int k = 0;
+    while (k + 1 < COST_TOLS && tol_of[k] > t->truth_tol * 1.01) k++;
+    const cost_row *exact = find(t, SP_STAGE_EXACT, "true", k);
+    fputs("\npyramids against the true cone, exact stage:\n", out);
+    for (int c = 1; c < COST_CONES; c++) {
+        const cost_row *r = find(t, SP_STAGE_EXACT, cone_name[c], k);
+        const double work = exact->cost.flops ? (double)r->cost.flops / (double)exact->cost.flops : 1;
+        const double share = 100 * capacity(cone_name[c]);
+        fprintf(out, "  %-4s %s %.1f %% of the friction at its worst direction, costs %.2f times the work: %s\n", cone_name[c],
+                share < 0 ? "takes" : "adds up to", fabs(share), work, wrong(t, r) ? "another verdict" : r->verdict ? "same verdict" : "undecided");
+    }
+}
+
+static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
+{
+    char flops[16];
+    fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points\n", s->path,
+            sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.interfaces, (long)s->scene.count.points);
+    fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, omega; no check above %s flop; ms: the tightest tol\n\n",
+            scaled((double)t->budget, flops, sizeof flops));
+    fprintf(out, "%-18s", "stage, cone   tol:");
+    for (int k = 0; k < COST_TOLS; k++) fprintf(out, "%17.0e", tol_of[k]);
+    fputs("        ms\n", out);
+    for (int k = 0; k < COST_ROWS; k++) {
+        const cost_row *r = &t->row[k];
+        if (k % COST_TOLS == 0) fprintf(out, "%s%-13s %-4s", k && k / COST_TOLS % COST_CONES == 0 ? "\n" : "", sp_stage_text(r->stage), r->cone);
+        table_cell(out, t, r);
+        if (k % COST_TOLS == COST_TOLS - 1) fprintf(out, "%10.3g\n", 1e3 * r->seconds);
+    }
+    table_words(out, t);
+}
+
+/* ----------------------------------------------------------------------------------------------------------------- JSON */
+
+static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
+{
+    json_out j = { out, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", s->path);
+    json_string(&j, "real", sizeof(sp_real) == 8 ? "double" : "float");
+    json_string(&j, "verdict", sp_verdict_text(t->truth));
+    json_real(&j, "verdict_tol", t->truth_tol);
+    json_int(&j, "blocks", s->scene.count.blocks);
+    json_int(&j, "interfaces", s->scene.count.interfaces);
+    json_int(&j, "contact_vertices", s->scene.count.points);
+    json_int(&j, "budget", t->budget);
+    json_open(&j, "checks", '[');
+    for (int k = 0; k < COST_ROWS; k++) {
+        const cost_row *r = &t->row[k];
+        json_open(&j, NULL, '{');
+        json_string(&j, "cone", r->cone);
+        json_string(&j, "stage", sp_stage_text(r->stage));
+        json_real(&j, "tol", r->tol);
+        json_string(&j, "verdict", sp_verdict_text(r->verdict));
+        json_string(&j, "reason", sp_reason_text(r->reason));
+        json_bool(&j, "wrong", wrong(t, r));
+        json_real(&j, "omega", r->omega);
+        json_real(&j, "least_imbalance", r->least);
+        json_int(&j, "flops", r->cost.flops);
+        json_int(&j, "factorisations", r->cost.factorisations);
+        json_int(&j, "iterations", r->cost.iterations);
+        json_int(&j, "peak_bytes", (int64_t)r->bytes);
+        json_real(&j, "seconds", r->seconds);
+        json_close(&j, '}');
+    }
+    json_close(&j, ']');
+    json_close(&j, '}');
+    fputc('\n', out);
+}
+
+/* -------------------------------------------------------------------------------------------------------------- command */
+
+static int draw(const char *path, const host_scene *s, const cost_table *t, text_error *error)
+{
+    FILE *out = strcmp(path, "-") ? fopen(path, "wb") : stdout;
+    int failed;
+    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    cost_svg(out, s, t);
+    failed = ferror(out);
+    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
+    return failed ? text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture") : 0;
+}
+
+int command_cost(int argc, char **argv)
+{
+    static cost_table table;
+    text_error error = { 0, "" };
+    host_scene s;
+    options o;
+    sp_status status = SP_OK;
+    int code = options_read(argc, argv, " --json --svg --mu --tilt --budget ", &o, &error);
+
+    memset(&s, 0, sizeof s);
+    if (!code && o.files != 1) code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
+    if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
+    if (!code && !options_tilt(o.tilt, o.azimuth, s.scene.gravity))
+        code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+    if (!code) status = cost_measure(&s, &o.settings, &table);
+    if (status) code = text_fail_status(&error, status, s.path, 0, "");
+    if (!code && o.svg) code = draw(o.svg, &s, &table, &error);
+    if (!code) {
+        if (o.json) cost_json(stdout, &s, &table);
+        else cost_text(stdout, &s, &table);
+        code = report_exit(table.truth);
+    } else fprintf(stderr, "%s\n", error.line);
+    scene_free(&s);
+    return code;
+}

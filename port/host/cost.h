@@ -1,0 +1,35 @@
+/* What accuracy costs: the same scene checked with every cone, stage and tolerance. */
+#ifndef STONEPACK_HOST_COST_H
+#define STONEPACK_HOST_COST_H
+
+#include "report.h"
+
+enum { COST_CONES = 9, COST_STAGES = 4, COST_TOLS = 6, COST_ROWS = COST_CONES * COST_STAGES * COST_TOLS };
+
+typedef struct cost_row {
+    const char *cone;           /* "true", "8i" */
+    sp_stage_id stage;          /* behind the gates, alone */
+    double tol;
+    sp_verdict verdict;
+    sp_reason reason;
+    double omega, least;        /* least imbalance proved */
+    sp_cost cost;
+    size_t bytes;               /* peak of the arena */
+    double seconds;
+} cost_row;
+
+typedef struct cost_table {
+    sp_verdict truth;           /* by the exact stage with the true cone, at the tightest tol that decides */
+    double truth_tol;
+    int64_t truth_flops;
+    int64_t budget;             /* flops a check had: a hundred times what the reference took, 1e8 at least */
+    cost_row row[COST_ROWS];    /* by stage, cone, tol */
+} cost_table;
+
+/* base: all but cone, stages and tol.     returns as sp_check; progress goes to a terminal's stderr */
+sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *table);
+
+/* Imbalance over work and over time, one mark a check. */
+void cost_svg(FILE *out, const host_scene *s, const cost_table *t);
+
+#endif

@@ -1,0 +1,152 @@
+/* budget: a cap on the work of a check, and what it buys. */
+#include "test.h"
+#include "scenes/gen.h"
+
+#include <string.h>
+
+typedef struct budget_case { const char *scene, *number; double value; int32_t faces; const char *stages; } budget_case;
+
+/* Both sides of a limit, near it, curved, wall, pyramid; and ladders of more than one search. */
+static const budget_case cases[] = {
+    { "arch", "t", 0.14, 0, "x" }, { "arch", "t", 0.09, 0, "x" }, { "arch", "t", 0.1076, 0, "x" }, { "wall", "size", 54, 0, "x" },
+    { "wall", "tilt", 30, 0, "x" }, { "dome", "t", 0.1, 0, "x" }, { "dome", "t", 0.02, 8, "x" }, { "h-model", NULL, 0, 8, "x" },
+    { "overhang", "factor", 1.05, 0, "x" }, { "arch", "t", 0.14, 0, "lpx" }, { "wall", "size", 54, 0, "lpx" },
+    { "arch", "t", 0.09, 0, "px" }, { "wall", "tilt", 30, 8, "ldp" },
+};
+
+static sp_settings settings_of(const budget_case *c)
+{
+    sp_settings set = sp_settings_default();
+    set.faces = c->faces;
+    set.stage_count = 1;
+    for (const char *s = c->stages; *s; s++)
+        set.stage[set.stage_count++] = *s == 'l' ? SP_STAGE_LEAST_SQUARES : *s == 'd' ? SP_STAGE_DENSE
+                                     : *s == 'p' ? SP_STAGE_POLISH : *s == 'a' ? SP_STAGE_ADMM : SP_STAGE_EXACT;
+    return set;
+}
+
+static int scene_of(const budget_case *c, sp_scene *s)
+{
+    gen_scene g;
+    return gen_open(&g, c->scene) && (!c->number || gen_set(&g, c->number, c->value)) && gen_build(&g, &test_arena, s) == SP_OK;
+}
+
+static sp_result check(const sp_scene *s, const sp_settings *set)
+{
+    sp_result r;
+    memset(&r, 0, sizeof r);
+    CHECK_INT(sp_check(s, set, &test_arena, &r), SP_OK);
+    return r;
+}
+
+static int64_t stages_flops(const sp_result *r)
+{
+    int64_t sum = 0;
+    for (int k = 0; k < SP_STAGES_MAX; k++) sum += r->by_stage[k].flops;
+    return sum;
+}
+
+/* Stages measure an imbalance by bounds of their own, the judge by the forces at hand: what is kept as the better one may be the
+ * worse by a few percent. One scene over budgets from nothing to more than enough, in steps that share no pattern with the work. */
+static void sweep(const budget_case *c)
+{
+    sp_scene s;
+    sp_settings set = settings_of(c);
+    test_arena.used = 0;
+    NEED(scene_of(c, &s));
+    const sp_result all = check(&s, &set);
+    const size_t mark = test_arena.used;
+    sp_result last = all;
+    last.verdict = SP_UNDECIDED;
+    last.omega = 1;
+    last.final = 0;
+    int better = 0;
+    for (int k = 1; k <= 60; k++) {
+        set.budget = (int64_t)((double)all.cost.flops * (k < 40 ? 0.0271 * k : 1.0571 + 0.1 * (k - 39))) + 1;
+        test_arena.used = mark;
+        const sp_result r = check(&s, &set);
+        CHECK(r.cost.flops <= set.budget);
+        CHECK(stages_flops(&r) <= r.cost.flops);
+        if (last.verdict) CHECK_INT(r.verdict, last.verdict);
+        if (r.verdict == SP_STABLE || !r.verdict) {
+            if (!CHECK(r.omega <= R(1.05) * last.omega + 16 * (sp_real)SP_EPSILON)) TEST_PRINT("    %s %s at %d: %.9g after %.9g\n", c->scene, c->stages, k, (double)r.omega, (double)last.omega);
+            better += r.omega < last.omega;
+        }
+        CHECK(r.final >= last.final);
+        if (!r.verdict) CHECK(r.reason == SP_REASON_BUDGET || r.cost.flops == all.cost.flops || r.reason == all.reason);
+        last = r;
+    }
+    CHECK(better > 0 || all.verdict == SP_UNSTABLE);
+    if (!CHECK_INT(last.verdict, all.verdict)) TEST_PRINT("    %s %s: %g, reason %d\n", c->scene, c->stages, (double)last.omega, (int)last.reason);
+    if (all.verdict == SP_STABLE)
+        CHECK(memcmp(last.f, all.f, 3 * (size_t)s.count.points * sizeof *all.f) == 0);
+}
+
+TEST(no_check_costs_more_than_its_budget_and_more_of_it_never_proves_less)
+{
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) sweep(&cases[k]);
+}
+
+/* No budget is too small to answer, and none is so small that the answer is a verdict nobody paid for. */
+TEST(a_budget_of_next_to_nothing_is_no_verdict)
+{
+    for (int64_t budget = 1; budget < 2000; budget = 3 * budget + 1) {
+        sp_scene s;
+        sp_settings set = settings_of(&cases[0]);
+        test_arena.used = 0;
+        NEED(scene_of(&cases[0], &s));
+        set.budget = budget;
+        const sp_result r = check(&s, &set);
+        CHECK_INT(r.verdict, SP_UNDECIDED);
+        CHECK_INT(r.reason, SP_REASON_BUDGET);
+        CHECK(r.cost.flops <= budget);
+        CHECK_NEAR(r.omega, 1, 1e-12);
+    }
+}
+
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+TEST(the_penalty_program_keeps_to_what_is_left)
+{
+    static const budget_case c = { "arch", "t", 0.14, 0, "la" };
+    sp_scene s;
+    sp_settings set = settings_of(&c);
+    test_arena.used = 0;
+    NEED(scene_of(&c, &s));
+    const int64_t all = check(&s, &set).cost.flops;
+    const size_t mark = test_arena.used;
+    for (int k = 1; k <= 24; k++) {
+        test_arena.used = mark;
+        set.budget = all / 20 * k + 1;
+        const sp_result r = check(&s, &set);
+        CHECK(r.cost.flops <= set.budget);
+    }
+}
+#endif
+
+/* Exactly what sp_memory says, also for the arrays a budget wants. */
+TEST(memory_on_a_budget_is_exact)
+{
+    sp_scene s;
+    sp_settings set = settings_of(&cases[0]);
+    size_t bytes = 0;
+    NEED(scene_of(&cases[0], &s));
+    set.budget = 1000000;
+    NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
+    for (int less = 0; less < 2; less++) {
+        sp_result r;
+        sp_arena a = test_arena;
+        a.base += a.used + SP_ALIGN - a.used % SP_ALIGN;
+        a.used = 0;
+        a.cap = bytes - (size_t)less;
+        CHECK_INT(sp_check(&s, &set, &a, &r), less ? SP_E_MEMORY : SP_OK);
+    }
+}
+
+TEST_LIST(budget)
+    RUN(no_check_costs_more_than_its_budget_and_more_of_it_never_proves_less)
+    RUN(a_budget_of_next_to_nothing_is_no_verdict)
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    RUN(the_penalty_program_keeps_to_what_is_left)
+#endif
+    RUN(memory_on_a_budget_is_exact)
+TEST_END
