@@ -6,7 +6,7 @@
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
-groups='warnings switches cpp symbols arm pair package sanitizers settle bits plugins static cases oracle bench demo'
+groups='warnings switches cpp symbols arm footprint pair package sanitizers settle bits plugins static cases oracle bench demo'
 longest='sanitizers warnings switches settle oracle pair'              # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
@@ -218,8 +218,16 @@ check_arm() {
     part "Cortex-M4F: no double routine" arm_no_double m4_float
     SHOW=1
     part "Arm sizes at -Os" arm_sizes
-    part "Arm sizes at -Os, by build and part" sh tests/checks/sizes.sh
     SHOW=
+}
+
+# ------------------------------------------------------------------------------------------------------- footprint
+check_footprint() {
+    if have arm-none-eabi-gcc && have qemu-system-arm; then
+        part "footprint: within 2 % of port/board/footprint.csv" sh port/board/footprint.sh --compare
+    else
+        skip "footprint" gcc-arm-none-eabi,qemu-system-arm
+    fi
 }
 
 # ------------------------------------------------------------------------------------------------------------ pair
