@@ -163,8 +163,9 @@ typedef struct sp_load {
     sp_real mass;               /* a weight laid on or hung to the point, a gripper for instance, >= 0 [kg] */
 } sp_load;
 
-/* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). Lives in an
- * arena. Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
+/* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). To take out what
+ * was added last, set count back to what it was before (all of it, or interfaces and points to find them anew). Lives in an arena.
+ * Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
 typedef struct sp_scene {
     sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
     sp_real live;               /* multiple at which live loads and `body` act; set to 1 */

@@ -940,6 +940,35 @@ TEST(friction_is_set_for_all_or_none)
     REFUSED(sp_scene_friction(NULL, R(1)), SP_E_ARGUMENT);
 }
 
+/* A planner tries a stone and takes it out again. */
+TEST(counts_set_back_take_out_what_was_added_last)
+{
+    sp_scene scene = roomy();
+    sp_real xyz[24];
+    sp_mesh mesh = box(xyz, 0, 0, 0, 1, 1, 1);
+    sp_contact_report report = { 0 };
+    sp_result r;
+    NEED(sp_scene_block(&scene, &mesh, R(2400), SP_FIXED, NULL) == SP_OK);
+    mesh = box(xyz, 0.2, 0, 1, 1, 1, 1);
+    NEED(sp_scene_block(&scene, &mesh, R(2400), 0, NULL) == SP_OK);
+    NEED(sp_contacts_find(&scene, NULL, test_arena, &report) == SP_OK);
+    const sp_capacity before = scene.count;
+    for (int k = 0; k < 20; k++) {                      /* more often than there is room for: nothing is left behind */
+        mesh = box(xyz, k % 2 ? 0.9 : 0.3, 0, 2, 1, 1, 1);
+        NEED(sp_scene_block(&scene, &mesh, R(2400), 0, NULL) == SP_OK);
+        scene.count.interfaces = scene.count.points = 0;
+        NEED(sp_contacts_find(&scene, NULL, test_arena, &report) == SP_OK);
+        CHECK_INT(report.interfaces, 2);
+        sp_arena arena = test_arena;
+        NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, k % 2 ? SP_UNSTABLE : SP_STABLE);
+        scene.count = before;
+        arena = test_arena;
+        NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, SP_STABLE);
+    }
+}
+
 TEST_LIST(scene)
     RUN(every_status_has_its_own_sentence)
     RUN(words_follow_their_enumerators)
@@ -978,4 +1007,5 @@ TEST_LIST(scene)
     RUN(interfaces_and_points_stop_at_the_capacity)
     RUN(point_contacts_have_a_frame_of_their_normal)
     RUN(friction_is_set_for_all_or_none)
+    RUN(counts_set_back_take_out_what_was_added_last)
 TEST_END

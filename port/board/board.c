@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { SYS_WRITE0 = 0x04, SYS_READC = 0x07, SYS_GET_CMDLINE = 0x15, SYS_EXIT = 0x18, SYS_EXIT_EXTENDED = 0x20,
+enum { SYS_OPEN = 0x01, SYS_WRITE0 = 0x04, SYS_READ = 0x06, SYS_GET_CMDLINE = 0x15, SYS_EXIT = 0x18, SYS_EXIT_EXTENDED = 0x20,
        STOPPED = 0x20026 };
 
 int main(int argc, char **argv);
@@ -210,14 +210,21 @@ int board_print(const char *f, ...)
     return n;
 }
 
-int board_line(char *text, int cap)
+long board_open(const char *name)
+{
+    const struct { const char *name; unsigned long mode, length; } open = { name, 0, strlen(name) };
+    return board_call(SYS_OPEN, &open);
+}
+
+int board_line(long from, char *text, int cap)
 {
     int n = 0;
     for (;;) {
-        const long c = board_call(SYS_READC, NULL);
-        if (c < 0 || (c == 4 && !n)) return -1;         /* 4: end of transmission */
-        if (c == '\n' || c == '\r') break;
-        if (n < cap - 1) text[n++] = (char)c;
+        char c = 0;
+        const struct { long from; char *to; unsigned long length; } read = { from, &c, 1 };
+        if (from < 0 || board_call(SYS_READ, &read)) return -1;
+        if (c == '\n') break;
+        if (n < cap - 1) text[n++] = c;
     }
     text[n] = 0;
     return n;

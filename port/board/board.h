@@ -8,8 +8,11 @@
 /* printf without locale or rounding finesse: d i u x c s g e f %, l ll, width, precision, - and 0. */
 int board_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* A line from the console into text (cap bytes, always terminated, without its end). Returns its length, -1 at the end. */
-int board_line(char *text, int cap);
+/* A file of the simulating machine, to be read: its handle, -1 where there is none. */
+long board_open(const char *name);
+
+/* A line of it into text (cap bytes, always terminated, without its end). Returns its length, -1 at the end. */
+int board_line(long from, char *text, int cap);
 
 void board_exit(int status) __attribute__((noreturn));
 

@@ -1,10 +1,11 @@
 # board: one target, one precision.
 #
-#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost
+#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost | robot
 #
 #     tests      the suites of tests/, less those too large for it (named, with the reason)
 #     corpus     the number over the bundled scenes, compared with that of build/corpus
 #     cost       a few scenes: their verdicts, and memory, stack and instructions they took
+#     robot      a gripper that asks whether it may let go of a stone; its answers to robot.txt, compared with those there
 #
 # A bare board is simulated by qemu-system, has its own start-up code and no C library; the others are Linux programs run by
 # qemu-user. Run from the top folder.
@@ -137,7 +138,7 @@ endif
 
 core    = $(own) $(out)/stonepack.o $(out)/tests/scenes/gen.o
 
-.PHONY: tests corpus cost compiler needs
+.PHONY: tests corpus cost robot compiler needs
 
 .DEFAULT_GOAL = cost
 
@@ -161,6 +162,9 @@ $(out)/corpus: $(core) $(out)/tests/corpus/corpus.o
 $(out)/cost: $(core) $(out)/port/board/cost.o
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
+$(out)/robot: $(filter-out %/gen.o,$(core)) $(out)/port/board/robot.o
+	@$(CC) $(flags) $(link) $^ $(libs) -o $@
+
 $(out)/tests/corpus/corpus.o: | build/scenes.h
 
 build/scenes.h build/corpus-$(REAL).txt:
@@ -172,6 +176,11 @@ corpus: $(out)/corpus build/corpus-$(REAL).txt
 
 cost: $(out)/cost
 	@$(call run,-icount shift=0,) $<
+
+robot: $(out)/robot
+	@$(call run,,port/board/robot.txt) $< > $(out)/robot.out; status=$$?; cat $(out)/robot.out; \
+	    sed 's/ \[.*//' $(out)/robot.out > $(out)/robot.said; \
+	    sed -n 's/^#= //p' port/board/robot.txt | diff - $(out)/robot.said && [ $$status -eq 0 ]
 
 tests: $(out)/run
 	@$(call run,,) $<

@@ -6,7 +6,7 @@
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
-groups='warnings switches cpp symbols arm footprint pair package sanitizers settle bits plugins static cases oracle bench demo'
+groups='warnings switches cpp symbols arm robot footprint pair package sanitizers settle bits plugins static cases oracle bench demo'
 longest='sanitizers warnings switches settle oracle pair'              # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
@@ -219,6 +219,14 @@ check_arm() {
     SHOW=1
     part "Arm sizes at -Os" arm_sizes
     SHOW=
+}
+
+check_robot() {
+    if have arm-none-eabi-gcc && have qemu-system-arm; then
+        part "a robot is told when to let go: Cortex-M4F in float, Cortex-M7 in double" make robot
+    else
+        skip "a robot on Cortex-M" gcc-arm-none-eabi,qemu-system-arm
+    fi
 }
 
 # ------------------------------------------------------------------------------------------------------- footprint
