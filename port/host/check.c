@@ -6,7 +6,6 @@
 #include "svg.h"
 #include "worker_client.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -95,12 +94,10 @@ int report_check(report *r, void **memory, text_error *error)
 
 static int draw(const report *r, text_error *error)
 {
-    FILE *out = strcmp(r->options->svg, "-") ? fopen(r->options->svg, "wb") : stdout;
-    int failed;
-    if (!out) return text_fail(error, EXIT_INTERNAL, r->options->svg, 0, "can't write: %s", strerror(errno));
-    failed = !svg_write(out, r);
-    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
-    return failed ? text_fail(error, EXIT_INTERNAL, r->options->svg, 0, "can't write the picture") : 0;
+    const char *path = r->options->svg;
+    FILE *out = text_create(path, error);
+    if (!out) return error->status;
+    return text_finish(out, path, svg_write(out, r) ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
 /* The coupled question once more, as the program its authors publish. */

@@ -4,22 +4,14 @@
 #include "scene.h"
 #include "../../tests/scenes/gen.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Write to a file or, for "-" or NULL, to standard output. */
 static int write_to(const char *path, const sp_scene *scene, const char *const *name, text_error *error)
 {
-    const int file = path && strcmp(path, "-");
-    FILE *out = file ? fopen(path, "wb") : stdout;
-    int status;
-
-    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
-    status = scene_write(out, scene, name, file ? path : "-", error);
-    if ((file ? fclose(out) : fflush(out)) != 0 && !status)
-        status = text_fail(error, EXIT_INTERNAL, file ? path : "-", 0, "can't write: %s", strerror(errno));
-    return status;
+    FILE *out = text_create(path, error);
+    return out ? text_finish(out, path, scene_write(out, scene, name, path ? path : "-", error), error) : error->status;
 }
 
 int command_convert(int argc, char **argv)

@@ -71,8 +71,8 @@ int done_read(const char *path, done_list *d, text_error *error)
     for (size_t k = 0; !status && ok && k < length;) {
         const char *end = memchr(text + k, '\n', length - k);
         const size_t n = end ? (size_t)(end - (text + k)) : length - k;
-        if (end) ok = take(d, text + k, n);
-        else d->torn = 1;
+        ok = take(d, text + k, n);              /* a torn line is no object and says nothing */
+        if (!end) d->torn = 1;
         k += n + 1;
     }
     free(text);

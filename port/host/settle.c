@@ -23,7 +23,6 @@ int command_settle(int argc, char **argv)
 #include "svg.h"
 #include "../../settle/settle.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -342,33 +341,18 @@ static int build(session *s, void **memory, sp_scene *out, text_error *error)
     return 0;
 }
 
-static FILE *start_file(const char *path, text_error *error)
-{
-    FILE *out = strcmp(path, "-") ? fopen(path, "wb") : stdout;
-    if (!out) text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
-    return out;
-}
-
-static int end_file(FILE *out, const char *path, int status, text_error *error)
-{
-    const int bad = ferror(out);
-    if (((out == stdout ? fflush(out) : fclose(out)) != 0 || bad) && !status)
-        return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
-    return status;
-}
-
 static int write_scene(session *s, text_error *error)
 {
     sp_scene out;
     void *memory = NULL;
     const char **name = malloc(((size_t)s->in.scene.count.blocks + 1) * sizeof *name);
     int status = name ? build(s, &memory, &out, error) : text_fail(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
-    FILE *file = status ? NULL : start_file(s->o->out, error);
+    FILE *file = status ? NULL : text_create(s->o->out, error);
     if (file) {
         memcpy(name, s->in.name, (size_t)s->in.scene.count.blocks * sizeof *name);
         name[s->in.scene.count.blocks] = "container";
         status = scene_write(file, &out, name, s->o->out, error);
-        status = end_file(file, s->o->out, status, error);
+        status = text_finish(file, s->o->out, status, error);
     } else if (!status) status = error->status;
     free(name);
     free(memory);
@@ -379,7 +363,7 @@ static int write_frames(session *s, text_error *error)
 {
     svg_frame shown[FRAMES], *last;
     const int n = s->frames < FRAMES - 1 ? s->frames : FRAMES - 1;
-    FILE *file = start_file(s->o->frames, error);
+    FILE *file = text_create(s->o->frames, error);
     const char *slash = strrchr(s->in.path, '/');
     char title[160];
     int status = 0;
@@ -393,7 +377,7 @@ static int write_frames(session *s, text_error *error)
     if (!last->vertex || !svg_sheet(file, &s->in.scene, n + 1, shown, title))
         status = text_fail(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     free(last->vertex);
-    return end_file(file, s->o->frames, status, error);
+    return text_finish(file, s->o->frames, status, error);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- told */

@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L         /* lstat */
 #include "text.h"
 
 #include <errno.h>
@@ -7,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static int blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 static int line_end(char c) { return c == '\n' || c == '\r'; }
@@ -107,6 +109,22 @@ int text_read(const char *path, char **text, size_t *length, text_error *error)
         free(*text);
         *text = NULL;
     }
+    return status;
+}
+
+FILE *text_create(const char *path, text_error *error)
+{
+    FILE *out = path && strcmp(path, "-") ? fopen(path, "wb") : stdout;
+    if (!out) text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    return out;
+}
+
+int text_finish(FILE *out, const char *path, int status, text_error *error)
+{
+    const int early = ferror(out), failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || early;
+    struct stat is;
+    if (failed && !status) status = text_fail(error, EXIT_INTERNAL, out == stdout ? "-" : path, 0, "can't write: %s", strerror(errno));
+    if (status && out != stdout && lstat(path, &is) == 0 && S_ISREG(is.st_mode)) remove(path);       /* no device, no link */
     return status;
 }
 

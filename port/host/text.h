@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include "../../stonepack.h"
 
 /* Exit status of the program (sysexits.h where it has a name for it). */
@@ -34,6 +35,14 @@ int text_fail_status(text_error *error, sp_status status, const char *path, int3
 /* Read a whole file ("-": standard input) into memory of malloc's, with a zero byte after its end.
  * Refuses control bytes other than white space as they arrive, and more than TEXT_CAP bytes.    returns 0 or an exit status */
 int text_read(const char *path, char **text, size_t *length, text_error *error);
+
+/* A file to write, or for "-" and NULL standard output. Not NULL, or an error is set. */
+FILE *text_create(const char *path, text_error *error);
+
+/* Close it. What could not be written whole, or ends with another error, is removed: nothing half written stays.
+ *   status    0, or the error there is already
+ *   returns   status, or EXIT_INTERNAL: can't write */
+int text_finish(FILE *out, const char *path, int status, text_error *error);
 
 /* A place in a text. */
 typedef struct text_cursor {

@@ -4,12 +4,8 @@
 # Its first C block is a program. Its console blocks are run in a folder where that program is arch.c: the first one must say
 # what README says, the others in the same words (numbers and units' prefixes may differ: times, the last digits of a search).
 # Its links lead somewhere.
-here=$(dirname "$0")
-. "$here/tally.sh"
-cli=${1:-build/stonepack}
+. "$(dirname "$0")/program.sh"
 root=$(pwd)
-tmp=$(mktemp -d)
-trap 'rm -rf "$tmp" "$tally_log"' EXIT
 
 awk -v to="$tmp/block" '
     /^```c$/       { if (!programs++) out = to ".c"; next }

@@ -1,29 +1,29 @@
 #!/bin/sh
 # settle: the command as a program.      settle.sh [build/stonepack]
-here=$(dirname "$0")
-. "$here/tally.sh"
-cli=${1:-build/stonepack}
-tmp=$(mktemp -d)
-trap 'rm -rf "$tmp" "$tally_log"' EXIT
+. "$(dirname "$0")/program.sh"
 
-status() {                                              # status WANT COMMAND...
-    st_want=$1
-    shift
-    "$@" > "$tmp/out" 2> "$tmp/err"
-    st_got=$?
-    cat "$tmp/out" "$tmp/err"
-    [ $st_got -eq "$st_want" ] || { echo "exit status $st_got, want $st_want"; return 1; }
+refused() {                                             # refused STATUS TEXT COMMAND...
+    re_text=$2
+    re_status=$1
+    shift 2
+    exits "$re_status" "$@" 2> "$tmp/err" && grep -q "$re_text" "$tmp/err"
 }
 fall() { "$cli" settle "$tmp/loose.obj" -o "$tmp/rest$1.obj" --frames "$tmp/fall$1.svg" --set steps=900,tamps=0 > "$tmp/told$1"; }
 twice() { fall 1 && fall 2 && cmp "$tmp/rest1.obj" "$tmp/rest2.obj" && cmp "$tmp/fall1.svg" "$tmp/fall2.svg"; }
-near() { status 0 "$cli" settle "$tmp/two.obj" --near 0.001 -o "$tmp/near.obj" && grep -q '^#@ interface a b' "$tmp/near.obj" &&
-         status 0 "$cli" check "$tmp/near.obj"; }
-box() { status 0 "$cli" settle "$tmp/loose.obj" -o "$tmp/box.obj" --set width=3,depth=3,height=2,floor=0.1,steps=900 &&
-        grep -q '^o container' "$tmp/box.obj" && status 0 "$cli" check "$tmp/box.obj"; }
+near() { exits 0 "$cli" settle "$tmp/two.obj" --near 0.001 -o "$tmp/near.obj" && grep -q '^#@ interface a b' "$tmp/near.obj" &&
+         exits 0 "$cli" check "$tmp/near.obj"; }
+box() { exits 0 "$cli" settle "$tmp/loose.obj" -o "$tmp/box.obj" --set width=3,depth=3,height=2,floor=0.1,steps=900 &&
+        grep -q '^o container' "$tmp/box.obj" && exits 0 "$cli" check "$tmp/box.obj"; }
+half() {                                                # no room for the scene, or for the pictures
+    for ha in -o --frames; do
+        (trap '' XFSZ; ulimit -f 1; exits 70 "$cli" settle "$tmp/loose.obj" $ha "$tmp/half" --set steps=1,tamps=0,ramp_steps=0) &&
+        test ! -e "$tmp/half" || return 1
+    done
+}
 units() {                                               # --confirm does not ask in which unit a scene is
     for un in 1 0.001 1000; do
         awk -v u=$un '$1 == "v" { print "v", $2 * u, $3 * u, $4 * u; next } { print }' "$tmp/two.obj" > "$tmp/u.obj"
-        status 0 "$cli" settle --confirm "$tmp/u.obj" || return 1
+        exits 0 "$cli" settle --confirm "$tmp/u.obj" || return 1
     done
 }
 
@@ -65,22 +65,22 @@ o post
 END
 
 part "the same bytes twice: scene and pictures" twice
-part "what settled is a scene that check finds stable" status 0 "$cli" check "$tmp/rest1.obj"
+part "what settled is a scene that check finds stable" exits 0 "$cli" check "$tmp/rest1.obj"
 part "contacts by faces: --near" near
 part "a container is written and holds" box
 part "--confirm in mm, m and km" units
-part "--confirm: both stand" status 0 "$cli" settle --confirm "$tmp/two.obj"
+part "--confirm: both stand" exits 0 "$cli" settle --confirm "$tmp/two.obj"
 "$cli" gen two-cubes offset=0.6 > "$tmp/fall.obj"
-part "--confirm: both fall" status 1 "$cli" settle --confirm --json "$tmp/fall.obj"
+part "--confirm: both fall" exits 1 "$cli" settle --confirm --json "$tmp/fall.obj"
 "$cli" gen h-model > "$tmp/h.obj"
-part "--confirm: they differ" status 2 "$cli" settle --confirm "$tmp/h.obj"
-part "a support without a mesh is refused" status 65 "$cli" settle "$tmp/open.obj" -o "$tmp/x.obj"
-part "the refusal names the block" grep -q "block 'post'" "$tmp/err"
-part "no scene" status 64 "$cli" settle -o "$tmp/x.obj"
-part "nothing asked for" status 64 "$cli" settle "$tmp/two.obj"
-part "an unknown setting" status 64 "$cli" settle "$tmp/two.obj" --confirm --set speed=3
-part "a setting that is no number" status 64 "$cli" settle "$tmp/two.obj" --confirm --set dt=fast
-part "a setting out of range" status 64 "$cli" settle "$tmp/two.obj" --confirm --set dt=-1
-part "a file that can't be written" status 70 "$cli" settle "$tmp/two.obj" -o "$tmp/no/such/place.obj" --set steps=1,tamps=0,ramp_steps=0
-part "settings explained" status 0 "$cli" settle --set help
+part "--confirm: they differ" exits 2 "$cli" settle --confirm "$tmp/h.obj"
+part "a support without a mesh is refused by name" refused 65 "block 'post'" "$cli" settle "$tmp/open.obj" -o "$tmp/x.obj"
+part "no scene" exits 64 "$cli" settle -o "$tmp/x.obj"
+part "nothing asked for" exits 64 "$cli" settle "$tmp/two.obj"
+part "an unknown setting" exits 64 "$cli" settle "$tmp/two.obj" --confirm --set speed=3
+part "a setting that is no number" exits 64 "$cli" settle "$tmp/two.obj" --confirm --set dt=fast
+part "a setting out of range" exits 64 "$cli" settle "$tmp/two.obj" --confirm --set dt=-1
+part "a file that can't be written" exits 70 "$cli" settle "$tmp/two.obj" -o "$tmp/no/such/place.obj" --set steps=1,tamps=0,ramp_steps=0
+part "nothing half written" half
+part "settings explained" exits 0 "$cli" settle --set help
 total

@@ -1,18 +1,7 @@
 #!/bin/sh
 # smoke: the program's commands, exit codes and pipes.      smoke.sh [build/stonepack]
-here=$(dirname "$0")
-. "$here/tally.sh"
-cli=${1:-build/stonepack}
-tmp=$(mktemp -d)
-trap 'rm -rf "$tmp" "$tally_log"' EXIT
+. "$(dirname "$0")/program.sh"
 
-exits() {                                               # exits STATUS COMMAND...
-    want=$1
-    shift
-    "$@"
-    got=$?
-    [ $got -eq "$want" ] || { echo "exit status $got, want $want: $*"; return 1; }
-}
 says() {                                                # says TEXT COMMAND...
     text=$1
     shift
@@ -109,7 +98,12 @@ resumed() {                                             # a run that was stopped
     cat "$tmp/more" >> "$tmp/results.jsonl"
     [ "$(wc -l < "$tmp/more")" -eq "$(($(wc -l < "$tmp/all") - 2))" ] || { echo "not all but three of them"; return 1; }
     exits 65 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj /dev/null > "$tmp/more" || return 1
-    test ! -s "$tmp/more"
+    test ! -s "$tmp/more" || return 1
+    printf %s "$(cat "$tmp/all")" > "$tmp/results.jsonl"                       # whole, but for its last newline
+    exits 1 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj > "$tmp/more" && test -z "$(cat "$tmp/more")"
+}
+half() {                                                # half COMMAND...: no room for what it writes, nothing of it stays
+    (trap '' XFSZ; ulimit -f 1; exits 70 "$@") && test ! -e "$tmp/half"
 }
 goes_on() {                                             # a bad scene between two others: they are told, it is on stderr
     gen arch && "$cli" check --json "$tmp/scene.obj" /dev/null "$tmp/scene.obj" > "$tmp/said"
@@ -171,6 +165,8 @@ part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" 
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
+part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
+part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
@@ -179,6 +175,7 @@ part "skip-done: a stopped run goes on" resumed
 part "worker: selftest"             exits 0 "$cli" worker --selftest
 part "worker: a scene there and back" says 'same bits' "$cli" worker --roundtrip "$here/../scenes/vault.obj"
 part "worker: nothing to answer"    exits 0 "$cli" worker < /dev/null
+part "worker: input that can't be read: 65" exits 65 "$cli" worker < /
 part "worker: no message: 65"       exits 65 sh -c "echo nonsense | '$cli' worker"
 part "worker: check by one"         worked
 gen wall size=2000
