@@ -9,9 +9,12 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /* 1 ------------------------------------------------------------------------------------------------------------- scenes */
@@ -495,6 +498,94 @@ TEST(a_worker_that_dies_is_told_with_its_status)
     nothing_left(lowest);
 }
 
+/* Has every process with this end of a pipe gone? */
+static int all_gone(int fd)
+{
+    struct pollfd p = { fd, POLLIN, 0 };
+    char byte;
+    return poll(&p, 1, 60000) == 1 && read(fd, &byte, 1) == 0;
+}
+
+TEST(what_a_worker_started_ends_with_it)
+{
+    static const char *const nested[] = { "sh", "-c", "sleep 600; true", NULL }, *const left[] = { "sh", "-c", "sleep 600 &", NULL };
+    worker_answer a;
+    sp_scene s;
+    int end[2];
+    any_scene(&s);
+    NEED(pipe(end) == 0);
+    CHECK_INT(ask(nested, &s, 0.1, 0, &a), WORKER_LATE);
+    CHECK_INT(ask(left, &s, 0.1, 0, &a), WORKER_LATE);
+    close(end[1]);
+    CHECK(all_gone(end[0]));
+    close(end[0]);
+}
+
+#ifdef __linux__
+TEST(a_worker_ends_with_its_caller)
+{
+    static const char *const deaf[] = { "sleep", "600", NULL };
+    worker_answer a;
+    sp_scene s;
+    int end[2];
+    pid_t caller;
+    any_scene(&s);
+    NEED(pipe(end) == 0);
+    caller = fork();
+    if (caller == 0) {
+        ask(deaf, &s, 600, 0, &a);
+        _exit(0);
+    }
+    close(end[1]);
+    const struct timespec pause = { 0, 100000000 };     /* whether its worker runs by then or not */
+    nanosleep(&pause, NULL);
+    CHECK_INT(kill(caller, SIGKILL), 0);
+    CHECK_INT(waitpid(caller, NULL, 0), caller);
+    CHECK(all_gone(end[0]));
+    close(end[0]);
+}
+#endif
+
+TEST(time_that_is_no_number_is_none)
+{
+    static const char *const deaf[] = { "sleep", "600", NULL };
+    const double none = 0;
+    worker_answer a;
+    sp_scene s;
+    any_scene(&s);
+    CHECK_INT(ask(deaf, &s, none / none, 0, &a), WORKER_LATE);
+    CHECK_INT(ask(deaf, &s, -1, 0, &a), WORKER_LATE);
+}
+
+/* A worker that says these bytes. */
+static void saying(const blob *b, char script[2000])
+{
+    char *at = script + sprintf(script, "exec printf '");
+    for (size_t k = 0; k < b->length && k < 400; k++) at += sprintf(at, "\\%03o", (unsigned)b->data[k]);
+    strcpy(at, "'");
+}
+
+TEST(a_refusal_for_want_of_memory_falls_back_and_no_other)
+{
+    static const sp_status said[] = { SP_E_MEMORY, SP_E_RANGE };
+    for (int k = 0; k < 2; k++) {
+        char script[2000];
+        const char *const command[] = { "sh", "-c", script, NULL };
+        const worker_client client = { command, 60, 0, 1 };
+        blob b = { NULL, 0, 0, 0 };
+        worker_answer a;
+        sp_scene s;
+        any_scene(&s);
+        NEED(blob_write_error(&b, said[k], "no") == SP_OK);
+        saying(&b, script);
+        CHECK_INT(worker_check(&client, &s, NULL, &a), k ? SP_E_RANGE : SP_OK);
+        CHECK_INT(a.end, WORKER_REFUSED);
+        CHECK_INT(a.fell_back, !k);
+        free(a.memory);
+        blob_free(&b);
+    }
+}
+
 TEST(limits_are_set_before_the_worker_starts)
 {
     static const char *const command[] = { "sh", "-c", "test $(ulimit -v) = 100000 && test $(ulimit -t) = 61 && "
@@ -540,6 +631,12 @@ TEST_LIST(worker)
     RUN(five_hundred_timeouts_in_a_row_leave_no_process)
     RUN(full_pipes_in_both_directions_do_not_block)
     RUN(a_worker_that_dies_is_told_with_its_status)
+    RUN(what_a_worker_started_ends_with_it)
+#ifdef __linux__
+    RUN(a_worker_ends_with_its_caller)
+#endif
+    RUN(time_that_is_no_number_is_none)
+    RUN(a_refusal_for_want_of_memory_falls_back_and_no_other)
     RUN(limits_are_set_before_the_worker_starts)
     RUN(without_a_worker_the_check_falls_back_on_request)
 TEST_END

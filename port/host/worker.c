@@ -52,7 +52,7 @@ static int turn(FILE *in, FILE *out, blob *request, blob *answer)
 
     request->length = 0;
     whole = fill(in, request, BLOB_HEADER);
-    if (!whole && !request->failed && request->length == 0) return 1;
+    if (!whole && !request->failed && request->length == 0 && !ferror(in)) return 1;
     if (whole) status = blob_header(request->data, &kind, &length);
     whole = whole && !status && fill(in, request, length);
     if (whole) worker_answer_to(request, answer);

@@ -1,6 +1,6 @@
 /* worker_client: starts a worker, talks to it until a deadline, ends it. */
 #define _POSIX_C_SOURCE 200809L
-#define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it */
+#define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it, prctl */
 #include "worker_client.h"
 #include "report.h"
 
@@ -11,6 +11,9 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/types.h>
@@ -35,10 +38,18 @@ static void limit(int what, rlim_t most)
     setrlimit(what, &r);
 }
 
-/* In the new process: only calls that are safe between fork and exec. */
-static void become(const worker_client *c, int fd)
+/* In the new process: only calls that are safe between fork and exec. It leads a group, so that what it starts ends with it,
+ * and on Linux ends when the caller does. */
+static void become(const worker_client *c, pid_t caller, int fd)
 {
     const double seconds = c->seconds < 1e9 ? c->seconds : 1e9;
+    setpgid(0, 0);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != caller) _exit(127);
+#else
+    (void)caller;
+#endif
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, (rlim_t)(seconds > 0 ? seconds : 0) + 1);
     if (c->memory) limit(RLIMIT_AS, (rlim_t)c->memory);
@@ -51,6 +62,7 @@ static void become(const worker_client *c, int fd)
 /* A worker with one socket for both directions.       returns its process, fd in *fd; -1: none */
 static pid_t begin(const worker_client *c, int *fd)
 {
+    const pid_t caller = getpid();
     int pair[2];
     pid_t pid;
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0) return -1;
@@ -59,7 +71,8 @@ static pid_t begin(const worker_client *c, int *fd)
         close(pair[1]);
         return -1;
     }
-    if (pid == 0) become(c, pair[1]);
+    if (pid == 0) become(c, caller, pair[1]);
+    setpgid(pid, pid);                  /* whichever of the two comes first */
     close(pair[1]);
     *fd = pair[0];
     return pid;
@@ -102,7 +115,7 @@ static worker_end talk(int fd, double until, const blob *request, blob *answer)
     for (;;) {
         struct pollfd p = { fd, POLLIN, 0 };
         const double left = until - now();
-        if (left <= 0) return WORKER_LATE;
+        if (!(left > 0)) return WORKER_LATE;
         if (sent < request->length) p.events |= POLLOUT;
         if (poll(&p, 1, left < 1e6 ? (int)(left * 1000) + 1 : INT_MAX) < 0 && errno != EINTR) return WORKER_DIED;
         if (p.revents & POLLOUT && sent < request->length) {
@@ -122,13 +135,12 @@ static int over(pid_t pid, int fd, worker_end end)
     pid_t gone = 0;
     close(fd);
     for (int k = 0; end == WORKER_DIED && gone == 0 && k < 1000; k++) {
-        gone = waitpid(pid, &status, WNOHANG);
+        siginfo_t ended = { 0 };
+        gone = waitid(P_PID, (id_t)pid, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 ? ended.si_pid : -1;
         if (gone == 0) nanosleep(&pause, NULL);
     }
-    if (gone != pid) {
-        kill(pid, SIGKILL);
-        while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
-    }
+    kill(-pid, SIGKILL);                /* not yet waited for, its number is still its own */
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
 
@@ -184,7 +196,7 @@ sp_status worker_check(const worker_client *client, const sp_scene *scene, const
     blob_free(&request);
     blob_free(&said);
     explain(client, answer);
-    if (client->fallback && answer->end > WORKER_REFUSED) {
+    if (client->fallback && (answer->end > WORKER_REFUSED || answer->status == SP_E_MEMORY)) {
         free(answer->memory);
         answer->memory = NULL;
         answer->fell_back = 1;

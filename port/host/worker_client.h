@@ -8,7 +8,7 @@ typedef struct worker_client {
     const char *const *command; /* its words, NULL at the end; the first is looked for in PATH unless it has a slash */
     double seconds;             /* from start to answer; then it is killed */
     size_t memory;              /* its address space [byte]; 0: unlimited */
-    int fallback;               /* 1: where no worker answers, check in this process */
+    int fallback;               /* 1: where no worker answers or memory is too little for it, check in this process */
 } worker_client;
 
 typedef enum worker_end {
@@ -32,7 +32,8 @@ typedef struct worker_answer {
 } worker_answer;
 
 /* One check by one worker. Writes and reads as the other side is ready, so full pipes can't block it; when it returns, the
- * worker is gone and waited for. No files. The worker's processor time is limited to the deadline, too, should the caller die.
+ * worker is gone and waited for, and what it started in its process group is killed. No files. Should the caller die, so does
+ * the worker on Linux; elsewhere its processor time, limited to the deadline, ends it.
  *   settings NULL: the default ones
  *   returns answer->status: SP_OK, what sp_check or blob_write_request returns, SP_E_MEMORY; SP_E_UNSUPPORTED without a result
  *           and an `end` that tells more where nobody answered */
