@@ -335,6 +335,8 @@ typedef struct sp_coupled_settings {
     sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
+    int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
+                                   (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
     int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 250 bytes each.
                                    0: none; below 0: 60 x (contact vertices)^2 up to SP_EXACT_POINTS of them, none above -1 */
 } sp_coupled_settings;
@@ -860,6 +862,11 @@ typedef struct sp_seed {
     sp_real balance, cone;      /* gates of least squares and polish: imbalance, friction beyond the cone  1e-6, 1e-7 [2.1] */
     sp_real gain;               /* polish gives up when `window` rounds gain less                          0.05     [2.2] */
     int32_t window, rounds;     /* and after so many rounds                                                250, 20000 [2.2] */
+    sp_real engaged, floor;     /* a joint is engaged, rubs, above so much of the largest fn; and above it 0.01, 1e-9 [3.2] */
+    sp_real reg;                /* added to 2J'J of the motion's least squares                             1e-9     [3.2] */
+    sp_real gate, peel;         /* residual that passes; joints beyond it and so much of the worst go      0.5, 0.75 [3.3] */
+    sp_real askew;              /* friction so far off its slip goes, in eps                               2        [3.3] */
+    int32_t turns;              /* settings.coupled.rounds                                                 12       [3.3] */
     sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,
                                    adapt 100, at most 10 by 5, 3 passes, CG 250 and 1e-10                   [4.2, 4.3] */
     sp_qp_settings native;      /* what settings.qp_solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
@@ -870,7 +877,8 @@ SP_API const sp_seed *sp_seed_table(void);
 
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
 
-/* gates, least squares, polish, ADMM with the seed's cone, constants, gates and its tolerance for tension as tol. */
+/* gates, least squares, polish, ADMM with the seed's cone, constants, gates and its tolerance for tension as tol; a coupled
+ * check, where it is asked for, by the seed's alternation alone. */
 SP_API sp_settings sp_settings_seed(void);
 
 #endif

@@ -59,6 +59,13 @@ TEST(the_table_holds_the_seeds_numbers)
     CHECK_NEAR(s->gain, 0.05, SP_EPSILON);              /* 2.2: 5 % in 250 rounds, at most 20000 */
     CHECK_INT(s->window, 250);
     CHECK_INT(s->rounds, 20000);
+    CHECK_NEAR(s->engaged, 0.01, SP_EPSILON);           /* 3.2 */
+    CHECK_NEAR(s->floor, 1e-9, SP_EPSILON);
+    CHECK_NEAR(s->reg, TOL(1e-9, 1e-6), SP_EPSILON);
+    CHECK_NEAR(s->gate, 0.5, 0);                        /* 3.3 */
+    CHECK_NEAR(s->peel, 0.75, 0);
+    CHECK_NEAR(s->askew, 2, 0);
+    CHECK_INT(s->turns, 12);
     CHECK_NEAR(s->admm.sigma, TOL(1e-6, 1e-3), SP_EPSILON);     /* 4.2 */
     CHECK_NEAR(s->admm.relax, 1.6, SP_EPSILON);
     CHECK_NEAR(s->admm.rho, 0.1, SP_EPSILON);
@@ -93,6 +100,7 @@ TEST(the_preset_is_the_table_and_the_seeds_order)
     CHECK_NEAR(s.gamma, t->gamma, 0);
     CHECK_NEAR(s.tau, t->tau, 0);
     CHECK_NEAR(s.tol, t->tension, 0);
+    CHECK(s.coupled.rounds == t->turns && s.coupled.nodes == 0 && s.coupled.eps < 0);     /* its alternation, alone */
 }
 
 TEST(a_table_that_would_break_a_stage_is_refused)

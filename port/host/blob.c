@@ -226,6 +226,7 @@ static void io_settings(io *s, sp_settings *set)
     io_int(s, &seed, 0, 1);
     io_int(s, &c->asked, 0, 1);
     io_int(s, &c->box, 0, 1);
+    io_int(s, &c->rounds, INT32_MIN, BLOB_STEPS);
     io_int(s, &c->nodes, INT32_MIN, BLOB_NODES);
     io_real(s, &set->tol);
     io_real(s, &set->force_bound);

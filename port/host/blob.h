@@ -17,7 +17,7 @@
  *     5 i    settings: faces inscribed net localise iterations
  *     1 l    budget, 8 bytes
  *     9 i    stage_count stage[6] seed (1: sp_seed_table()) asked
- *     2 i    of the coupled check: box nodes
+ *     3 i    of the coupled check: box rounds nodes
  *     6 r    settings: tol force_bound gamma tau, coupled eps eta
  *     block      3 i 5 r   fixed vertices faces; density (0: given by its mass) mass centroid[3]
  *     vertex     3 r
@@ -45,7 +45,7 @@
 
 #define BLOB_HEADER 16                          /* [byte] */
 #define BLOB_CAP ((uint32_t)1 << 30)            /* [byte] longest body */
-#define BLOB_STEPS 100000                       /* most settings.iterations */
+#define BLOB_STEPS 100000                       /* most settings.iterations, coupled.rounds */
 #define BLOB_NODES 4000000                      /* most coupled.nodes: a proof of 1 GB */
 
 typedef enum blob_kind { BLOB_REQUEST = 1, BLOB_RESULT, BLOB_ERROR } blob_kind;

@@ -18,7 +18,7 @@ static const char help_check[] =
 "  --stages LIST      of gates,least-squares,dense,polish,exact,admm               gates,exact\n"
 "  --preset NAME      quick, standard, precise: --tol 1e-3, 1e-6, 1e-9;\n"
 "                     seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
-"                     other options change it                                      default\n"
+"                     its alternation for --coupled; other options change it       default\n"
 "  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
