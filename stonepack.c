@@ -2582,6 +2582,10 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
 #endif
 #define SP__GIVE_ROUNDING (16 * (sp_real)SP_EPSILON)
 
+/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
+ * and no proof would reach as far. */
+#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
+
 /* Lengths of the coupled check; eps and eta are counted in L: (1, eta / eps), or (0, 1) where eps is 0. */
 typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;
 
@@ -6808,6 +6812,9 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 {
     *out = in ? *in : sp_settings_default();
     if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
+#ifndef SP_NO_CRA
+    if (out->coupled.asked && out->tol > SP__COUPLED_TOL) out->tol = SP__COUPLED_TOL;
+#endif
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->faces && (out->faces < 3 || out->faces > 64)) return SP_E_RANGE;
     if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
