@@ -24,11 +24,13 @@
  *   21  penalty program                  the same as a quadratic program [seed 1.5, 4]
  *   22  coupled check: exact decision    branch and bound over the states of joints
  *   23  coupled check                    a motion that explains the forces [seed 3]
- *   24  ladder                           settings, stages, memory, judgement
- *   25  reading a result                 resultants, utilisation, weakest joint
- *   26  check                            sp_check
- *   27  verify                           sp_verify
- *   28  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   24  islands                          groups of free blocks that touch, each as a scene of its own
+ *   25  ladder                           settings, stages, memory, judgement
+ *   26  reading a result                 resultants, utilisation, weakest joint
+ *   27  check                            sp_check
+ *   28  verify                           sp_verify
+ *   29  plan                             which effects a scene calls for, and what that saves
+ *   30  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -142,8 +144,8 @@ SP_API const char *sp_reason_text(sp_reason reason)
 {
     const int k = (int)reason;
     return sp__word("forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0"
-                    "no consistent motion\0" "no coupled certificate\0" "tension\0" "unverified\0" "unknown",
-                    k >= 0 && k <= 11 ? k : 12);
+                    "no consistent motion\0" "no coupled certificate\0" "tension\0" "unverified\0" "effect left out\0" "unknown",
+                    k >= 0 && k <= 12 ? k : 13);
 }
 
 SP_API const char *sp_coupling_text(sp_coupling coupling)
@@ -164,6 +166,24 @@ SP_API const char *sp_stage_text(sp_stage_id stage)
     const int k = (int)stage;
     return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "ADMM\0" "custom\0" "unknown",
                     k >= 0 && k <= 7 ? k : 8);
+}
+
+SP_API const char *sp_effect_text(sp_effect effect)
+{
+    const int k = (int)effect;
+    return sp__word("friction\0" "together\0" "strength\0" "loads\0" "live\0" "coupled\0" "dynamics\0"
+                    "unknown", k >= 0 && k < SP_EFFECTS ? k : SP_EFFECTS);
+}
+
+SP_API int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
+
+SP_API const char *sp_effect_why_text(sp_effect_why why)
+{
+    const int k = (int)why;
+    return sp__word("the scene calls for it\0" "the caller asks for it\0" "left out by the caller\0" "not in this scene\0"
+                    "not asked for\0" "statics asks for none\0" "they share no free block; each is solved alone\0"
+                    "stages or a budget that a plan leaves alone\0"
+                    "unknown", k >= 0 && k <= (int)SP_WHY_STAGES ? k : (int)SP_WHY_STAGES + 1);
 }
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
@@ -3811,6 +3831,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     w->factor = 1;
     w->metric = 0;
     if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
+    if (set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) w->factor = 0;
     if (penalty) w->factor /= w->slide;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -6753,7 +6774,168 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
 }
 #endif /* SP_NO_CRA */
-/* 24 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 24 ------------------------------------------------------------------------------------------------------------- islands */
+
+/* Free blocks that touch, or touch a third, form an island; supports join nothing, because they don't move. A contact's columns
+ * of Aeq have rows in one island only, so Aeq is block diagonal by islands and so are Aeq Aeq', the bilateral force f0, the
+ * cones and the caps. Hence f balances p if and only if its share in each island balances the loads there, and dq is a
+ * mechanism if one of its shares is (p.dq - sum c_v |P_K(u_v)| and what it is compared with are sums over islands; of two
+ * ratios the mediant is no less than the smaller). So each is solved as a scene of its own, in the memory of the largest; the
+ * worst verdict is that of the whole, and the evidence, put together, is judged on the whole as ever. */
+
+typedef struct sp__islands {
+    int32_t count;
+    int32_t *label;                     /* per block: its island, by lowest block numbers; -1: a support */
+    int32_t *rank, *row;                /* per block: number in its island's scene (0: the support there); row among free blocks */
+    int32_t *block, *interface, *load;  /* of each island the first, -1: none */
+    int32_t *next, *link, *hook;        /* the next block, interface, load of the same island, -1: none */
+} sp__islands;
+
+/* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
+ * budget, because what a flop buys is then told of the stages as they are. */
+static int sp__plan_stages(const sp_settings *set)
+{
+    int exact = 0;
+    if (!set) return 1;
+    if (set->seed || set->budget > 0 || set->stage_count > SP_STAGES_MAX) return 0;
+    for (int32_t k = 0; k < set->stage_count; k++) {
+        if (set->stage[k] == SP_STAGE_CUSTOM || set->stage[k] == SP_STAGE_ADMM) return 0;
+        exact |= set->stage[k] == SP_STAGE_EXACT;
+    }
+    return exact;
+}
+
+/* May islands be solved apart? */
+static int sp__islands_apart(const sp_settings *set)
+{
+    return sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
+}
+
+/* up: root of each free block's island.                                                      returns how many there are */
+static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < scene->count.blocks; i++) up[i] = i;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        const sp_interface *f = &scene->interface[k];
+        if (scene->block[f->a].fixed != SP_FIXED && scene->block[f->b].fixed != SP_FIXED) sp__join(up, f->a, f->b);
+    }
+    for (int32_t i = 0; i < scene->count.blocks; i++) count += scene->block[i].fixed != SP_FIXED && sp__root(up, i) == i;
+    return count;
+}
+
+/* Islands that are told apart, 1 where they are not; -1: scratch too small. */
+static int32_t sp__islands_count(const sp_scene *scene, const sp_settings *set, sp_arena scratch)
+{
+    if (!sp__islands_apart(set)) return 1;
+    int32_t *up = sp__take(&scratch, (size_t)scene->count.blocks, sizeof *up);
+    if (!up) return -1;
+    const int32_t count = sp__islands_join(scene, up);
+    return count > 1 ? count : 1;
+}
+
+/* Tables for up to `count` islands. `label` (may be NULL) lies elsewhere. */
+static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
+{
+    const size_t b = (size_t)scene->count.blocks, n = (size_t)count;
+    t->count = count;
+    t->label = label ? label : sp__take(a, b, sizeof *t->label);
+    t->rank = sp__take(a, b, sizeof *t->rank);
+    t->row = sp__take(a, b, sizeof *t->row);
+    t->next = sp__take(a, b, sizeof *t->next);
+    t->link = sp__take(a, (size_t)scene->count.interfaces, sizeof *t->link);
+    t->hook = sp__take(a, (size_t)scene->count.loads, sizeof *t->hook);
+    t->block = sp__take(a, n, sizeof *t->block);
+    t->interface = sp__take(a, n, sizeof *t->interface);
+    t->load = sp__take(a, n, sizeof *t->load);
+}
+
+/* Item `k` in front of its island's list; supports (-1) are in none. */
+static void sp__islands_put(int32_t island, int32_t k, int32_t *first, int32_t *next)
+{
+    if (island < 0) return;
+    next[k] = first[island];
+    first[island] = k;
+}
+
+/* The island of an interface: that of its free block. */
+static int32_t sp__islands_joint(const sp_scene *scene, const sp__islands *t, int32_t k)
+{
+    const int32_t a = t->label[scene->interface[k].a];
+    return a >= 0 ? a : t->label[scene->interface[k].b];
+}
+
+/* Labels by lowest block, lists in ascending order. */
+SP__APART static void sp__islands_fill(const sp_scene *scene, const sp__islands *t)
+{
+    const sp_capacity *n = &scene->count;
+    int32_t count = 0, row = 0;
+    sp__islands_join(scene, t->rank);
+    for (int32_t i = 0; i < n->blocks; i++) {
+        const int32_t root = scene->block[i].fixed == SP_FIXED ? -1 : sp__root(t->rank, i);     /* root <= i */
+        t->label[i] = root < 0 ? -1 : root == i ? count++ : t->label[root];
+        t->row[i] = root < 0 ? -1 : row++;
+    }
+    for (int32_t k = 0; k < t->count; k++) t->block[k] = t->interface[k] = t->load[k] = -1;
+    for (int32_t i = n->blocks - 1; i >= 0; i--) sp__islands_put(t->label[i], i, t->block, t->next);
+    for (int32_t k = n->interfaces - 1; k >= 0; k--) sp__islands_put(sp__islands_joint(scene, t, k), k, t->interface, t->link);
+    for (int32_t k = n->loads - 1; k >= 0; k--) sp__islands_put(t->label[scene->load[k].block], k, t->load, t->hook);
+    for (int32_t i = 0; i < n->blocks; i++) t->rank[i] = 0;
+    for (int32_t k = 0; k < t->count; k++) {
+        int32_t rank = 0;
+        for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) t->rank[i] = ++rank;
+    }
+}
+
+/* What island k has, with one support for all it rests on. */
+static void sp__island_size(const sp_scene *scene, const sp__islands *t, int32_t k, sp_capacity *n)
+{
+    memset(n, 0, sizeof *n);
+    n->blocks = 1;
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) n->blocks++;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q]) {
+        n->interfaces++;
+        n->points += scene->interface[q].points;
+    }
+    for (int32_t q = t->load[k]; q >= 0; q = t->hook[q]) n->loads++;
+}
+
+/* Island k as a scene of its own in `a`: one support, then its blocks (without meshes), interfaces and loads in their order.
+ *     returns NULL when it does not fit */
+SP__APART static sp_scene *sp__island_scene(const sp_scene *scene, const sp__islands *t, int32_t k, sp_arena *a)
+{
+    sp_scene *s = sp__take(a, 1, sizeof *s);
+    if (!s) return NULL;
+    *s = *scene;
+    sp__island_size(scene, t, k, &s->cap);
+    sp__scene_carve(s, a);
+    if (sp__failed(a)) return NULL;
+    s->count = s->cap;
+    int32_t n = 0, points = 0;
+    s->block[0] = scene->block[t->block[k]];            /* a support near by */
+    s->block[0].fixed = SP_FIXED;
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) s->block[t->rank[i]] = scene->block[i];
+    for (int32_t i = 0; i < s->count.blocks; i++)
+        s->block[i].vertex = s->block[i].vertices = s->block[i].face = s->block[i].faces = 0;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q]) {
+        sp_interface *f = &s->interface[n++];
+        *f = scene->interface[q];
+        memcpy(s->point + points, scene->point + f->point, (size_t)f->points * sizeof *s->point);
+        f->a = t->rank[f->a];
+        f->b = t->rank[f->b];
+        f->point = points;
+        points += f->points;
+    }
+    n = 0;
+    for (int32_t q = t->load[k]; q >= 0; q = t->hook[q]) {
+        s->load[n] = scene->load[q];
+        s->load[n].block = t->rank[s->load[n].block];
+        n++;
+    }
+    return s;
+}
+
+/* 25 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -6837,6 +7019,10 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (out->coupled.asked && out->coupled.rounds) return SP_E_UNSUPPORTED;
 #endif
     if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
+        const int32_t choice = (int32_t)out->effect[k];
+        if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
+    }
     if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
@@ -6861,18 +7047,25 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 typedef struct sp__kept {
     sp_real *f, *dq, *y0;
     sp_demand *demand;
+    int32_t *island;                    /* where there is more than one */
+    sp_island *part;
     sp_real *cdq, *alpha;               /* of the coupled check, where it is asked */
     size_t used;                        /* of the arena so far */
     sp_proof proof;
 } sp__kept;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp_settings *set, sp_arena *a)
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, int32_t islands, const sp_settings *set,
+                           sp_arena *a)
 {
     memset(r, 0, sizeof *r);
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
+    if (islands > 1) {
+        r->island = sp__take(a, (size_t)scene->count.blocks, sizeof *r->island);
+        r->part = sp__take(a, (size_t)islands, sizeof *r->part);
+    }
     r->used = a->used;
 #ifndef SP_NO_CRA
     if (!set || !set->coupled.asked) return;
@@ -6903,10 +7096,11 @@ typedef struct sp__check {
     size_t kept;                        /* of the arena, with room for a proof */
 } sp__check;
 
-SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+/* Scratch of a problem and its symbolic step. */
+static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settings)
 {
-    if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
     sp_problem pb;
+    (void)settings;
     sp__problem_count(scene, &pb);
     size_t most = sp__dual_scratch(&pb);
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
@@ -6924,7 +7118,28 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
     }
 #endif
 #endif
-    return sizeof(sp__check) + SP_ALIGN + sp_problem_memory(scene) + SP_ALIGN + most;
+    return sp_problem_memory(scene) + SP_ALIGN + most;
+}
+
+/* Tables of islands and the largest of their scenes, at most. */
+static size_t sp__islands_scratch(const sp_scene *scene)
+{
+    sp__islands t;
+    sp_arena dry = sp__arena_dry();
+    sp_capacity n = scene->count;
+    n.vertices = n.faces = n.corners = 0;
+    n.blocks++;
+    sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
+    sp__take(&dry, 1, sizeof *scene);
+    sp__take(&dry, 1, sp_scene_memory(&n));
+    return dry.used + 2 * SP_ALIGN;
+}
+
+SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
+    const size_t whole = sp__whole_scratch(scene, settings);
+    return whole ? sizeof(sp__check) + SP_ALIGN + whole + (sp__islands_apart(settings) ? sp__islands_scratch(scene) : 0) : 0;
 }
 
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
@@ -6937,33 +7152,117 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
                                                  : sp__sparse_need(pb, set, scratch);
         if (need > most) most = need;
     }
+    return most;
+}
+
+/* Bytes of a problem, its potential and what is done to it; SIZE_MAX: scratch too small. */
+static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, size_t work)
+{
+    sp_state state;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sp_problem_memory(pb->scene));
+    sp__state_carve(&state, pb, set, &dry);
+    sp__take(&dry, 1, work);
+    return work == SIZE_MAX ? SIZE_MAX : dry.used;
+}
+
+/* That of every stage on the whole of a scene. */
+SP__APART static sp_status sp__whole_need(const sp_scene *scene, const sp_settings *set, sp_arena scratch, size_t *bytes)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    if (status) return status;
+    *bytes = sp__problem_need(&pb, set, sp__stages_need(&pb, set, scratch));
+    return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
+}
+
+/* What is done on the whole where islands are solved apart: the judgement, and the coupled check. */
+SP__APART static sp_status sp__common_need(const sp_scene *scene, const sp_settings *set, sp_arena scratch, size_t *bytes)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    if (status) return status;
+    size_t work = sp__judge_need(&pb, set);
 #ifndef SP_NO_CRA
     if (set->coupled.asked) {
-        const size_t need = sp__coupled_need(pb, set, scratch);
-        if (need > most) most = need;
+        const size_t need = sp__coupled_need(&pb, set, scratch);
+        if (need > work) work = need;
     }
 #endif
-    return most;
+    *bytes = sp__problem_need(&pb, set, work);
+    return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
+}
+
+/* Bytes that island k takes behind the tables. */
+SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, const sp_settings *set,
+                                           sp_arena scratch, size_t *bytes)
+{
+    sp__kept kept;
+    sp_arena dry = sp__arena_dry();
+    const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
+    const sp_status status = s ? sp__whole_need(s, set, scratch, bytes) : SP_E_MEMORY;
+    if (status) return status;
+    sp__take(&dry, 1, sizeof *s);
+    sp__take(&dry, 1, sp_scene_memory(&s->cap));
+    sp__kept_carve(&kept, s, s->count.blocks - 1, 1, NULL, &dry);
+    sp__take(&dry, 1, sizeof(sp__check));
+    sp__take(&dry, 1, *bytes);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+/* Bytes of the tables and the island that wants most. */
+SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+                                            size_t *bytes)
+{
+    sp__islands t;
+    int32_t label = 0;
+    size_t most = 0;
+    sp_arena dry = sp__arena_dry();
+    sp__islands_carve(&t, scene, count, &label, &dry);
+    sp__islands_carve(&t, scene, count, NULL, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &t);
+    for (int32_t k = 0; k < count; k++) {
+        size_t need = 0;
+        const sp_status status = sp__island_need(scene, &t, k, set, scratch, &need);
+        if (status) return status;
+        if (need > most) most = need;
+    }
+    sp__take(&dry, 1, most);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+/* Bytes behind what a check keeps: apart and on the whole, one after the other. */
+SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, const sp_settings *set, sp_arena scratch,
+                                         size_t *bytes)
+{
+    size_t apart = 0;
+    sp_status status = sp__common_need(scene, set, scratch, bytes);
+    if (!status) status = islands > 1 ? sp__islands_need(scene, islands, set, scratch, &apart)
+                                      : sp__whole_need(scene, set, scratch, &apart);
+    if (apart > *bytes) *bytes = apart;
+    return status;
 }
 
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
+    const int32_t islands = sp__islands_count(scene, settings, scratch);
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
-    if (!c) return SP_E_MEMORY;
+    if (!c || islands < 0) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
-    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    size_t work = 0;
+    if (!status) status = sp__work_need(scene, islands, &c->set, scratch, &work);
     if (status) return status;
-    const size_t most = sp__stages_need(&c->pb, &c->set, scratch);
-    if (most == SIZE_MAX) return SP_E_MEMORY;
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
-    sp__kept_carve(&kept, scene, c->pb.blocks, &c->set, &dry);
+    sp__problem_count(scene, &c->pb);
+    sp__kept_carve(&kept, scene, c->pb.blocks, islands, &c->set, &dry);
     sp__take(&dry, 1, sizeof *c);
-    sp__take(&dry, 1, sp_problem_memory(scene));
-    sp__state_carve(&c->state, &c->pb, &c->set, &dry);
-    sp__take(&dry, 1, most);
+    sp__take(&dry, 1, work);
     *bytes = dry.used;
     return SP_OK;
 }
@@ -7077,13 +7376,17 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
         r->reason = sp__check_reason(set->stage[k], claim, r->verdict, r->least_imbalance, state->reason);
+        if (claim == SP_UNSTABLE && !*done && set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) {
+            r->reason = SP_REASON_EFFECT;
+            r->missing = SP_EFFECT_FRICTION;
+        }
     }
     r->by_stage[k] = state->cost;
     sp__cost_add(&r->cost, &state->cost);
     return SP_OK;
 }
 
-/* 25 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 26 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -7172,7 +7475,7 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 26 --------------------------------------------------------------------------------------------------------------- check */
+/* 27 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
@@ -7220,7 +7523,7 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
 }
 #endif
 
-/* An empty result of this problem in c->r, its arrays zero; the state's arrays with it. */
+/* An empty result of this scene in c->r, its arrays zero. */
 static void sp__check_clear(const sp_scene *scene, sp__check *c)
 {
     sp_result *r = &c->r;
@@ -7231,18 +7534,8 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
     if (r->coupled.dq) memset(r->coupled.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->coupled.dq);
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
-    memset(c->state.y, 0, 6 * b * sizeof *c->state.y);
-    c->state.reason = SP_REASON_STAGES;
-    c->state.tension_ratio = r->tension_ratio = -1;
-    c->state.y0 = r->y0;
-    if (c->set.budget > 0) {
-        memset(c->state.f, 0, 3 * (size_t)c->pb.points * sizeof *c->state.f);
-        memset(c->state.dq, 0, 6 * b * sizeof *c->state.dq);
-        r->omega = b ? 1 : 0;                           /* of no forces at all */
-    } else {
-        c->state.f = r->f;
-        c->state.dq = r->dq;                            /* free blocks first; spread over the scene's once it is a proof */
-    }
+    r->tension_ratio = -1;
+    if (c->set.budget > 0) r->omega = b ? 1 : 0;        /* of no forces at all */
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
@@ -7251,35 +7544,178 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     r->verdict = b ? SP_UNDECIDED : SP_STABLE;
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
     r->verified = !b;
+    r->islands = b ? 1 : 0;
 }
 
-/* Everything of a check in arena `a`, which may be used up.
+/* What of an effect is in the scene. */
+static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
+{
+    int friction = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
+    return effect == SP_EFFECT_FRICTION ? friction
+         : effect == SP_EFFECT_TOGETHER ? islands < 2
+         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
+         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
+         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
+         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
+}
+
+/* Why an effect is on or off. */
+static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, int present)
+{
+    const sp_choice choice = effect < SP_EFFECTS_FORCED ? set->effect[effect] : SP_PLANNED;
+    if (choice == SP_WITH) return SP_WHY_ASKED;
+    if (effect == SP_EFFECT_TOGETHER && !sp__plan_stages(set)) return SP_WHY_STAGES;
+    if (effect == SP_EFFECT_TOGETHER) return present ? SP_WHY_CALLED : SP_WHY_APART;
+    if (choice == SP_WITHOUT) return SP_WHY_LEFT_OUT;
+    if (effect == SP_EFFECT_DYNAMICS) return SP_WHY_STATICS;
+    return present ? SP_WHY_CALLED : effect == SP_EFFECT_COUPLED ? SP_WHY_NOT_ASKED : SP_WHY_ABSENT;
+}
+
+/* Everything of a check in arena `a` but the problem; `a` may be used up.
  *   out    *check: where the result is found on SP_OK; *kept: end of its arrays */
-SP__APART static sp_status sp__check_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a,
+SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, int32_t islands, sp_arena *a,
                                           sp__check **check, size_t *kept)
 {
     sp_problem count;
     sp__kept arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, settings, a);
+    sp__kept_carve(&arrays, scene, count.blocks, islands, settings, a);
     *kept = arrays.used;
     const size_t all = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
+    c->pb = count;
     c->r.f = arrays.f; c->r.dq = arrays.dq; c->r.y0 = arrays.y0; c->r.demand = arrays.demand;
+    c->r.island = arrays.island; c->r.part = arrays.part;
     c->r.coupled.dq = arrays.cdq;
     c->r.coupled.alpha = arrays.alpha;
     c->r.coupled.proof = arrays.proof;
     c->kept = all;
-    sp_status status = sp__settings_resolve(scene, settings, &c->set);
-    if (!status) status = sp_problem_build(scene, a, &c->pb);
+    const sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (status) return status;
-    sp__state_carve(&c->state, &c->pb, &c->set, a);
-    if (sp__failed(a)) return SP_E_MEMORY;
     sp__check_clear(scene, c);
     *check = c;
     return SP_OK;
+}
+
+/* The problem and the potential of the search behind it. */
+static sp_status sp__check_problem(const sp_scene *scene, sp__check *c, sp_arena *a)
+{
+    const sp_status status = sp_problem_build(scene, a, &c->pb);
+    if (status) return status;
+    sp_state *state = &c->state;
+    sp__state_carve(state, &c->pb, &c->set, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    const size_t b = 6 * (size_t)c->pb.blocks;
+    memset(state->y, 0, b * sizeof *state->y);
+    state->reason = SP_REASON_STAGES;
+    state->tension_ratio = -1;
+    state->y0 = c->r.y0;
+    if (c->set.budget > 0) {
+        memset(state->f, 0, 3 * (size_t)c->pb.points * sizeof *state->f);
+        memset(state->dq, 0, b * sizeof *state->dq);
+        return SP_OK;
+    }
+    state->f = c->r.f;
+    state->dq = c->r.dq;                                /* free blocks first; spread over the scene's once it is a proof */
+    return SP_OK;
+}
+
+/* What was found about island k into the arrays of the whole; motions stay where they are looked for, free blocks first. */
+SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+{
+    const sp_result *from = &found->r;
+    sp_result *r = &c->r;
+    const size_t b = 6 * (size_t)found->pb.blocks, all = 6 * (size_t)c->pb.blocks;
+    int32_t joint = 0;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_interface *f = &found->pb.scene->interface[joint];
+        memcpy(r->f + 3 * (size_t)scene->interface[q].point, from->f + 3 * (size_t)f->point,
+               3 * (size_t)f->points * sizeof *r->f);
+        r->demand[q] = from->demand[joint];
+    }
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) {
+        const size_t to = 6 * (size_t)t->row[i], at = 6 * (size_t)t->rank[i];
+        memcpy(r->y0 + to, from->y0 + at - 6, 6 * sizeof *r->y0);
+        memcpy(r->y0 + all + to, from->y0 + b + at - 6, 6 * sizeof *r->y0);
+        if (from->verdict != SP_STABLE) memcpy(r->dq + to, from->dq + at, 6 * sizeof *r->dq);
+    }
+    c->state.has_y0 |= found->state.has_y0;
+    sp__cost_add(&r->cost, &from->cost);
+    for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
+    r->part[k].block = t->block[k];
+    r->part[k].blocks = found->pb.blocks;
+    r->part[k].verdict = from->verdict;
+    r->part[k].reason = from->reason;
+    r->part[k].stage = from->stage;
+    if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
+}
+
+/* The island whose verdict is that of all: the first that falls, else the first undecided, else the first with forces. */
+static int32_t sp__islands_worst(const sp_result *r)
+{
+    int32_t worst = 0;
+    for (int32_t k = 1; k < r->islands; k++) {
+        const sp_verdict a = r->part[worst].verdict, b = r->part[k].verdict;
+        if (a == SP_UNSTABLE || (a == SP_UNDECIDED && b != SP_UNSTABLE)) continue;
+        if (b != SP_STABLE || r->part[worst].reason == SP_REASON_NOTHING) worst = k;
+    }
+    return worst;
+}
+
+/* The evidence of all islands, judged on the whole. */
+SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__islands *t, size_t start, sp__check *c, sp_arena *a)
+{
+    sp_result *r = &c->r;
+    sp__judge j;
+    const sp_island *worst = &r->part[sp__islands_worst(r)];
+    for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
+        if (t->label[i] >= 0 && r->part[t->label[i]].verdict != worst->verdict)
+            memset(r->dq + 6 * (size_t)t->row[i], 0, 6 * sizeof *r->dq);
+    a->used = start;                                                    /* the tables are no longer needed */
+    const sp_status status = sp__check_problem(scene, c, a);
+    if (status) return status;
+    const size_t mark = a->used;
+    if (!sp__judge_open(&j, &c->pb, &c->set, c->state.has_y0 ? c->state.y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    r->verdict = sp__check_judge(&j, &c->state, worst->verdict, r);
+    a->used = mark;
+    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points;
+    r->by_stage[c->set.stage_count - 1].flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points;
+    r->verified = r->verdict != SP_UNDECIDED;
+    r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
+    r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
+    return SP_OK;
+}
+
+/* Every island as a scene of its own, then all of them. */
+SP__APART static sp_status sp__islands_run(const sp_scene *scene, int32_t count, sp__check *c, sp_arena *a)
+{
+    sp__islands t;
+    const size_t start = a->used;
+    const int32_t asked = c->set.coupled.asked;
+    sp_status status = SP_OK;
+    sp__islands_carve(&t, scene, count, c->r.island, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &t);
+    c->r.islands = count;
+    c->set.coupled.asked = 0;
+    for (int32_t k = 0; k < count && !status; k++) {
+        const size_t mark = a->used;
+        size_t kept = 0;
+        sp__check *found = NULL;
+        const sp_scene *s = sp__island_scene(scene, &t, k, a);
+        status = s ? sp__check_open(s, &c->set, 1, a, &found, &kept) : SP_E_MEMORY;
+        if (!status) status = sp__check_problem(s, found, a);
+        if (!status) status = sp__check_run(&found->pb, &found->set, &found->state, a, &found->r);
+        if (!status) sp__island_keep(scene, &t, k, found, c);
+        a->used = mark;
+    }
+    c->set.coupled.asked = asked;
+    if (!status) status = sp__islands_judge(scene, &t, start, c, a);
+    return status;
 }
 
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
@@ -7289,8 +7725,11 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     sp__check *c = NULL;
     size_t kept = 0;
     sp_arena a = *arena;
-    sp_status status = sp__check_build(scene, settings, &a, &c, &kept);
-    if (!status && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
+    const int32_t islands = sp__islands_count(scene, settings, a);
+    sp_status status = islands < 0 ? SP_E_MEMORY : sp__check_open(scene, settings, islands, &a, &c, &kept);
+    if (!status && islands > 1) status = sp__islands_run(scene, islands, c, &a);
+    else if (!status) status = sp__check_problem(scene, c, &a);
+    if (!status && islands < 2 && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
     if (status) return status;
     if (c->r.verdict == SP_STABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
 #ifndef SP_NO_CRA
@@ -7299,6 +7738,8 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
 #endif
     if (c->r.verdict == SP_STABLE) c->r.level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
     sp__check_read(scene, &c->r);
+    for (int32_t k = 0; k < SP_EFFECTS; k++)
+        c->r.effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
     c->r.peak_bytes = a.peak;
     arena->used = c->r.coupled.proof.nodes ? c->kept : kept;
     arena->peak = a.peak;
@@ -7306,7 +7747,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* 27 -------------------------------------------------------------------------------------------------------------- verify */
+/* 28 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -7376,7 +7817,107 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     return SP_OK;
 }
 
-/* 28 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 29 --------------------------------------------------------------------------------------------------------------- plan */
+
+/* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
+ * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
+ * near a limit), what a step costs is known. */
+#define SP__PLAN_STEPS 5
+#define SP__PLAN_SWEEPS 4
+
+typedef struct sp__work { int64_t unknowns, flops; } sp__work;
+
+/* Adds the work of a scene as one problem. */
+SP__APART static sp_status sp__plan_whole(const sp_scene *scene, sp_arena scratch, sp__work *o)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    if (status) return status;
+    sp__dual *w = sp__take(&scratch, 1, sizeof *w);
+    const int32_t blocks = w ? sp__dual_analyse(w, &pb, &scratch) : -1;
+    if (blocks < 0) return SP_E_MEMORY;
+    const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
+    const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
+    o->unknowns += 6 * b + 3 * v;
+    o->flops += SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
+    return SP_OK;
+}
+
+/* The same, island by island. */
+SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, sp_arena scratch, sp__work *o)
+{
+    sp__islands t;
+    sp_status status = SP_OK;
+    sp__islands_carve(&t, scene, count, NULL, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &t);
+    for (int32_t k = 0; k < count && !status; k++) {
+        sp_arena a = scratch;
+        const sp_scene *s = sp__island_scene(scene, &t, k, &a);
+        status = s ? sp__plan_whole(s, a, o) : SP_E_MEMORY;
+    }
+    return status;
+}
+
+/* What a plan works on, in the arena. */
+typedef struct sp__planner {
+    sp_settings set;
+    sp_outlook o;
+    sp__work whole, apart;
+} sp__planner;
+
+/* Every effect in words, and what leaving it out saves. */
+static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
+{
+    sp_outlook *o = &p->o;
+    for (int32_t k = 0; k < SP_EFFECTS; k++)
+        o->effect[k].why = sp__effect_why(&p->set, (sp_effect)k, sp__effect_present(scene, &p->set, o->islands, (sp_effect)k));
+    if (!sp_effect_on(o->effect[SP_EFFECT_FRICTION].why)) o->effect[SP_EFFECT_FRICTION].unknowns = 2 * (int64_t)sp__points_count(scene);
+    o->effect[SP_EFFECT_TOGETHER].flops = p->whole.flops - p->apart.flops;
+    o->effect[SP_EFFECT_TOGETHER].bytes = (int64_t)o->full_bytes - (int64_t)o->bytes;
+    o->full_unknowns = p->whole.unknowns;
+    o->full_flops = p->whole.flops;
+    o->unknowns = p->whole.unknowns - o->effect[SP_EFFECT_FRICTION].unknowns;
+    o->flops = p->apart.flops;
+}
+
+SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
+{
+    const size_t need = sp_memory_scratch(scene, settings);
+    return need ? need + sizeof(sp__planner) + sizeof(sp__dual) + 2 * SP_ALIGN : 0;
+}
+
+/* Needs and work as planned, then with all blocks together. */
+SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, sp_arena scratch)
+{
+    const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
+    sp_status status = sp_memory(scene, &p->set, scratch, &p->o.bytes);
+    p->o.islands = sp__islands_count(scene, &p->set, scratch);
+    if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, scratch, &p->apart);
+    p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+    if (!status) status = sp_memory(scene, &p->set, scratch, &p->o.full_bytes);
+    if (!status) status = sp__plan_whole(scene, scratch, &p->whole);
+    p->set.effect[SP_EFFECT_TOGETHER] = together;
+    if (p->o.islands < 2) p->apart = p->whole;
+    return status;
+}
+
+SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out)
+{
+    if (!scene || !scratch.base || !out) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__planner *p = sp__take(&scratch, 1, sizeof *p);
+    if (!p) return SP_E_MEMORY;
+    memset(p, 0, sizeof *p);
+    sp_status status = sp__settings_resolve(scene, settings, &p->set);
+    if (!status) status = sp__plan_run(scene, p, scratch);
+    if (status) return status;
+    sp__plan_effects(scene, p);
+    *out = p->o;
+    return SP_OK;
+}
+
+/* 30 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {

@@ -278,8 +278,9 @@ typedef enum sp_reason {
     SP_REASON_NO_MOTION,        /* unstable, coupled check: no virtual motion explains any admissible forces */
     SP_REASON_NOT_COUPLED,      /* undecided: the coupled check found neither a motion nor a proof that there is none */
     SP_REASON_TENSION,          /* undecided: the penalty form is solved and wants more tension than it tolerates; no proof */
-    SP_REASON_UNVERIFIED        /* undecided: a solver's answer did not pass verification: its forces don't balance within tol,
+    SP_REASON_UNVERIFIED,       /* undecided: a solver's answer did not pass verification: its forces don't balance within tol,
                                    or its motion proves nothing */
+    SP_REASON_EFFECT            /* undecided: an effect was left out that the scene calls for: result.missing */
 } sp_reason;
 
 typedef enum sp_stage_id {
@@ -294,6 +295,24 @@ typedef enum sp_stage_id {
 } sp_stage_id;
 
 #define SP_STAGES_MAX 6
+
+/* What a scene may or may not call for. sp_check leaves out what it can prove to change nothing; sp_plan says what and why. */
+typedef enum sp_effect {
+    SP_EFFECT_FRICTION = 0,     /* friction in the joints */
+    SP_EFFECT_TOGETHER,         /* all blocks as one problem; left out, each island of free blocks that touch is solved alone */
+    SP_EFFECT_STRENGTH,         /* cohesion, tension and crushing of joints; from here on told, not chosen */
+    SP_EFFECT_LOADS,            /* loads besides weight */
+    SP_EFFECT_LIVE,             /* loads that count scene.live times */
+    SP_EFFECT_COUPLED,          /* the motion that explains the forces */
+    SP_EFFECT_DYNAMICS          /* how it moves: never in statics */
+} sp_effect;
+
+#define SP_EFFECTS 7
+#define SP_EFFECTS_FORCED 2     /* the first of them are the caller's to force */
+
+/* SP_WITHOUT where the scene calls for the effect: what can still be proved (forces that need none of it) stands, else the
+ * verdict is UNDECIDED, SP_REASON_EFFECT. Without SP_EFFECT_TOGETHER is never wrong, so nothing is lost by it. */
+typedef enum sp_choice { SP_PLANNED = 0, SP_WITH, SP_WITHOUT } sp_choice;
 
 /* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; DESIGN 9.3]
  *
@@ -379,6 +398,7 @@ typedef struct sp_settings {
     const struct sp_qp_solver *qp_solver;       /* of the quadratic programs of SP_STAGE_ADMM; NULL: sp_qp_solve     NULL */
     const struct sp_seed *seed;                 /* constants and gates of the seed (section 12); NULL: only its constants where
                                                    a stage has no other, gates by tol                                NULL */
+    sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);
@@ -434,6 +454,26 @@ typedef struct sp_coupled {
     sp_cost cost;               /* of this check alone; also in result.cost */
 } sp_coupled;
 
+/* Why an effect is simulated or not. */
+typedef enum sp_effect_why {
+    SP_WHY_CALLED = 0,          /* on: the scene calls for it */
+    SP_WHY_ASKED,               /* on: settings.effect */
+    SP_WHY_LEFT_OUT,            /* off: settings.effect */
+    SP_WHY_ABSENT,              /* off: mu = 0, no strength, no load */
+    SP_WHY_NOT_ASKED,           /* off: a question of its own */
+    SP_WHY_STATICS,             /* off: statics */
+    SP_WHY_APART,               /* off: islands */
+    SP_WHY_STAGES               /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
+} sp_effect_why;
+
+/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. */
+typedef struct sp_island {
+    sp_verdict verdict;         /* of its own */
+    sp_reason reason;
+    sp_stage_id stage;
+    int32_t block, blocks;      /* its first block, how many it has */
+} sp_island;
+
 typedef struct sp_result {
     sp_verdict verdict;
     sp_level level;             /* of a STABLE, else SP_NONE */
@@ -460,6 +500,11 @@ typedef struct sp_result {
     sp_cost cost;               /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];
     sp_coupled coupled;
+    sp_effect_why effect[SP_EFFECTS];           /* what was simulated and what not, by sp_effect */
+    sp_effect missing;          /* of SP_REASON_EFFECT: what was left out */
+    int32_t islands;            /* told apart: the verdict is that of the worst; 1: solved as one, 0: nothing to solve */
+    int32_t *island;            /* per block of the scene: its island, -1: a support; NULL where islands < 2 */
+    sp_island *part;            /* islands of them, in the order of their first blocks; NULL where islands < 2 */
     size_t peak_bytes;          /* of the arena */
 } sp_result;
 
@@ -496,6 +541,26 @@ SP_API size_t sp_verify_memory(const sp_scene *scene);
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 
+typedef struct sp_planned {
+    sp_effect_why why;
+    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes,
+                                           bytes: exact */
+} sp_planned;
+
+/* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */
+typedef struct sp_outlook {
+    sp_planned effect[SP_EFFECTS];
+    int32_t islands;
+    int64_t unknowns, flops, full_unknowns, full_flops;         /* as planned, and with all effects the scene has */
+    size_t bytes, full_bytes;
+} sp_outlook;
+
+/* Bytes of scratch that sp_plan needs, an upper bound from counts alone; 0 as sp_memory_scratch. */
+SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings);
+
+/* What will sp_check simulate, what not, and why?            returns what sp_memory returns */
+SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
+
 /* 7 --------------------------------------------------------------------------------------------------- reading a result */
 
 typedef struct sp_interface_force {
@@ -521,6 +586,9 @@ SP_API const char *sp_verdict_text(sp_verdict verdict);
 SP_API const char *sp_level_text(sp_level level);
 SP_API const char *sp_reason_text(sp_reason reason);
 SP_API const char *sp_stage_text(sp_stage_id stage);
+SP_API int sp_effect_on(sp_effect_why why);             /* 1: simulated, 0: left out */
+SP_API const char *sp_effect_text(sp_effect effect);
+SP_API const char *sp_effect_why_text(sp_effect_why why);
 SP_API const char *sp_coupling_text(sp_coupling coupling);
 SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason);
 

@@ -90,6 +90,7 @@ static sp_settings any_settings(const sp_scene *s)
     set.coupled.rounds = 4;
     if (test_random_int(0, 3) == 0) set.budget = test_random_int(1, 1000000);
     if (strong(s)) set.faces = 0;
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = (sp_choice)(test_random_int(0, 6) % 5 % 3);
     return set;
 }
 
@@ -108,6 +109,7 @@ static void same_settings(const sp_settings *a, const sp_settings *b)
     CHECK_INT(a->stage_count, b->stage_count);
     CHECK(memcmp(a->stage, b->stage, (size_t)a->stage_count * sizeof *a->stage) == 0);
     CHECK(memcmp(&a->coupled, &b->coupled, sizeof a->coupled) == 0);
+    CHECK(memcmp(a->effect, b->effect, sizeof a->effect) == 0);
     CHECK(a->seed == b->seed);
 }
 
@@ -118,6 +120,8 @@ static int same_numbers(const sp_scene *s, const sp_result *a, const sp_result *
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
     return memcmp(a->f, b->f, 3 * v * r) == 0 && memcmp(a->dq, b->dq, 6 * n * r) == 0
         && memcmp(a->y0, b->y0, 12 * (size_t)a->free_blocks * r) == 0 && memcmp(a->demand, b->demand, i * sizeof *a->demand) == 0
+        && !a->part == !b->part && (!a->part || (memcmp(a->island, b->island, n * sizeof *a->island) == 0
+                                                 && memcmp(a->part, b->part, (size_t)a->islands * sizeof *a->part) == 0))
         && !c->dq == !d->dq && (!c->dq || memcmp(c->dq, d->dq, 6 * n * r) == 0)
         && !c->alpha == !d->alpha && (!c->alpha || memcmp(c->alpha, d->alpha, v * r) == 0)
         && c->proof.nodes == d->proof.nodes && c->proof.leaves == d->proof.leaves && c->proof.entries == d->proof.entries
@@ -143,6 +147,7 @@ static int same_words(const sp_result *a, const sp_result *b)
     for (int k = 0; k < SP_STAGES_MAX; k++) same = same && same_cost(&a->by_stage[k], &b->by_stage[k]);
     return same && a->verdict == b->verdict && a->level == b->level && a->reason == b->reason && a->final == b->final
         && a->verified == b->verified && a->stage == b->stage && a->free_blocks == b->free_blocks
+        && memcmp(a->effect, b->effect, sizeof a->effect) == 0 && a->missing == b->missing && a->islands == b->islands
         && a->interfaces == b->interfaces && a->points == b->points && a->weakest == b->weakest
         && c->verdict == d->verdict && c->reason == d->reason && c->rounds == d->rounds && a->peak_bytes == b->peak_bytes;
 }
@@ -151,8 +156,8 @@ static int same_words(const sp_result *a, const sp_result *b)
 TEST(every_field_of_settings_and_result_is_known_to_the_messages)
 {
     if (sizeof(void *) != 8) return;
-    CHECK_INT(sizeof(sp_settings), TOL(160, 128));
-    CHECK_INT(sizeof(sp_result), TOL(448, 400));
+    CHECK_INT(sizeof(sp_settings), TOL(168, 136));
+    CHECK_INT(sizeof(sp_result), TOL(504, 456));
 }
 
 TEST(a_thousand_scenes_come_through_and_are_answered_as_in_process_bit_by_bit)

@@ -234,6 +234,7 @@ static void io_settings(io *s, sp_settings *set)
     io_real(s, &set->tau);
     io_real(s, &c->eps);
     io_real(s, &c->eta);
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) IO_ENUM(s, set->effect[k], sp_choice, SP_WITHOUT);
     if (!s->out && seed) set->seed = sp_seed_table();
 }
 
@@ -477,7 +478,7 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, blob_cost *cost,
 {
     IO_ENUM(s, r->verdict, sp_verdict, SP_UNSTABLE);
     IO_ENUM(s, r->level, sp_level, SP_COUPLED);
-    IO_ENUM(s, r->reason, sp_reason, SP_REASON_UNVERIFIED);
+    IO_ENUM(s, r->reason, sp_reason, SP_REASON_EFFECT);
     io_int(s, &r->final, 0, 1);
     io_int(s, &r->verified, 0, 1);
     IO_ENUM(s, r->stage, sp_stage_id, SP_STAGE_CUSTOM);
@@ -496,11 +497,23 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, blob_cost *cost,
     io_cost(s, &r->cost);
     for (int k = 0; k < SP_STAGES_MAX; k++) io_cost(s, &r->by_stage[k]);
     io_coupled(s, &r->coupled);
+    for (int k = 0; k < SP_EFFECTS; k++) IO_ENUM(s, r->effect[k], sp_effect_why, SP_WHY_STAGES);
+    IO_ENUM(s, r->missing, sp_effect, SP_EFFECTS - 1);
+    io_int(s, &r->islands, 0, scene->count.blocks);
     io_size(s, &r->peak_bytes);
     io_size(s, &cost->bytes);
     io_double(s, &cost->seconds);
     io_int(s, &x->motion, 0, 1);
     io_int(s, &x->alpha, 0, 1);
+}
+
+static void io_part(io *s, const sp_scene *scene, sp_island *p)
+{
+    IO_ENUM(s, p->verdict, sp_verdict, SP_UNSTABLE);
+    IO_ENUM(s, p->reason, sp_reason, SP_REASON_EFFECT);
+    IO_ENUM(s, p->stage, sp_stage_id, SP_STAGE_CUSTOM);
+    io_int(s, &p->block, 0, scene->count.blocks - 1);
+    io_int(s, &p->blocks, 0, scene->count.blocks);
 }
 
 /* The arrays, whose pointers are set. */
@@ -519,6 +532,8 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     for (int32_t k = 0; k < p->nodes; k++) io_int(s, &p->node[k], INT32_MIN, INT32_MAX);
     for (int32_t k = 0; p->nodes && k < p->entries; k++) p->row[k] = (uint16_t)io_bits(s, p->row[k], 2);
     if (p->nodes) io_reals(s, p->y, (size_t)p->entries);
+    for (int32_t k = 0; r->islands > 1 && k < scene->count.blocks; k++) io_int(s, &r->island[k], -1, r->islands - 1);
+    for (int32_t k = 0; r->islands > 1 && k < r->islands; k++) io_part(s, scene, &r->part[k]);
 }
 
 sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const blob_cost *cost)
@@ -532,7 +547,7 @@ sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *res
     return finish(&s);
 }
 
-/* Numbers of the arrays in this order, then node, then row. */
+/* Numbers of the arrays in this order, then node, islands, row. */
 static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, void *memory)
 {
     sp_proof *p = &r->coupled.proof;
@@ -544,7 +559,10 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     r->coupled.alpha = r->coupled.dq + (x->motion ? 6 * (size_t)scene->count.blocks : 0);
     p->y = r->coupled.alpha + (x->alpha ? (size_t)scene->count.points : 0);
     p->node = (int32_t *)(p->y + p->entries);
-    p->row = (uint16_t *)(p->node + p->nodes);
+    r->island = p->node + p->nodes;
+    r->part = (sp_island *)(r->island + (r->islands > 1 ? scene->count.blocks : 0));
+    p->row = (uint16_t *)(r->part + (r->islands > 1 ? r->islands : 0));
+    if (r->islands < 2) r->island = NULL, r->part = NULL;
     if (!x->motion) r->coupled.dq = NULL;
     if (!x->alpha) r->coupled.alpha = NULL;
     if (!p->nodes) p->y = NULL, p->node = NULL, p->row = NULL;
@@ -567,7 +585,8 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
     need = REAL * (3 * (uint64_t)scene->count.points + 6 * (uint64_t)scene->count.blocks + 12 * (uint64_t)r.free_blocks
                    + 2 * (uint64_t)scene->count.interfaces + (x.motion ? 6 * (uint64_t)scene->count.blocks : 0)
                    + (x.alpha ? (uint64_t)scene->count.points : 0) + (uint64_t)r.coupled.proof.entries)
-         + 4 * (uint64_t)r.coupled.proof.nodes + 2 * (uint64_t)r.coupled.proof.entries;
+         + 4 * (uint64_t)r.coupled.proof.nodes + 2 * (uint64_t)r.coupled.proof.entries
+         + (r.islands > 1 ? 4 * (uint64_t)scene->count.blocks + sizeof *r.part * (uint64_t)r.islands : 0);
     if (need != s.left) return SP_E_RANGE;
     *memory = calloc(s.left + 1, 1);
     if (!*memory) return SP_E_MEMORY;

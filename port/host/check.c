@@ -162,7 +162,7 @@ int command_check(int argc, char **argv)
     int worst = EXIT_STABLE;
 
     if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt --coupled --cra-eps --cra-eta"
-                     " --cra-box --worker --fallback --skip-done --cra-nodes ", &o, &error)) {
+                     " --cra-box --effects --worker --fallback --skip-done --cra-nodes ", &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

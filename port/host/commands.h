@@ -10,6 +10,7 @@ int command_contacts(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_settle(int argc, char **argv);
 int command_worker(int argc, char **argv);
+int command_plan(int argc, char **argv);
 int command_gen(int argc, char **argv);
 
 #endif

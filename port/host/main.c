@@ -21,6 +21,8 @@ static const char help_check[] =
 "                     its alternation for --coupled; other options change it       default\n"
 "  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
+"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided), NAME:\n"
+"                     friction, together (all islands as one problem)              as planned, see `plan`\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
@@ -33,6 +35,14 @@ static const char help_check[] =
 "  --skip-done FILE   leaves out scenes with a result in FILE (JSON Lines); what they were counts for the exit status\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
+
+static const char help_plan[] =
+"stonepack plan [options] SCENE\n\n"
+"Which effects does the scene call for, and what does leaving the others out save? `check` follows this plan.\n\n"
+"  --json             one JSON object\n"
+"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), NAME: friction, together\n"
+"  --tol, --cone, --mu, --stages, --tilt, --coupled as in check\n\n"
+"Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 
 static const char help_verify[] =
 "stonepack verify SCENE RESULT.json\n\n"
@@ -97,6 +107,7 @@ static const struct {
 } command[] = {
     { "check",    "does it stand?",                        help_check,    command_check },
     { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
+    { "plan",     "which effects does a scene call for?",  help_plan,     command_plan },
     { "contacts", "what touches what?",                    help_contacts, command_contacts },
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
     { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost },

@@ -83,6 +83,22 @@ static int worker(const char *s, options *o)
     return some ? megabytes > 0 && megabytes < 1e9 : 1;
 }
 
+/* "+friction,-together" */
+static int effects(const char *s, sp_settings *settings)
+{
+    for (;;) {
+        const size_t n = strcspn(s, ",");
+        int k = 0;
+        if (*s != '+' && *s != '-') return 0;
+        while (k < SP_EFFECTS_FORCED
+               && (strlen(sp_effect_text((sp_effect)k)) != n - 1 || memcmp(sp_effect_text((sp_effect)k), s + 1, n - 1))) k++;
+        if (k == SP_EFFECTS_FORCED) return 0;
+        settings->effect[k] = *s == '+' ? SP_WITH : SP_WITHOUT;
+        if (!s[n]) return 1;
+        s += n + 1;
+    }
+}
+
 static int backend(const char *s, int *which)
 {
     static const char *const name[] = { "sparse", "dense", "cg" };              /* as sp_qp_backend */
@@ -105,6 +121,8 @@ static int take(options *o, const char *name, const char *value, text_error *err
         o->frames = value;
     } else if (strcmp(name, "--set") == 0) {
         o->set = value;
+    } else if (strcmp(name, "--effects") == 0) {
+        if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, together");
     } else if (strcmp(name, "--near") == 0) {
         if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--tol") == 0) {

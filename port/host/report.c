@@ -73,6 +73,31 @@ static void json_overlaps(json_out *j, const host_scene *s)
     json_close(j, ']');
 }
 
+/* What was simulated and what not; islands where there are several. */
+static void json_effects(json_out *j, const report *r)
+{
+    const sp_result *x = &r->result;
+    json_open(j, "effects", '{');
+    for (int k = 0; k < SP_EFFECTS; k++) {
+        json_open(j, sp_effect_text((sp_effect)k), '{');
+        json_bool(j, "on", sp_effect_on(x->effect[k]));
+        json_string(j, "why", sp_effect_why_text(x->effect[k]));
+        json_close(j, '}');
+    }
+    json_close(j, '}');
+    if (x->reason == SP_REASON_EFFECT) json_string(j, "missing_effect", sp_effect_text(x->missing));
+    json_open(j, "islands", '[');
+    for (int32_t k = 0; x->part && k < x->islands; k++) {
+        json_open(j, NULL, '{');
+        json_string(j, "first_block", r->scene->name[x->part[k].block]);
+        json_int(j, "blocks", x->part[k].blocks);
+        json_string(j, "verdict", sp_verdict_text(x->part[k].verdict));
+        json_string(j, "reason", sp_reason_text(x->part[k].reason));
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
 static void json_work(json_out *j, const sp_cost *c)
 {
     json_int(j, "flops", c->flops);
@@ -213,6 +238,7 @@ void report_json(FILE *out, const report *r)
     json_interfaces(&j, r);
     json_mechanism(&j, r);
     json_overlaps(&j, r->scene);
+    json_effects(&j, r);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);
@@ -244,6 +270,7 @@ static const char *why(sp_reason reason)
     case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was found";
     case SP_REASON_TENSION:    return "the penalty form is solved, but wants tension: no proof either way";
     case SP_REASON_UNVERIFIED: return "a solver's answer did not pass verification: no forces, and no motion that proves anything";
+    case SP_REASON_EFFECT:     return "an effect was left out that the scene calls for";
     default:                   return "";
     }
 }
@@ -325,6 +352,22 @@ static void text_mechanism(FILE *out, const report *r)
     fputc('\n', out);
 }
 
+/* How the islands do; those that don't stand by the names of their first blocks. */
+static void text_islands(FILE *out, const report *r)
+{
+    enum { SHOWN = 4 };
+    const sp_result *x = &r->result;
+    int32_t stable = 0, named = 0;
+    if (!x->part) return;
+    for (int32_t k = 0; k < x->islands; k++) stable += x->part[k].verdict == SP_STABLE;
+    row(out, "islands");
+    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands, (long)stable);
+    for (int32_t k = 0; k < x->islands && named < SHOWN; k++)
+        if (x->part[k].verdict != SP_STABLE)
+            fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->part[k].block], sp_verdict_text(x->part[k].verdict));
+    fprintf(out, x->islands - stable > named ? ", ...\n" : "\n");
+}
+
 static void text_overlaps(FILE *out, const host_scene *s)
 {
     if (s->overlaps == 0) return;
@@ -362,6 +405,11 @@ void report_text(FILE *out, const report *r)
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)n->blocks, n->blocks == 1 ? "" : "s",
             (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "",
             (long)x->points);
+    if (x->reason == SP_REASON_EFFECT) {
+        row(out, "left out");
+        fprintf(out, "%s\n", sp_effect_text(x->missing));
+    }
+    text_islands(out, r);
     text_overlaps(out, r->scene);
     row(out, "cost");
     fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");

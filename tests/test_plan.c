@@ -1,0 +1,361 @@
+/* Only the effects a scene calls for: what is left out changes no verdict, and says so. */
+#include "test.h"
+#include "scenes/gen.h"
+
+#include <string.h>
+
+enum { MOST = 128 };                                    /* blocks of a part */
+
+/* A generated scene, in test_arena. */
+static sp_scene part(const char *name, const char *param, double value, double mu)
+{
+    gen_scene g;
+    sp_scene s;
+    memset(&s, 0, sizeof s);
+    CHECK_INT(gen_open(&g, name), 1);
+    if (param) CHECK_INT(gen_set(&g, param, value), 1);
+    if (mu >= 0) CHECK_INT(gen_set(&g, "mu", mu), 1);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    return s;
+}
+
+/* How parts are put together: lengths times `length`, masses times `mass`, everything else way round where `turned`. */
+typedef struct manner { double length, mass; int turned; } manner;
+
+static sp_scene room(int32_t blocks, int32_t interfaces, int32_t points)
+{
+    sp_capacity cap;
+    sp_scene s;
+    memset(&cap, 0, sizeof cap);
+    cap.blocks = blocks;
+    cap.interfaces = interfaces;
+    cap.points = points;
+    cap.loads = 4;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    return s;
+}
+
+/* `in` moved by x [m] along x, without its meshes; turned: last blocks and joints first, B called A, corners from the next on. */
+static void add(sp_scene *out, const sp_scene *in, double x, manner m)
+{
+    int32_t number[MOST];
+    for (int32_t q = 0; q < in->count.blocks; q++) {
+        const int32_t k = m.turned ? in->count.blocks - 1 - q : q;
+        const sp_block *b = &in->block[k];
+        sp_real c[3];
+        for (int i = 0; i < 3; i++) c[i] = R(m.length) * (b->centroid[i] + (i ? 0 : R(x)));
+        CHECK_INT(sp_scene_body(out, R(m.mass) * b->mass, c, b->fixed, &number[k]), SP_OK);
+    }
+    for (int32_t q = 0; q < in->count.interfaces; q++) {
+        const sp_interface *f = &in->interface[m.turned ? in->count.interfaces - 1 - q : q];
+        sp_real xyz[3 * 16];
+        for (int32_t v = 0; v < f->points; v++) {
+            const int32_t from = m.turned ? (2 * f->points - v) % f->points : v;        /* backwards: seen from the other side */
+            for (int i = 0; i < 3; i++)
+                xyz[3 * v + i] = R(m.length) * (in->point[f->point + from][i] + (i ? 0 : R(x)));
+        }
+        CHECK_INT(sp_scene_interface(out, number[m.turned ? f->b : f->a], number[m.turned ? f->a : f->b], f->points, xyz,
+                                     &f->joint, NULL), SP_OK);
+    }
+}
+
+static sp_result check(const sp_scene *s, const sp_settings *set, sp_arena *a)
+{
+    sp_result r;
+    sp_evidence e;
+    memset(&r, 0, sizeof r);
+    CHECK_INT(sp_check(s, set, a, &r), SP_OK);
+    CHECK_INT(sp_verify(s, set, &r, *a, &e), SP_OK);
+    CHECK_INT(e.verdict, r.verdict == SP_UNDECIDED ? e.verdict : r.verdict);
+    return r;
+}
+
+/* The verdict with every effect on. */
+static sp_result full(const sp_scene *s, const sp_settings *set, sp_arena *a)
+{
+    sp_settings all = set ? *set : sp_settings_default();
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) all.effect[k] = SP_WITH;
+    return check(s, &all, a);
+}
+
+static const manner plain = { 1, 1, 0 }, other = { 39.37, 2.2046, 1 };
+
+static sp_scene two(const char *left, const char *right, const char *param, double value, manner m)
+{
+    const sp_scene a = part(left, NULL, 0, -1), b = part(right, param, value, -1);
+    sp_scene s = room(a.count.blocks + b.count.blocks, a.count.interfaces + b.count.interfaces, a.count.points + b.count.points);
+    add(&s, &a, 0, m);
+    add(&s, &b, 100, m);
+    for (int k = 0; k < 3; k++) s.gravity[k] *= R(m.length);
+    return s;
+}
+
+TEST(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
+{
+    for (int k = 0; k < 2; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        s = two("arch", "overhang", "factor", 1.1, k ? other : plain);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, NULL, &a);
+        int32_t moving = 0;
+        CHECK_INT(r.verdict, SP_UNSTABLE);
+        CHECK_INT(r.reason, SP_REASON_MECHANISM);
+        CHECK_INT(r.islands, 2);
+        NEED(r.part && r.island);
+        CHECK_INT(r.part[0].verdict, SP_STABLE);
+        CHECK_INT(r.part[0].reason, SP_REASON_FORCES);
+        CHECK_INT(r.part[1].verdict, SP_UNSTABLE);
+        CHECK_INT(r.part[0].blocks + r.part[1].blocks, r.free_blocks);
+        CHECK_INT(r.island[r.part[1].block], 1);
+        for (int32_t i = 0; i < s.count.blocks; i++) {
+            const sp_real *dq = r.dq + 6 * (size_t)i;
+            int goes = 0;
+            for (int q = 0; q < 6; q++) goes |= dq[q] < 0 || dq[q] > 0;
+            CHECK_INT(r.island[i] < 0, s.block[i].fixed == SP_FIXED);
+            CHECK(!goes || r.island[i] == 1);
+            moving += goes;
+        }
+        CHECK(moving > 0);
+        CHECK_INT(r.effect[SP_EFFECT_TOGETHER], SP_WHY_APART);
+        CHECK_INT(full(&s, NULL, &a).verdict, SP_UNSTABLE);
+    }
+}
+
+TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
+{
+    static const struct { double left, right; sp_verdict verdict[3]; } want[] = {
+        { 0.3, 0.4, { SP_STABLE, SP_STABLE, SP_STABLE } },      { 0.6, 0.4, { SP_UNSTABLE, SP_STABLE, SP_UNSTABLE } },
+        { 0.6, 0.7, { SP_UNSTABLE, SP_UNSTABLE, SP_UNSTABLE } }, { 0.5, 0.4, { SP_UNDECIDED, SP_STABLE, SP_UNDECIDED } },
+        { 0.5, 0.6, { SP_UNDECIDED, SP_UNSTABLE, SP_UNSTABLE } }
+    };
+    for (size_t k = 0; k < sizeof want / sizeof want[0]; k++) {
+        test_arena.used = 0;
+        const sp_scene a = part("two-cubes", "offset", want[k].left, -1), b = part("two-cubes", "offset", want[k].right, -1);
+        sp_scene s = room(4, 2, 8);
+        add(&s, &a, 0, plain);
+        add(&s, &b, 10, plain);
+        sp_arena rest = test_arena;
+        const sp_result r = check(&s, NULL, &rest);
+        NEED(r.part != NULL);
+        for (int q = 0; q < 2; q++)
+            if (want[k].verdict[q] != SP_UNDECIDED) CHECK_INT(r.part[q].verdict, want[k].verdict[q]);
+        if (want[k].verdict[0] != SP_UNDECIDED) CHECK_INT(r.verdict, want[k].verdict[2]);
+        CHECK(r.part[0].verdict != SP_UNSTABLE || r.verdict == SP_UNSTABLE);
+        CHECK_INT(full(&s, NULL, &rest).verdict, r.verdict);
+    }
+}
+
+/* Piles of boxes that touch nothing but what is under them, some off their base. */
+static sp_scene piles(int32_t count, manner m)
+{
+    const sp_real down[3] = { 0, 0, R(-m.length) };
+    sp_scene s = room(1 + 6 * count, 6 * count, 24 * count);
+    for (int k = 0; k < 3; k++) s.gravity[k] *= R(m.length);
+    CHECK_INT(sp_scene_body(&s, 0, down, SP_FIXED, NULL), SP_OK);
+    for (int32_t p = 0; p < count; p++) {
+        const int32_t high = test_random_int(1, 6);
+        double x = 10 * p, y = 0;
+        for (int32_t k = 0, below = 0; k < high; k++) {
+            const double most = p % 3 ? 0.2 : 0.45;
+            const double dx = (double)test_random_real(-most, most), dy = (double)test_random_real(-most, most);
+            const double l = m.length, lo = k ? (dx > 0 ? dx : 0) : 0, hi = k ? (dx > 0 ? 1 : 1 + dx) : 1;
+            const double near = k ? (dy > 0 ? dy : 0) : 0, far = k ? (dy > 0 ? 1 : 1 + dy) : 1;
+            const sp_real foot[12] = { R(l * (x + lo)), R(l * (y + near)), R(l * k), R(l * (x + hi)), R(l * (y + near)), R(l * k),
+                                       R(l * (x + hi)), R(l * (y + far)), R(l * k), R(l * (x + lo)), R(l * (y + far)), R(l * k) };
+            const sp_joint joint = sp_joint_friction(R(0.6));
+            if (k) { x += dx; y += dy; }
+            const sp_real c[3] = { R(l * (x + 0.5)), R(l * (y + 0.5)), R(l * (k + 0.5)) };
+            int32_t id = 0;
+            CHECK_INT(sp_scene_body(&s, R(m.mass * 1000), c, 0, &id), SP_OK);
+            CHECK_INT(sp_scene_interface(&s, below, id, 4, foot, &joint, NULL), SP_OK);
+            below = id;
+        }
+    }
+    return s;
+}
+
+TEST(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
+{
+    int32_t stable = 0, unstable = 0;
+    for (int32_t k = 0; k < 60; k++) {
+        size_t bytes = 0;
+        test_arena.used = 0;
+        sp_scene s = piles(1 + k % 5, k % 2 ? other : plain);
+        if (k % 7 == 0) {
+            const sp_load load = { s.count.blocks - 1, 0, { 0, 0, 0 }, { R(3), 0, R(-50) }, { 0, 0, 0 }, 0 };
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+        sp_arena exact = test_arena, all = test_arena;
+        exact.base += (exact.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        exact.used = exact.peak = 0;
+        exact.cap = bytes;
+        const sp_arena fresh = exact;
+        sp_result r, other_way;
+        CHECK_INT(sp_check(&s, NULL, &exact, &r), SP_OK);
+        CHECK_INT(r.peak_bytes, bytes);
+        const sp_verdict verdict = r.verdict;
+        exact = fresh;
+        exact.cap = bytes - 1;
+        CHECK_INT(sp_check(&s, NULL, &exact, &other_way), SP_E_MEMORY);
+        CHECK_INT(exact.used, 0);
+        CHECK_INT(full(&s, NULL, &all).verdict, verdict);
+        stable += verdict == SP_STABLE;
+        unstable += verdict == SP_UNSTABLE;
+    }
+    CHECK(stable > 5 && unstable > 5);
+}
+
+TEST(a_coupled_check_of_islands_answers_as_of_the_whole)
+{
+    static const double mu[] = { 0.84, 1.2 };
+    for (int k = 0; k < 2; k++) {
+        test_arena.used = 0;
+        const sp_scene h = part("h-model", NULL, 0, mu[k]), c = part("two-cubes", NULL, 0, -1);
+        sp_scene s = room(h.count.blocks + 2, h.count.interfaces + 1, h.count.points + 4);
+        sp_settings set = sp_settings_default();
+        add(&s, &h, 0, plain);
+        add(&s, &c, 50, plain);
+        set.coupled.asked = 1;
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), f = full(&s, &set, &a);
+        CHECK_INT(r.islands, 2);
+        CHECK_INT(f.islands, 1);
+        CHECK_INT(r.coupled.verdict, f.coupled.verdict);
+        CHECK_INT(r.verdict, f.verdict);
+    }
+}
+
+TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
+{
+    const sp_real low[3] = { 0, 0, R(-1) }, high[3] = { R(1), 0, R(-1) };
+    const sp_real side[12] = { R(0.5), 0, R(-2), R(0.5), R(1), R(-2), R(0.5), R(1), 0, R(0.5), 0, 0 };
+    const sp_joint joint = sp_joint_friction(R(0.6));
+    sp_scene s = room(4, 3, 12);
+    CHECK_INT(sp_scene_body(&s, 0, low, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, high, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, side, &joint, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const sp_real c[3] = { R(k), 0, R(0.5) };
+        const sp_real foot[12] = { R(k - 0.4), R(-0.4), 0, R(k + 0.4), R(-0.4), 0, R(k + 0.4), R(0.4), 0, R(k - 0.4), R(0.4), 0 };
+        CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 2 + k, 4, foot, &joint, NULL), SP_OK);
+    }
+    sp_arena a = test_arena;
+    const sp_result r = check(&s, NULL, &a);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK_INT(r.islands, 2);
+    CHECK_INT(r.interfaces, 2);
+}
+
+/* Rows 1, 2, 3, 4, 5, 4, 3, 2, 1: all joints level, all loads plumb, and yet only friction holds it. */
+TEST(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
+{
+    sp_settings set = sp_settings_default();
+    set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    for (int32_t rows = 4; rows <= 5; rows++) {
+        test_arena.used = 0;
+        const sp_scene s = part("diamond", "rows", rows, 0.84);
+        sp_arena a = test_arena;
+        const sp_result planned = check(&s, NULL, &a), all = full(&s, NULL, &a), without = check(&s, &set, &a);
+        CHECK_INT(planned.verdict, SP_STABLE);
+        CHECK_INT(all.verdict, SP_STABLE);
+        CHECK_INT(without.verdict, rows == 4 ? SP_STABLE : SP_UNDECIDED);
+        CHECK_INT(without.reason, rows == 4 ? SP_REASON_FORCES : SP_REASON_EFFECT);
+        CHECK_INT(without.missing, SP_EFFECT_FRICTION);
+        CHECK_INT(without.effect[SP_EFFECT_FRICTION], SP_WHY_LEFT_OUT);
+    }
+}
+
+TEST(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "arch", "n", 7 }, { "arch", "t", 0.09 }, { "incline", NULL, 0 }, { "keystone", NULL, 0 }, { "wall", "size", 54 },
+        { "overhang", "factor", 1.1 }, { "overhang", NULL, 0 }, { "diamond", "mu", 0.1 }, { "tower", "lean", 0.1 }
+    };
+    for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++) {
+        test_arena.used = 0;
+        const sp_scene s = part(scene[k].name, scene[k].param, scene[k].value, -1);
+        sp_arena a = test_arena;
+        const sp_result all = full(&s, NULL, &a);
+        for (int q = 0; q < SP_EFFECTS_FORCED; q++) {
+            sp_settings set = sp_settings_default();
+            set.effect[q] = SP_WITHOUT;
+            const sp_result r = check(&s, &set, &a);
+            CHECK(r.verdict == all.verdict || (r.verdict == SP_UNDECIDED && r.reason == SP_REASON_EFFECT));
+        }
+    }
+}
+
+static int32_t free_blocks(const sp_scene *s)
+{
+    int32_t n = 0;
+    for (int32_t k = 0; k < s->count.blocks; k++) n += s->block[k].fixed != SP_FIXED;
+    return n;
+}
+
+TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
+{
+    sp_scene s = two("wall", "wall", NULL, 0, plain);
+    sp_outlook o;
+    size_t bytes = 0;
+    sp_settings set = sp_settings_default();
+    CHECK_INT(sp_plan(&s, NULL, test_arena, &o), SP_OK);
+    CHECK_INT(sp_memory(&s, NULL, test_arena, &bytes), SP_OK);
+    CHECK_INT(o.bytes, bytes);
+    set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+    CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_OK);
+    CHECK_INT(o.full_bytes, bytes);
+    CHECK_INT(o.islands, 2);
+    CHECK(o.bytes < o.full_bytes);
+    CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_TOGETHER].why, SP_WHY_APART);
+    CHECK_INT(o.effect[SP_EFFECT_STRENGTH].why, SP_WHY_ABSENT);
+    CHECK_INT(o.effect[SP_EFFECT_LOADS].why, SP_WHY_ABSENT);
+    CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, SP_WHY_NOT_ASKED);
+    CHECK_INT(o.effect[SP_EFFECT_DYNAMICS].why, SP_WHY_STATICS);
+    CHECK_INT(o.full_unknowns, 6 * free_blocks(&s) + 3 * s.count.points);
+    s.live = 1;
+    s.body[0] = R(0.1);
+    set.coupled.asked = 1;
+    set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_OK);
+    CHECK_INT(o.effect[SP_EFFECT_TOGETHER].why, SP_WHY_ASKED);
+    CHECK_INT(o.effect[SP_EFFECT_LIVE].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_LEFT_OUT);
+}
+
+TEST(a_plan_with_unusable_arguments_is_refused)
+{
+    sp_scene s = part("two-cubes", NULL, 0, -1);
+    sp_settings set = sp_settings_default();
+    sp_outlook o;
+    const sp_arena tiny = { test_arena.base, 64, 0, 0 };
+    sp_arena a = test_arena;
+    CHECK_INT(sp_plan(NULL, NULL, test_arena, &o), SP_E_ARGUMENT);
+    CHECK_INT(sp_plan(&s, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_plan(&s, NULL, tiny, &o), SP_E_MEMORY);
+    sp_result r;
+    set.effect[0] = (sp_choice)3;
+    CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_E_ARGUMENT);
+    CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_ARGUMENT);
+    a = test_arena;
+    a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    a.used = a.peak = 0;
+    a.cap = sp_plan_memory(&s, NULL);
+    CHECK_INT(sp_plan(&s, NULL, a, &o), SP_OK);
+}
+
+TEST_LIST(plan)
+    RUN(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
+    RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
+    RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
+    RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
+    RUN(supports_join_nothing_and_contacts_between_them_take_no_part)
+    RUN(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
+    RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
+    RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
+    RUN(a_plan_with_unusable_arguments_is_refused)
+TEST_END
