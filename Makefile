@@ -44,7 +44,7 @@ BULLET  := $(shell command -v $(CXX) > /dev/null 2>&1 && for p in bullet-float64
 endif
 ifneq ($(BULLET),)
 SETTLE_C = $(wildcard settle/*.c)
-SETTLE_O = build/settle.o
+SETTLE_O = build/bullet.o
 BULLET_I := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(BULLET)))
 PLUG_C  += -DWITH_BULLET
 PLUG_L  += -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -lstdc++
@@ -84,7 +84,7 @@ build/stonepack.o: $(PARTS)
 build/libstonepack.a: build/stonepack.o
 	$(AR) rcs $@ $<
 
-build/settle.o: settle/settle.cpp $(wildcard settle/*.h) stonepack.h
+build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h
 	@mkdir -p build
 	$(CXX) -std=c++11 -ffp-contract=off $(CFLAGS) $(WARN) $(BULLET_I) -c $< -o $@
 

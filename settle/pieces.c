@@ -44,6 +44,17 @@ int pieces_add(pieces_solid *s, int32_t n, const double (*xyz)[3])
     return 1;
 }
 
+int pieces_mesh(pieces_solid *s, const settle_mesh *mesh)
+{
+    const int32_t *corner = mesh->corner;
+    for (int32_t f = 0; f < mesh->faces; f++) {
+        if (!reserve(s, s->faces + 1, s->corners + mesh->size[f])) return 0;
+        s->size[s->faces++] = mesh->size[f];
+        for (int32_t k = 0; k < mesh->size[f]; k++) memcpy(s->xyz[s->corners++], mesh->xyz + 3 * (size_t)*corner++, sizeof *s->xyz);
+    }
+    return 1;
+}
+
 int pieces_box(pieces_solid *s, const double low[3], const double high[3])
 {
     static const int side[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
@@ -77,6 +88,46 @@ static double unit(double n[3])
     const double length = sqrt(dot(n, n));
     for (int c = 0; c < 3 && length > 0; c++) n[c] /= length;
     return length;
+}
+
+/* v = n x e for the axis e farthest from n, u = v x n */
+void pieces_axes(const double n[3], double u[3], double v[3])
+{
+    double e[3] = { 0, 0, 0 };
+    int low = 0;
+    for (int c = 1; c < 3; c++)
+        if (fabs(n[c]) < fabs(n[low])) low = c;
+    e[low] = 1;
+    for (int c = 0; c < 3; c++) v[c] = n[(c + 1) % 3] * e[(c + 2) % 3] - n[(c + 2) % 3] * e[(c + 1) % 3];
+    for (int c = 0; c < 3; c++) u[c] = v[(c + 1) % 3] * n[(c + 2) % 3] - v[(c + 2) % 3] * n[(c + 1) % 3];
+}
+
+static int plane_around(const settle_mesh *m, int32_t corners, const double (*q)[3], pieces_plane *p)
+{
+    double low = HUGE_VAL;
+    pieces_normal(corners, q, p->n);
+    if (!(unit(p->n) > 0)) return 0;
+    p->d = -HUGE_VAL;
+    for (int32_t k = 0; k < m->vertices; k++) {
+        const double h = dot(p->n, m->xyz + 3 * (size_t)k);
+        p->d = fmax(p->d, h);
+        low = fmin(low, h);
+    }
+    p->width = p->d - low;
+    return 1;
+}
+
+int pieces_planes(const settle_mesh *mesh, pieces_plane **plane, int32_t *planes)
+{
+    pieces_solid s = { 0, 0, 0, 0, NULL, NULL };
+    const int whole = pieces_mesh(&s, mesh);
+    const double (*q)[3] = (const double (*)[3])s.xyz;
+    *planes = 0;
+    *plane = malloc(((size_t)mesh->faces + 1) * sizeof **plane);
+    for (int32_t f = 0; whole && *plane && f < s.faces; q += s.size[f++])
+        *planes += plane_around(mesh, s.size[f], q, &(*plane)[*planes]);
+    pieces_free(&s);
+    return whole && *plane;
 }
 
 /* Where the edge p q meets the plane; the same bits for q p. hp, hq: heights over the plane, of different sign. */
@@ -113,8 +164,8 @@ static int by_angle(const void *pa, const void *pb)
 static int add_lid(pieces_solid *s, const double normal[3], double d, double eps)
 {
     around *p = malloc(((size_t)s->corners + 1) * sizeof *p);
-    double mean[3] = { 0, 0, 0 }, u[3] = { 0, 0, 0 }, v[3], (*q)[3] = NULL;
-    int32_t n = 0, m = 0, low = 0;
+    double mean[3] = { 0, 0, 0 }, u[3], v[3], (*q)[3] = NULL;
+    int32_t n = 0, m = 0;
     int good = p != NULL;
 
     for (int32_t k = 0; good && k < s->corners; k++) {
@@ -129,11 +180,7 @@ static int add_lid(pieces_solid *s, const double normal[3], double d, double eps
     }
     for (int32_t i = 0; i < n; i++)
         for (int c = 0; c < 3; c++) mean[c] += p[i].x[c] / n;
-    for (int c = 1; c < 3; c++)
-        if (fabs(normal[c]) < fabs(normal[low])) low = c;
-    u[low] = 1;
-    for (int c = 0; c < 3; c++) v[c] = normal[(c + 1) % 3] * u[(c + 2) % 3] - normal[(c + 2) % 3] * u[(c + 1) % 3];
-    for (int c = 0; c < 3; c++) u[c] = v[(c + 1) % 3] * normal[(c + 2) % 3] - v[(c + 2) % 3] * normal[(c + 1) % 3];
+    pieces_axes(normal, u, v);
     for (int32_t i = 0; i < n; i++) {
         double r[3];
         for (int c = 0; c < 3; c++) r[c] = p[i].x[c] - mean[c];
@@ -531,7 +578,7 @@ const char *settle_status_text(settle_status status)
     case SETTLE_E_MEMORY:   return "out of memory";
     case SETTLE_E_NUMBER:   return "an infinity or a NaN";
     case SETTLE_E_SETTINGS: return "a setting outside its range";
-    case SETTLE_E_MESH:     return "a mesh that encloses no volume";
+    case SETTLE_E_MESH:     return "a mesh that encloses no volume, or is too thin to be simulated";
     case SETTLE_E_PIECES:   return "too many convex pieces in one stone";
     case SETTLE_E_STOPPED:  return "stopped";
     case SETTLE_E_BODY:     return "a block without a mesh, or a free one whose mesh is open";

@@ -24,7 +24,8 @@ typedef enum settle_status {
     SETTLE_E_MEMORY    = -2,
     SETTLE_E_NUMBER    = -3,    /* an infinity or a NaN */
     SETTLE_E_SETTINGS  = -4,    /* a setting outside its range */
-    SETTLE_E_MESH      = -5,    /* a mesh that encloses no volume, or names a vertex that does not exist */
+    SETTLE_E_MESH      = -5,    /* a mesh that encloses no volume, is thinner than 5e-6 of its size, or names a vertex that
+                                   does not exist */
     SETTLE_E_PIECES    = -6,    /* more convex pieces than SETTLE_PIECES in one stone */
     SETTLE_E_STOPPED   = -7,    /* by settings.watch */
     SETTLE_E_BODY      = -8,    /* a block of the scene without a mesh, or a free one whose mesh is open */

@@ -41,6 +41,15 @@ static void make_box(box *b, double x, double y, double z, double dx, double dy,
     b->stone.fixed = fixed;
 }
 
+/* A fixed slab and a box of 1 x 1 x `height` on it. */
+static void box_on_a_slab(double height, box b[2], settle_stone stone[2])
+{
+    make_box(&b[0], -2, -2, -1, 4, 4, 1, 1);
+    make_box(&b[1], -0.5, -0.5, 0, 1, 1, height, 0);
+    stone[0] = b[0].stone;
+    stone[1] = b[1].stone;
+}
+
 /* A polygon (x, z), anticlockwise seen from -y, extruded from y = 0 to 1. */
 typedef struct prism { double xyz[3 * 24]; int32_t size[14], corner[72]; settle_mesh mesh; } prism;
 
@@ -226,10 +235,7 @@ TEST(faces_touch_truly_whatever_the_margin)
         settle_stone stone[2];
         settle_settings s = settle_default();
         settle_result r;
-        make_box(&b[0], -2, -2, -1, 4, 4, 1, 1);
-        make_box(&b[1], -0.5, -0.5, 0, 1, 1, 0.5, 0);
-        stone[0] = b[0].stone;
-        stone[1] = b[1].stone;
+        box_on_a_slab(0.5, b, stone);
         s.margin = margin[k];
         s.lift = 0.01;
         NEED(settle_run(2, stone, &s, &r) == SETTLE_OK);
@@ -295,7 +301,7 @@ TEST(each_pair_has_the_friction_given_for_it)
     box b[3];
     settle_stone stone[3];
     settle_settings s = settle_confirm_default();
-    settle_pair slippery = { 2, 0, 0.1 };
+    const settle_pair pair[] = { { 0, 2, 0.7 }, { 2, 1, 0.9 }, { 2, 0, 0.1 } };       /* of the same two the last counts */
     settle_result r;
     make_box(&b[0], -3, -3, -1, 6, 6, 1, 1);
     make_box(&b[1], -2, 0, 0, 1, 1, 0.3, 0);
@@ -303,8 +309,8 @@ TEST(each_pair_has_the_friction_given_for_it)
     for (int k = 0; k < 3; k++) stone[k] = b[k].stone;
     s.gravity[1] = -9.81 * 0.3;                         /* a slope of 0.3 */
     s.mu = 0.5;
-    s.pairs = 1;
-    s.pair = &slippery;
+    s.pairs = 3;
+    s.pair = pair;
     NEED(settle_run(3, stone, &s, &r) == SETTLE_OK);
     CHECK(r.pose[1].moved < 1e-3);
     CHECK(r.pose[2].moved > 0.5);
@@ -323,10 +329,7 @@ TEST(quiet_ends_the_waiting_when_asked)
     settle_stone stone[2];
     settle_settings s = settle_default();
     settle_result r;
-    make_box(&b[0], -2, -2, -1, 4, 4, 1, 1);
-    make_box(&b[1], -0.5, -0.5, 0, 1, 1, 0.5, 0);
-    stone[0] = b[0].stone;
-    stone[1] = b[1].stone;
+    box_on_a_slab(0.5, b, stone);
     s.energy = 1e-8;
     NEED(settle_run(2, stone, &s, &r) == SETTLE_OK);
     CHECK(r.steps >= 750 + s.quiet + s.tamp_steps + s.quiet && r.steps < 2850);
@@ -403,10 +406,7 @@ TEST(contacts_of_a_cube_have_its_corners)
     settle_stone stone[2];
     settle_result r;
     const settle_settings s = settle_default();
-    make_box(&b[0], -2, -2, -1, 4, 4, 1, 1);
-    make_box(&b[1], -0.5, -0.5, 0, 1, 1, 1, 0);
-    stone[0] = b[0].stone;
-    stone[1] = b[1].stone;
+    box_on_a_slab(1, b, stone);
     NEED(settle_run(2, stone, &s, &r) == SETTLE_OK);
     NEED(r.contacts == 1);
     CHECK_INT(r.contact[0].a, 0);

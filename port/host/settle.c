@@ -206,6 +206,20 @@ static int failed(settle_status status, const session *s, text_error *error)
     return text_fail(error, code, s->in.path, 0, "%s", code == EXIT_MEMORY ? "out of memory" : settle_status_text(status));
 }
 
+/* Which stone is no body: the first that is refused alone. */
+static int32_t refused_alone(const session *s)
+{
+    settle_settings still = s->set;
+    still.ramp_steps = still.steps = still.tamps = still.pairs = 0;
+    still.watch = NULL;
+    for (int32_t k = 0; k < s->assembly.stones; k++) {
+        settle_result r;
+        if (settle_run(1, &s->assembly.stone[k], &still, &r) != SETTLE_OK) return k;
+        settle_result_free(&r);
+    }
+    return -1;
+}
+
 static int simulate(session *s, text_error *error)
 {
     settle_status status = settle_from_scene(&s->in.scene, s->o->confirm, &s->assembly);
@@ -222,6 +236,7 @@ static int simulate(session *s, text_error *error)
     s->bar = -1;
     status = settle_run(s->assembly.stones, s->assembly.stone, &s->set, &s->result);
     if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
+    if (status == SETTLE_E_MESH) s->assembly.block = refused_alone(s);
     return status ? failed(status, s, error) : 0;
 }
 

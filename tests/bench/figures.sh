@@ -23,7 +23,7 @@ settle() {                                              # settle COUNT --frames 
     "$cli" settle build/figures/loose.obj "$2" "$3" --set rest_steps=3000,energy=1e-6 > build/figures/settle.txt
     echo "$3"
 }
-if [ -f build/settle.o ]; then
+if [ -f build/bullet.o ]; then
     settle 24 --frames $out/falling.svg
     settle 100 -o build/figures/heap.obj
     "$cli" check --svg $out/heap.svg build/figures/heap.obj > build/figures/heap.txt || [ $? -le 2 ]

@@ -383,16 +383,16 @@ settle_warnings() {
         # shellcheck disable=SC2086
         "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/settle.c -o $out/warn.o &&
         "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/test_settle.c -o $out/warn.o &&
-        "$1" $host $sw_real -O2 -c settle/pieces.c -o $out/warn.o && "$1" $host $sw_real -O2 -c settle/assembly.c -o $out/warn.o || return 1
+        for sw_c in settle/*.c; do "$1" $host $sw_real -O2 -c $sw_c -o $out/warn.o || return 1; done || return 1
     done
     # shellcheck disable=SC2086
-    "$2" -std=c++11 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -O2 $bullet_i -c settle/settle.cpp -o $out/warn.o
+    "$2" -std=c++11 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -O2 $bullet_i -c settle/bullet.cpp -o $out/warn.o
 }
 settle_sanitized() {
     # shellcheck disable=SC2086
-    g++ -std=c++11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all $bullet_i -c settle/settle.cpp -o $out/settle_san.o &&
+    g++ -std=c++11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all $bullet_i -c settle/bullet.cpp -o $out/settle_san.o &&
     run_build gcc stonepack.c $out/run_settle -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -DWITH_BULLET \
-        settle/pieces.c settle/assembly.c $out/settle_san.o $bullet_l -lstdc++ && $out/run_settle settle/
+        settle/*.c $out/settle_san.o $bullet_l -lstdc++ && $out/run_settle settle/
 }
 settle_cases() { python3 tests/checks/settle_cases.py build/stonepack ../shared/cases; }
 check_settle() {

@@ -45,6 +45,6 @@ heap() {                                                # a hundred stones fall;
     "$cli" check --json --svg $out/heap.svg $out/heap.obj > $out/heap.json || [ $? -le 2 ] || exit 1
     echo "heap of 100 stones: $(field verdict), $(field interfaces) joints, $(field contact_vertices) points"
 }
-if [ -f build/settle.o ]; then heap; else echo "no heap: settle needs g++ and Bullet (apt-get install g++ libbullet-dev)"; fi
+if [ -f build/bullet.o ]; then heap; else echo "no heap: settle needs g++ and Bullet (apt-get install g++ libbullet-dev)"; fi
 echo "pictures: $out/*.svg"
 exit $wrong

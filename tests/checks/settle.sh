@@ -75,6 +75,8 @@ part "--confirm: both fall" exits 1 "$cli" settle --confirm --json "$tmp/fall.ob
 "$cli" gen h-model > "$tmp/h.obj"
 part "--confirm: they differ" exits 2 "$cli" settle --confirm "$tmp/h.obj"
 part "a support without a mesh is refused by name" refused 65 "block 'post'" "$cli" settle "$tmp/open.obj" -o "$tmp/x.obj"
+sed 's/^v \([-.0-9]* [-.0-9]*\) 1$/v \1 1e-7/' "$tmp/two.obj" > "$tmp/thin.obj"
+part "a stone too thin is refused by name" refused 65 "block 'b': .*too thin" "$cli" settle "$tmp/thin.obj" -o "$tmp/x.obj"
 part "no scene" exits 64 "$cli" settle -o "$tmp/x.obj"
 part "nothing asked for" exits 64 "$cli" settle "$tmp/two.obj"
 part "an unknown setting" exits 64 "$cli" settle "$tmp/two.obj" --confirm --set speed=3

@@ -22,7 +22,7 @@ begin float build/run_float
 begin double build/run
 for real in double float; do begin "bits_$real" env DIFFER=1 sh tests/corpus/corpus.sh $real "${CC:-gcc}" -O0; done
 begin program sh tests/checks/smoke.sh build/stonepack
-if [ -f build/settle.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
+if [ -f build/bullet.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
 begin bad sh tests/checks/bad.sh build/stonepack
 begin readme sh tests/checks/readme.sh build/stonepack
 
@@ -31,6 +31,6 @@ count "tests, float" end float
 count "bad scenes" end bad
 for real in double float; do part "same bits without optimisation, $real" end bits_$real; done
 count "program" end program
-if [ -f build/settle.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
+if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
 total
