@@ -6167,17 +6167,20 @@ SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
     return 0;
 }
 
-/* A start with the joints that press already closed: forces as if dn + eps were dn, then the motion put onto dn = -eps there. */
-SP__APART static void sp__cra_close(sp__cra *c, sp_real drag)
+/* A start with the joints that press already closed: forces as if dn + eps were dn, then the motion put onto dn = -eps there.
+ * Without eps they touch where they are, and press as statics found: nothing else would, where a squeezed block only slides. */
+static void sp__cra_close(sp__cra *c, sp_real drag)
 {
+    const int gives = c->k.eps > 0;
     c->drag = drag;
     c->goal = SP__AGREE;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
+        const sp_real press = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            c->lam[v] = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
+            c->lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->unit;
     }
-    if (!(c->k.eps > 0)) return;                        /* they touch where they are */
+    if (!gives) return;
     sp__cra_descend(c);
     for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = c->f[3 * v];
     sp__cra_press(c);

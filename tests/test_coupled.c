@@ -429,6 +429,22 @@ TEST(and_from_eta_over_eps_2w_over_h_on)
     }
 }
 
+TEST(without_give_a_squeezed_block_slides_down_and_is_coupled_however_little_it_rubs)
+{
+    static const double mu[] = { 0.01, 0.1, 0.7 };
+    for (int k = 0; k < 6; k++) {
+        sp_settings set = asked(1, k % 2);
+        squeeze q = plain;
+        sp_scene s;
+        sp_result r;
+        q.mu = mu[k / 2];
+        q.h = k % 2 ? 3 : 0.4;
+        set.coupled.eps = 0;
+        squeezed(&q, &s);
+        CHECK_INT(answer(&s, &set, &r), SP_COUPLING_COUPLED);
+    }
+}
+
 TEST(the_answer_does_not_depend_on_units_axes_order_or_sides)
 {
     for (int k = 0; k < 64; k++) {
@@ -630,6 +646,7 @@ TEST_LIST(coupled)
     RUN(the_h_model_is_never_coupled)
     RUN(a_squeezed_block_jams_across_its_diagonal_from_mu_2h_over_w_on)
     RUN(and_from_eta_over_eps_2w_over_h_on)
+    RUN(without_give_a_squeezed_block_slides_down_and_is_coupled_however_little_it_rubs)
     RUN(the_answer_does_not_depend_on_units_axes_order_or_sides)
     RUN(a_coarse_tol_neither_couples_what_slides_nor_leaves_the_h_model_open)
     RUN(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
