@@ -5619,8 +5619,9 @@ static void sp__branch_rate(const sp__branch *s, int32_t v, sp_real d[3])
 #define SP__BRANCH_DUST ((sp_real)1e-7)
 #endif
 
-/* The vertex to branch on: of the unknown the worst fn (dn + g), then of those not open the most misaligned |ft| |dt|. -1: the
- * point meets all conditions as closely as states can tell. */
+/* The vertex to branch on: of the unknown the one that presses and gapes most, by its gap; then of those not open the one with
+ * the most friction across its slip, as a force, times the width of its sector. -1: the point meets all conditions as closely as
+ * states can tell. */
 static int32_t sp__branch_pick(const sp__branch *s)
 {
     int32_t pick = -1;
@@ -5628,14 +5629,16 @@ static int32_t sp__branch_pick(const sp__branch *s)
     for (int pass = 0; pass < 2 && pick < 0; pass++)
         for (int32_t v = 0; v < s->points; v++) {
             const sp_real *f = s->lp.x + 3 * v;
-            sp_real d[3];
+            sp_real d[3], width = 4;
             if (s->state[v] == 1 || (!pass && s->state[v] > 0) || s->state[v] >= SP__BRANCH_DEEP) continue;
             sp__branch_rate(s, v, d);
             const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), dt = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
             const sp_real x = pass ? ft : f[0], y = pass ? dt : d[0] + s->k.eps, along = f[1] * d[1] + f[2] * d[2];
             if (x <= SP__BRANCH_DUST || y <= SP__BRANCH_DUST) continue;
-            const sp_real value = s->size[v] * (!pass ? x * y : along > 0 ? x * y : sp__abs(f[1] * d[2] - f[2] * d[1]));
-            if (pass && value <= SP__BRANCH_DUST * s->size[v]) continue;
+            const sp_real across = along > 0 ? ft : sp__abs(f[1] * d[2] - f[2] * d[1]) / dt;
+            if (pass && across * dt <= SP__BRANCH_DUST) continue;
+            for (int32_t q = s->state[v]; q > 3; q /= 2) width /= 2;
+            const sp_real value = pass ? s->size[v] * across * width : y;
             if (value > worst) { worst = value; pick = v; }
         }
     return pick;
@@ -5738,7 +5741,8 @@ SP__APART static sp__outcome sp__branch_run(sp__branch *s)
 static int32_t sp__branch_room(int32_t points, int32_t blocks, int32_t asked, int32_t *entries)
 {
     const int few = points > 0 && points <= SP_EXACT_POINTS && blocks <= SP_EXACT_POINTS;
-    const int32_t own = few ? 60 * points * points : 0, nodes = few && asked >= 0 ? asked : own;
+    const int32_t cube = few ? 24 * points * points * points : 0, own = cube < 48000 ? cube : 48000;
+    const int32_t nodes = few && asked >= 0 ? asked : own;
     const int32_t most = INT32_MAX / 32 - 32 * SP_EXACT_POINTS, room = nodes < most ? nodes : most;
     *entries = room ? 20 * room + 3 * points + 6 * blocks + 1 : 0;
     return room;

@@ -356,8 +356,9 @@ typedef struct sp_coupled_settings {
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
     int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
                                    (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
-    int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 250 bytes each.
-                                   0: none; below 0: 60 x (contact vertices)^2 up to SP_EXACT_POINTS of them, none above -1 */
+    int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 210 bytes each.
+                                   0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none.
+                                                                                                                        -1 */
 } sp_coupled_settings;
 
 #define SP_EXACT_POINTS 48      /* contact vertices up to which the coupled check is decided by branch and bound */

@@ -28,7 +28,7 @@ static const char help_check[] =
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
 "  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"
 "  --cra-box          that bound for each component of the slip, as compas_cra\n"
-"  --cra-nodes N      largest proof that there is none; up to 48 corners           60 corners^2\n"
+"  --cra-nodes N      largest proof that there is none; up to 48 corners  24 corners^3, at most 48000\n"
 "  --solver ipopt     with --coupled: puts the published program's answer beside ours\n\n"
 "  --worker S[,MB]    a process of its own checks each scene: S seconds, MB megabytes, then it is killed (status 70)\n"
 "  --fallback         a worker that does not answer does not matter: check here\n"

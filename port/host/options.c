@@ -145,7 +145,8 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!real(value, &o->settings.coupled.eta) || !(o->settings.coupled.eta > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--cra-nodes") == 0) {
         sp_real n;
-        if (!real(value, &n) || !(n >= 0 && n <= (sp_real)1e7)) return usage(error, name, "needs a number from 0 to 1e7");
+        if (!real(value, &n) || !(n >= 0 && n <= (sp_real)1e7) || n > (sp_real)(int32_t)n)
+            return usage(error, name, "needs a whole number from 0 to 1e7");
         o->settings.coupled.nodes = (int32_t)n;
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
@@ -216,6 +217,7 @@ static int known(const char *allowed, const char *name)
 int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error)
 {
     const options none = { 0 };
+    const char *coupled_only = NULL;
     int only_files = 0;
 
     *o = none;
@@ -244,13 +246,14 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
         if (value) *value++ = 0;
         if (!known(allowed, name))
             return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name, argv[1]);
+        if (strncmp(name, "--cra-", 6) == 0) coupled_only = name;
         if (!value && flag(o, name)) continue;
         if (value && flag(o, name)) return usage(error, name, "takes no value");
         if (!value && i + 1 == argc) return usage(error, name, "needs a value");
         status = take(o, name, value ? value : argv[++i], error);
         if (status) return status;
     }
-    return 0;
+    return coupled_only && !o->settings.coupled.asked ? usage(error, coupled_only, "belongs to --coupled") : 0;
 }
 
 /* g' = |g| (cos t g/|g| + sin t h), h: the azimuth's direction made orthogonal to g. */

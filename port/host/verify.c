@@ -229,9 +229,9 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     return status;
 }
 
-/* gravity: the question's; *turned: it is not the scene's. */
+/* gravity: the question's; *turned: it is not the scene's; *proof: the result has one that there is no triple. */
 static int verify(const char *scene_path, const char *path, sp_evidence *evidence, options *o, sp_real gravity[3], int *turned,
-                  text_error *error)
+                  int *proof, text_error *error)
 {
     host_scene s;
     reading r = { path, { NULL, NULL, 0, 0 }, NULL, &s, error };
@@ -250,6 +250,7 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
         *turned = memcmp(s.scene.gravity, gravity, sizeof s.scene.gravity) != 0;
         memcpy(s.scene.gravity, gravity, sizeof s.scene.gravity);
         status = run(&r, o, evidence);
+        *proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
     if (read) scene_free(&s);
@@ -262,11 +263,11 @@ int command_verify(int argc, char **argv)
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     options o;
     sp_real gravity[3];
-    int turned = 0;
+    int turned = 0, proof = 0;
 
     if (options_read(argc, argv, "", &o, &error) == 0 && o.files != 2)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
-    if (!error.status && verify(o.file[0], o.file[1], &e, &o, gravity, &turned, &error) == 0) {
+    if (!error.status && verify(o.file[0], o.file[1], &e, &o, gravity, &turned, &proof, &error) == 0) {
         char omega[32], least[32];
         if (o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED) e.verdict = SP_UNDECIDED;
         printf("%s: %s by %s, cone %s, tol %.2g", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
@@ -277,6 +278,7 @@ int command_verify(int argc, char **argv)
             printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
         printf("omega %s", text_shortest(e.omega, omega));
         if (e.margin > 0) printf(", refuted, margin %.2g", (double)e.margin);
+        else if (proof) printf(", not refuted: the proof in it fails");
         else if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
         putchar('\n');
         return report_exit(e.verdict);

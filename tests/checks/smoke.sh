@@ -24,7 +24,7 @@ refuted() {                                             # a proof told in full i
     gen h-model && "$cli" check --json --forces --coupled "$tmp/scene.obj" > "$tmp/result.json"
     says 'refuted, margin' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" || return 1
     sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
-    says 'undecided by .* not coupled' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
+    says 'undecided by .* not refuted: the proof in it fails' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
 }
 costs() {                                               # the table, its picture, its JSON: 9 cones, 4 stages, 6 tolerances
     gen "$@" && says 'pyramids against the true cone' "$cli" cost --svg "$tmp/cost.svg" "$tmp/scene.obj" &&
@@ -146,6 +146,8 @@ part "missing file"                 exits 66 "$cli" check "$tmp/none.obj"
 part "two cubes stand: 0"           scene_exits 0 two-cubes
 part "two cubes fall: 1"            scene_exits 1 two-cubes offset=0.6
 part "an empty scene is bad: 65"    exits 65 "$cli" check /dev/null
+part "--cra- without --coupled: 64"   exits 64 "$cli" check --cra-eps 0 x
+part "--cra-nodes: half a case: 64"   exits 64 "$cli" check --coupled --cra-nodes 1.5 x
 part "gen: unknown scene"           exits 64 "$cli" gen no-such-scene
 part "gen: unknown number"          exits 64 "$cli" gen arch no-such-number=1
 for s in arch wall dome rubble vault; do
