@@ -31,6 +31,8 @@
  *   28  verify                           sp_verify
  *   29  plan                             which effects a scene calls for, and what that saves
  *   30  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   31  build order                      sp_sequence: islands, steps from the forces of the step before
+ *   32  what to hold                     smallest sets of held blocks; what may come next
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -1726,6 +1728,7 @@ static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
     problem->scene = scene;
     problem->blocks = problem->contacts = 0;
     problem->points = scene->count.points;
+    problem->ordered = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
     for (int32_t k = 0; k < scene->count.interfaces; k++)
@@ -2563,24 +2566,29 @@ static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *fin
     return sp__judge_motion(j, dq, held, final);
 }
 
+/* Units, friction cone and its directions. */
+static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings *set)
+{
+    j->unit = sp__load_unit(pb);
+    j->set = set;
+    j->mu_factor = 1;
+    j->tan_half = 0;
+    j->sweeps = 0;
+    if (!set->faces) return;
+    sp_real c;
+    sp__pyramid_half(set->faces, &c, &j->tan_half);
+    if (set->inscribed) j->mu_factor = c;
+    for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
+}
+
 /* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more.     returns 0 when the arena is too small */
 SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
                                     sp_arena *a)
 {
     sp__judge_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
-    j->unit = sp__load_unit(pb);
-    j->set = set;
-    j->mu_factor = 1;
-    j->tan_half = 0;
-    j->sweeps = 0;
+    sp__judge_cone(j, pb, set);
     j->most = most;
-    if (set->faces) {
-        sp_real c;
-        sp__pyramid_half(set->faces, &c, &j->tan_half);
-        if (set->inscribed) j->mu_factor = c;
-        for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
-    }
     sp__judge_scales(j, y0);
     return 1;
 }
@@ -3187,7 +3195,9 @@ SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_
     if (rest.peak > a->peak) a->peak = rest.peak;
     sp__dual_graph(w);
     rest.used = a->used;
-    return sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
+    for (int32_t k = 0; k < pb->blocks && pb->ordered; k++) w->L.perm[k] = k;
+    return pb->ordered ? sp__bchol_count(&w->L, w->xadj, w->adj, w->parent, w->mark)
+                       : sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
 }
 
 SP__APART static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
@@ -8170,6 +8180,942 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
     return sp__word("accepted\0" "centre of mass outside its support\0" "too shallow for its height\0"
                     "resting face tilted\0" "too near the edge of its support\0" "unknown",
                     k >= 0 && k <= 4 ? k : 5);
+}
+
+/* 31 ---------------------------------------------------------------------------------------------------------- build order */
+
+/* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its own,
+ * the part: its blocks, the held ones and supports that they touch, the joints between.
+ *
+ * Before that the forces of the step before are tried. A block is called plain if its forces f pass sp_check's certificate
+ * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, and
+ *
+ *     |r| <= tol/2 |load|,   |m| <= tol/2 (|couple| + min(sum |x_v x f_v|, lever |load|)),   |f_v| <= force_bound min |load|
+ *
+ * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of plain blocks stands. Where a step left some that are not,
+ * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
+
+#define SP__LEAN_STEPS 8                /* factorisations for that */
+#define SP__BELOW ((sp_real)0.2)        /* cosine between gravity and a joint's normal from which on a block is below another */
+
+typedef struct sp__stone {
+    sp_presence presence;
+    sp_verdict verdict;                 /* of its island */
+    sp_reason reason;
+    int32_t final, plain, stale;
+    sp_real omega, least;
+} sp__stone;
+
+struct sp_sequence {
+    const sp_scene *scene;
+    sp_settings set;
+    sp_problem pb;                      /* of the finished scene, all blocks there */
+    sp__judge judge;                    /* its units and cone */
+    sp_scene part;
+    int32_t members;                    /* free blocks of the part, which come first */
+    sp__stone *stone, *stone_kept;      /* per block */
+    int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
+    int32_t *start, *joint;             /* contacts of pb at each block */
+    sp_real *lever;                     /* per row [m] */
+    int32_t *up, *mark, *number;        /* islands by union-find; who is meant; number in the part, -1 */
+    int32_t *part_block, *part_joint;   /* back from there */
+    int32_t *list, *origin;             /* blocks to be solved, and above which block that began */
+    int32_t *answer, *must, *was;       /* of the search for what to hold */
+    sp_real *f, *f_kept, *dq, *dq_kept;
+    sp_arena work;
+    sp_cost cost;
+    int32_t checked, again, local, tries;
+};
+
+static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_problem *count, size_t work, sp_arena *a)
+{
+    const size_t n = (size_t)scene->count.blocks, c = (size_t)count->contacts, v = (size_t)scene->count.points;
+    q->row = sp__take(a, n, sizeof *q->row);
+    q->order = sp__take(a, n, sizeof *q->order);
+    q->up = sp__take(a, n, sizeof *q->up);
+    q->mark = sp__take(a, n, sizeof *q->mark);
+    q->number = sp__take(a, n, sizeof *q->number);
+    q->part_block = sp__take(a, n, sizeof *q->part_block);
+    q->list = sp__take(a, n, sizeof *q->list);
+    q->origin = sp__take(a, n, sizeof *q->origin);
+    q->answer = sp__take(a, n, sizeof *q->answer);
+    q->must = sp__take(a, n, sizeof *q->must);
+    q->was = sp__take(a, n, sizeof *q->was);
+    q->start = sp__take(a, n + 1, sizeof *q->start);
+    q->joint = sp__take(a, c, 2 * sizeof *q->joint);
+    q->part_joint = sp__take(a, c, sizeof *q->part_joint);
+    q->stone = sp__take(a, n, sizeof *q->stone);
+    q->stone_kept = sp__take(a, n, sizeof *q->stone_kept);
+    q->lever = sp__take(a, (size_t)count->blocks, sizeof *q->lever);
+    q->f = sp__take(a, v, 3 * sizeof *q->f);
+    q->f_kept = sp__take(a, v, 3 * sizeof *q->f_kept);
+    q->dq = sp__take(a, n, 6 * sizeof *q->dq);
+    q->dq_kept = sp__take(a, n, 6 * sizeof *q->dq_kept);
+    q->judge.direction = sp__take(a, 64, sizeof *q->judge.direction);
+    memset(&q->part, 0, sizeof q->part);
+    q->part.cap.blocks = scene->count.blocks;
+    q->part.cap.interfaces = count->contacts;
+    q->part.cap.points = scene->count.points;
+    q->part.cap.loads = scene->count.loads;
+    sp__scene_carve(&q->part, a);
+    q->work.base = sp__take(a, work, 1);
+    q->work.cap = work;
+    q->work.used = q->work.peak = 0;
+}
+
+/* The caller's settings, as far as they can be followed step by step: what a check of a part needs must be no more than what
+ * one of the whole does. */
+static sp_status sp__sequence_settings(const sp_scene *scene, const sp_settings *in, sp_settings *out)
+{
+    const sp_status status = sp__settings_resolve(scene, in, out);
+    if (status) return status;
+    if (out->coupled.asked) return SP_E_UNSUPPORTED;
+    for (int32_t k = 0; k < out->stage_count; k++)
+        if (out->stage[k] == SP_STAGE_ADMM || out->stage[k] == SP_STAGE_CUSTOM) return SP_E_UNSUPPORTED;
+    out->localise = 0;
+    return SP_OK;
+}
+
+SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    const size_t most = sp_memory_scratch(scene, settings);
+    return most ? sizeof(sp_sequence) + SP_ALIGN + most : 0;
+}
+
+/* Bytes of a check of the whole, and of its symbolic step: a part in the same order of elimination fills no more. */
+SP__APART static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *work)
+{
+    sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
+    if (!q) return SP_E_MEMORY;
+    sp_status status = sp__sequence_settings(scene, settings, &q->set);
+    if (!status) status = sp_memory(scene, &q->set, scratch, work);
+    if (status) return status;
+    const size_t symbolic = sp_memory_scratch(scene, &q->set);
+    if (symbolic > *work) *work = symbolic;
+    return symbolic ? SP_OK : SP_E_MEMORY;
+}
+
+SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    size_t work = 0;
+    const sp_status status = sp__sequence_work(scene, settings, scratch, &work);
+    if (status) return status;
+    sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
+    sp_arena dry = sp__arena_dry();
+    if (!q) return SP_E_MEMORY;
+    sp__take(&dry, 1, sizeof *q);
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__problem_count(scene, &q->pb);
+    sp__sequence_carve(q, scene, &q->pb, work, &dry);
+    if (sp__failed(&dry)) return SP_E_MEMORY;
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+/* A free block that is there and not held. */
+static int sp__loose(const sp_sequence *q, int32_t b)
+{
+    return q->row[b] >= 0 && q->stone[b].presence == SP_PRESENT;
+}
+
+static int32_t sp__beside(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
+
+/* G'G - share F'F of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
+ * of the kind f0 has, x x f = G (V, W) its moment.  F'([x]'[x] - share) F, [x]'[x] = |x|^2 - x x'. */
+SP__APART static void sp__lever_matrix(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp_real share,
+                                       sp_real M[21])
+{
+    for (int k = 0; k < 21; k++) M[k] = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real x[3], F[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+        sp__arm(pb, i, v, x);
+        sp__scale3(1 / unit, x, x);
+        const sp_real xx = sp__dot3(x, x) - share;
+        for (int k = 0; k < 3; k++) sp__cross3(F[k], x, F[3 + k]);
+        for (int r = 0; r < 6; r++)
+            for (int c = 0; c <= r; c++)
+                M[r * (r + 1) / 2 + c] += xx * sp__dot3(F[r], F[c]) - sp__dot3(F[r], x) * sp__dot3(F[c], x);
+    }
+}
+
+/* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2 for all
+ * z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. Half of it, for what
+ * f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
+SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i)
+{
+    sp_real unit = 0, M[21], x[3];
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp__arm(pb, i, v, x);
+        unit = sp__max(unit, sp__norm3(x));
+    }
+    if (!(unit > 0)) return 0;
+    for (sp_real share = (sp_real)0.1; share > (sp_real)5e-5; share /= 10) {
+        int positive = 1;
+        sp__lever_matrix(pb, t, i, unit, share, M);
+        sp__chol_factor(M, 6, 1000 * (sp_real)SP_EPSILON);
+        for (int k = 0; k < 6; k++) positive &= M[k * (k + 3) / 2] < SP__NEVER / 2;
+        if (positive) return SP_SQRT(share / (sp_real)t->points) * unit / 2;
+    }
+    return 0;
+}
+
+/* Levers, and the contacts at each block. */
+SP__APART static void sp__sequence_joints(sp_sequence *q)
+{
+    const int32_t n = q->scene->count.blocks;
+    for (int32_t b = 0; b <= n; b++) q->start[b] = 0;
+    for (int32_t i = 0; i < q->pb.blocks; i++) q->lever[i] = q->scene->block[q->pb.block[i]].fixed ? 0 : SP__HUGE;
+    for (int32_t c = 0; c < q->pb.contacts; c++) {
+        const sp_contact *t = &q->pb.contact[c];
+        q->start[t->joint->a]++;
+        q->start[t->joint->b]++;
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            const sp_real lever = sp__lever(&q->pb, t, i);
+            if (lever < q->lever[i]) q->lever[i] = lever;
+        }
+    }
+    for (int32_t b = 0; b < n; b++) q->start[b + 1] += q->start[b];
+    for (int32_t c = q->pb.contacts - 1; c >= 0; c--) {
+        q->joint[--q->start[q->pb.contact[c].joint->a]] = c;
+        q->joint[--q->start[q->pb.contact[c].joint->b]] = c;
+    }
+}
+
+/* Blocks in the order of least fill of the finished scene. */
+SP__APART static sp_status sp__sequence_order(sp_sequence *q)
+{
+    sp_arena a = q->work;
+    sp__dual *w = sp__take(&a, 1, sizeof *w);
+    if (!w || sp__dual_analyse(w, &q->pb, &a) < 0) return SP_E_MEMORY;
+    for (int32_t k = 0; k < q->pb.blocks; k++) q->order[k] = q->pb.block[w->L.perm[k]];
+    return SP_OK;
+}
+
+SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence)
+{
+    if (!scene || !arena || !arena->base || !sequence) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    size_t work = 0;
+    sp_arena a = *arena;
+    sp_status status = sp__sequence_work(scene, settings, a, &work);
+    if (status) return status;
+    sp_sequence *q = sp__take(&a, 1, sizeof *q);
+    if (!q) return SP_E_MEMORY;
+    memset(q, 0, sizeof *q);
+    q->scene = scene;
+    status = sp__sequence_settings(scene, settings, &q->set);
+    if (!status) status = sp_problem_build(scene, &a, &q->pb);
+    if (status) return status;
+    sp__sequence_carve(q, scene, &q->pb, work, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    memcpy(q->part.gravity, scene->gravity, sizeof q->part.gravity);
+    memcpy(q->part.body, scene->body, sizeof q->part.body);
+    q->part.live = scene->live;
+    sp__judge_cone(&q->judge, &q->pb, &q->set);
+    const size_t n = (size_t)scene->count.blocks;
+    memset(q->stone, 0, n * sizeof *q->stone);
+    memset(q->was, 0, n * sizeof *q->was);
+    memset(q->f, 0, 3 * (size_t)scene->count.points * sizeof *q->f);
+    memset(q->dq, 0, 6 * n * sizeof *q->dq);
+    for (int32_t b = 0; b < scene->count.blocks; b++) {
+        q->row[b] = sp__problem_row(&q->pb, b);
+        q->number[b] = -1;
+        q->up[b] = b;
+        if (q->row[b] < 0) q->stone[b].presence = SP_PRESENT;
+    }
+    sp__sequence_joints(q);
+    status = sp__sequence_order(q);
+    if (status) return status;
+    *arena = a;
+    *sequence = q;
+    return SP_OK;
+}
+
+/* Which loose blocks hang together. */
+static void sp__islands(sp_sequence *q)
+{
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
+    for (int32_t c = 0; c < q->pb.contacts; c++) {
+        const sp_interface *t = q->pb.contact[c].joint;
+        if (sp__loose(q, t->a) && sp__loose(q, t->b)) sp__join(q->up, t->a, t->b);
+    }
+}
+
+/* Block b into the part. */
+static void sp__part_block(sp_sequence *q, int32_t b, int fixed)
+{
+    sp_block *to = &q->part.block[q->part.count.blocks];
+    *to = q->scene->block[b];
+    to->vertex = to->vertices = to->face = to->faces = 0;
+    if (fixed) to->fixed = SP_FIXED;
+    q->part_block[q->part.count.blocks] = b;
+    q->number[b] = q->part.count.blocks++;
+}
+
+/* Contact c into the part, if it is between members or of one and something fixed. */
+static void sp__part_joint(sp_sequence *q, int32_t c)
+{
+    const sp_interface *t = q->pb.contact[c].joint;
+    const int32_t end[2] = { t->a, t->b };
+    int inside = 0;
+    for (int k = 0; k < 2; k++) inside += q->number[end[k]] >= 0 && q->number[end[k]] < q->members;
+    if (!inside) return;
+    for (int k = 0; k < 2 && inside < 2; k++) {
+        if (q->number[end[k]] >= 0 && q->number[end[k]] < q->members) continue;
+        if (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k])) return;
+        if (q->number[end[k]] < 0) sp__part_block(q, end[k], 1);
+    }
+    sp_interface *to = &q->part.interface[q->part.count.interfaces];
+    *to = *t;
+    to->a = q->number[t->a];
+    to->b = q->number[t->b];
+    to->point = q->part.count.points;
+    memcpy(q->part.point[to->point], q->scene->point[t->point], (size_t)t->points * sizeof *q->part.point);
+    q->part.count.points += t->points;
+    q->part_joint[q->part.count.interfaces++] = c;
+}
+
+/* The part of all marked blocks. */
+SP__APART static void sp__part_make(sp_sequence *q)
+{
+    sp_capacity *n = &q->part.count;
+    memset(n, 0, sizeof *n);
+    for (int32_t k = 0; k < q->pb.blocks; k++) if (q->mark[q->order[k]]) sp__part_block(q, q->order[k], 0);
+    q->members = n->blocks;
+    for (int32_t c = 0; c < q->pb.contacts; c++) sp__part_joint(q, c);
+    for (int32_t k = 0; k < q->scene->count.loads; k++) {
+        const sp_load *load = &q->scene->load[k];
+        if (!q->mark[load->block]) continue;
+        q->part.load[n->loads] = *load;
+        q->part.load[n->loads++].block = q->number[load->block];
+    }
+    for (int32_t k = 0; k < n->blocks; k++) q->number[q->part_block[k]] = -1;
+}
+
+/* The part of the island of `root`. */
+static void sp__part_island(sp_sequence *q, int32_t root)
+{
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = sp__loose(q, b) && sp__root(q->up, b) == root;
+    sp__part_make(q);
+}
+
+/* Does the part stand? sp_check without what is only told. */
+SP__APART static sp_status sp__part_check(sp_sequence *q, sp__check **c)
+{
+    size_t kept = 0;
+    sp_arena a = q->work;
+    sp_status status = sp__check_build(&q->part, &q->set, &a, c, &kept);
+    if (status) return status;
+    (*c)->pb.ordered = 1;
+    if ((*c)->pb.blocks) status = sp__check_run(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
+    sp__cost_add(&q->cost, &(*c)->r.cost);
+    return status;
+}
+
+/* F, m: force on block b at vertex v of contact t, its moment about the centroid, both in units. */
+static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
+{
+    const sp_interface *j = t->joint;
+    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->judge.unit;
+    sp_real arm[3];
+    for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);
+    sp__arm(&q->pb, q->row[b], v, arm);
+    sp__cross3(arm, F, m);
+}
+
+/* |load| of the free blocks of a contact, the lesser, in units; SP__HUGE: none of them is loose. */
+static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
+{
+    sp_real least = SP__HUGE;
+    for (int side = 0; side < 2; side++) {
+        const int32_t b = side ? t->joint->b : t->joint->a;
+        sp_real p[6];
+        if (!sp__loose(q, b)) continue;
+        sp__judge_load(&q->judge, q->row[b], p);
+        const sp_real load = sp__norm3(p);
+        if (load < least) least = load;
+    }
+    return least;
+}
+
+/* Is block b plain? Its omega, or more. */
+SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
+{
+    sp__stone *s = &q->stone[b];
+    sp_real r[6], m1 = 0;
+    int large = 0;
+    sp__judge_load(&q->judge, q->row[b], r);
+    const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3);
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const sp_contact *t = &q->pb.contact[q->joint[k]];
+        if (q->stone[sp__beside(t, b)].presence == SP_ABSENT) continue;
+        const sp_real most = q->set.force_bound * sp__stone_load(q, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real F[3], m[3];
+            sp__stone_force(q, t, b, v, F, m);
+            for (int c = 0; c < 3; c++) { r[c] += F[c]; r[3 + c] += m[c]; }
+            m1 += sp__norm3(m);
+            large |= sp__norm3(F) > most;
+        }
+        q->cost.flops += 60 * (int64_t)t->points;
+    }
+    const sp_real lever = q->lever[q->row[b]] * load, arm = m1 < lever ? m1 : lever;
+    s->omega = sp__max(sp__ratio(sp__norm3(r), load), sp__ratio(sp__norm3(r + 3), couple + arm));
+    s->plain = s->omega <= q->set.tol / 2 && !large && q->lever[q->row[b]] > 0;
+}
+
+/* What a check of the part found becomes what is known of its blocks. */
+SP__APART static void sp__part_keep(sp_sequence *q, const sp__check *c)
+{
+    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
+        const sp_interface *t = &q->part.interface[k];
+        memcpy(q->f + 3 * (size_t)q->pb.contact[q->part_joint[k]].point, c->r.f + 3 * (size_t)t->point,
+               3 * (size_t)t->points * sizeof *q->f);
+    }
+    for (int32_t k = 0; k < q->members; k++) {
+        const int32_t b = q->part_block[k];
+        sp__stone *s = &q->stone[b];
+        sp_real *dq = q->dq + 6 * (size_t)b;
+        s->plain = 0;
+        if (c->r.verdict == SP_STABLE) sp__stone_weigh(q, b);
+        for (size_t i = 0; i < 6; i++) dq[i] = c->r.verdict == SP_STABLE ? 0 : c->r.dq[6 * (size_t)k + i];
+        s->verdict = c->r.verdict;
+        s->reason = c->r.reason;
+        s->final = c->r.final;
+        s->omega = c->r.omega;
+        s->least = c->r.least_imbalance;
+    }
+    q->again += q->members;
+}
+
+static void sp__lean_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
+{
+    if (q->mark[b]) return;
+    q->mark[b] = 1;
+    q->list[*n] = b;
+    q->origin[(*n)++] = origin;
+}
+
+/* How far block s is from block o across gravity g, squared; -1: s is not below b. */
+static sp_real sp__lean_aside(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
+{
+    const sp_real *g = q->scene->gravity, size = sp__norm3(g);
+    const int32_t s = sp__beside(t, b);
+    sp_real d[3], n[3];
+    sp__scale3(t->joint->a == b ? 1 : -1, t->joint->n, n);
+    if (!(sp__dot3(n, g) > SP__BELOW * size)) return -1;
+    sp__sub3(q->scene->block[s].centroid, q->scene->block[o].centroid, d);
+    const sp_real along = sp__dot3(d, g) / size;
+    return sp__max(0, sp__dot3(d, d) - along * along);
+}
+
+/* The blocks below block b that lie straightest below block o, unless b reaches something fixed. */
+SP__APART static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
+{
+    sp_real least = SP__HUGE;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->joint[k]];
+            const int32_t s = sp__beside(t, b);
+            const sp_real aside = q->stone[s].presence == SP_ABSENT ? -1 : sp__lean_aside(q, t, b, o);
+            if (aside < 0) continue;
+            if (!sp__loose(q, s)) return;
+            if (pass && aside <= (sp_real)1.05 * least) sp__lean_add(q, s, o, n);
+            if (aside < least) least = aside;
+        }
+}
+
+/* The island of `root`: marks what is not plain and what is below that.     returns how many; 0: nothing, -1: most of it */
+SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root)
+{
+    int32_t n = 0, size = 0;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
+    for (int32_t b = root; b < q->scene->count.blocks; b++) {
+        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        size++;
+        if (!q->stone[b].plain) sp__stone_weigh(q, b);
+        if (!q->stone[b].plain) sp__lean_add(q, b, b, &n);
+    }
+    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__lean_below(q, q->list[k], q->origin[k], &n);
+    return 2 * n > size ? -1 : n;
+}
+
+/* Forces of joints with loose blocks outside the part are loads on it. */
+SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
+{
+    for (int32_t i = 0; i < q->members; i++) {
+        const int32_t b = q->part_block[i];
+        sp_real *p = pb->p + 6 * (size_t)i;
+        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->joint[k]];
+            const int32_t s = sp__beside(t, b);
+            if (!sp__loose(q, s) || q->mark[s]) continue;
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                sp_real F[3], m[3];
+                sp__stone_force(q, t, b, v, F, m);
+                for (int c = 0; c < 3; c++) { p[c] += q->judge.unit * F[c]; p[3 + c] += q->judge.unit * m[c]; }
+            }
+            q->cost.flops += 60 * (int64_t)t->points;
+        }
+    }
+}
+
+/* Forces of the part's joints, admitted.     returns 1 if all its blocks are plain then */
+SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
+{
+    int plain = 1;
+    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
+        const sp_interface *from = &q->part.interface[k];
+        const sp_contact *t = &q->pb.contact[q->part_joint[k]];
+        q->judge.cap = q->set.force_bound * sp__stone_load(q, t);
+        for (int32_t v = 0; v < t->points; v++) {
+            sp_real *f = q->f + 3 * (size_t)(t->point + v), g[3];
+            sp__scale3(1 / q->judge.unit, c->state.f + 3 * (size_t)(from->point + v), g);
+            sp__judge_admit(&q->judge, t, g, g);
+            sp__scale3(q->judge.unit, g, f);
+        }
+    }
+    for (int32_t k = 0; k < q->members; k++) {
+        sp__stone_weigh(q, q->part_block[k]);
+        plain &= q->stone[q->part_block[k]].plain;
+    }
+    return plain;
+}
+
+/* The marked blocks alone, all other forces as they are.     returns 1 if they are plain then */
+SP__APART static int sp__lean_solve(sp_sequence *q)
+{
+    size_t kept = 0;
+    sp__check *c = NULL;
+    sp_arena a = q->work;
+    sp_verdict claim = SP_UNDECIDED;
+    sp__part_make(q);
+    if (sp__check_build(&q->part, &q->set, &a, &c, &kept)) return 0;
+    c->pb.ordered = 1;
+    if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
+    sp__lean_load(q, &c->pb);
+    c->state.left = sp__budget_left(&c->set, &c->r);
+    const sp_status status = sp__exact_run(&c->pb, &c->set, &c->state, &a, &claim);
+    sp__cost_add(&q->cost, &c->state.cost);
+    q->again += q->members;
+    return !status && claim == SP_STABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
+}
+
+/* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
+SP__APART static int sp__lean_island(sp_sequence *q, int32_t root)
+{
+    int exact = 0;
+    for (int32_t k = 0; k < q->set.stage_count; k++) exact |= q->set.stage[k] == SP_STAGE_EXACT;
+    if (!exact) return 0;
+    const int32_t n = sp__lean_choose(q, root);
+    if (n < 0 || (n > 0 && !sp__lean_solve(q))) return 0;
+    for (int32_t b = root; b < q->scene->count.blocks; b++) {
+        sp__stone *s = &q->stone[b];
+        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        s->verdict = SP_STABLE;
+        s->reason = SP_REASON_FORCES;
+        s->final = 0;
+        s->least = 0;
+        for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
+    }
+    q->local++;
+    return 1;
+}
+
+/* Every island with a stale block is looked at again. */
+SP__APART static sp_status sp__sequence_look(sp_sequence *q)
+{
+    for (int32_t b = 0; b < q->scene->count.blocks; b++)
+        if (sp__loose(q, b) && q->stone[b].stale) q->stone[sp__root(q->up, b)].stale = 1;
+    for (int32_t root = 0; root < q->scene->count.blocks; root++) {
+        if (!sp__loose(q, root) || sp__root(q->up, root) != root || !q->stone[root].stale) continue;
+        q->checked++;
+        if (sp__lean_island(q, root)) continue;
+        sp__check *c = NULL;
+        sp__part_island(q, root);
+        const sp_status status = sp__part_check(q, &c);
+        if (status) return status;
+        sp__part_keep(q, c);
+    }
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->stone[b].stale = 0;
+    return SP_OK;
+}
+
+/* The islands of block b and of what it touches are stale. */
+static void sp__sequence_touch(sp_sequence *q, int32_t b)
+{
+    const int32_t n = q->scene->count.blocks;
+    for (int32_t k = 0; k < n; k++) q->mark[k] = 0;
+    if (sp__loose(q, b)) q->mark[sp__root(q->up, b)] = 1;
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const int32_t s = sp__beside(&q->pb.contact[q->joint[k]], b);
+        if (sp__loose(q, s)) q->mark[sp__root(q->up, s)] = 1;
+    }
+    for (int32_t k = 0; k < n; k++) q->stone[k].stale |= sp__loose(q, k) && q->mark[sp__root(q->up, k)];
+}
+
+/* Block b comes, goes, is held or let go: forces of joints that no longer count vanish, and who bore them is to be weighed. */
+SP__APART static void sp__sequence_change(sp_sequence *q, int32_t b, sp_presence presence)
+{
+    sp__sequence_touch(q, b);
+    q->stone[b].presence = presence;
+    q->stone[b].plain = 0;
+    if (!sp__loose(q, b)) for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const sp_contact *t = &q->pb.contact[q->joint[k]];
+        const int32_t s = sp__beside(t, b);
+        if (presence != SP_ABSENT && q->stone[s].presence != SP_ABSENT && (sp__loose(q, b) || sp__loose(q, s))) continue;
+        q->stone[s].plain = 0;
+        memset(q->f + 3 * (size_t)t->point, 0, 3 * (size_t)t->points * sizeof *q->f);
+    }
+    if (presence == SP_ABSENT) q->was[b] = 0;
+}
+
+static void sp__sequence_start(sp_sequence *q)
+{
+    memset(&q->cost, 0, sizeof q->cost);
+    q->checked = q->again = q->local = q->tries = 0;
+}
+
+/* Is it worse: unstable, then undecided, then stable? */
+static int sp__worse(sp_verdict a, sp_verdict b)
+{
+    return a == SP_STABLE ? 0 : b == SP_STABLE || (a == SP_UNSTABLE && b == SP_UNDECIDED);
+}
+
+/* What the step found. */
+SP__APART static void sp__sequence_tell(sp_sequence *q, sp_step *step)
+{
+    sp_real most = -1;
+    memset(step, 0, sizeof *step);
+    step->verdict = SP_STABLE;
+    step->reason = SP_REASON_NOTHING;
+    step->block = -1;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) {
+        const sp__stone *s = &q->stone[b];
+        if (!sp__loose(q, b)) continue;
+        step->blocks++;
+        step->islands += sp__root(q->up, b) == b;
+        step->omega = sp__max(step->omega, s->omega);
+        if (step->blocks == 1 || sp__worse(s->verdict, step->verdict)
+            || (s->verdict == SP_STABLE && step->verdict == SP_STABLE && s->reason == SP_REASON_FORCES)) {
+            if (s->verdict != step->verdict) step->block = b;
+            step->verdict = s->verdict;
+            step->reason = s->reason;
+            step->final = s->final;
+            step->least_imbalance = s->least;
+        }
+    }
+    for (int32_t b = 0, root = step->block; root >= 0 && b < q->scene->count.blocks; b++) {
+        const sp_real *dq = q->dq + 6 * (size_t)b;
+        if (!sp__loose(q, b) || sp__root(q->up, b) != sp__root(q->up, root) || !(sp__norm3(dq) > most)) continue;
+        most = sp__norm3(dq);
+        step->block = b;
+    }
+    step->checked = q->checked;
+    step->again = q->again;
+    step->local = q->local;
+    step->f = q->f;
+    step->dq = q->dq;
+    step->cost = q->cost;
+}
+
+static int sp__presence_valid(sp_presence presence)
+{
+    return presence == SP_ABSENT || presence == SP_PRESENT || presence == SP_HELD;
+}
+
+SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step)
+{
+    if (!sequence || !step || !sp__presence_valid(presence)) return SP_E_ARGUMENT;
+    if (block < 0 || block >= sequence->scene->count.blocks) return SP_E_INDEX;
+    sp__sequence_start(sequence);
+    if (presence != sequence->stone[block].presence) {
+        sp__sequence_change(sequence, block, presence);
+        sp__islands(sequence);
+        sp__sequence_touch(sequence, block);
+        const sp_status status = sp__sequence_look(sequence);
+        if (status) return status;
+    }
+    sp__sequence_tell(sequence, step);
+    return SP_OK;
+}
+
+SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step)
+{
+    if (!sequence || !presence || !step) return SP_E_ARGUMENT;
+    for (int32_t b = 0; b < sequence->scene->count.blocks; b++) if (!sp__presence_valid(presence[b])) return SP_E_ARGUMENT;
+    sp__sequence_start(sequence);
+    for (int32_t b = 0; b < sequence->scene->count.blocks; b++)
+        if (presence[b] != sequence->stone[b].presence) sp__sequence_change(sequence, b, presence[b]);
+    sp__islands(sequence);
+    for (int32_t b = 0; b < sequence->scene->count.blocks; b++) sequence->stone[b].stale = sp__loose(sequence, b);
+    const sp_status status = sp__sequence_look(sequence);
+    if (status) return status;
+    sp__sequence_tell(sequence, step);
+    return SP_OK;
+}
+
+/* 32 ------------------------------------------------------------------------------------------------------- what to hold */
+
+/* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does, too
+ * (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set, one
+ * pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
+
+typedef struct sp__hold {
+    sp_sequence *q;
+    int32_t *member, members;           /* the island */
+    int64_t budget;
+    int32_t worst;                      /* what moves most in the first group that falls */
+    int over;                           /* the budget is spent */
+    sp_status status;
+} sp__hold;
+
+/* Do the members stand that are not held now?     returns 0 also when the budget is spent */
+SP__APART static int sp__hold_stands(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    q->tries++;
+    sp__islands(q);
+    for (int32_t k = 0; k < h->members; k++) {
+        sp__check *c = NULL;
+        const int32_t root = h->member[k];
+        if (!sp__loose(q, root) || sp__root(q->up, root) != root) continue;
+        h->over |= h->budget > 0 && q->cost.flops >= h->budget;
+        if (h->over) return 0;
+        sp__part_island(q, root);
+        h->status = sp__part_check(q, &c);
+        if (h->status) { h->over = 1; return 0; }
+        if (c->r.verdict == SP_STABLE) continue;
+        sp_real most = -1;
+        for (int32_t i = 0; i < q->members; i++) {
+            const sp_real *dq = c->r.dq + 6 * (size_t)i, size = sp__norm3(dq);
+            if (!(size > most) && !(size >= most && q->part_block[i] < h->worst)) continue;
+            most = size;
+            h->worst = q->part_block[i];
+        }
+        return 0;
+    }
+    return 1;
+}
+
+static void sp__hold_all(const sp__hold *h, sp_presence presence)
+{
+    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = presence;
+}
+
+/* must[b]: b falls even when all other members are held. */
+SP__APART static void sp__hold_must(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    sp__hold_all(h, SP_HELD);
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        q->stone[h->member[k]].presence = SP_PRESENT;
+        q->must[h->member[k]] = !sp__hold_stands(h) && !h->over;
+        q->stone[h->member[k]].presence = SP_HELD;
+    }
+}
+
+/* Exactly the members of this set are held. */
+static void sp__hold_set(const sp__hold *h, uint32_t set)
+{
+    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = set >> k & 1u ? SP_HELD : SP_PRESENT;
+}
+
+static int32_t sp__hold_size(const sp__hold *h)
+{
+    int32_t n = 0;
+    for (int32_t k = 0; k < h->members; k++) n += h->q->stone[h->member[k]].presence == SP_HELD;
+    return n;
+}
+
+/* All sets that hold what must be, the smallest first, in the order of their numbers.     leaves the first that does */
+SP__APART static sp_held_proof sp__hold_exhaust(sp__hold *h)
+{
+    uint32_t must = 0;
+    for (int32_t k = 0; k < h->members; k++) if (h->q->must[h->member[k]]) must |= 1u << k;
+    for (int32_t size = 1; size <= h->members; size++)
+        for (uint32_t set = 1; set < 1u << h->members && !h->over; set++) {
+            sp__hold_set(h, set);
+            if ((set & must) != must || sp__hold_size(h) != size) continue;
+            if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
+        }
+    sp__hold_all(h, SP_HELD);
+    return SP_HELD_ENOUGH;
+}
+
+/* Two blocks are held: does one suffice?     leaves it so if it does */
+SP__APART static void sp__hold_one(sp__hold *h, int32_t must)
+{
+    sp_sequence *q = h->q;
+    int32_t pair[2] = { -1, -1 }, n = 0;
+    for (int32_t k = 0; k < h->members; k++)
+        if (q->stone[h->member[k]].presence == SP_HELD) pair[n++] = h->member[k];
+    sp__hold_all(h, SP_PRESENT);
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        const int32_t b = h->member[k];
+        if (b == pair[0] || b == pair[1] || (must && !q->must[b])) continue;    /* the pair itself: letting go has tried */
+        q->stone[b].presence = SP_HELD;
+        if (sp__hold_stands(h)) return;
+        q->stone[b].presence = SP_PRESENT;
+    }
+    q->stone[pair[0]].presence = q->stone[pair[1]].presence = SP_HELD;
+}
+
+/* What must be held and what was held last; then what moves most, until it stands; then each let go that can be. */
+SP__APART static sp_held_proof sp__hold_guided(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    int32_t must = 0;
+    for (int32_t k = 0; k < h->members; k++) {
+        const int32_t b = h->member[k];
+        must += q->must[b];
+        q->stone[b].presence = q->must[b] || q->was[b] ? SP_HELD : SP_PRESENT;
+    }
+    while (!sp__hold_stands(h)) {
+        if (h->over) { sp__hold_all(h, SP_HELD); return SP_HELD_ENOUGH; }
+        q->stone[h->worst].presence = SP_HELD;
+    }
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        const int32_t b = h->member[k];
+        if (q->stone[b].presence != SP_HELD || q->must[b]) continue;
+        q->stone[b].presence = SP_PRESENT;
+        if (!sp__hold_stands(h)) q->stone[b].presence = SP_HELD;
+    }
+    const int32_t size = sp__hold_size(h);
+    if (h->over) return SP_HELD_ENOUGH;
+    if (size == 2 && must < 2) sp__hold_one(h, must);
+    return h->over ? SP_HELD_IRREDUCIBLE : size <= 2 || size == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
+}
+
+/* The island whose lowest block is q->list[0..members-1]'s first; its set to the answer. */
+SP__APART static sp_status sp__hold_island(sp__hold *h, sp_held *held)
+{
+    sp_sequence *q = h->q;
+    h->worst = h->member[0];
+    for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
+    sp__hold_must(h);
+    const sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
+    if (proof > held->proof) held->proof = proof;
+    for (int32_t k = 0; k < h->members; k++) {
+        const int32_t b = h->member[k];
+        q->was[b] = q->stone[b].presence == SP_HELD;
+        if (q->was[b]) q->answer[held->count++] = b;
+        q->stone[b].presence = SP_PRESENT;
+    }
+    sp__islands(q);
+    return h->status;
+}
+
+SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held)
+{
+    if (!sequence || !held || budget < 0) return SP_E_ARGUMENT;
+    sp_sequence *q = sequence;
+    sp__hold h = { q, q->list, 0, budget, -1, 0, SP_OK };
+    sp_held out;
+    memset(&out, 0, sizeof out);
+    sp__sequence_start(q);
+    for (int32_t root = 0; root < q->scene->count.blocks; root++) {
+        if (!sp__loose(q, root) || sp__root(q->up, root) != root || q->stone[root].verdict == SP_STABLE) continue;
+        h.members = 0;
+        for (int32_t b = root; b < q->scene->count.blocks; b++)
+            if (sp__loose(q, b) && sp__root(q->up, b) == root) q->list[h.members++] = b;
+        const sp_status status = sp__hold_island(&h, &out);
+        if (status) return status;
+    }
+    for (int32_t k = 0; k < out.count; k++) q->list[k] = q->must[q->answer[k]];
+    out.block = q->answer;
+    out.must = q->list;
+    out.checks = q->tries;
+    out.cost = q->cost;
+    *held = out;
+    return SP_OK;
+}
+
+/* May block b be tried as the next one? */
+static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
+{
+    if (q->row[b] < 0) return 0;
+    if (!add) return q->stone[b].presence == SP_PRESENT;
+    if (q->stone[b].presence != SP_ABSENT) return 0;
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++)
+        if (q->stone[sp__beside(&q->pb.contact[q->joint[k]], b)].presence != SP_ABSENT) return 1;
+    return 0;
+}
+
+/* The lowest (to add) or highest candidate not tried yet, q->answer 0; -1: none. */
+static int32_t sp__next_pick(sp_sequence *q, int32_t add)
+{
+    int32_t best = -1;
+    sp_real most = 0;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) {
+        if (q->answer[b]) continue;
+        const sp_real depth = (add ? 1 : -1) * sp__dot3(q->scene->gravity, q->scene->block[b].centroid);
+        if (best >= 0 && !(depth > most)) continue;
+        best = b;
+        most = depth;
+    }
+    if (best >= 0) q->answer[best] = 1;
+    return best;
+}
+
+/* Would everything stand with block b there, or gone? All that is known stays as it is. */
+SP__APART static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, int *stands)
+{
+    const size_t n = (size_t)q->scene->count.blocks, v = 3 * (size_t)q->scene->count.points;
+    const int32_t was = q->was[b];
+    memcpy(q->stone_kept, q->stone, n * sizeof *q->stone);
+    memcpy(q->f_kept, q->f, v * sizeof *q->f);
+    memcpy(q->dq_kept, q->dq, 6 * n * sizeof *q->dq);
+    sp__sequence_change(q, b, add ? SP_PRESENT : SP_ABSENT);
+    sp__islands(q);
+    sp__sequence_touch(q, b);
+    const sp_status status = sp__sequence_look(q);
+    *stands = 1;
+    for (int32_t k = 0; k < q->scene->count.blocks; k++) *stands &= !sp__loose(q, k) || q->stone[k].verdict == SP_STABLE;
+    memcpy(q->stone, q->stone_kept, n * sizeof *q->stone);
+    memcpy(q->f, q->f_kept, v * sizeof *q->f);
+    memcpy(q->dq, q->dq_kept, 6 * n * sizeof *q->dq);
+    q->was[b] = was;
+    sp__islands(q);
+    return status;
+}
+
+SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion)
+{
+    if (!sequence || !suggestion || budget < 0) return SP_E_ARGUMENT;
+    sp_sequence *q = sequence;
+    sp_suggestion out = { -1, 0, 1, { 0, 0, 0, 0 } };
+    sp__sequence_start(q);
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->answer[b] = !sp__next_candidate(q, b, add);
+    for (int32_t b = sp__next_pick(q, add); b >= 0 && out.block < 0; b = sp__next_pick(q, add)) {
+        int stands = 0;
+        out.all = !(budget > 0 && q->cost.flops >= budget);
+        if (!out.all) break;
+        const sp_status status = sp__next_try(q, b, add, &stands);
+        if (status) return status;
+        out.tried++;
+        if (stands) out.block = b;
+    }
+    out.cost = q->cost;
+    *suggestion = out;
+    return SP_OK;
+}
+
+SP_API const char *sp_presence_text(sp_presence presence)
+{
+    const int k = (int)presence;
+    return sp__word("absent\0" "present\0" "held\0" "unknown", k >= 0 && k <= 2 ? k : 3);
+}
+
+SP_API const char *sp_held_proof_text(sp_held_proof proof)
+{
+    const int k = (int)proof;
+    return sp__word("minimal\0" "irreducible\0" "enough\0" "unknown", k >= 0 && k <= 2 ? k : 3);
 }
 
 #endif /* SP_QP_ONLY */

@@ -11,6 +11,7 @@
  *
  * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
  *            8 matrices        9 stages   10 quadratic programs   11 placing a stone   12 the seed's constants
+ *           13 a build order
  *
  * MIT licence.
  */
@@ -614,6 +615,7 @@ typedef struct sp_problem {
     sp_real *p;                         /* 6b: force and moment about the centroid on each free block: weight, loads and
                                            scene.live times the live ones [N, N m] */
     sp_real *live;                      /* 6b: the live ones once; NULL where there are none */
+    int32_t ordered;                    /* 1: blocks are eliminated in the order they stand in, 0: in that of least fill */
 } sp_problem;
 
 /* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
@@ -952,6 +954,110 @@ SP_API const sp_seed *sp_seed_table(void);
 SP_API sp_settings sp_settings_seed(void);
 
 #endif
+
+/* 13 ------------------------------------------------------------------------------------------------------- a build order
+ *
+ * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
+ * is told step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
+ * again, an island being free blocks that touch each other; all others keep their verdict and forces.
+ *
+ *     sp_sequence_memory(&scene, NULL, scratch, &bytes);
+ *     sp_sequence_open(&scene, NULL, &arena, &sequence);               the supports are there, nothing else
+ *     for each stone k: sp_sequence_set(sequence, k, SP_PRESENT, &step);
+ *         if (step.verdict != SP_STABLE) sp_sequence_hold(sequence, 0, &held);
+ *
+ * A step starts from the forces of the one before: where these, changed only in the stones below the one that came or beside
+ * the one that went, balance every block, that decides. If not, the island is checked as sp_check would. Either way the verdict
+ * is that of sp_check's certificate on what is there: sp_verify accepts the forces or the motion.
+ */
+
+typedef enum sp_presence {
+    SP_ABSENT = 0,
+    SP_PRESENT,
+    SP_HELD                     /* there, and fixed in place as a support is: by a robot, a prop, centring */
+} sp_presence;
+
+/* A build order under way. Lives in an arena, refers to the scene, which must stay as it is. */
+typedef struct sp_sequence sp_sequence;
+
+/* What is known after a step. */
+typedef struct sp_step {
+    sp_verdict verdict;         /* of all that is there: that of its worst island */
+    sp_reason reason;           /* of that island */
+    int32_t final;              /* no force of any size would do */
+    int32_t block;              /* a free block of that island, of an UNSTABLE one that moves; -1: STABLE */
+    int32_t islands, checked;   /* how many there are, and were looked at in this step */
+    int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
+    int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
+    sp_real omega;              /* largest relative imbalance of a block, or more                                       [1] */
+    sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
+    const sp_real *f;           /* 3 x scene.count.points: forces, 0 where a block is absent; until the next call       [N] */
+    const sp_real *dq;          /* 6 x scene.count.blocks: how islands that fall move, each as sp_result.dq; 0: at rest */
+    sp_cost cost;               /* of this step */
+} sp_step;
+
+/* Bytes sp_sequence_open takes from an arena, exact, and all that is ever needed. The symbolic step runs in `scratch`.
+ *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
+ *             taken as 0
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled, strength with a
+ *             pyramid), SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: scratch too small */
+SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+
+/* Bytes of scratch that sp_sequence_memory needs; 0: too large to count, or unusable settings. */
+SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings);
+
+/* Begin: of the blocks only supports (SP_FIXED) are there.
+ *   returns   as sp_sequence_memory; SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
+SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
+
+/* One block comes, goes, is held or let go; a support is there or absent. What it touched is looked at again.
+ *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, presence), SP_E_INDEX */
+SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step);
+
+/* All blocks at once, presence[scene.count.blocks]: a later start, or the finished scene that is to be taken down.
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, a presence) */
+SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step);
+
+typedef enum sp_held_proof {
+    SP_HELD_MINIMAL = 0,        /* no smaller set makes it stand */
+    SP_HELD_IRREDUCIBLE,        /* none of them can be let go, others might do with fewer */
+    SP_HELD_ENOUGH              /* it stands so; the budget ended the search */
+} sp_held_proof;
+
+/* Blocks to be held besides those that are, so that what is there stands. */
+typedef struct sp_held {
+    int32_t count;
+    const int32_t *block;       /* their numbers, ascending within an island; until the next call */
+    const int32_t *must;        /* of each: 1: it falls even when all others of its island are held */
+    sp_held_proof proof;
+    int32_t checks;             /* sets that were tried */
+    sp_cost cost;
+} sp_held;
+
+#define SP_HELD_EXHAUSTIVE 8    /* islands of up to so many free blocks: every set is tried, the smallest ones first */
+
+/* The smallest set of blocks to hold now. Per island that does not stand: which must be held at any rate is found block by
+ * block; then all sets up to SP_HELD_EXHAUSTIVE blocks; beyond, those held in the last answer, then block after block that
+ * moves most in the collapse, then each is let go again if it can be; two are proved by trying each block alone.
+ *   budget    flops after which the best set so far is taken; 0: none
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
+SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held);
+
+typedef struct sp_suggestion {
+    int32_t block;              /* -1: none keeps everything standing, or the budget ended first */
+    int32_t tried;
+    int32_t all;                /* the budget sufficed */
+    sp_cost cost;
+} sp_suggestion;
+
+/* A next stone after which everything stands. add 1: the lowest absent block that does, of those that touch something that is
+ * there; 0: the highest block that may be taken away (supports and held ones stay). Nothing is changed.
+ *   budget    flops after which no other stone is tried; 0: none
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
+SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion);
+
+SP_API const char *sp_presence_text(sp_presence presence);
+SP_API const char *sp_held_proof_text(sp_held_proof proof);
 
 #endif /* SP_QP_ONLY */
 

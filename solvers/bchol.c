@@ -59,12 +59,10 @@ static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj
     }
 }
 
-/* Order and count: fills perm, inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
- * does not fit an int32. Scratch: sp__bchol_scratch bytes; parent (n) is for sp__bchol_pattern. */
-SP__APART static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
-                                 sp_arena scratch)
+/* Count in the order of perm: fills inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
+ * does not fit an int32. parent (n) is for sp__bchol_pattern. */
+SP__APART static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
 {
-    sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
     for (int32_t k = 0; k < f->n; k++) { f->inv[f->perm[k]] = k; f->p[k] = 0; }
     f->p[f->n] = 0;
     sp__bchol_rows(f, xadj, adj, parent, mark, NULL);
@@ -78,6 +76,14 @@ SP__APART static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, co
         f->p[k + 1] = (int32_t)nnz;
     }
     return (int32_t)nnz;
+}
+
+/* Order and count. Scratch: what sp__order_carve takes. */
+static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
+                                 sp_arena scratch)
+{
+    sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
+    return sp__bchol_count(f, xadj, adj, parent, mark);
 }
 
 static void sp__bchol_pattern(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
