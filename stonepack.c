@@ -8415,6 +8415,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     memcpy(q->part.gravity, scene->gravity, sizeof q->part.gravity);
     memcpy(q->part.body, scene->body, sizeof q->part.body);
     q->part.live = scene->live;
+    q->judge.pb = &q->pb;
     sp__judge_cone(&q->judge, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;
     memset(q->stone, 0, n * sizeof *q->stone);
@@ -8549,7 +8550,7 @@ SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
     sp_real r[6], m1 = 0;
     int large = 0;
     sp__judge_load(&q->judge, q->row[b], r);
-    const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3);
+    const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];
         if (q->stone[sp__beside(t, b)].presence == SP_ABSENT) continue;
@@ -8558,12 +8559,12 @@ SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
             sp_real F[3], m[3];
             sp__stone_force(q, t, b, v, F, m);
             for (int c = 0; c < 3; c++) { r[c] += F[c]; r[3 + c] += m[c]; }
-            m1 += sp__norm3(m);
-            large |= sp__norm3(F) > most;
+            if (m1 < lever) m1 += sp__norm3(m);
+            large |= sp__dot3(F, F) > most * most;
         }
         q->cost.flops += 60 * (int64_t)t->points;
     }
-    const sp_real lever = q->lever[q->row[b]] * load, arm = m1 < lever ? m1 : lever;
+    const sp_real arm = m1 < lever ? m1 : lever;
     s->omega = sp__max(sp__ratio(sp__norm3(r), load), sp__ratio(sp__norm3(r + 3), couple + arm));
     s->plain = s->omega <= q->set.tol / 2 && !large && q->lever[q->row[b]] > 0;
 }
@@ -8629,8 +8630,18 @@ SP__APART static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32
         }
 }
 
-/* The island of `root`: marks what is not plain and what is below that.     returns how many; 0: nothing, -1: most of it */
-SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root)
+/* All loose blocks that block b touches. */
+static void sp__lean_beside(sp_sequence *q, int32_t b, int32_t *n)
+{
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const int32_t s = sp__beside(&q->pb.contact[q->joint[k]], b);
+        if (sp__loose(q, s)) sp__lean_add(q, s, b, n);
+    }
+}
+
+/* The island of `root`: marks what is not plain and what is below that, wide: and what touches those.
+ *     returns how many; 0: nothing, -1: most of it */
+SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
 {
     int32_t n = 0, size = 0;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
@@ -8641,6 +8652,8 @@ SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root)
         if (!q->stone[b].plain) sp__lean_add(q, b, b, &n);
     }
     for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__lean_below(q, q->list[k], q->origin[k], &n);
+    const int32_t narrow = wide ? n : 0;
+    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__lean_beside(q, q->list[k], &n);
     return 2 * n > size ? -1 : n;
 }
 
@@ -8708,11 +8721,14 @@ SP__APART static int sp__lean_solve(sp_sequence *q)
 /* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
 SP__APART static int sp__lean_island(sp_sequence *q, int32_t root)
 {
-    int exact = 0;
+    int exact = 0, done = 0;
     for (int32_t k = 0; k < q->set.stage_count; k++) exact |= q->set.stage[k] == SP_STAGE_EXACT;
-    if (!exact) return 0;
-    const int32_t n = sp__lean_choose(q, root);
-    if (n < 0 || (n > 0 && !sp__lean_solve(q))) return 0;
+    for (int wide = 0; wide < 2 && exact && !done; wide++) {
+        const int32_t n = sp__lean_choose(q, root, wide);
+        if (n < 0) return 0;
+        done = n == 0 || sp__lean_solve(q);
+    }
+    if (!done) return 0;
     for (int32_t b = root; b < q->scene->count.blocks; b++) {
         sp__stone *s = &q->stone[b];
         if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
