@@ -8196,6 +8196,7 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
  * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
 
 #define SP__LEAN_STEPS 8                /* factorisations for that */
+#define SP__LEAN_TOL ((sp_real)0.125)   /* of tol for that: its blocks bear the forces of others, and have little of their own */
 #define SP__BELOW ((sp_real)0.2)        /* cosine between gravity and a joint's normal from which on a block is below another */
 
 typedef struct sp__stone {
@@ -8322,41 +8323,45 @@ static int sp__loose(const sp_sequence *q, int32_t b)
 
 static int32_t sp__beside(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
 
-/* G'G - share F'F of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
- * of the kind f0 has, x x f = G (V, W) its moment.  F'([x]'[x] - share) F, [x]'[x] = |x|^2 - x x'. */
-SP__APART static void sp__lever_matrix(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp_real share,
-                                       sp_real M[21])
+/* F'F and G'G of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
+ * of the kind f0 has, x x f = G (V, W) its moment, [x]'[x] = |x|^2 - x x'. */
+SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp_real FF[21],
+                                         sp_real GG[21])
 {
-    for (int k = 0; k < 21; k++) M[k] = 0;
+    for (int k = 0; k < 21; k++) FF[k] = GG[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         sp_real x[3], F[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
         sp__arm(pb, i, v, x);
         sp__scale3(1 / unit, x, x);
-        const sp_real xx = sp__dot3(x, x) - share;
+        const sp_real xx = sp__dot3(x, x);
         for (int k = 0; k < 3; k++) sp__cross3(F[k], x, F[3 + k]);
-        for (int r = 0; r < 6; r++)
-            for (int c = 0; c <= r; c++)
-                M[r * (r + 1) / 2 + c] += xx * sp__dot3(F[r], F[c]) - sp__dot3(F[r], x) * sp__dot3(F[c], x);
+        for (int r = 0, e = 0; r < 6; r++)
+            for (int c = 0; c <= r; c++, e++) {
+                const sp_real f = sp__dot3(F[r], F[c]);
+                FF[e] += f;
+                GG[e] += xx * f - sp__dot3(F[r], x) * sp__dot3(F[c], x);
+            }
     }
 }
 
 /* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2 for all
- * z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. Half of it, for what
- * f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
+ * z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little less, for
+ * what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
 SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i)
 {
-    sp_real unit = 0, M[21], x[3];
+    sp_real unit = 0, FF[21], GG[21], M[21];
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp__arm(pb, i, v, x);
-        unit = sp__max(unit, sp__norm3(x));
+        sp__arm(pb, i, v, M);
+        unit = sp__max(unit, sp__norm3(M));
     }
     if (!(unit > 0)) return 0;
-    for (sp_real share = (sp_real)0.1; share > (sp_real)5e-5; share /= 10) {
+    sp__lever_matrices(pb, t, i, unit, FF, GG);
+    for (sp_real share = (sp_real)0.5; share > (sp_real)1e-4; share /= 2) {
         int positive = 1;
-        sp__lever_matrix(pb, t, i, unit, share, M);
+        for (int k = 0; k < 21; k++) M[k] = GG[k] - share * FF[k];
         sp__chol_factor(M, 6, 1000 * (sp_real)SP_EPSILON);
         for (int k = 0; k < 6; k++) positive &= M[k * (k + 3) / 2] < SP__NEVER / 2;
-        if (positive) return SP_SQRT(share / (sp_real)t->points) * unit / 2;
+        if (positive) return (sp_real)0.9 * SP_SQRT(share / (sp_real)t->points) * unit;
     }
     return 0;
 }
@@ -8710,12 +8715,13 @@ SP__APART static int sp__lean_solve(sp_sequence *q)
     if (sp__check_build(&q->part, &q->set, &a, &c, &kept)) return 0;
     c->pb.ordered = 1;
     if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
+    c->set.tol *= SP__LEAN_TOL;
     sp__lean_load(q, &c->pb);
     c->state.left = sp__budget_left(&c->set, &c->r);
     const sp_status status = sp__exact_run(&c->pb, &c->set, &c->state, &a, &claim);
     sp__cost_add(&q->cost, &c->state.cost);
     q->again += q->members;
-    return !status && claim == SP_STABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
+    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
 }
 
 /* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */

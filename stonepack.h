@@ -998,7 +998,7 @@ typedef struct sp_step {
 
 /* Bytes sp_sequence_open takes from an arena, exact, and all that is ever needed. The symbolic step runs in `scratch`.
  *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
- *             taken as 0
+ *             taken as 0; budget is that of each try at an island, of which a step makes three at most
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled, strength with a
  *             pyramid), SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: scratch too small */
 SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);

@@ -6,6 +6,7 @@ int command_check(int argc, char **argv);
 int command_verify(int argc, char **argv);
 int command_cost(int argc, char **argv);
 int command_qp(int argc, char **argv);
+int command_sequence(int argc, char **argv);
 int command_contacts(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_settle(int argc, char **argv);

@@ -49,6 +49,23 @@ static const char help_verify[] =
 "What does a stored result prove? Reads what `check --json --forces` wrote, takes its forces and mechanism but not its\n"
 "verdict, and judges them with code that shares nothing with the search. Exit status by the verdict proved.\n";
 
+static const char help_sequence[] =
+"stonepack sequence [options] SCENE\n\n"
+"Does it stand at every step of a build order, and what must be held meanwhile? Stones come in the order of the file unless\n"
+"told; supports are there from the beginning. Each step starts from the forces of the one before.\n\n"
+"  --order A,B,...    the order, by names; every stone once\n"
+"  --order-file FILE  the same from a file, white space between names, # starts a comment\n"
+"  --remove           everything is there and goes stone by stone: in the order given, which may leave stones out, or from\n"
+"                     the last of the file to the first\n"
+"  --suggest          after each step, a next stone that keeps everything standing: the lowest one, with --remove the highest\n"
+"  --budget N         flops after which the search for what to hold, or what comes next, ends; also of each check   none\n"
+"  --svg FILE         a strip of steps: those that fail, what moves, what must be held\n"
+"  --json             one JSON object\n"
+"  --tol --cone --mu --stages --tilt as in check\n\n"
+"hold a, b! (proof): with a and b held it stands; ! falls even when all others are held; minimal: no smaller set does,\n"
+"irreducible: none of them can be let go, enough: the budget ended the search. Exit status: 0 every step stands, 1 one is\n"
+"unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
+
 static const char help_contacts[] =
 "stonepack contacts [--json] SCENE\n\n"
 "What touches what? Finds the contacts of the meshes, whatever contacts the file gives, and blocks inside each other.\n";
@@ -108,6 +125,7 @@ static const struct {
     { "check",    "does it stand?",                        help_check,    command_check },
     { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
     { "plan",     "which effects does a scene call for?",  help_plan,     command_plan },
+    { "sequence", "does it stand while it is built?",      help_sequence, command_sequence },
     { "contacts", "what touches what?",                    help_contacts, command_contacts },
     { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
     { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost },

@@ -123,6 +123,10 @@ static int take(options *o, const char *name, const char *value, text_error *err
         o->set = value;
     } else if (strcmp(name, "--effects") == 0) {
         if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, together");
+    } else if (strcmp(name, "--order") == 0) {
+        o->order = value;
+    } else if (strcmp(name, "--order-file") == 0) {
+        o->order_file = value;
     } else if (strcmp(name, "--near") == 0) {
         if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--tol") == 0) {
@@ -203,6 +207,8 @@ static int flag(options *o, const char *name)
     if (strcmp(name, "--net") == 0) return o->settings.net = 1;
     if (strcmp(name, "--fallback") == 0) return o->fallback = 1;
     if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
+    if (strcmp(name, "--remove") == 0) return o->remove = 1;
+    if (strcmp(name, "--suggest") == 0) return o->suggest = 1;
     return 0;
 }
 

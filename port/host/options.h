@@ -11,6 +11,8 @@ typedef struct options {
     const char *set;            /* of settle: NAME=VALUE,... or NULL */
     double near;                /* of settle: contacts are faces nearer than this [m]; 0: Bullet's points */
     int confirm;                /* of settle */
+    const char *order, *order_file;     /* of sequence: names a,b,c, or a file of them; NULL */
+    int remove, suggest;        /* of sequence */
     sp_real mu;                 /* overrides every friction; -1: not given */
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
     sp_real eps;                /* of qp; 0: not given */

@@ -385,6 +385,7 @@ static int write_frames(session *s, text_error *error)
     if (!file) return error->status;
     for (int k = 0; k < n; k++) shown[k] = s->frame[k * s->frames / n];
     last = &shown[n];
+    memset(last, 0, sizeof *last);
     last->vertex = moved_vertices(s, s->result.pose);
     snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt, s->result.energy);
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,

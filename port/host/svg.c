@@ -25,6 +25,7 @@ typedef struct picture {
     FILE *out;
     const report *r;
     const sp_scene *s;
+    const unsigned char *mark;          /* of each block an svg_mark, or NULL */
     view v;
     double low[2], high[2];             /* of all that is drawn, on paper in world lengths */
     double size, block;                 /* of the scene, of a usual block [m] */
@@ -204,9 +205,13 @@ static int32_t block_of(const sp_scene *s, int32_t face)
 }
 
 /* Lambert's law with a light from the upper left, a little of the block's own tint. */
+static const double color_mark[5][3] = {                /* by svg_mark */
+    { 226, 213, 190 }, { 226, 213, 190 }, { 168, 200, 232 }, { 246, 190, 90 }, { 226, 140, 128 } };
+
 static void shade(const picture *p, int32_t face, int32_t block, int rgb[3])
 {
-    static const double stone[3] = { 226, 213, 190 }, support[3] = { 158, 166, 174 };
+    static const double support[3] = { 158, 166, 174 };
+    const double *stone = color_mark[p->mark ? p->mark[block] : SVG_PLAIN];
     double n[3], light[3], bright, tint;
     const uint32_t hash = ((uint32_t)block + 1) * 2654435761u;
 
@@ -774,11 +779,29 @@ static void cover_moments(picture *p, const sp_scene *s, int frames, const svg_f
     for (int c = 0; c < 2 && !(p->high[0] >= p->low[0]); c++) p->low[c] = p->high[c] = 0;
 }
 
-static int draw_moment(picture *p, sp_scene *s, const svg_frame *f, double x, double y, double w, double h)
+/* Only the faces of blocks that are there; `s` has arrays of its own for blocks and faces. */
+static void leave_absent(sp_scene *s, const sp_scene *all, const unsigned char *mark)
+{
+    s->count.faces = 0;
+    for (int32_t b = 0; b < all->count.blocks; b++) {
+        const sp_block *from = &all->block[b];
+        const int there = !mark || mark[b] != SVG_ABSENT;
+        s->block[b] = *from;
+        s->block[b].face = s->count.faces;
+        s->block[b].faces = there ? from->faces : 0;
+        for (int32_t f = 0; there && f < from->faces; f++) s->face[s->count.faces++] = all->face[from->face + f];
+    }
+}
+
+static int draw_moment(picture *p, sp_scene *s, const sp_scene *all, const svg_frame *f, double x, double y, double w, double h)
 {
     int good;
     s->vertex = f->vertex;
     p->edges = 0;
+    p->mark = f->mark;
+    leave_absent(s, all, f->mark);
+    if (f->bad) fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#fbeae7\" stroke=\"%s\"/>\n", x - 3,
+                        y - 3, w + 6, h + SHEET_CAPTION + 2, color_motion);
     fprintf(p->out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, w, h);
     good = find_creases(p) && draw_blocks(p);
     fputs("</svg>\n", p->out);
@@ -789,6 +812,20 @@ static int draw_moment(picture *p, sp_scene *s, const svg_frame *f, double x, do
     free(p->crease);
     free(p->bend);
     return good;
+}
+
+/* What the colours say. */
+static void legend_marks(const picture *p)
+{
+    static const char *const word[5] = { NULL, NULL, "new", "to be held", "moves" };
+    double x = WIDTH - MARGIN - 240;
+    for (int k = SVG_NEW; k <= SVG_FALLS; x += k == SVG_NEW ? 66 : 106, k++) {
+        const double *c = color_mark[k];
+        fprintf(p->out, "<rect x=\"%.0f\" y=\"29\" width=\"12\" height=\"12\" fill=\"#%02x%02x%02x\" stroke=\"#555\"/>\n", x, (int)c[0],
+                (int)c[1], (int)c[2]);
+        label(p->out, x + 18, 40);
+        fprintf(p->out, "%s</text>\n", word[k]);
+    }
 }
 
 int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *frame, const char *title)
@@ -802,6 +839,14 @@ int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *fra
 
     if (!good) return 0;
     memset(&p, 0, sizeof p);
+    s.block = malloc(((size_t)scene->count.blocks + 1) * sizeof *s.block);
+    s.face = malloc(((size_t)scene->count.faces + 1) * sizeof *s.face);
+    if (!s.block || !s.face) {
+        free(s.block);
+        free(s.face);
+        return 0;
+    }
+    leave_absent(&s, scene, NULL);
     p.out = out;
     p.s = &s;
     s.vertex = frame[frames - 1].vertex;
@@ -823,6 +868,7 @@ int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *fra
     fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", MARGIN);
     escaped(out, title, 90);
     fputs("</text>\n", out);
+    if (frame[0].mark) legend_marks(&p);
     cover_moments(&p, scene, frames, frame, lowest);
     for (int i = 0; i < frames && good; i++) {
         const int r = i / SHEET_COLUMNS;
@@ -830,8 +876,10 @@ int svg_sheet(FILE *out, const sp_scene *scene, int frames, const svg_frame *fra
             if (r) y += height[r - 1] + SHEET_CAPTION + SHEET_GAP;
             p.high[1] = p.low[1] + (height[r] - 2) / p.scale;
         }
-        good = draw_moment(&p, &s, &frame[i], MARGIN + i % SHEET_COLUMNS * (w + SHEET_GAP), y, w, height[r]);
+        good = draw_moment(&p, &s, scene, &frame[i], MARGIN + i % SHEET_COLUMNS * (w + SHEET_GAP), y, w, height[r]);
     }
     fputs("</svg>\n", out);
+    free(s.block);
+    free(s.face);
     return good;
 }

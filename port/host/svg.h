@@ -7,10 +7,16 @@
 /* Draw the scene with its forces, its weakest joint and, where it is unstable, how it moves.  returns 1, 0: out of memory */
 int svg_write(FILE *out, const report *r);
 
+typedef enum svg_mark { SVG_PLAIN = 0, SVG_ABSENT, SVG_NEW, SVG_HELD, SVG_FALLS } svg_mark;
+
+#define SVG_CAPTION 48
+
 /* One picture of a sheet: the scene's vertices at that moment, and what stands below. */
 typedef struct svg_frame {
     sp_real (*vertex)[3];
-    char caption[48];
+    const unsigned char *mark;  /* of each block an svg_mark; NULL: all plain */
+    int bad;                    /* the picture has a red rim, its caption too */
+    char caption[SVG_CAPTION];
 } svg_frame;
 
 /* Draw a scene at several moments, three in a row, up to 60, all in the view that suits

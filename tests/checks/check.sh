@@ -424,6 +424,7 @@ check_oracle() {
         SHOW=1
         part "random scenes near their limit, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --quick
         part "linear programmes, against HiGHS" /usr/bin/python3 -B tests/oracle/lp.py
+        part "build orders, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py
         SHOW=
     else
         skip "random scenes against linear programming" "python3-numpy python3-scipy"

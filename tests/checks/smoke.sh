@@ -141,6 +141,9 @@ part "version"                      exits 0 "$cli" --version
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
 part "unknown command"              exits 64 "$cli" stand
+# An order file that is refused with this message.
+refuses() { "$cli" sequence --order-file "$tmp/order.txt" "$tmp/scene.obj" 2>&1 | grep -q "$1"; }
+
 part "unknown option"               exits 64 "$cli" check --no-such-option x
 part "missing file"                 exits 66 "$cli" check "$tmp/none.obj"
 part "two cubes stand: 0"           scene_exits 0 two-cubes
@@ -174,6 +177,28 @@ part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
 part "a bad scene among others"     goes_on
 part "skip-done: a stopped run goes on" resumed
+part "sequence: an arch without centring falls: 1" exits 1 "$cli" sequence "$tmp/scene.obj"
+part "sequence: the step that fails first" says '"first_failing": *4,' "$cli" sequence --json "$tmp/scene.obj"
+part "sequence: what must be held"  says '^ *19 + b19 .*hold b19! (minimal)' "$cli" sequence "$tmp/scene.obj"
+part "sequence: the last one closes it" says '^ *20 + b20  *stable' "$cli" sequence "$tmp/scene.obj"
+part "sequence: taken down by half" says '^ *2 - b19  *UNSTABLE' "$cli" sequence --remove --order b20,b19 "$tmp/scene.obj"
+part "sequence: a strip"            exits 1 "$cli" sequence --svg "$tmp/strip.svg" "$tmp/scene.obj"
+part "sequence: the strip has an end" sh -c "grep -q 'to be held' '$tmp/strip.svg' && tail -1 '$tmp/strip.svg' | grep -q '</svg>'"
+part "sequence: unknown name: 64"   exits 64 "$cli" sequence --order b1,none "$tmp/scene.obj"
+part "sequence: two orders: 64"     exits 64 "$cli" sequence --order b1 --order-file x "$tmp/scene.obj"
+part "sequence: no order file: 66"  exits 66 "$cli" sequence --order-file "$tmp/none.txt" "$tmp/scene.obj"
+printf 'b1 b2 # left\n\nb3 b1\n' > "$tmp/order.txt"
+part "sequence: twice the same: 65" exits 65 "$cli" sequence --order-file "$tmp/order.txt" "$tmp/scene.obj"
+part "sequence: twice: file:line"   refuses "order.txt:3: 'b1' comes twice"
+printf 'b1\n# right\nnone\n' > "$tmp/order.txt"
+part "sequence: unknown: file:line" refuses "order.txt:3: the scene has no block 'none'"
+printf 'b1\nb2 b3\n\n' > "$tmp/order.txt"
+part "sequence: missing: file:line" refuses "order.txt:2: the order ends without 'b4'"
+printf 'b1\nb0\n' > "$tmp/order.txt"
+part "sequence: a support: file:line" refuses "order.txt:2: 'b0' is a support"
+"$cli" gen wall size=54 > "$tmp/wall.obj"
+part "sequence: a wall stands: 0"   exits 0 "$cli" sequence --suggest "$tmp/wall.obj"
+part "sequence: what comes next"    says '^ *1 + b1  *stable  *next b2$' "$cli" sequence --suggest "$tmp/wall.obj"
 part "worker: selftest"             exits 0 "$cli" worker --selftest
 part "worker: a scene there and back" says 'same bits' "$cli" worker --roundtrip "$here/../scenes/vault.obj"
 part "worker: nothing to answer"    exits 0 "$cli" worker < /dev/null

@@ -1,0 +1,445 @@
+/* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
+#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#include "commands.h"
+#include "json_out.h"
+#include "options.h"
+#include "report.h"
+#include "scene.h"
+#include "svg.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { STRIP = 24 };                    /* pictures in a strip, at most */
+
+/* What became of one step. */
+typedef struct told {
+    int32_t block;
+    sp_step step;                       /* its arrays are the sequence's: not read later */
+    sp_held held;                       /* its lists lie in `list` */
+    int32_t *list;
+    sp_suggestion next;
+    unsigned char *mark;                /* of each block: an svg_mark; NULL: no picture wanted */
+} told;
+
+typedef struct run {
+    const options *options;
+    host_scene scene;
+    int32_t *order, steps;
+    told *told;
+    void *memory;
+    sp_sequence *sequence;
+    int32_t first;                      /* step that fails first, from 1; 0: none */
+    sp_verdict worst;
+    sp_cost cost;                       /* of the steps, without the search for what to hold and what comes next */
+    size_t bytes;
+    double seconds;
+} run;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void progress(const run *r, int32_t k)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    if (k < r->steps) fprintf(stderr, "\r\033[Kstep %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
+    else fputs("\r\033[K", stderr);
+}
+
+static void *get(size_t count, size_t size)
+{
+    void *p = count < SIZE_MAX / size - SP_ALIGN ? calloc(count * size + SP_ALIGN, 1) : NULL;
+    return p;
+}
+
+/* --------------------------------------------------------------------------------------------------------------- order */
+
+/* A stone of the order, by its name. `path` NULL: from the command line.                    returns 0 or an exit status */
+static int add(run *r, text_word name, const char *path, int32_t line, text_error *error)
+{
+    const sp_scene *s = &r->scene.scene;
+    const int status = path ? EXIT_SCENE : EXIT_USAGE, n = name.n > 60 ? 60 : (int)name.n;
+    int32_t b = 0;
+    while (b < s->count.blocks && !text_is(name, r->scene.name[b])) b++;
+    if (!path) path = "stonepack: --order";
+    if (b == s->count.blocks) return text_fail(error, status, path, line, "the scene has no block '%.*s'", n, name.s);
+    if (s->block[b].fixed == SP_FIXED) return text_fail(error, status, path, line, "'%.*s' is a support", n, name.s);
+    for (int32_t k = 0; k < r->steps; k++)
+        if (r->order[k] == b) return text_fail(error, status, path, line, "'%.*s' comes twice", n, name.s);
+    r->order[r->steps++] = b;
+    return 0;
+}
+
+/* a,b,c */
+static int read_list(run *r, const char *list, text_error *error)
+{
+    for (;;) {
+        const text_word name = { list, strcspn(list, ",") };
+        const int status = add(r, name, NULL, 0, error);
+        if (status || !list[name.n]) return status;
+        list += name.n + 1;
+    }
+}
+
+/* Names with white space between them; # starts a comment.    *line: of the last one */
+static int read_file(run *r, const char *path, int32_t *line, text_error *error)
+{
+    char *text = NULL;
+    size_t length = 0;
+    int status = text_read(path, &text, &length, error);
+    text_cursor c = { text, text ? text + length : NULL, 1 };
+    text_word name;
+    *line = 1;
+    do {
+        while (!status && text_next_word(&c, &name) && name.s[0] != '#') {
+            *line = c.line;
+            status = add(r, name, path, c.line, error);
+        }
+    } while (!status && text_next_line(&c));
+    free(text);
+    return status;
+}
+
+/* A stone to be built must be in the order; one that need not go may be left out of it. */
+static int complete(const run *r, const char *path, int32_t line, text_error *error)
+{
+    const sp_scene *s = &r->scene.scene;
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        int32_t k = 0;
+        while (k < r->steps && r->order[k] != b) k++;
+        if (k < r->steps || s->block[b].fixed == SP_FIXED) continue;
+        return text_fail(error, path ? EXIT_SCENE : EXIT_USAGE, path ? path : "stonepack: --order", line,
+                         "the order ends without '%.60s'", r->scene.name[b]);
+    }
+    return 0;
+}
+
+static int read_order(run *r, text_error *error)
+{
+    const options *o = r->options;
+    const sp_scene *s = &r->scene.scene;
+    int32_t line = 0;
+    int status = 0;
+    r->order = get((size_t)s->count.blocks, sizeof *r->order);
+    if (!r->order) return text_fail(error, EXIT_MEMORY, r->scene.path, 0, "out of memory");
+    if (o->order && o->order_file) return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
+    if (o->order) status = read_list(r, o->order, error);
+    else if (o->order_file) status = read_file(r, o->order_file, &line, error);
+    else
+        for (int32_t k = 0; k < s->count.blocks; k++) {
+            const int32_t b = o->remove ? s->count.blocks - 1 - k : k;
+            if (s->block[b].fixed != SP_FIXED) r->order[r->steps++] = b;
+        }
+    return status || o->remove ? status : complete(r, o->order_file, line, error);
+}
+
+/* ----------------------------------------------------------------------------------------------------------------- run */
+
+/* The sequence in memory of its own, before the first step. */
+static sp_status start(run *r)
+{
+    const sp_scene *s = &r->scene.scene;
+    const sp_settings *set = &r->options->settings;
+    const size_t need = sp_sequence_scratch(s, set);
+    void *memory = get(need, 1);
+    sp_arena a;
+    sp_status status = memory ? sp_arena_init(&a, memory, need + SP_ALIGN) : SP_E_MEMORY;
+    if (!status) status = sp_sequence_memory(s, set, a, &r->bytes);
+    free(memory);
+    if (status) return status;
+    r->memory = get(r->bytes, 1);
+    status = r->memory ? sp_arena_init(&a, r->memory, r->bytes + SP_ALIGN) : SP_E_MEMORY;
+    if (!status) status = sp_sequence_open(s, set, &a, &r->sequence);
+    return status;
+}
+
+/* To be taken down: all is there. */
+static sp_status fill(run *r)
+{
+    const int32_t n = r->scene.scene.count.blocks;
+    sp_presence *presence = get((size_t)n, sizeof *presence);
+    sp_step step;
+    sp_status status = presence ? SP_OK : SP_E_MEMORY;
+    for (int32_t b = 0; b < n && presence; b++) presence[b] = SP_PRESENT;
+    if (!status) status = sp_sequence_fill(r->sequence, presence, &step);
+    free(presence);
+    return status;
+}
+
+/* What the strip shows of a step: who is there is told by the order. */
+static sp_status mark(run *r, int32_t k)
+{
+    told *t = &r->told[k];
+    const int32_t n = r->scene.scene.count.blocks;
+    t->mark = get((size_t)n, 1);
+    if (!t->mark) return SP_E_MEMORY;
+    for (int32_t b = 0; b < n; b++) {
+        const sp_real *dq = t->step.dq + 6 * (size_t)b;
+        double size = 0;
+        for (int c = 0; c < 6; c++) size += fabs((double)dq[c]);
+        t->mark[b] = size > 1e-6 ? SVG_FALLS : r->scene.scene.block[b].fixed == SP_FIXED || r->options->remove ? SVG_PLAIN : SVG_ABSENT;
+    }
+    for (int32_t i = 0; i <= k; i++) {
+        unsigned char *m = &t->mark[r->order[i]];
+        if (*m != SVG_FALLS) *m = r->options->remove ? SVG_ABSENT : i == k ? SVG_NEW : SVG_PLAIN;
+    }
+    for (int32_t i = 0; i < t->held.count; i++) t->mark[t->held.block[i]] = SVG_HELD;
+    return SP_OK;
+}
+
+static sp_status step(run *r, int32_t k)
+{
+    told *t = &r->told[k];
+    const options *o = r->options;
+    const double start = now();
+    t->block = r->order[k];
+    sp_status status = sp_sequence_set(r->sequence, t->block, o->remove ? SP_ABSENT : SP_PRESENT, &t->step);
+    r->seconds += now() - start;
+    if (!status && t->step.verdict != SP_STABLE) status = sp_sequence_hold(r->sequence, o->settings.budget, &t->held);
+    if (status) return status;
+    t->list = get(2 * (size_t)t->held.count, sizeof *t->list);
+    if (!t->list) return SP_E_MEMORY;
+    if (t->held.count) {
+        memcpy(t->list, t->held.block, (size_t)t->held.count * sizeof *t->list);
+        memcpy(t->list + t->held.count, t->held.must, (size_t)t->held.count * sizeof *t->list);
+    }
+    t->held.block = t->list;
+    t->held.must = t->list + t->held.count;
+    if (o->svg) status = mark(r, k);
+    if (!status && o->suggest) status = sp_sequence_suggest(r->sequence, !o->remove, o->settings.budget, &t->next);
+    return status;
+}
+
+static sp_status all_steps(run *r)
+{
+    sp_status status;
+    const double begin = now();
+    r->told = get((size_t)r->steps, sizeof *r->told);
+    if (!r->told) return SP_E_MEMORY;
+    status = start(r);
+    if (!status && r->options->remove) status = fill(r);
+    r->seconds = now() - begin;
+    r->worst = SP_STABLE;
+    for (int32_t k = 0; k < r->steps && !status; k++) {
+        const sp_step *s = &r->told[k].step;
+        progress(r, k);
+        status = step(r, k);
+        if (status) break;
+        if (s->verdict != SP_STABLE && !r->first) r->first = k + 1;
+        if (s->verdict == SP_UNSTABLE || r->worst == SP_STABLE) r->worst = s->verdict;
+        r->cost.flops += s->cost.flops;
+        r->cost.factorisations += s->cost.factorisations;
+        r->cost.iterations += s->cost.iterations;
+        r->cost.interior += s->cost.interior;
+    }
+    progress(r, r->steps);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- tell */
+
+static const char *name_of(const run *r, int32_t block) { return block < 0 ? "none" : r->scene.name[block]; }
+
+static void print_held(const run *r, const told *t)
+{
+    for (int32_t k = 0; k < t->held.count && k < 12; k++)
+        printf("%s%s%s", k ? ", " : "  hold ", name_of(r, t->held.block[k]), t->held.must[k] ? "!" : "");
+    if (t->held.count > 12) printf(" and %ld more", (long)t->held.count - 12);
+    printf(" (%s)", sp_held_proof_text(t->held.proof));
+}
+
+static void print_text(const run *r)
+{
+    const options *o = r->options;
+    size_t most = 0, wide = 5;
+    for (int32_t k = 0; k < r->steps; k++) {
+        const size_t n = strlen(name_of(r, r->order[k]));
+        if (n > wide) wide = n;
+        if ((size_t)r->told[k].held.count > most) most = (size_t)r->told[k].held.count;
+    }
+    if (wide > 24) wide = 24;
+    printf("%s: %ld steps, ", r->scene.path, (long)r->steps);
+    if (!r->first) printf("every one stands\n");
+    else printf("step %ld is the first that %s (%s)\n", (long)r->first,
+                r->told[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
+    for (int32_t k = 0; k < r->steps; k++) {
+        const told *t = &r->told[k];
+        static const char *const word[] = { "undecided", "stable", "UNSTABLE" };
+        printf("  %5ld %s %-*s  %-9s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), word[t->step.verdict]);
+        if (t->step.verdict != SP_STABLE) print_held(r, t);
+        if (o->suggest) printf("  next %s", name_of(r, t->next.block));
+        putchar('\n');
+    }
+    if (r->first) printf("  to be held     at most %lu at once; ! falls even when all others are held\n", (unsigned long)most);
+    printf("  cost           %ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
+           1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+}
+
+static void json_cost(json_out *j, const char *key, const sp_cost *c)
+{
+    json_open(j, key, '{');
+    json_int(j, "flops", c->flops);
+    json_int(j, "factorisations", c->factorisations);
+    json_int(j, "iterations", c->iterations);
+    json_int(j, "interior", c->interior);
+    json_close(j, '}');
+}
+
+static void json_name(json_out *j, const run *r, const char *key, int32_t block)
+{
+    if (block < 0) json_null(j, key);
+    else json_string(j, key, r->scene.name[block]);
+}
+
+static void json_held(json_out *j, const run *r, const told *t)
+{
+    json_open(j, "hold", '{');
+    json_open(j, "blocks", '[');
+    for (int32_t k = 0; k < t->held.count; k++) json_name(j, r, NULL, t->held.block[k]);
+    json_close(j, ']');
+    json_open(j, "must", '[');
+    for (int32_t k = 0; k < t->held.count; k++) if (t->held.must[k]) json_name(j, r, NULL, t->held.block[k]);
+    json_close(j, ']');
+    json_string(j, "proof", sp_held_proof_text(t->held.proof));
+    json_int(j, "checks", t->held.checks);
+    json_cost(j, "cost", &t->held.cost);
+    json_close(j, '}');
+}
+
+static void json_step(json_out *j, const run *r, int32_t k)
+{
+    const told *t = &r->told[k];
+    json_open(j, NULL, '{');
+    json_int(j, "step", k + 1);
+    json_name(j, r, r->options->remove ? "remove" : "add", t->block);
+    json_string(j, "verdict", sp_verdict_text(t->step.verdict));
+    json_string(j, "reason", sp_reason_text(t->step.reason));
+    json_bool(j, "final", t->step.final);
+    json_name(j, r, "falls", t->step.block);
+    json_real(j, "omega", (double)t->step.omega);
+    json_real(j, "least_imbalance", (double)t->step.least_imbalance);
+    json_int(j, "blocks", t->step.blocks);
+    json_int(j, "islands", t->step.islands);
+    json_int(j, "checked", t->step.checked);
+    json_int(j, "local", t->step.local);
+    json_int(j, "again", t->step.again);
+    json_held(j, r, t);
+    if (r->options->suggest) json_name(j, r, "next", t->next.block);
+    json_cost(j, "cost", &t->step.cost);
+    json_close(j, '}');
+}
+
+static void print_json(const run *r)
+{
+    json_out j = { stdout, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", r->scene.path);
+    json_string(&j, "verdict", sp_verdict_text(r->worst));
+    if (r->first) json_int(&j, "first_failing", r->first);
+    else json_null(&j, "first_failing");
+    json_open(&j, "steps", '[');
+    for (int32_t k = 0; k < r->steps; k++) json_step(&j, r, k);
+    json_close(&j, ']');
+    json_cost(&j, "cost", &r->cost);
+    json_int(&j, "memory_bytes", (int64_t)(r->bytes + r->scene.bytes));
+    json_real(&j, "seconds", r->seconds);
+    json_close(&j, '}');
+    fputc('\n', stdout);
+}
+
+/* Which steps the strip shows: all, or some evenly between the first and the last, and the first that fails. */
+static int shown(const run *r, int32_t step[STRIP])
+{
+    const int n = r->steps < STRIP ? (int)r->steps : STRIP;
+    for (int i = 0; i < n; i++) step[i] = n < 2 ? 0 : (int32_t)((int64_t)i * (r->steps - 1) / (n - 1));
+    for (int i = 0; i < n; i++)
+        if (r->first && (i + 1 == n || step[i + 1] > r->first - 1)) {
+            if (i > 0 && i + 1 < n) step[i] = r->first - 1;
+            break;
+        }
+    return n;
+}
+
+static void caption(const run *r, const told *t, int32_t k, char text[SVG_CAPTION])
+{
+    static const char *const word[] = { "undecided", "stands", "falls" };
+    snprintf(text, SVG_CAPTION, "%ld: %s%.12s %s", (long)k + 1, r->options->remove ? "without " : "", name_of(r, t->block),
+             word[t->step.verdict]);
+    if (t->held.count) snprintf(text + strlen(text), SVG_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
+}
+
+static int draw(const run *r, text_error *error)
+{
+    const char *path = r->options->svg;
+    FILE *out = strcmp(path, "-") ? fopen(path, "wb") : stdout;
+    svg_frame frame[STRIP];
+    int32_t step[STRIP];
+    char title[96];
+    int failed;
+    const int n = shown(r, step);
+    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    for (int i = 0; i < n; i++) {
+        const told *t = &r->told[step[i]];
+        frame[i].vertex = r->scene.scene.vertex;
+        frame[i].mark = t->mark;
+        frame[i].bad = t->step.verdict != SP_STABLE;
+        caption(r, t, step[i], frame[i].caption);
+    }
+    if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
+    else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
+    failed = !svg_sheet(out, &r->scene.scene, n, frame, title);
+    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
+    return failed ? text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture") : 0;
+}
+
+static void forget(run *r)
+{
+    for (int32_t k = 0; r->told && k < r->steps; k++) {
+        free(r->told[k].list);
+        free(r->told[k].mark);
+    }
+    free(r->told);
+    free(r->order);
+    free(r->memory);
+    scene_free(&r->scene);
+}
+
+int command_sequence(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    options o;
+    run r;
+    int status;
+
+    memset(&r, 0, sizeof r);
+    r.options = &o;
+    status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove --suggest ",
+                          &o, &error);
+    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
+    if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
+    if (!status && !options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity))
+        status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+    if (!status) status = read_order(&r, &error);
+    if (!status) {
+        const sp_status s = all_steps(&r);
+        if (s == SP_E_UNSUPPORTED) status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: %s", sp_status_text(s));
+        else if (s) status = text_fail_status(&error, s, r.scene.path, 0, "");
+    }
+    if (!status && o.svg && r.steps) status = draw(&r, &error);
+    if (!status) {
+        if (o.json) print_json(&r);
+        else print_text(&r);
+    }
+    if (status) fprintf(stderr, "%s\n", error.line);
+    else status = fflush(stdout) ? EXIT_INTERNAL : report_exit(r.worst);
+    forget(&r);
+    return status;
+}
