@@ -9058,6 +9058,8 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     return SP_OK;
 }
 
+#define SP__LEVEL ((sp_real)1e-3)        /* of its diameter: so much lower is no lower */
+
 /* May block b be tried as the next one? */
 static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
 {
@@ -9073,13 +9075,13 @@ static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
 static int32_t sp__next_pick(sp_sequence *q, int32_t add)
 {
     int32_t best = -1;
-    sp_real most = 0;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) {
+        const sp_real *g = q->scene->gravity;
+        sp_real d[3] = { 0, 0, 0 };
         if (q->answer[b]) continue;
-        const sp_real depth = (add ? 1 : -1) * sp__dot3(q->scene->gravity, q->scene->block[b].centroid);
-        if (best >= 0 && !(depth > most)) continue;
-        best = b;
-        most = depth;
+        if (best >= 0) sp__sub3(q->scene->block[b].centroid, q->scene->block[best].centroid, d);
+        const sp_real deeper = (add ? 1 : -1) * sp__dot3(d, g);
+        if (best < 0 || deeper > SP__LEVEL * q->scene->block[b].diameter * sp__norm3(g)) best = b;
     }
     if (best >= 0) q->answer[best] = 1;
     return best;

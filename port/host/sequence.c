@@ -273,7 +273,9 @@ static void print_text(const run *r)
     for (int32_t k = 0; k < r->steps; k++) {
         const told *t = &r->told[k];
         static const char *const word[] = { "undecided", "stable", "UNSTABLE" };
-        printf("  %5ld %s %-*s  %-9s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), word[t->step.verdict]);
+        const int more = t->step.verdict != SP_STABLE || o->suggest;
+        printf("  %5ld %s %-*s  %-*s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), more ? 9 : 0,
+               word[t->step.verdict]);
         if (t->step.verdict != SP_STABLE) print_held(r, t);
         if (o->suggest) printf("  next %s", name_of(r, t->next.block));
         putchar('\n');

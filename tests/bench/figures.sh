@@ -18,6 +18,9 @@ draw arch arch n=15 t=0.14
 draw arch-falling arch n=15 t=0.09
 draw overhang-falling overhang n=6 factor=1.05
 draw wall rubble rows=7 bricks=6
+"$cli" gen arch n=7 t=0.2 > build/figures/steps.obj
+"$cli" sequence --order b1,b7,b2,b6,b3,b5,b4 --svg $out/steps.svg build/figures/steps.obj > build/figures/steps.txt || [ $? -le 2 ]
+echo "$out/steps.svg"
 settle() {                                              # settle COUNT --frames SVG | -o SCENE
     "$cli" gen rubble count="$1" > build/figures/loose.obj
     "$cli" settle build/figures/loose.obj "$2" "$3" --set rest_steps=3000,energy=1e-6 > build/figures/settle.txt
