@@ -8323,12 +8323,13 @@ static int sp__loose(const sp_sequence *q, int32_t b)
 
 static int32_t sp__beside(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
 
+typedef struct sp__grip { sp_real FF[21], GG[21], M[21]; } sp__grip;
+
 /* F'F and G'G of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
  * of the kind f0 has, x x f = G (V, W) its moment, [x]'[x] = |x|^2 - x x'. */
-SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp_real FF[21],
-                                         sp_real GG[21])
+SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__grip *w)
 {
-    for (int k = 0; k < 21; k++) FF[k] = GG[k] = 0;
+    for (int k = 0; k < 21; k++) w->FF[k] = w->GG[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         sp_real x[3], F[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
         sp__arm(pb, i, v, x);
@@ -8338,8 +8339,8 @@ SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact 
         for (int r = 0, e = 0; r < 6; r++)
             for (int c = 0; c <= r; c++, e++) {
                 const sp_real f = sp__dot3(F[r], F[c]);
-                FF[e] += f;
-                GG[e] += xx * f - sp__dot3(F[r], x) * sp__dot3(F[c], x);
+                w->FF[e] += f;
+                w->GG[e] += xx * f - sp__dot3(F[r], x) * sp__dot3(F[c], x);
             }
     }
 }
@@ -8347,18 +8348,18 @@ SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact 
 /* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2 for all
  * z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little less, for
  * what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
-SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i)
+SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__grip *w)
 {
-    sp_real unit = 0, FF[21], GG[21], M[21];
+    sp_real unit = 0, *M = w->M;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         sp__arm(pb, i, v, M);
         unit = sp__max(unit, sp__norm3(M));
     }
     if (!(unit > 0)) return 0;
-    sp__lever_matrices(pb, t, i, unit, FF, GG);
+    sp__lever_matrices(pb, t, i, unit, w);
     for (sp_real share = (sp_real)0.5; share > (sp_real)1e-4; share /= 2) {
         int positive = 1;
-        for (int k = 0; k < 21; k++) M[k] = GG[k] - share * FF[k];
+        for (int k = 0; k < 21; k++) M[k] = w->GG[k] - share * w->FF[k];
         sp__chol_factor(M, 6, 1000 * (sp_real)SP_EPSILON);
         for (int k = 0; k < 6; k++) positive &= M[k * (k + 3) / 2] < SP__NEVER / 2;
         if (positive) return (sp_real)0.9 * SP_SQRT(share / (sp_real)t->points) * unit;
@@ -8367,9 +8368,12 @@ SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, in
 }
 
 /* Levers, and the contacts at each block. */
-SP__APART static void sp__sequence_joints(sp_sequence *q)
+SP__APART static sp_status sp__sequence_joints(sp_sequence *q)
 {
     const int32_t n = q->scene->count.blocks;
+    sp_arena a = q->work;
+    sp__grip *w = sp__take(&a, 1, sizeof *w);
+    if (!w) return SP_E_MEMORY;
     for (int32_t b = 0; b <= n; b++) q->start[b] = 0;
     for (int32_t i = 0; i < q->pb.blocks; i++) q->lever[i] = q->scene->block[q->pb.block[i]].fixed ? 0 : SP__HUGE;
     for (int32_t c = 0; c < q->pb.contacts; c++) {
@@ -8379,7 +8383,7 @@ SP__APART static void sp__sequence_joints(sp_sequence *q)
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
-            const sp_real lever = sp__lever(&q->pb, t, i);
+            const sp_real lever = sp__lever(&q->pb, t, i, w);
             if (lever < q->lever[i]) q->lever[i] = lever;
         }
     }
@@ -8388,6 +8392,7 @@ SP__APART static void sp__sequence_joints(sp_sequence *q)
         q->joint[--q->start[q->pb.contact[c].joint->a]] = c;
         q->joint[--q->start[q->pb.contact[c].joint->b]] = c;
     }
+    return SP_OK;
 }
 
 /* Blocks in the order of least fill of the finished scene. */
@@ -8433,8 +8438,8 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
         q->up[b] = b;
         if (q->row[b] < 0) q->stone[b].presence = SP_PRESENT;
     }
-    sp__sequence_joints(q);
-    status = sp__sequence_order(q);
+    status = sp__sequence_joints(q);
+    if (!status) status = sp__sequence_order(q);
     if (status) return status;
     *arena = a;
     *sequence = q;
