@@ -8274,6 +8274,7 @@ static sp_status sp__sequence_settings(const sp_scene *scene, const sp_settings 
     for (int32_t k = 0; k < out->stage_count; k++)
         if (out->stage[k] == SP_STAGE_ADMM || out->stage[k] == SP_STAGE_CUSTOM) return SP_E_UNSUPPORTED;
     out->localise = 0;
+    out->effect[SP_EFFECT_TOGETHER] = SP_WITH;          /* a part is one island */
     return SP_OK;
 }
 
@@ -8447,7 +8448,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
 }
 
 /* Which loose blocks hang together. */
-static void sp__islands(sp_sequence *q)
+static void sp__sequence_islands(sp_sequence *q)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
     for (int32_t c = 0; c < q->pb.contacts; c++) {
@@ -8514,14 +8515,22 @@ static void sp__part_island(sp_sequence *q, int32_t root)
     sp__part_make(q);
 }
 
+/* A check of the part in `a`, before the first stage. */
+SP__APART static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
+{
+    size_t kept = 0;
+    sp_status status = sp__check_open(&q->part, &q->set, 1, a, c, &kept);
+    if (!status) status = sp__check_problem(&q->part, *c, a);
+    if (!status) (*c)->pb.ordered = 1;
+    return status;
+}
+
 /* Does the part stand? sp_check without what is only told. */
 SP__APART static sp_status sp__part_check(sp_sequence *q, sp__check **c)
 {
-    size_t kept = 0;
     sp_arena a = q->work;
-    sp_status status = sp__check_build(&q->part, &q->set, &a, c, &kept);
+    sp_status status = sp__part_open(q, &a, c);
     if (status) return status;
-    (*c)->pb.ordered = 1;
     if ((*c)->pb.blocks) status = sp__check_run(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
     sp__cost_add(&q->cost, &(*c)->r.cost);
     return status;
@@ -8712,13 +8721,11 @@ SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 /* The marked blocks alone, all other forces as they are.     returns 1 if they are plain then */
 SP__APART static int sp__lean_solve(sp_sequence *q)
 {
-    size_t kept = 0;
     sp__check *c = NULL;
     sp_arena a = q->work;
     sp_verdict claim = SP_UNDECIDED;
     sp__part_make(q);
-    if (sp__check_build(&q->part, &q->set, &a, &c, &kept)) return 0;
-    c->pb.ordered = 1;
+    if (sp__part_open(q, &a, &c)) return 0;
     if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
     c->set.tol *= SP__LEAN_TOL;
     sp__lean_load(q, &c->pb);
@@ -8863,7 +8870,7 @@ SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presen
     sp__sequence_start(sequence);
     if (presence != sequence->stone[block].presence) {
         sp__sequence_change(sequence, block, presence);
-        sp__islands(sequence);
+        sp__sequence_islands(sequence);
         sp__sequence_touch(sequence, block);
         const sp_status status = sp__sequence_look(sequence);
         if (status) return status;
@@ -8879,7 +8886,7 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
     sp__sequence_start(sequence);
     for (int32_t b = 0; b < sequence->scene->count.blocks; b++)
         if (presence[b] != sequence->stone[b].presence) sp__sequence_change(sequence, b, presence[b]);
-    sp__islands(sequence);
+    sp__sequence_islands(sequence);
     for (int32_t b = 0; b < sequence->scene->count.blocks; b++) sequence->stone[b].stale = sp__loose(sequence, b);
     const sp_status status = sp__sequence_look(sequence);
     if (status) return status;
@@ -8907,7 +8914,7 @@ SP__APART static int sp__hold_stands(sp__hold *h)
 {
     sp_sequence *q = h->q;
     q->tries++;
-    sp__islands(q);
+    sp__sequence_islands(q);
     for (int32_t k = 0; k < h->members; k++) {
         sp__check *c = NULL;
         const int32_t root = h->member[k];
@@ -9034,7 +9041,7 @@ SP__APART static sp_status sp__hold_island(sp__hold *h, sp_held *held)
         if (q->was[b]) q->answer[held->count++] = b;
         q->stone[b].presence = SP_PRESENT;
     }
-    sp__islands(q);
+    sp__sequence_islands(q);
     return h->status;
 }
 
@@ -9101,7 +9108,7 @@ SP__APART static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, 
     memcpy(q->f_kept, q->f, v * sizeof *q->f);
     memcpy(q->dq_kept, q->dq, 6 * n * sizeof *q->dq);
     sp__sequence_change(q, b, add ? SP_PRESENT : SP_ABSENT);
-    sp__islands(q);
+    sp__sequence_islands(q);
     sp__sequence_touch(q, b);
     const sp_status status = sp__sequence_look(q);
     *stands = 1;
@@ -9110,7 +9117,7 @@ SP__APART static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, 
     memcpy(q->f, q->f_kept, v * sizeof *q->f);
     memcpy(q->dq, q->dq_kept, 6 * n * sizeof *q->dq);
     q->was[b] = was;
-    sp__islands(q);
+    sp__sequence_islands(q);
     return status;
 }
 
