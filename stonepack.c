@@ -2097,6 +2097,7 @@ static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
 static sp_real sp__ratio(sp_real a, sp_real b)
 {
     if (a <= 0 && a >= 0) return 0;
+    if (b > 1) return a / b < SP__HUGE ? a / b : SP__HUGE;      /* there SP__HUGE b may leave the range of float */
     return a < SP__HUGE * b ? a / b : SP__HUGE;
 }
 
@@ -3890,22 +3891,20 @@ static const sp_seed sp__seed = {
     .engaged = (sp_real)0.01, .floor = (sp_real)1e-9, .reg = SP__SEED(1e-9, 1e-6),                      /* [3.2] */
     .gate = (sp_real)0.5, .peel = (sp_real)0.75, .askew = (sp_real)2, .turns = 12,                      /* [3.3] */
     .admm = {
-        .backend = SP_QP_SPARSE, .iterations = 8000,
-        .sigma = SP__SEED(1e-6, 1e-3), .relax = (sp_real)1.6,                   /* [4.2] */
-        .rho = (sp_real)0.1, .rho_equal = SP__SEED(1e3, 1e2),                   /* [4.2] */
-        .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .check = 10,        /* [4.2] the checker's */
-        .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5,             /* [4.2] */
-        .passes = 3, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6),          /* [4.2] */
+        .backend = SP_QP_SPARSE,
+        .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4,                     /* [4.2] the checker's */
         .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4,                   /* [4.3] */
-        .radius = SP__SEED(1e6, 1e3)                                            /* ours: what a certificate must exclude */
+        .radius = SP__SEED(1e6, 1e3),                                           /* ours: what a certificate must exclude */
+        .iterations = 8000, .check = 10, .passes = 3,                           /* [4.2] and so on to the end */
+        .sigma = SP__SEED(1e-6, 1e-3), .relax = (sp_real)1.6, .rho = (sp_real)0.1, .rho_equal = SP__SEED(1e3, 1e2),
+        .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6)
     },
     .native = {
-        .backend = SP_QP_SPARSE, .iterations = 6000, .polish = 1, .strict = 1,  /* [4.4] */
-        .eps_abs = SP__SEED(1e-6, 1e-4), .eps_rel = SP__SEED(1e-5, 1e-4),       /* [4.4] */
+        .backend = SP_QP_SPARSE, .eps_abs = SP__SEED(1e-6, 1e-4), .eps_rel = SP__SEED(1e-5, 1e-4),      /* [4.4] */
+        .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .radius = SP__SEED(1e6, 1e3),
+        .strict = 1, .polish = 1, .iterations = 6000, .check = 10, .passes = 10,                        /* [4.4] */
         .sigma = SP__SEED(1e-6, 1e-3), .relax = (sp_real)1.6, .rho = (sp_real)0.1, .rho_equal = SP__SEED(1e3, 1e2),
-        .check = 10, .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5,
-        .passes = 10, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6),
-        .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .radius = SP__SEED(1e6, 1e3)
+        .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5, .cg_steps = 250, .cg_tol = SP__SEED(1e-10, 1e-6)
     }
 };
 #undef SP__SEED

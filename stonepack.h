@@ -50,7 +50,11 @@ extern "C" {
 typedef float sp_real;
 #define SP_EPSILON 5.9604644775390625e-08f              /* u, unit roundoff: 2^-24 */
 #define sp_arena_init sp_arena_init_float               /* header and object of different precision do not link */
-#else
+#elif defined SP_REAL_QUAD                              /* a reference for tests, gcc and clang: SP_SQRT is sqrtq */
+typedef __float128 sp_real;
+#define SP_EPSILON 9.6296497219361793e-35               /* u, unit roundoff: 2^-113 */
+#define sp_arena_init sp_arena_init_quad
+#elif !defined SP_REAL_OTHER                            /* defined: sp_real and SP_EPSILON stand before this header; for tests */
 typedef double sp_real;
 #define SP_EPSILON 1.1102230246251565e-16               /* u, unit roundoff: 2^-53 */
 #endif

@@ -430,6 +430,13 @@ check_oracle() {
         skip "random scenes against linear programming" "python3-numpy python3-scipy"
     fi
 }
+check_instruments() {                                   # the battery of hard scenes in other arithmetic
+    for in_name in float rounding traps flush quad; do
+        part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
+    done
+    if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance
+    else skip "battery: random rounding" g++; fi
+}
 check_bench() { part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"; }
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures

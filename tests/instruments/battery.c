@@ -1,0 +1,115 @@
+/* battery: the hard scenes and the corpus in another arithmetic, one line each:
+ *
+ *     name | verdict | wrong, open or as it is | omega | largest force
+ *
+ * battery [up|down|zero] [traps] [flush] [light] [short]
+ *     rounding mode; SIGFPE on invalid, division by zero, overflow; denormals are zero; without the three heaviest; without
+ *     the corpus
+ *
+ * One file with the library, so that a compiler flag or a header put before it changes all arithmetic: SP_REAL_QUAD, a class in
+ * place of double (random.hpp), -fsanitize=numerical. instruments.sh has the lines. Exit status 1: a wrong verdict or one that
+ * is missing. Truth of the hard scenes is their row's; that of the corpus is what plain double says, told by instruments.sh.
+ */
+#define _GNU_SOURCE
+#ifndef SP_REAL_QUAD
+#include <math.h>
+#endif
+#include <fenv.h>
+#include <stdio.h>
+#include <string.h>
+#if defined __x86_64__ && !defined __cplusplus
+#include <xmmintrin.h>
+#define BATTERY_FLUSH() _mm_setcsr(_mm_getcsr() | 0x8040)       /* FTZ and DAZ */
+#else
+#define BATTERY_FLUSH() ((void)0)
+#endif
+
+#include "../../stonepack.c"
+#include "../scenes/gen.c"
+#define main corpus_main
+#include "../corpus/corpus.c"
+#undef main
+#include "../scenes/hard.h"
+
+static uint64_t room[(64u << 20) / 8];
+static int bad, flushed, light, without_corpus;
+
+static void say(const char *name, sp_verdict verdict, const char *is, const sp_result *r)
+{
+    printf("%-38s| %-9s | %-5s | %7.1e | %.17g\n", name, sp_verdict_text(verdict), is, (double)r->omega, (double)r->max_compression);
+    fflush(stdout);
+}
+
+/* One hard scene against its truth. Close to a limit float says what it likes. */
+static void hard(const hard_case *c)
+{
+    sp_arena arena;
+    sp_scene s;
+    sp_result r;
+    unsigned open = HARD_LIMIT | (flushed ? HARD_DENORMAL : 0u);
+#ifdef SP_REAL_FLOAT
+    open |= HARD_OPEN_FLOAT;
+    if (c->flags & HARD_NO_FLOAT) return;
+#endif
+    if (light && c->flags & HARD_HEAVY) return;
+    memset(&r, 0, sizeof r);
+    sp_arena_init(&arena, room, sizeof room);
+    sp_status status = c->build(c, &arena, &s);
+    if (!status) status = sp_check(&s, NULL, &arena, &r);
+    const sp_verdict v = status ? SP_UNDECIDED : r.verdict;
+    const int wrong = v && v != c->truth && !(c->flags & HARD_LIMIT), missing = !v && !(c->flags & open);
+    bad |= wrong || missing;
+    say(c->name, v, wrong ? "WRONG" : missing ? "OPEN" : v ? "" : "open", &r);
+}
+
+static void corpus_one(const char *name, int32_t k, const sp_scene *s, int32_t faces, sp_arena *arena, sp_status status)
+{
+    sp_settings set = sp_settings_default();
+    sp_result r;
+    char numbered[64];
+    memset(&r, 0, sizeof r);
+    set.faces = faces;
+    if (!status) status = sp_check(s, &set, arena, &r);
+    bad |= status != SP_OK;
+    snprintf(numbered, sizeof numbered, "%s %ld", name, (long)k);
+    say(numbered, r.verdict, status ? "WRONG" : "", &r);
+}
+
+static void corpus_all(void)
+{
+    sp_arena arena;
+    sp_scene s;
+    int32_t n = 0;
+    for (size_t k = 0; k < sizeof compiled / sizeof compiled[0]; k++) {
+        sp_arena_init(&arena, room, sizeof room);
+        const sp_status status = build(&compiled[k], &arena, &s);
+        corpus_one(compiled[k].name, n++, &s, 0, &arena, status);
+    }
+    for (size_t k = 0; k < sizeof made / sizeof made[0]; k++) {
+        gen_scene g;
+        sp_arena_init(&arena, room, sizeof room);
+        gen_open(&g, made[k].name);
+        for (int c = 0; c < 3 && made[k].set[c].name; c++) gen_set(&g, made[k].set[c].name, made[k].set[c].value);
+        const sp_status status = gen_build(&g, &arena, &s);
+        corpus_one(made[k].name, n++, &s, made[k].faces, &arena, status);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    for (int k = 1; k < argc; k++) {
+        if (strcmp(argv[k], "up") == 0) fesetround(FE_UPWARD);
+        else if (strcmp(argv[k], "down") == 0) fesetround(FE_DOWNWARD);
+        else if (strcmp(argv[k], "zero") == 0) fesetround(FE_TOWARDZERO);
+#ifdef __GLIBC__
+        else if (strcmp(argv[k], "traps") == 0) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+#endif
+        else if (strcmp(argv[k], "flush") == 0) { flushed = 1; BATTERY_FLUSH(); }
+        else if (strcmp(argv[k], "light") == 0) light = 1;
+        else if (strcmp(argv[k], "short") == 0) without_corpus = 1;
+        else return 64;
+    }
+    for (int k = 0; k < HARD_CASES; k++) hard(&hard_cases[k]);
+    if (!without_corpus) corpus_all();
+    return bad;
+}

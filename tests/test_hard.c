@@ -1,0 +1,73 @@
+/* hard: every scene of the battery (scenes/hard.h, with its reason) is decided as it is; forces hold to a few roundings. */
+#include "test.h"
+#include "scenes/hard.h"
+
+#include <string.h>
+
+#ifdef SP_REAL_FLOAT
+#define HARD_OMEGA R(1e-4)
+#define SKIP (HARD_NO_FLOAT)
+#define OPEN (HARD_LIMIT | HARD_OPEN_FLOAT)
+#else
+#define HARD_OMEGA R(1e-12)
+#define SKIP 0u
+#define OPEN HARD_LIMIT
+#endif
+
+static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
+{
+    sp_scene s;
+    test_arena.used = 0;
+    memset(r, 0, sizeof *r);
+    const int made = CHECK_INT(c->build(c, &test_arena, &s), SP_OK) && CHECK_INT(sp_check(&s, set, &test_arena, r), SP_OK);
+    if (!made) TEST_PRINT("    %s\n", c->name);
+    return made;
+}
+
+/* No wrong verdict, undecided only where its row allows it. */
+TEST(hard_scenes_are_decided_as_they_are)
+{
+    for (int k = 0; k < HARD_CASES; k++) {
+        const hard_case *c = &hard_cases[k];
+        sp_result r;
+        if (c->flags & SKIP || !hard_check(c, NULL, &r)) continue;
+        const int held = c->flags & OPEN ? CHECK(!r.verdict || c->flags & HARD_LIMIT || r.verdict == c->truth) : CHECK_INT(r.verdict, c->truth);
+        if (r.verdict) CHECK(r.verified);
+        if (!held) TEST_PRINT("    %s: omega %.2g, proved %.2g\n", c->name, (double)r.omega, (double)r.least_imbalance);
+    }
+}
+
+/* What stands, not at its limit, is balanced to 1e-12 of the forces at each block: rounding grew by less than 1e4. */
+TEST(forces_of_hard_scenes_balance_to_a_few_roundings)
+{
+    for (int k = 0; k < HARD_CASES; k++) {
+        const hard_case *c = &hard_cases[k];
+        sp_result r;
+        if (c->truth != SP_STABLE || c->flags & (SKIP | OPEN | HARD_LONG) || !hard_check(c, NULL, &r)) continue;
+        if (!CHECK(r.omega <= HARD_OMEGA)) TEST_PRINT("    %s: omega %.2g\n", c->name, (double)r.omega);
+    }
+}
+
+/* The pyramids inside and around the cone bracket it: none contradicts what the scene is. */
+TEST(hard_scenes_are_bracketed_by_pyramids)
+{
+    for (int k = 0; k < HARD_CASES; k++) {
+        const hard_case *c = &hard_cases[k];
+        if (c->flags & (SKIP | HARD_LIMIT)) continue;
+        for (int inscribed = 0; inscribed < 2; inscribed++) {
+            sp_settings set = sp_settings_default();
+            sp_result r;
+            set.faces = 8;
+            set.inscribed = inscribed;
+            set.localise = 0;
+            if (!hard_check(c, &set, &r)) continue;
+            if (!CHECK(r.verdict != (inscribed ? SP_STABLE : SP_UNSTABLE) || r.verdict == c->truth)) TEST_PRINT("    %s\n", c->name);
+        }
+    }
+}
+
+TEST_LIST(hard)
+    RUN(hard_scenes_are_decided_as_they_are)
+    RUN(forces_of_hard_scenes_balance_to_a_few_roundings)
+    RUN(hard_scenes_are_bracketed_by_pyramids)
+TEST_END
