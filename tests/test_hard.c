@@ -9,7 +9,11 @@
 #define SKIP (HARD_NO_FLOAT)
 #define OPEN (HARD_LIMIT | HARD_OPEN_FLOAT)
 #else
+#ifdef SP_NO_IPM
+#define HARD_OMEGA R(1e-11)                        /* the proximal path stops a digit earlier */
+#else
 #define HARD_OMEGA R(1e-12)
+#endif
 #define SKIP 0u
 #define OPEN HARD_LIMIT
 #endif
