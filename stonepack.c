@@ -5351,19 +5351,20 @@ static int32_t sp__branch_entries(const sp_problem *pb)
 static void sp__branch_carve(sp__branch *s, const sp_problem *pb, sp_arena *a)
 {
     const int32_t V = sp__points_count(pb->scene), b = pb->blocks;
+    const size_t v = (size_t)V;
     s->pb = pb;
     s->points = V;
     sp__lp_carve(&s->lp, 3 * V + 6 * b, 6 * b + 1 + SP__ROWS * V, sp__branch_entries(pb), a);
     s->arm = sp__take(a, (size_t)b, sizeof *s->arm);
     s->load = sp__take(a, (size_t)b, sizeof *s->load);
-    s->contact = sp__take(a, (size_t)V, sizeof *s->contact);
-    s->at = sp__take(a, (size_t)V, sizeof *s->at);
-    s->d = sp__take(a, (size_t)V, sizeof *s->d);
-    s->mu = sp__take(a, (size_t)V, sizeof *s->mu);
-    s->size = sp__take(a, (size_t)V, sizeof *s->size);
-    s->state = sp__take(a, (size_t)V, sizeof *s->state);
-    s->loaded = sp__take(a, (size_t)V, sizeof *s->loaded);
-    s->stack = sp__take(a, (size_t)V, SP__PROOF_DEPTH * sizeof *s->stack);
+    s->contact = sp__take(a, v, sizeof *s->contact);
+    s->at = sp__take(a, v, sizeof *s->at);
+    s->d = sp__take(a, v, sizeof *s->d);
+    s->mu = sp__take(a, v, sizeof *s->mu);
+    s->size = sp__take(a, v, sizeof *s->size);
+    s->state = sp__take(a, v, sizeof *s->state);
+    s->loaded = sp__take(a, v, sizeof *s->loaded);
+    s->stack = sp__take(a, v, SP__PROOF_DEPTH * sizeof *s->stack);
 }
 
 /* Ends a, b of the sector of a state >= 4, and its middle m. */

@@ -453,7 +453,8 @@ sp_status qp_judge_arguments(const sp_qp *qp, const sp_qp_settings *settings, co
 
 static size_t up(size_t bytes) { return (bytes + (SP_ALIGN - 1)) / SP_ALIGN * SP_ALIGN; }
 
-size_t qp_judge_take(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y)
+/* n numbers at *x, m at *y.     returns bytes taken; NULL arena: only counts; 0: no room */
+static size_t take(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y)
 {
     const size_t of_x = up((size_t)qp->n * sizeof(sp_real)), of_y = up((size_t)qp->m * sizeof(sp_real));
     if (!arena) return of_x + of_y;
@@ -466,4 +467,35 @@ size_t qp_judge_take(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y)
     arena->used = used + of_x + of_y;
     if (arena->used > arena->peak) arena->peak = arena->used;
     return of_x + of_y;
+}
+
+sp_status qp_judge_solve(qp_judge_attempt *attempt, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                         const sp_real *x0, const sp_real *y0, sp_qp_result *result)
+{
+    const sp_qp_settings set = settings ? *settings : sp_qp_default();
+    sp_arena a;
+    sp_qp_result r;
+    sp_real *x = NULL, *y = NULL;
+    sp_qp_status claim = SP_QP_NUMERICAL;
+    sp_status status = qp_judge_arguments(qp, &set, x0, y0);
+
+    if (status != SP_OK || !arena || !result) return status == SP_OK ? SP_E_ARGUMENT : status;
+    a = *arena;
+    if (!take(qp, &a, &x, &y)) return SP_E_MEMORY;
+    memset(&r, 0, sizeof r);
+    status = attempt(qp, &set, x0, y0, x, y, &claim, &r);
+    if (status == SP_OK) status = qp_judge(qp, &set, claim, x, y, &r);
+    if (status != SP_OK) return status;
+    *arena = a;
+    *result = r;
+    return SP_OK;
+}
+
+sp_status qp_judge_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    const sp_status status = qp_judge_arguments(qp, settings, NULL, NULL);
+    (void)self;
+    (void)scratch;
+    if (status == SP_OK) *bytes = take(qp, NULL, NULL, NULL);
+    return status;
 }

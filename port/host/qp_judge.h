@@ -21,8 +21,13 @@ sp_status qp_judge_arguments(const sp_qp *qp, const sp_qp_settings *settings, co
 sp_status qp_judge(const sp_qp *qp, const sp_qp_settings *settings, sp_qp_status claim, sp_real *x, sp_real *y,
                    sp_qp_result *result);
 
-/* What such a solver takes from the arena: n numbers at *x, m at *y.      returns bytes taken; NULL arena: only counts;
- *                                                                         0: no room */
-size_t qp_judge_take(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y);
+/* A run of a solver from outside: what it claims of x (n) and y (m), and its rho, iterations, factorisations, polished. */
+typedef sp_status qp_judge_attempt(const sp_qp *qp, const sp_qp_settings *settings, const sp_real *x0, const sp_real *y0, sp_real *x,
+                                   sp_real *y, sp_qp_status *claim, sp_qp_result *result);
+
+/* `solve` and `need` of a sp_qp_solver that attempts it so and is judged. */
+sp_status qp_judge_solve(qp_judge_attempt *attempt, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                         const sp_real *x0, const sp_real *y0, sp_qp_result *result);
+sp_status qp_judge_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes);
 
 #endif

@@ -10,33 +10,30 @@
 #include "../ipopt/ipopt_qp.h"
 #endif
 
+/* Who solves quadratic programs: made by `make`, NULL where this build is without it, and what brings it. */
+static const struct { const char *name; sp_qp_solver (*make)(void); const char *install; } solver[] = {
+    { "admm", sp_qp_admm, "" },
+    { "dykstra", sp_qp_dykstra, "" },
+#ifdef WITH_OSQP
+    { "osqp", osqp_qp_solver, "" },
+#else
+    { "osqp", NULL, "install OSQP 1.x, then make OSQP=PREFIX" },
+#endif
+#ifdef WITH_IPOPT
+    { "ipopt", ipopt_qp_solver, "" },
+#else
+    { "ipopt", NULL, "apt-get install coinor-libipopt-dev pkg-config, then make" },
+#endif
+};
+
 int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
 {
-    if (strcmp(name, "admm") == 0) {
-        *out = sp_qp_admm();
+    for (size_t k = 0; k < sizeof solver / sizeof *solver; k++) {
+        if (strcmp(name, solver[k].name)) continue;
+        if (!solver[k].make)
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver %s is not in this build: %s", name, solver[k].install);
+        *out = solver[k].make();
         return 0;
-    }
-    if (strcmp(name, "dykstra") == 0) {
-        *out = sp_qp_dykstra();
-        return 0;
-    }
-    if (strcmp(name, "osqp") == 0) {
-#ifdef WITH_OSQP
-        *out = osqp_qp_solver();
-        return 0;
-#else
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver osqp is not in this build: "
-                         "install OSQP 1.x, then make OSQP=PREFIX");
-#endif
-    }
-    if (strcmp(name, "ipopt") == 0) {
-#ifdef WITH_IPOPT
-        *out = ipopt_qp_solver();
-        return 0;
-#else
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver ipopt is not in this build: "
-                         "apt-get install coinor-libipopt-dev pkg-config, then make");
-#endif
     }
     return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
 }

@@ -16,8 +16,8 @@
  */
 #define _POSIX_C_SOURCE 200809L         /* clock_gettime */
 #include "ipopt_cra.h"
+#include "ipopt_count.h"
 
-#include <IpStdCInterface.h>
 #include <IpoptConfig.h>
 
 #include <math.h>
@@ -31,6 +31,7 @@
 typedef struct term { Index i, j, k; Number c; } term;
 
 typedef struct nlp {
+    Index iterations;                   /* first: ipopt_count */
     sp_problem problem;
     const sp_settings *settings;
     Index b, v;                         /* free blocks, contact vertices that touch one */
@@ -41,7 +42,6 @@ typedef struct nlp {
     Index n, m, terms, room;
     term *term;
     Number *x, *low, *high, *g, *g_low, *g_high;
-    Index iterations;
 } nlp;
 
 static Index at_f(Index k) { return 3 * k; }                   /* fn, ft1, ft2 */
@@ -241,15 +241,6 @@ static Bool hessian(Index n, Number *x, Bool new_x, Number factor, Index m, Numb
     return TRUE;
 }
 
-static Bool iteration(Index mode, Index count, Number f, Number primal, Number dual, Number mu, Number d, Number reg,
-                      Number step_d, Number step_p, Index trials, UserDataPtr user)
-{
-    nlp *p = user;
-    (void)mode; (void)f; (void)primal; (void)dual; (void)mu; (void)d; (void)reg; (void)step_d; (void)step_p; (void)trials;
-    p->iterations = count;
-    return TRUE;
-}
-
 /* ---------------------------------------------------------------------------------------------------------------- a run */
 
 static const char *status_text(int code)
@@ -288,7 +279,7 @@ static int run(nlp *p, const ipopt_cra_question *q)
     AddIpoptNumOption(ip, (char *)"constr_viol_tol", q->tol);
     AddIpoptStrOption(ip, (char *)"mu_strategy", (char *)"adaptive");
     AddIpoptNumOption(ip, (char *)"bound_relax_factor", 0);       /* else eta gives way, and with it the smallest alpha */
-    SetIntermediateCallback(ip, iteration);
+    SetIntermediateCallback(ip, ipopt_count);
     code = IpoptSolve(ip, p->x, p->g, NULL, NULL, NULL, NULL, p);
     FreeIpoptProblem(ip);
     return code;

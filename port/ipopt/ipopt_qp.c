@@ -9,8 +9,8 @@
  */
 #include "ipopt_qp.h"
 #include "../host/qp_judge.h"
+#include "ipopt_count.h"
 
-#include <IpStdCInterface.h>
 #include <IpoptConfig.h>
 
 #include <stdlib.h>
@@ -19,11 +19,11 @@
 typedef struct entry { Index i, j; Number x; } entry;
 
 typedef struct program {
+    Index iterations;                   /* first: ipopt_count */
     Index n, m, in_P, in_A;
     entry *P, *A;                       /* P: j <= i */
     Number *q, *l, *u;
     Number *x, *y;
-    Index iterations;
     void *memory[7];
     int pieces;
 } program;
@@ -153,15 +153,6 @@ static Bool hessian(Index n, Number *x, Bool new_x, Number factor, Index m, Numb
     return TRUE;
 }
 
-static Bool iteration(Index mode, Index count, Number f, Number primal, Number dual, Number mu, Number d, Number reg,
-                      Number step_d, Number step_p, Index trials, UserDataPtr user)
-{
-    program *p = user;
-    (void)mode; (void)f; (void)primal; (void)dual; (void)mu; (void)d; (void)reg; (void)step_d; (void)step_p; (void)trials;
-    p->iterations = count;
-    return TRUE;
-}
-
 /* ---------------------------------------------------------------------------------------------------------------- a run */
 
 static void text(IpoptProblem ip, const char *name, const char *v) { AddIpoptStrOption(ip, (char *)name, (char *)v); }
@@ -220,7 +211,7 @@ static int run(program *p, Number tol, Index most, int warm)
     ip = CreateIpoptProblem(p->n, low, high, p->m, p->l, p->u, p->in_A, p->in_P, 0, value, rows, gradient, jacobian, hessian);
     if (ip) {
         options(ip, tol, most, warm);
-        SetIntermediateCallback(ip, iteration);
+        SetIntermediateCallback(ip, ipopt_count);
         memcpy(low, none, (size_t)p->n * sizeof *low);
         code = IpoptSolve(ip, p->x, NULL, NULL, p->y, low, none, p);
         FreeIpoptProblem(ip);
@@ -280,45 +271,27 @@ static sp_status solve_into(program *p, const sp_qp *qp, const sp_qp_settings *s
     return SP_OK;
 }
 
+static sp_status attempt(const sp_qp *qp, const sp_qp_settings *set, const sp_real *x0, const sp_real *y0, sp_real *x, sp_real *y,
+                         sp_qp_status *claim, sp_qp_result *r)
+{
+    program p;
+    const sp_status status = program_make(&p, qp) ? solve_into(&p, qp, set, x0, y0, x, y, claim) : SP_E_MEMORY;
+    r->iterations = r->factorisations = p.iterations;
+    r->rho = set->rho;
+    program_free(&p);
+    return status;
+}
+
 static sp_status solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
                        const sp_real *y0, sp_qp_result *result)
 {
-    const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    sp_arena a;
-    sp_qp_result r;
-    sp_real *x = NULL, *y = NULL;
-    program p;
-    sp_qp_status claim = SP_QP_NUMERICAL;
-    sp_status status = qp_judge_arguments(qp, &set, x0, y0);
-
     (void)self;
-    if (status != SP_OK || !arena || !result) return status == SP_OK ? SP_E_ARGUMENT : status;
-    a = *arena;
-    if (!qp_judge_take(qp, &a, &x, &y)) return SP_E_MEMORY;
-    status = program_make(&p, qp) ? solve_into(&p, qp, &set, x0, y0, x, y, &claim) : SP_E_MEMORY;
-    memset(&r, 0, sizeof r);
-    r.iterations = r.factorisations = p.iterations;
-    r.rho = set.rho;
-    if (status == SP_OK) status = qp_judge(qp, &set, claim, x, y, &r);
-    program_free(&p);
-    if (status != SP_OK) return status;
-    *arena = a;
-    *result = r;
-    return SP_OK;
-}
-
-static sp_status need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
-{
-    const sp_status status = qp_judge_arguments(qp, settings, NULL, NULL);
-    (void)self;
-    (void)scratch;
-    if (status == SP_OK) *bytes = qp_judge_take(qp, NULL, NULL, NULL);
-    return status;
+    return qp_judge_solve(attempt, qp, settings, arena, x0, y0, result);
 }
 
 sp_qp_solver ipopt_qp_solver(void)
 {
-    const sp_qp_solver s = { NULL, solve, need };
+    const sp_qp_solver s = { NULL, solve, qp_judge_need };
     return s;
 }
 

@@ -156,50 +156,32 @@ static sp_status run(OSQPSolver *solver, OSQPSettings *o, int polish, const sp_q
     return SP_OK;
 }
 
-static sp_status solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
-                       const sp_real *y0, sp_qp_result *result)
+static sp_status attempt(const sp_qp *qp, const sp_qp_settings *set, const sp_real *x0, const sp_real *y0, sp_real *x, sp_real *y,
+                         sp_qp_status *claim, sp_qp_result *r)
 {
-    const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    sp_arena a;
-    sp_qp_result r;
-    sp_real *x = NULL, *y = NULL;
     OSQPSettings o;
     OSQPSolver *solver = NULL;
     marshal d;
-    sp_qp_status claim = SP_QP_NUMERICAL;
-    sp_status status = qp_judge_arguments(qp, &set, x0, y0);
-
-    (void)self;
-    if (status != SP_OK || !arena || !result) return status == SP_OK ? SP_E_ARGUMENT : status;
-    a = *arena;
-    if (!qp_judge_take(qp, &a, &x, &y)) return SP_E_MEMORY;
-    status = marshal_make(&d, qp, x0, y0) ? SP_OK : SP_E_MEMORY;
-    settings_of(&set, &o);
+    sp_status status = marshal_make(&d, qp, x0, y0) ? SP_OK : SP_E_MEMORY;
+    settings_of(set, &o);
     if (status == SP_OK) status = setup_status(osqp_setup(&solver, &d.P, d.q, &d.A, d.l, d.u, qp->m, qp->n, &o));
     if (status == SP_OK && (x0 || y0)) osqp_warm_start(solver, d.x0, d.y0);
-    memset(&r, 0, sizeof r);
-    if (status == SP_OK) status = run(solver, &o, set.polish, qp, x, y, &claim, &r);
-    if (status == SP_OK) status = qp_judge(qp, &set, claim, x, y, &r);
+    if (status == SP_OK) status = run(solver, &o, set->polish, qp, x, y, claim, r);
     if (solver) osqp_cleanup(solver);
     marshal_free(&d);
-    if (status != SP_OK) return status;
-    *arena = a;
-    *result = r;
-    return SP_OK;
+    return status;
 }
 
-static sp_status need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
+                       const sp_real *y0, sp_qp_result *result)
 {
-    const sp_status status = qp_judge_arguments(qp, settings, NULL, NULL);
     (void)self;
-    (void)scratch;
-    if (status == SP_OK) *bytes = qp_judge_take(qp, NULL, NULL, NULL);
-    return status;
+    return qp_judge_solve(attempt, qp, settings, arena, x0, y0, result);
 }
 
 sp_qp_solver osqp_qp_solver(void)
 {
-    const sp_qp_solver s = { NULL, solve, need };
+    const sp_qp_solver s = { NULL, solve, qp_judge_need };
     return s;
 }
 
