@@ -2057,6 +2057,8 @@ typedef struct sp__scale {
 /* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
+#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep: at least 2 for the scales, 1 for forces or a triple, 7 for a motion */
+
 typedef struct sp__judge {
     const sp_problem *pb;
     const sp_settings *set;             /* tol and force_bound resolved */
@@ -6788,7 +6790,9 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     out->residual = c->residual;
     sp__cra_spread(c);
     a->used = mark;
-    return out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
+    const sp_status status = out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
+    out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;
+    return status;
 }
 #endif /* SP_NO_CRA */
 /* 24 ------------------------------------------------------------------------------------------------------------- islands */
@@ -7306,7 +7310,6 @@ static void sp__check_motion(const sp__judge *j, sp_result *r)
         for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep of the judge, who takes at least 2 for the scales, 1 for forces, 7 for a motion */
 
 /* Flops that are left of the budget. */
 static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)

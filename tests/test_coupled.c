@@ -339,6 +339,22 @@ TEST(what_stands_by_its_weight_is_coupled)
         if (!CHECK_INT(of(scene[k].name, scene[k].param, scene[k].value), SP_COUPLING_COUPLED)) TEST_PRINT("    %s\n", scene[k].name);
 }
 
+TEST(the_price_of_a_certificate_is_told_and_contains_its_judge)
+{
+    const sp_settings set = asked(100, 0);
+    for (int refuted = 0; refuted < 2; refuted++) {
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        build(refuted ? "h-model" : "incline", NULL, 0, &s);
+        answer(&s, &set, &r);
+        int64_t sum = r.coupled.cost.flops;
+        for (int32_t k = 0; k < set.stage_count; k++) sum += r.by_stage[k].flops;
+        CHECK_INT(r.cost.flops, sum);
+        CHECK(r.coupled.cost.flops > 2 * 90 * (int64_t)s.count.points);
+    }
+}
+
 TEST(the_h_model_is_never_coupled)                      /* though statics accept it */
 {
     static const double mu[] = { 0.01, 0.45, 0.84 };
@@ -681,6 +697,7 @@ TEST_LIST(coupled)
     RUN(what_rests_without_load_is_coupled_as_it_is)
     RUN(the_default_lengths_follow_the_mean_edge)
     RUN(what_stands_by_its_weight_is_coupled)
+    RUN(the_price_of_a_certificate_is_told_and_contains_its_judge)
     RUN(the_h_model_is_never_coupled)
     RUN(a_squeezed_block_jams_across_its_diagonal_from_mu_2h_over_w_on)
     RUN(and_from_eta_over_eps_2w_over_h_on)

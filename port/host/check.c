@@ -80,16 +80,24 @@ static int by_worker(report *r, void **memory, text_error *error)
     return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
 }
 
-int report_check(report *r, void **memory, text_error *error)
+static int by_us(report *r, void **memory, text_error *error)
 {
     blob_cost cost = { 0, 0 };
-    sp_status status;
-
-    if (r->options->worker > 0) return by_worker(r, memory, error);
-    status = check_scene(&r->scene->scene, &r->options->settings, &r->result, &cost, memory);
+    const sp_status status = check_scene(&r->scene->scene, &r->options->settings, &r->result, &cost, memory);
     r->bytes = cost.bytes;
     r->seconds = cost.seconds;
     return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+}
+
+int report_check(report *r, void **memory, text_error *error)
+{
+    sp_settings without = r->options->settings;
+    size_t bytes;
+    const int status = r->options->worker > 0 ? by_worker(r, memory, error) : by_us(r, memory, error);
+    if (status || !without.coupled.asked) return status;
+    without.coupled.asked = 0;
+    if (memory_of(&r->scene->scene, &without, &bytes) == SP_OK && bytes < r->bytes) r->coupled_bytes = r->bytes - bytes;
+    return 0;
 }
 
 static int draw(const report *r, text_error *error)

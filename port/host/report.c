@@ -119,6 +119,13 @@ static void json_cost(json_out *j, const report *r)
         json_work(j, &r->result.by_stage[k]);
         json_close(j, '}');
     }
+    if (r->options->settings.coupled.asked) {
+        json_open(j, NULL, '{');
+        json_string(j, "stage", "coupled");
+        json_work(j, &r->result.coupled.cost);
+        json_int(j, "bytes", (int64_t)r->coupled_bytes);
+        json_close(j, '}');
+    }
     json_close(j, ']');
     json_close(j, '}');
 }
@@ -156,9 +163,6 @@ static void json_coupled(json_out *j, const report *r)
     json_real(j, "eps", (double)c->eps);
     json_real(j, "eta", (double)c->eta);
     json_bool(j, "box", r->options->settings.coupled.box);
-    json_open(j, "cost", '{');
-    json_work(j, &c->cost);
-    json_close(j, '}');
     if (c->proof.nodes) json_proof(j, c, r->options->forces);
     if (r->options->forces) {
         json_open(j, "motion", '[');
@@ -418,4 +422,8 @@ void report_text(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB, ", (double)r->bytes / 1024);
     scaled(out, r->seconds, "s");
     fprintf(out, ", by %s\n", sp_stage_text(x->stage));
+    if (!r->options->settings.coupled.asked) return;
+    row(out, "of it coupled");
+    scaled(out, (double)x->coupled.cost.flops, "flop");
+    fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }

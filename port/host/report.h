@@ -15,6 +15,7 @@ typedef struct report {
     sp_result result;
     double seconds;             /* of the check itself, without reading and contacts */
     size_t bytes;               /* its arena [byte] */
+    size_t coupled_bytes;       /* by so much larger for the coupled check */
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
 

@@ -22,6 +22,7 @@ round_trip() {                                          # scene -> convert -> th
 }
 refuted() {                                             # a proof told in full is checked again; damaged it proves nothing
     gen h-model && "$cli" check --json --forces --coupled "$tmp/scene.obj" > "$tmp/result.json"
+    grep -q '"stage": *"coupled".*"bytes"' "$tmp/result.json" || return 1
     says 'refuted, margin' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" || return 1
     sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
     says 'undecided by .* not refuted: the proof in it fails' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
