@@ -33,6 +33,8 @@
  *   30  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
  *   31  build order                      sp_sequence: islands, steps from the forces of the step before
  *   32  what to hold                     smallest sets of held blocks; what may come next
+ *   33  limit: both ends                 sp_limit_verify
+ *   34  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -2069,6 +2071,7 @@ typedef struct sp__judge {
     sp_real unit;                       /* of force [N]; everything below is counted in it */
     sp_real total;                      /* sum of |load| */
     sp_real cap;                        /* of the contact at hand */
+    sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
     int32_t most;                       /* of them, for the scales */
 } sp__judge;
@@ -2514,6 +2517,7 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
 {
     const sp_problem *pb = j->pb;
     *final = 0;
+    j->resist = 0;
     sp_real largest = 0;                                /* displacement; the motion is scaled to it, whatever its unit */
     for (int pass = 0; pass < 2; pass++) {
         for (int32_t i = 0; i < pb->blocks; i++) {
@@ -2550,21 +2554,23 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
         }
     }
     j->sweeps++;
+    j->resist = resist;
     if (j->set->faces && j->set->inscribed) *final = 0;
     return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
-/* The best proof a motion gives, a final one before others, with smaller motions held at 1e-12, 1e-9, 1e-6, 1e-3, 0.5 of the
- * largest. The motion that gives it is left in j->x. */
+/* Shares of the largest motion below which blocks are held. */
+static const sp_real sp__judge_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
+
+/* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
 static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
 {
-    static const sp_real rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
     sp_real best = -1, held = 0;
     int32_t sure = 0;
     for (int k = 0; k < 6; k++) {
-        const sp_real value = sp__judge_motion(j, dq, rest[k], final);
+        const sp_real value = sp__judge_motion(j, dq, sp__judge_rest[k], final);
         *final &= value > j->set->tol;
-        if (*final > sure || (*final == sure && value > best)) { best = value; held = rest[k]; sure = *final; }
+        if (*final > sure || (*final == sure && value > best)) { best = value; held = sp__judge_rest[k]; sure = *final; }
     }
     return sp__judge_motion(j, dq, held, final);
 }
@@ -4040,14 +4046,12 @@ static void sp__bilateral_correct(sp__dual *w)
     sp__dual_axpy(w, -SP__SHIFT, w->d, w->r);
 }
 
-/* w->y: potential of the bilateral force in the metric at hand; w->d: what rounding left of it, y - d is better. Factorises
- * once. Worth nothing when w->spent. */
-SP__APART static void sp__dual_bilateral(sp__dual *w)
+/* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
+ * better. Worth nothing when w->spent. */
+SP__APART static void sp__bilateral_solve(sp__dual *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-    sp__dual_weights(w);
     for (size_t k = 0; k < n; k++) w->y[k] = 0;
-    sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
     sp__dual_load(w, w->r);
     w->load = sp__dual_norm(w, w->r);
     w->singular = 0;
@@ -4071,6 +4075,15 @@ SP__APART static void sp__dual_bilateral(sp__dual *w)
     }
     sp__bilateral_correct(w);
     memcpy(w->d, w->r, n * sizeof *w->d);
+}
+
+/* The same from the beginning, in the metric at hand. Factorises once. */
+static void sp__dual_bilateral(sp__dual *w)
+{
+    sp__dual_weights(w);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->y[k] = 0;
+    sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
+    sp__bilateral_solve(w);
 }
 
 /* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), in two parts. */
@@ -7294,8 +7307,8 @@ static int sp__all_finite(const sp_real *x, size_t n)
     return 1;
 }
 
-/* The judge's motion into the result: scaled so that no point of a block moves farther than the largest block reaches. */
-static void sp__check_motion(const sp__judge *j, sp_result *r)
+/* The judge's motion into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
+static void sp__check_motion(const sp__judge *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
     sp_real largest = 0, block = 0;
@@ -7305,9 +7318,9 @@ static void sp__check_motion(const sp__judge *j, sp_result *r)
         largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * j->scale[i].arm));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
-    memset(r->dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *r->dq);
+    memset(dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *dq);
     for (int32_t i = 0; i < pb->blocks; i++)
-        for (size_t k = 0; k < 6; k++) r->dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
+        for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
 
@@ -7342,7 +7355,7 @@ SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_ve
     const sp_real least = sp__judge_mechanism(j, state->dq, &final);
     if (own && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
-    if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r);
+    if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r->dq);
     if (!(least > r->tol)) return SP_UNDECIDED;
     r->final = final;
     return SP_UNSTABLE;
@@ -9156,5 +9169,854 @@ SP_API const char *sp_held_proof_text(sp_held_proof proof)
     const int k = (int)proof;
     return sp__word("minimal\0" "irreducible\0" "enough\0" "unknown", k >= 0 && k <= 2 ? k : 3);
 }
+
+#ifndef SP_NO_IPM
+/* 33 ----------------------------------------------------------------------------------------------------- limit: both ends */
+
+/* What proves an end of the bracket, by the certificate check alone: forces that balance dead + lower live; a motion that falls
+ * under dead + upper live and that live loads push on rather than hinder, so that it falls at every larger multiple, too;
+ * forces that balance the live loads alone, which may be added to others as often as one likes (the cones are convex). */
+typedef struct sp__ends {
+    sp_settings set, wide;              /* resolved; the same, but a pyramid counts as around the cone: `final` then tells of it */
+    sp_scene scene;                     /* without live loads in p */
+    sp_problem pb;                      /* p: some multiples of both loads */
+    sp_real *dead, *live;               /* 6b each */
+    const sp_real *y0;                  /* 24b: hints for both; may be NULL */
+    sp_real *hint;                      /* 12b: for the loads at hand */
+    sp_real *dq, *whole;                /* 6b: the motion; with what is held in dq */
+    sp_real omega, least, resist;       /* resist: work that strength of joints takes [N m] */
+    int32_t final;
+    int64_t limit;                      /* flops in all */
+    sp_cost cost;
+    int spent;                          /* a judgement did not fit */
+} sp__ends;
+
+/* dead, live, dq, whole, hint */
+static void sp__ends_carve(sp_real *at[5], int32_t blocks, sp_arena *a)
+{
+    for (int k = 0; k < 5; k++) at[k] = sp__take(a, (size_t)blocks, (k < 4 ? 6 : 12) * sizeof *at[k]);
+}
+
+static sp_status sp__ends_build(const sp_scene *scene, const sp_settings *settings, sp__ends *e, sp_arena *a)
+{
+    e->scene = *scene;
+    e->scene.live = 0;
+    sp_status status = sp__settings_resolve(scene, settings, &e->set);
+    if (!status && e->set.coupled.asked) status = SP_E_UNSUPPORTED;
+    if (!status) status = sp_problem_build(&e->scene, a, &e->pb);
+    if (status) return status;
+    e->wide = e->set;
+    e->wide.inscribed = 0;
+    e->limit = e->set.budget > 0 ? e->set.budget : INT64_MAX / 4;
+    memset(&e->cost, 0, sizeof e->cost);
+    e->spent = 0;
+    sp_real *at[5];
+    sp__ends_carve(at, e->pb.blocks, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    e->dead = at[0]; e->live = at[1]; e->dq = at[2]; e->whole = at[3]; e->hint = at[4];
+    const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dead;
+    memcpy(e->dead, e->pb.p, bytes);
+    if (e->pb.live) memcpy(e->live, e->pb.live, bytes); else memset(e->live, 0, bytes);
+    memset(e->dq, 0, bytes);
+    return SP_OK;
+}
+
+/* p = d dead + l live */
+static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
+{
+    const size_t n = 6 * (size_t)e->pb.blocks;
+    for (size_t k = 0; k < n; k++) e->pb.p[k] = d * e->dead[k] + l * e->live[k];
+    for (size_t k = 0; k < 2 * n && e->y0; k++) e->hint[k] = d * e->y0[k] + l * e->y0[2 * n + k];
+}
+
+/* A judge for d dead + l live, while ten sweeps and more are left of the budget; what it took is counted when it is closed. */
+static int sp__ends_open(sp__ends *e, sp__judge *j, sp_real d, sp_real l, sp_arena *room)
+{
+    const int64_t sweeps = e->pb.points ? (e->limit - e->cost.flops) / (SP__FLOPS_JUDGE * (int64_t)e->pb.points) - 8 : INT32_MAX;
+    if (sweeps < 2) { e->spent = 1; return 0; }
+    sp__ends_mix(e, d, l);
+    return sp__judge_open(j, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX, room);
+}
+
+static void sp__ends_close(sp__ends *e, const sp__judge *j)
+{
+    e->cost.flops += SP__FLOPS_JUDGE * (int64_t)j->sweeps * e->pb.points;
+}
+
+/* Do these forces balance d dead + l live?     admitted: as sp__judge_forces */
+SP__APART static int sp__ends_stand(sp__ends *e, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
+{
+    sp__judge j;
+    if (!sp__ends_open(e, &j, d, l, &room)) return 0;
+    e->omega = sp__judge_forces(&j, f, admitted);
+    sp__ends_close(e, &j);
+    return e->omega <= e->set.tol;
+}
+
+static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
+{
+    return sp__dot(load, e->dq, 6 * (size_t)e->pb.blocks);
+}
+
+/* Where it falls, does it fall at every larger multiple, too? Live loads push on it; or nothing resists it, and they hinder it so
+ * little that force_bound times a multiple at which they are as large as the dead ones does not hold it. */
+SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
+{
+    sp__judge j;
+    int32_t final;
+    sp__ends_mix(e, 1, 0);
+    const sp_real dead = sp__load_unit(&e->pb);
+    if (!sp__ends_open(e, &j, 0, 1, &room)) return 0;
+    j.set = &e->wide;
+    const int pushes = sp__judge_motion(&j, e->dq, 0, &final) > 0;
+    sp__ends_close(e, &j);
+    if (pushes) return 1;
+    return final && sp__ends_work(e, e->dead) + e->set.force_bound * sp__ratio(dead, j.unit) * sp__ends_work(e, e->live) >= 0;
+}
+
+/* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger multiple, too?
+ * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
+SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
+{
+    const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
+    sp_real value[6];
+    int32_t final[6];
+    memcpy(e->whole, e->dq, bytes);
+    for (int pass = 0; pass < 7; pass++) {
+        sp_arena again = room;
+        sp__judge j;
+        int k = 0;
+        if (!sp__ends_open(e, &j, 1, lambda, &again)) return 0;
+        if (pass == 0) {
+            for (k = 0; k < 6; k++) value[k] = sp__judge_motion(&j, e->whole, sp__judge_rest[k], &final[k]);
+            sp__ends_close(e, &j);
+            continue;
+        }
+        for (int q = 1; q < 6; q++) {                   /* a final proof before others, then the best */
+            const int proof = value[q] > e->set.tol, before = value[k] > e->set.tol;
+            if (proof && (!before || final[q] > final[k] || (final[q] == final[k] && value[q] > value[k]))) k = q;
+        }
+        if (!(value[k] > e->set.tol)) break;
+        e->least = sp__judge_motion(&j, e->whole, sp__judge_rest[k], &e->final);
+        e->resist = sp__scene_strong(&e->scene) ? j.resist * j.unit : 0;
+        if (all) sp__check_motion(&j, all);
+        memcpy(e->dq, j.x, bytes);
+        sp__ends_close(e, &j);
+        if (!beyond || sp__ends_beyond(e, room)) return 1;
+        value[k] = 0;
+    }
+    memcpy(e->dq, e->whole, bytes);
+    return 0;
+}
+
+/* Every end that the claim has. */
+SP__APART static int sp__ends_hold(sp__ends *e, const sp_limit_result *r, sp_arena room)
+{
+    if (r->kind == SP_LIMIT_UNBOUNDED && !sp__ends_stand(e, 0, 1, r->ray, NULL, room)) return 0;
+    if (r->kind != SP_LIMIT_NONE && r->lower < 0) return 0;
+    if (r->kind == SP_LIMIT_FOUND && !(r->lower <= r->upper)) return 0;
+    if (r->kind != SP_LIMIT_NONE && !sp__ends_stand(e, 1, r->lower, r->f, NULL, room)) return 0;
+    if (r->kind == SP_LIMIT_UNBOUNDED) return 1;
+    sp__verify_motion(&e->pb, r->dq, e->dq);
+    return sp__ends_fall(e, r->kind == SP_LIMIT_NONE ? 0 : r->upper, 1, NULL, room);
+}
+
+SP_API size_t sp_limit_verify_memory(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem pb;
+    sp_real *at[5];
+    sp__judge j;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &pb);
+    sp__take(&dry, 1, sizeof(sp__ends));
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__ends_carve(at, pb.blocks, &dry);
+    sp_arena judge = sp__arena_dry();
+    sp__judge_carve(&j, &pb, SP__FACES_MAX, &judge);
+    sp__take(&dry, 1, judge.peak);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
+                                 sp_arena scratch, int32_t *held)
+{
+    if (!scene || !claim || !claim->f || !claim->ray || !claim->dq || !held || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    if (!sp__finite(claim->lower) || !sp__finite(claim->upper)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->ray, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    sp__ends *e = sp__take(&scratch, 1, sizeof *e);
+    if (!e) return SP_E_MEMORY;
+    const sp_status status = sp__ends_build(scene, settings, e, &scratch);
+    if (status) return status;
+    e->y0 = claim->y0;
+    sp_arena room = scratch;
+    sp__take(&room, 1, sp__judge_need(&e->pb, &e->set));
+    if (sp__failed(&room)) return SP_E_MEMORY;
+    *held = claim->kind != SP_LIMIT_UNDECIDED && sp__ends_hold(e, claim, scratch);
+    return SP_OK;
+}
+
+/* 34 -------------------------------------------------------------------------------------------------------- limit: search */
+
+/* Section 19's embedding with one ray and one column more, for  max lambda,  Aeq f + p + lambda q = 0,  f = E x,  lambda = l / tau:
+ *
+ *   Aeq E x + l q + tau p = theta r0     z + E' Aeq' y = theta e     s + q.y + tau = theta r1     kappa + p.y - l = theta r2
+ *   x o z = mu e,   l s = mu,   tau kappa = mu                               x = z = e, y = 0, l = s = tau = kappa = 1 at first
+ *
+ * At the end tau > 0: f = E x / tau carries lambda, and dq = -y, which no contact resists, does so much work under it that
+ * p.dq + lambda q.dq = 0; or kappa > 0: dq falls at every lambda; or l > 0 = tau = kappa: there is no end to it.
+ *
+ * A step borders the factor of M = Aeq E W^2 E' Aeq' by q and p. M tends to be singular along the mechanism v, which both q and p
+ * pull; so p gives way to p' = p + a q with p'.M^-1 q = 0, l to l' = l - a tau, and the two columns no longer see the same v. */
+typedef struct sp__limit {
+    sp__ends ends;
+    sp_state state;
+    sp__newton n;
+    sp__ipm m;
+    sp_limit_result r;
+    sp__dual *w;
+    sp_arena room;                      /* for judging */
+    sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
+    sp_real ref;                        /* multiplier that counts as 1 below */
+    sp_real at;                         /* a: the loads at hand are dead + a live */
+    sp_real l, s, dl, ds;
+    sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
+    sp_real along[2];                   /* a step is its free part and these multiples of Vq and Vp */
+    sp_real best, slack;                /* least power balance of a motion (kept in ends.dq), and what tol adds to it */
+    int none;                           /* that motion falls at 0, too */
+} sp__limit;
+
+#define SP__LIMIT_NEAR SP__SCALE_TOL    /* gap of both ends, relative, at which forces at the limit are tried */
+#define SP__LIMIT_MOST 100              /* interior-point iterations: an optimum takes more than a verdict */
+#define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
+
+static void sp__limit_at(sp__limit *L, sp_real a)
+{
+    L->at = a;
+    sp__ends_mix(&L->ends, 1, a * L->ref);
+}
+
+/* Sizes of the certificate check for the loads at hand; with a metric E hangs on them, and they stay. */
+static void sp__limit_sizes(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    if (w->metric > 0) return;
+    for (size_t k = 0; k < n; k++) {
+        const sp_real unit = w->unit * w->weight[k / 3];
+        L->state.dq[k] = L->ends.hint[k] / unit;
+        w->d[k] = -L->ends.hint[n + k] / unit;
+    }
+    sp__dual_sizes(w, L->state.dq);
+}
+
+/* Vq, Vp and their products, for the factor at hand. */
+SP__APART static void sp__limit_columns(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const sp_real most = 1000 * (1 + L->l / L->m.tau);
+    sp__dual_solve(w, L->q, L->Vq);
+    L->G[0] = sp__dot(L->q, L->Vq, n);
+    sp__limit_at(L, 0);
+    const sp_real a = L->G[0] > 0 ? -sp__dual_work(w, L->Vq) / L->G[0] : 0;
+    sp__limit_at(L, L->l / L->m.tau);
+    sp__limit_sizes(L);
+    sp__limit_at(L, a > most ? most : a < -most ? -most : a);
+    sp__dual_load(w, w->r);
+    sp__dual_solve(w, w->r, L->Vp);
+    L->G[1] = sp__dual_work(w, L->Vq);
+    L->G[2] = sp__dual_work(w, L->Vp);
+}
+
+/* lambda <= a + (resistance - work under dead + a live) / work of live, for dq = -y, caps at the sizes at hand. The least stays. */
+SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real live = 0, size = 0, resist = 0, scale = 0;
+    const sp_real work = -sp__dual_work(w, y);
+    for (size_t k = 0; k < n; k++) { live -= L->q[k] * y[k]; size += sp__abs(L->q[k] * y[k]); }
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
+    }
+    for (int32_t c = 0; c < w->pb->contacts; c++) resist += sp__newton_resist(w, c, y);
+    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+    const int idle = sp__abs(live) <= 64 * (sp_real)SP_EPSILON * size;         /* live loads do not care */
+    const int none = (idle || live > 0) && work - L->at * live - resist > (sp_real)1.1 * w->set->tol * scale;
+    const sp_real best = idle ? (none ? -1 : SP__HUGE) : live > 0 ? L->at + (resist - work) / live : SP__HUGE;
+    const sp_real slack = idle ? 0 : w->set->tol * scale / live;
+    if (!none && (L->none || !(best + slack < L->best + L->slack))) return;      /* of proofs that nothing stands the last, purest */
+    L->best = best;
+    L->none = none;
+    L->slack = slack;
+    for (size_t k = 0; k < n; k++) L->ends.dq[k] = -w->weight[k / 3] * y[k];
+}
+
+/* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it in the end:
+ * q.y = -s - tau;  and p.y = l - kappa. The free part of the predictor stays in w->d. */
+SP__APART static void sp__limit_motions(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const sp_real *G = L->G, det = G[0] * G[2] - G[1] * G[1];
+    L->m.corrected = 0;
+    L->m.sigma = 0;
+    sp__ipm_sweep(w, &L->m, SP__AIM, w->d);
+    sp__dual_solve(w, w->d, w->d);
+    sp__limit_candidate(L, w->y);
+    if (!(G[0] > 0)) return;
+    for (size_t k = 0; k < n; k++) w->r[k] = w->y[k] + w->d[k];
+    const sp_real a = -L->s - L->m.tau - sp__dot(L->q, w->r, n);
+    const sp_real b = L->l - L->m.kappa - L->at * (L->s + L->m.tau) - sp__dual_work(w, w->r);
+    sp__dual_axpy(w, a / G[0], L->Vq, w->r);
+    sp__limit_candidate(L, w->r);
+    if (!(det > 0)) return;
+    sp__dual_axpy(w, (a * G[2] - b * G[1]) / det - a / G[0], L->Vq, w->r);
+    sp__dual_axpy(w, (b * G[0] - a * G[1]) / det, L->Vp, w->r);
+    sp__limit_candidate(L, w->r);
+}
+
+/* Changes of l, s, tau, kappa and the shares of Vq and Vp, from the free part dy of a step: with dl' = dl - a dtau
+ *
+ *   [ -(q.Vq + s/l)            1 - q.Vp - a s/l              ] [ dl'  ]
+ *   [ -(1 + q.Vp + a s/l)     -(p'.Vp + kappa/tau + a^2 s/l) ] [ dtau ]  = b                                            */
+static void sp__limit_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl, sp_real pt)
+{
+    sp__ipm *m = &L->m;
+    const size_t n = 6 * (size_t)L->w->pb->blocks;
+    const sp_real keep = 1 - m->sigma, a = L->at, t = L->s / L->l, *G = L->G;
+    const sp_real E = keep * (L->l - a * m->tau), T = keep * m->tau;
+    const sp_real cl = m->sigma * m->mu - L->l * L->s - pl, ct = m->sigma * m->mu - m->tau * m->kappa - pt;
+    const sp_real r1 = sp__dot(L->q, L->w->y, n) + L->s + m->tau;
+    const sp_real r2 = m->kappa + sp__dual_work(L->w, L->w->y) - L->l + a * (L->s + m->tau);
+    const sp_real b1 = E * G[0] + T * G[1] - keep * r1 - cl / L->l - sp__dot(L->q, dy, n);
+    const sp_real b2 = E * G[1] + T * G[2] - keep * r2 - ct / m->tau - a * cl / L->l - sp__dual_work(L->w, dy);
+    const sp_real a11 = -(G[0] + t), a12 = 1 - G[1] - a * t, a21 = -(1 + G[1] + a * t);
+    const sp_real a22 = -(G[2] + m->kappa / m->tau + a * a * t), det = a11 * a22 - a12 * a21;
+    const sp_real d = (b1 * a22 - a12 * b2) / det;
+    m->dtau = (a11 * b2 - a21 * b1) / det;
+    L->dl = d + a * m->dtau;
+    L->ds = (cl - L->s * L->dl) / L->l;
+    m->dkappa = (ct - m->kappa * m->dtau) / m->tau;
+    L->along[0] = -(E + d);
+    L->along[1] = -(T + m->dtau);
+}
+
+/* The whole step of y from its free part, in place, and how far it may go. */
+static void sp__limit_reach(sp__limit *L, sp_real *dy)
+{
+    sp__dual_axpy(L->w, L->along[0], L->Vq, dy);
+    sp__dual_axpy(L->w, L->along[1], L->Vp, dy);
+    L->m.along[2] = dy;
+    sp__ipm_reach(L->w, &L->m);
+    L->m.reach = sp__ray_step(L->l, L->dl, sp__ray_step(L->s, L->ds, L->m.reach));
+}
+
+/* Predictor and corrector, from what sp__limit_motions left in w->d. */
+SP__APART static void sp__limit_step(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    sp__ipm *m = &L->m;
+    sp__limit_homogeneous(L, w->d, 0, 0);
+    m->along[1] = w->d;
+    sp__limit_reach(L, w->d);
+    const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), pl = L->dl * L->ds, pt = m->dtau * m->dkappa;
+    m->corrected = 1;
+    m->sigma = left * left * left;
+    sp__ipm_sweep(w, m, SP__AIM, w->r);
+    sp__dual_solve(w, w->r, w->r);
+    sp__limit_homogeneous(L, w->r, pl, pt);
+    sp__limit_reach(L, w->r);
+    m->reach *= SP__IPM_KEEP;
+    if (m->reach > 1) m->reach = 1;
+    sp__ipm_sweep(w, m, SP__MOVE, NULL);
+    sp__dual_axpy(w, m->reach, w->r, w->y);
+    m->tau += m->reach * m->dtau;
+    m->kappa += m->reach * m->dkappa;
+    L->l += m->reach * L->dl;
+    L->s += m->reach * L->ds;
+    m->theta *= 1 - m->reach * (1 - m->sigma);
+}
+
+/* Forces E x / t, balanced for d dead + l live (in ref) with the factor at hand. */
+SP__APART static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_real t, sp_real *f)
+{
+    const sp_real tau = L->m.tau;
+    sp__ends_mix(&L->ends, d, l * L->ref);
+    sp__limit_sizes(L);
+    L->n.found = 0;
+    L->state.f = f;
+    L->m.tau = t;
+    sp__ipm_forces(L->w, &L->m, &L->n, &L->state);
+    L->m.tau = tau;
+    return L->n.found && sp__ends_stand(&L->ends, d, l * L->ref, f, f, L->room);
+}
+
+/* Where the interior points are done but for so much, do the forces at hand, balanced, carry their multiple? The largest stays.
+ *     returns 1: and it is as near to the best motion's power balance */
+static int sp__limit_lower(sp__limit *L, sp_real near)
+{
+    const sp_real l = L->l / L->m.tau, a = l < L->best ? l : sp__max(0, L->best), far = near * (1 + sp__abs(a));
+    if (!L->none && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= far) return 1;
+    if (L->none || (L->m.theta > near * L->m.tau && sp__abs(L->best - l) > far) || a * L->ref <= L->r.lower) return 0;
+    if (!sp__limit_forces(L, 1, a, L->m.tau, L->r.ray)) return 0;
+    L->r.lower = a * L->ref;
+    L->r.omega = L->ends.omega;
+    memcpy(L->r.f, L->r.ray, 3 * (size_t)L->ends.pb.points * sizeof *L->r.f);
+    return sp__abs(L->best - a) <= far;
+}
+
+/* Do they carry the live loads alone, and all of them the multiple at hand? */
+static int sp__limit_ray(sp__limit *L)
+{
+    const sp_real l = L->l / L->m.tau;
+    if (!sp__limit_forces(L, 0, 1, L->l, L->r.ray)) return 0;
+    for (size_t k = 0; k < 3 * (size_t)L->ends.pb.points; k++) L->r.ray[k] /= L->ref;
+    L->r.kind = SP_LIMIT_UNBOUNDED;
+    if (!sp__limit_forces(L, 1, l, L->m.tau, L->r.f)) return 1;
+    L->r.lower = l * L->ref;
+    L->r.omega = L->ends.omega;
+    return 1;
+}
+
+/* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
+SP__APART static void sp__limit_settle(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    memcpy(L->state.dq, L->ends.dq, n * sizeof *L->state.dq);
+    sp__ends_mix(&L->ends, L->best < 0, L->best < 0 ? 0 : L->ref);
+    sp__newton_settle(w, &L->state);
+    for (size_t k = 0; k < n; k++) L->Vq[k] = -L->state.dq[k] / w->weight[k / 3];
+    sp__limit_at(L, sp__max(0, L->best));
+    sp__limit_candidate(L, L->Vq);
+}
+
+/* x = z = e, y = 0, l = s = tau = kappa = 1. */
+static void sp__limit_start(sp__limit *L)
+{
+    sp__ipm_start(L->w, &L->m);
+    L->l = L->s = 1;
+    sp__ends_mix(&L->ends, 0, L->ref);
+    sp__dual_load(L->w, L->q);
+}
+
+/* Interior points, until the ends meet.     returns 1: lower and best meet, the live loads have no end, or nothing stands */
+SP__APART static int sp__limit_run(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    sp__ipm *m = &L->m;
+    sp__ends *e = &L->ends;
+    const int32_t faces = w->cone.faces;
+    const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
+    sp__limit_start(L);
+    for (int it = 0; it < SP__LIMIT_MOST && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+        m->gap = 0;
+        m->outside = 0;
+        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->spent) return 0;
+        L->n.left--;
+        e->cost.iterations++;
+        e->cost.interior++;
+        if (m->outside) return 0;
+        m->mu = (m->gap + m->tau * m->kappa + L->l * L->s) / (cones + 2);
+        if (sp__limit_lower(L, SP__LIMIT_NEAR)) return 1;
+        if (L->l > 1000 * m->tau && sp__limit_ray(L)) return 1;
+        sp__limit_columns(L);
+        sp__limit_motions(L);
+        if (w->spent) return 0;
+        if (L->none && sp__ends_fall(e, 0, 1, NULL, L->room)) return 1;
+        sp__limit_step(L);
+        if (w->spent) return 0;
+    }
+    sp__limit_lower(L, 1000 * SP__LIMIT_NEAR);
+    return 0;
+}
+
+/* Flops that are left to the search: the judge of both ends wants some, too. */
+static int64_t sp__limit_left(const sp__ends *e)
+{
+    return e->limit - e->cost.flops - 80 * SP__FLOPS_JUDGE * (int64_t)e->pb.points;
+}
+
+/* The dual at a load that has about the size both have at work, its sizes and metric; hints for both loads. */
+SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
+{
+    sp__ends *e = &L->ends;
+    const size_t n = 6 * (size_t)e->pb.blocks;
+    sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
+    sp__ends_mix(e, 1, L->ref);
+    L->w = sp__dual_open(&e->pb, &e->set, SP__EXACT, &e->cost, a);
+    if (!L->w) return SP_E_MEMORY;
+    L->w->limit = sp__limit_left(e) + e->cost.flops;
+    L->m.x = sp__take(a, (size_t)e->pb.points, (size_t)(e->set.faces ? e->set.faces : 3) * sizeof *L->m.x);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    for (int k = 0; k < 2; k++) {
+        sp__ends_mix(e, k ? 0 : 1, k ? L->ref : 0);
+        if (k) sp__bilateral_solve(L->w); else sp__dual_bilateral(L->w);
+        if (L->w->spent) return SP_OK;
+        L->state.y0 = y0[k];
+        sp__dual_hint(L->w, &L->state);
+    }
+    for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
+    e->y0 = L->r.y0;
+    L->w->metric = 0;
+    sp__limit_at(L, 1);
+    sp__limit_sizes(L);
+    if (sp__dual_metric(L->w)) sp__dual_weights(L->w);
+    return SP_OK;
+}
+
+/* Gates and the exact stage at dead + a live.     returns what they claim; state.dq, or f, says it */
+SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real a, sp_real *f, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    sp_verdict claim = SP_UNDECIDED;
+    sp_arena again = room;
+    sp__limit_at(L, a);
+    e->set.iterations = L->n.left;
+    e->set.localise = 1;
+    L->state.f = f;
+    memset(f, 0, 3 * (size_t)e->pb.points * sizeof *f);
+    L->state.y0 = e->hint;
+    memset(&L->state.cost, 0, sizeof L->state.cost);
+    L->state.left = sp__limit_left(e);
+    if (L->state.left <= 0) { e->spent = 1; return SP_UNDECIDED; }
+    sp_status status = sp__gates_run(&e->pb, &e->set, &L->state, &room, &claim);
+    if (!status && !claim) status = sp__exact_run(&e->pb, &e->set, &L->state, &again, &claim);
+    L->n.left -= L->state.cost.factorisations;
+    sp__cost_add(&e->cost, &L->state.cost);
+    if (status) claim = SP_UNDECIDED;
+    if (claim == SP_UNSTABLE) memcpy(e->dq, L->state.dq, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    return claim;
+}
+
+/* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
+static sp_real sp__limit_balance(const sp__limit *L)
+{
+    const sp_real dead = sp__ends_work(&L->ends, L->ends.dead) - L->ends.resist, live = L->ref * sp__ends_work(&L->ends, L->ends.live);
+    return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
+}
+
+/* An UNSTABLE at *a: its motion is a better bound from above, or, where live loads would hold it, from below. *a: where to ask
+ * next.                                                                             returns 0: nothing gained */
+static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
+{
+    const int beyond = sp__ends_fall(&L->ends, *a * L->ref, 1, NULL, L->room);
+    if (!beyond && !sp__ends_fall(&L->ends, *a * L->ref, 0, NULL, L->room)) return 0;
+    const sp_real balance = sp__limit_balance(L), last = *a;
+    L->none = beyond && last <= 0;
+    if (L->none) return 1;
+    if (!(balance < SP__HUGE)) return 0;
+    if (beyond && balance < L->best) L->best = balance;
+    *a = sp__max(0, beyond ? L->best - step : balance + step);
+    return beyond ? *a < last : *a > last && *a < L->best;
+}
+
+/* Where interior points leave an end open: the exact stage just below the best motion's power balance. Each collapse it finds
+ * gives a better one, as Newton's method on the least imbalance over lambda would: few steps.            [Dinkelbach 1967]
+ *     returns 1: lower is found (of an UNBOUNDED any), or nothing stands */
+SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
+{
+    const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
+    if (any) L->best = SP__HUGE;
+    sp_real step = 4 * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
+    sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
+    for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
+        const sp_verdict claim = sp__limit_exact(L, a, L->r.f, room);
+        if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, L->r.f, L->r.f, L->room)) {
+            L->r.lower = a * L->ref;
+            L->r.omega = L->ends.omega;
+            if (any || L->best < SP__HUGE) return 1;
+            a = a > 0 ? 8 * a : 1;
+            continue;
+        }
+        if (claim == SP_UNSTABLE && sp__limit_cut(L, &a, step)) {
+            if (L->none) return 1;
+            continue;
+        }
+        if (claim == SP_UNSTABLE) {                     /* does it stand at all? */
+            if (!(a > 0)) return 0;
+            a = 0;
+            continue;
+        }
+        if (L->best < SP__HUGE) {
+            step *= 10;
+            a = sp__max(0, L->best - step);
+        } else a = a > 0 ? 8 * a : 1;
+    }
+    return 0;
+}
+
+/* The motion at hand proves the upper end, the least it can. */
+SP__APART static int sp__limit_upper(sp__limit *L)
+{
+    sp_limit_result *r = &L->r;
+    sp_real slack = sp__max(L->slack, L->ends.set.tol) * (sp_real)1.5;
+    for (int it = 0; it < 8; it++, slack *= 2) {
+        const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
+        if (!sp__ends_fall(&L->ends, lambda, 1, r->dq, L->room)) continue;
+        r->upper = lambda;
+        r->least_imbalance = L->ends.least;
+        r->final = L->ends.final;
+        return 1;
+    }
+    return 0;
+}
+
+/* What was found, by its ends. */
+static void sp__limit_conclude(sp__limit *L)
+{
+    sp_limit_result *r = &L->r;
+    const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->upper) + L->ref) + 4 * L->slack * L->ref;
+    if (L->none) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
+    else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
+    else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
+    r->reason = r->kind ? SP_REASON_FORCES : L->n.left > 0 && !L->ends.spent ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    if (r->kind != SP_LIMIT_FOUND) return;
+    const sp_real balance = sp__limit_balance(L) * L->ref;
+    if (balance >= 0 && balance < r->lower && sp__ends_stand(&L->ends, 1, balance, r->f, NULL, L->room)) {
+        r->lower = balance;                             /* within tol the same forces carry less, too */
+        r->omega = L->ends.omega;
+    }
+    r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
+}
+
+/* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
+static sp_real sp__limit_reference(sp__ends *e)
+{
+    sp_real sum[2] = { 0, 0 };
+    for (int32_t c = 0; c < e->pb.contacts; c++)
+        for (int side = 0; side < 2; side++) {
+            const sp_contact *t = &e->pb.contact[c];
+            const int32_t i = side ? t->b : t->a;
+            const sp_real arm = sp__norm3(side ? t->rb : t->ra);
+            for (int k = 0; k < 2 && i >= 0; k++) {
+                const sp_real *p = (k ? e->live : e->dead) + 6 * (size_t)i;
+                sum[k] += sp__norm3(p) + (arm > 0 ? sp__norm3(p + 3) / arm : 0);
+            }
+        }
+    const sp_real ref = sp__ratio(sum[0], sum[1]);
+    return ref > 0 && ref < SP__HUGE ? ref : 1;
+}
+
+/* Interior points and what they leave: the best motion sharpened.     returns 1: both ends are near, or nothing stands */
+SP__APART static int sp__limit_search(sp__limit *L)
+{
+    sp__ends *e = &L->ends;
+    int done = !L->w->spent && sp__limit_run(L);
+    if (L->r.kind == SP_LIMIT_UNBOUNDED) return L->r.lower >= 0;
+    if (!L->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_settle(L);
+    if (L->none && !done) done = L->none = sp__ends_fall(e, 0, 1, NULL, L->room);
+    e->spent |= L->w->spent;
+    if (done || !(L->best < SP__HUGE) || L->r.lower < 0) return done;
+    return L->best - L->r.lower / L->ref <= SP__LIMIT_WIDE * L->r.tol * (1 + sp__abs(L->best));
+}
+
+/* Search, then both ends; `a` is used up. */
+SP__APART static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
+{
+    sp__ends *e = &L->ends;
+    sp_arena rest = *a;
+    int done = 0, live = 0;
+    for (size_t k = 0; k < 6 * (size_t)e->pb.blocks; k++) live |= e->live[k] < 0 || e->live[k] > 0;
+    if (!live) L->r.kind = SP_LIMIT_UNBOUNDED;                  /* does it stand at all? */
+    else if (!sp__scene_strong(&e->scene)) {                    /* strength: no longer cones, left to Newton */
+        const sp_status status = sp__limit_open(L, a);
+        if (status) return status;
+        done = sp__limit_search(L);
+    }
+    if (!done) {
+        L->none = 0;
+        sp__limit_newton(L, rest);
+    }
+    if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L);
+    sp__limit_conclude(L);
+    if (L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)e->scene.count.blocks * sizeof *L->r.dq);
+    if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)e->pb.points * sizeof *L->r.ray);
+    return SP_OK;
+}
+
+typedef struct sp__limit_kept { sp_real *f, *ray, *dq, *y0; } sp__limit_kept;
+
+static void sp__limit_carve_kept(sp__limit_kept *r, const sp_scene *scene, int32_t blocks, sp_arena *a)
+{
+    r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
+    r->ray = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->ray);
+    r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
+    r->y0 = sp__take(a, (size_t)blocks, 24 * sizeof *r->y0);
+}
+
+static void sp__limit_carve(sp__limit *L, int32_t blocks, sp_arena *a)
+{
+    L->state.y = sp__take(a, (size_t)blocks, 6 * sizeof *L->state.y);
+    L->state.dq = sp__take(a, (size_t)blocks, 6 * sizeof *L->state.dq);
+    L->q = sp__take(a, (size_t)blocks, 6 * sizeof *L->q);
+    L->Vq = sp__take(a, (size_t)blocks, 6 * sizeof *L->Vq);
+    L->Vp = sp__take(a, (size_t)blocks, 6 * sizeof *L->Vp);
+}
+
+SP_API size_t sp_limit_memory_scratch(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem pb;
+    sp__problem_count(scene, &pb);
+    return sizeof(sp__limit) + SP_ALIGN + sp_limit_verify_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+}
+
+SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__limit *L = sp__take(&scratch, 1, sizeof *L);
+    if (!L) return SP_E_MEMORY;
+    const sp_status status = sp__ends_build(scene, settings, &L->ends, &scratch);
+    if (status) return status;
+    const sp_problem *pb = &L->ends.pb;
+    const int32_t faces = L->ends.set.faces;
+    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), scratch) : 0;
+    if (search == SIZE_MAX) return SP_E_MEMORY;
+    sp__limit_kept kept;
+    sp_arena dry = sp__arena_dry();
+    sp__limit_carve_kept(&kept, scene, pb->blocks, &dry);
+    sp__take(&dry, 1, sizeof *L);
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp_real *at[5];
+    sp__ends_carve(at, pb->blocks, &dry);
+    sp__limit_carve(L, pb->blocks, &dry);
+    sp__take(&dry, 1, sp__judge_need(pb, &L->ends.set));
+    sp__take(&dry, 1, search);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+/* Everything of a limit in arena `a`.     *limit: where the result is found on SP_OK; *kept: end of its arrays */
+SP__APART static sp_status sp__limit_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__limit **limit,
+                                           size_t *kept)
+{
+    sp_problem count;
+    sp__limit_kept arrays;
+    sp__problem_count(scene, &count);
+    sp__limit_carve_kept(&arrays, scene, count.blocks, a);
+    *kept = a->used;
+    sp__limit *L = sp__take(a, 1, sizeof *L);
+    if (!L) return SP_E_MEMORY;
+    memset(L, 0, sizeof *L);
+    const sp_status status = sp__ends_build(scene, settings, &L->ends, a);
+    if (status) return status;
+    sp__limit_carve(L, count.blocks, a);
+    const size_t need = sp__judge_need(&L->ends.pb, &L->ends.set);
+    L->room.base = sp__take(a, 1, need);
+    L->room.cap = need;
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp_limit_result *r = &L->r;
+    r->f = arrays.f; r->ray = arrays.ray; r->dq = arrays.dq; r->y0 = arrays.y0;
+    memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
+    memset(r->ray, 0, 3 * (size_t)scene->count.points * sizeof *r->ray);
+    memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+    memset(r->y0, 0, 24 * (size_t)count.blocks * sizeof *r->y0);
+    memset(L->state.y, 0, 6 * (size_t)count.blocks * sizeof *L->state.y);
+    r->lower = r->upper = -1;
+    r->tol = L->ends.set.tol;
+    r->force_bound = L->ends.set.force_bound;
+    L->n.goal = r->tol / 4;
+    L->n.left = L->ends.set.iterations;
+    L->best = SP__HUGE;
+    L->ref = sp__limit_reference(&L->ends);
+    *limit = L;
+    return SP_OK;
+}
+
+SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result)
+{
+    if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__limit *L = NULL;
+    size_t kept = 0;
+    sp_arena a = *arena;
+    sp_status status = sp__limit_build(scene, settings, &a, &L, &kept);
+    if (!status) status = sp__limit_decide(L, &a);
+    if (status) return status;
+    L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__ends_hold(&L->ends, &L->r, L->room);
+    if (L->r.kind && !L->r.verified) L->r.reason = L->ends.spent ? SP_REASON_BUDGET : SP_REASON_UNVERIFIED;
+    if (!L->r.verified) L->r.kind = SP_LIMIT_UNDECIDED;
+    L->r.cost = L->ends.cost;
+    L->r.peak_bytes = a.peak;
+    arena->used = kept;
+    arena->peak = a.peak;
+    *result = L->r;
+    return SP_OK;
+}
+
+SP_API const char *sp_limit_text(sp_limit_kind kind)
+{
+    const int k = (int)kind;
+    return sp__word("undecided\0" "found\0" "none\0" "unbounded\0" "unknown", k >= 0 && k <= 3 ? k : 4);
+}
+
+/* How far vertex v moves with a block in motion dq; returns what that is small against: the most the block's motion can come to
+ * there, and its distance from the centroid, which a mechanism's motion is scaled to. */
+static sp_real sp__joint_displace(const sp_scene *scene, const sp_real *dq, int32_t block, int32_t v, sp_real u[3])
+{
+    const sp_real *m = dq + 6 * (size_t)block;
+    sp_real arm[3];
+    sp__sub3(scene->point[v], scene->block[block].centroid, arm);
+    sp__cross3(m + 3, arm, u);
+    for (int k = 0; k < 3; k++) u[k] += m[k];
+    return sp__norm3(m) + (1 + sp__norm3(m + 3)) * sp__norm3(arm);
+}
+
+/* One corner: dn and |dt|.     returns 0 at rest, 1 in touch and sliding, 2 open */
+static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_interface *f, int32_t v, sp_real d[2])
+{
+    sp_real u[3], w[3];
+    const sp_real rest = SP__PLAY * (sp__joint_displace(scene, dq, f->b, v, u) + sp__joint_displace(scene, dq, f->a, v, w));
+    sp__sub3(u, w, u);
+    const sp_real x = sp__dot3(u, f->t1), y = sp__dot3(u, f->t2);
+    d[0] = sp__dot3(u, f->n);
+    d[1] = SP_SQRT(x * x + y * y);
+    if (sp__norm3(u) <= rest) return 0;
+    return d[0] <= f->joint.mu * d[1] * (sp_real)1.001 + rest ? 1 : 2;
+}
+
+SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t interface, sp_joint_motion *motion)
+{
+    if (!scene || !dq || !motion) return SP_E_ARGUMENT;
+    if (interface < 0 || interface >= scene->count.interfaces) return SP_E_INDEX;
+    const sp_interface *f = &scene->interface[interface];
+    sp_joint_motion m = { SP_JOINT_RIGID, 0, 0, { 0, 0, 0 }, { 0, 0, 0 } };
+    int32_t count[3] = { 0, 0, 0 };
+    sp_real farthest = -1, d[2], x[3];
+    for (int32_t v = f->point; v < f->point + f->points; v++) {
+        const int how = sp__joint_corner(scene, dq, f, v, d);
+        count[how]++;
+        m.opening = sp__max(m.opening, d[0]);
+        m.slip = sp__max(m.slip, d[1]);
+        for (int32_t q = f->point; q <= v && how < 2; q++) {
+            if (sp__joint_corner(scene, dq, f, q, d) == 2) continue;
+            sp__sub3(scene->point[v], scene->point[q], x);
+            if (!(sp__norm3(x) > farthest)) continue;
+            farthest = sp__norm3(x);
+            memcpy(m.a, scene->point[q], sizeof m.a);
+            memcpy(m.b, scene->point[v], sizeof m.b);
+        }
+    }
+    if (count[2]) m.kind = count[2] == f->points ? SP_JOINT_OPEN : SP_JOINT_HINGE;
+    else if (count[1]) m.kind = SP_JOINT_SLIDING;
+    *motion = m;
+    return SP_OK;
+}
+
+SP_API const char *sp_joint_text(sp_joint_kind kind)
+{
+    const int k = (int)kind;
+    return sp__word("rigid\0" "hinge\0" "sliding\0" "open\0" "unknown", k >= 0 && k <= 3 ? k : 4);
+}
+#endif /* SP_NO_IPM */
 
 #endif /* SP_QP_ONLY */

@@ -11,7 +11,7 @@
  *
  * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
  *            8 matrices        9 stages   10 quadratic programs   11 placing a stone   12 the seed's constants
- *           13 a build order
+ *           13 a build order   14 how far from falling
  *
  * MIT licence.
  */
@@ -35,7 +35,8 @@ extern "C" {
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_NO_IPM       defined: no interior-point method; the exact stage leaves more of what is about to fall undecided
+ *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
+ *                   undecided
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
@@ -1065,6 +1066,89 @@ SP_API const char *sp_presence_text(sp_presence presence);
 SP_API const char *sp_held_proof_text(sp_held_proof proof);
 
 #endif /* SP_QP_ONLY */
+
+#if !defined(SP_QP_ONLY) && !defined(SP_NO_IPM)
+
+/* 14 ---------------------------------------------------------------------------------------------------- how far from falling
+ *
+ * The largest multiple lambda >= 0 of the live loads (those with live = 1, and scene.body) that the assembly bears on top of
+ * the others: the largest lambda for which an admissible force state exists. With friction that is an upper value: such a
+ * state is necessary for standing, not sufficient, and a real wall may fall at less (its friction does not make it open as it
+ * slides). Without friction, and where nothing slides, it is exact.               [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
+ */
+
+typedef enum sp_limit_kind {
+    SP_LIMIT_UNDECIDED = 0,     /* an end of the bracket was not found, or they are too far apart; see reason */
+    SP_LIMIT_FOUND,             /* lower and upper are verified and close */
+    SP_LIMIT_NONE,              /* no lambda >= 0 works: dq falls under the dead loads, and live loads do not hinder it */
+    SP_LIMIT_UNBOUNDED          /* every lambda >= lower works: ray balances the live loads alone */
+} sp_limit_kind;
+
+typedef struct sp_limit_result {
+    sp_limit_kind kind;
+    sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open at
+                                   this tol, or SP_REASON_UNVERIFIED */
+    sp_real multiplier;         /* lambda: power balance of dq, -(dead . dq) / (live . dq), within the bracket; 0 unless FOUND */
+    sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
+    sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
+                                   Of a NONE 0 */
+    sp_real omega;              /* largest relative imbalance of f */
+    sp_real least_imbalance;    /* that dq proves at upper */
+    int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
+    int32_t verified;           /* sp_limit_verify agrees */
+    sp_real tol, force_bound;   /* in force */
+    sp_real *f;                 /* 3 x scene.count.points, at lower                                                   [N] */
+    sp_real *ray;               /* 3 x scene.count.points, for the live loads alone; zero unless UNBOUNDED            [N] */
+    sp_real *dq;                /* 6 x scene.count.blocks: collapse mechanism; scaled as that of a check            [m, 1] */
+    sp_real *y0;                /* 24 x free blocks: hints for the verification of dead and live loads */
+    sp_cost cost;
+    size_t peak_bytes;          /* of the arena */
+} sp_limit_result;
+
+/* Bytes sp_limit takes from an arena for this scene, at most and exact where the interior points are asked. `scratch`:
+ * sp_limit_memory_scratch bytes, overwritten.                                     returns as sp_memory */
+SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+SP_API size_t sp_limit_memory_scratch(const sp_scene *scene);
+
+/* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
+ * is made exact and then verified from both sides.
+ *   scene     its `live` is not read
+ *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations, budget
+ *   result    its arrays live in the arena, before anything else taken from it later
+ *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
+SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
+
+/* Do both ends hold? Recomputes them from the scene by what sp_verify uses: kind, lower, upper, f, ray, dq and (if not NULL) y0
+ * of the claim are read. Scratch as for sp_verify and 48 numbers a block.
+ *   out       held: 1 if every end the claim has is proved; a FOUND and an UNBOUNDED have a lower one, a FOUND an upper one
+ *   returns   as sp_verify */
+SP_API size_t sp_limit_verify_memory(const sp_scene *scene);
+SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
+                                 sp_arena scratch, int32_t *held);
+
+SP_API const char *sp_limit_text(sp_limit_kind kind);
+
+/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what opens
+ * more is open. */
+typedef enum sp_joint_kind {
+    SP_JOINT_RIGID = 0,         /* no corner moves */
+    SP_JOINT_HINGE,             /* some corners stay in touch, others open */
+    SP_JOINT_SLIDING,           /* all corners stay in touch, some slide */
+    SP_JOINT_OPEN               /* all corners open */
+} sp_joint_kind;
+
+typedef struct sp_joint_motion {
+    sp_joint_kind kind;
+    sp_real opening, slip;      /* largest dn, |dt| of a corner                                                       [m] */
+    sp_real a[3], b[3];         /* of a hinge or a sliding joint: the corners in touch that lie farthest apart        [m] */
+} sp_joint_motion;
+
+/* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t interface, sp_joint_motion *motion);
+
+SP_API const char *sp_joint_text(sp_joint_kind kind);
+
+#endif
 
 #ifdef __cplusplus
 }

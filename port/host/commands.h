@@ -3,6 +3,7 @@
 #define STONEPACK_HOST_COMMANDS_H
 
 int command_check(int argc, char **argv);
+int command_limit(int argc, char **argv);
 int command_verify(int argc, char **argv);
 int command_cost(int argc, char **argv);
 int command_qp(int argc, char **argv);

@@ -36,6 +36,23 @@ static const char help_check[] =
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
 
+static const char help_limit[] =
+"stonepack limit [options] SCENE\n\n"
+"How much of the live loads does it bear on top of the others? The largest multiple for which admissible forces exist, from\n"
+"both sides: forces that carry the lower one, a mechanism that falls at the upper one; its hinges and sliding joints. Live\n"
+"loads are the scene's `#@ live` lines and --body. With friction the multiplier is an upper value: forces are necessary for\n"
+"standing, not sufficient, and sliding that does not open joints may fall at less.\n\n"
+"  --body DX,DY,DZ    live load of every block: its weight times this vector\n"
+"  --tilt-margin      instead: how far gravity may turn, towards every azimuth; the worst one\n"
+"  --json             one JSON object; multiplier: a number, null (it falls at any), \"unbounded\", \"undecided\"\n"
+"  --svg FILE         draws the mechanism with its hinges and sliding joints; with --tilt-margin a polar plot\n"
+"  --tol X            accuracy of both ends, as that of check                      1e-9\n"
+"  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
+"  --mu X             friction of every joint, whatever the scene says\n"
+"  --tilt DEG[,AZ]    turns gravity first\n"
+"  --budget FLOPS     work that is never exceeded\n\n"
+"Exit status: 0, also where no multiple or any works; 2 undecided; of --tilt-margin 1 where it does not stand level.\n";
+
 static const char help_plan[] =
 "stonepack plan [options] SCENE\n\n"
 "Which effects does the scene call for, and what does leaving the others out save? `check` follows this plan.\n\n"
@@ -123,6 +140,7 @@ static const struct {
     int (*run)(int argc, char **argv);
 } command[] = {
     { "check",    "does it stand?",                        help_check,    command_check },
+    { "limit",    "how much load until it falls?",        help_limit,    command_limit },
     { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
     { "plan",     "which effects does a scene call for?",  help_plan,     command_plan },
     { "sequence", "does it stand while it is built?",      help_sequence, command_sequence },
@@ -148,7 +166,9 @@ static void help(void)
          "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
          "  #@ fixed                           after an o line: this block is a support\n"
          "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
-         "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n\n"
+         "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n"
+         "  #@ load A fx fy fz px py pz        force at a point; fx fy fz mx my mz couple: force and couple\n"
+         "  #@ live A ...                      the same, scaled by `limit`\n\n"
          "Without interface and points lines contacts are found.");
 }
 

@@ -67,6 +67,21 @@ static int one_or_two(const char *s, double *x, double *y)
     return number(first, x) && (!s[n] || number(s + n + 1, y));
 }
 
+/* X,Y,Z, not all 0. */
+static int three(const char *s, double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        char word[64];
+        const size_t n = strcspn(s, ",");
+        if (n >= sizeof word || (k < 2) != (s[n] == ',')) return 0;
+        memcpy(word, s, n);
+        word[n] = 0;
+        if (!number(word, &x[k])) return 0;
+        s += n + 1;
+    }
+    return fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > 0;
+}
+
 /* DEG[,AZIMUTH] */
 static int tilt(const char *s, options *o)
 {
@@ -154,6 +169,8 @@ static int take(options *o, const char *name, const char *value, text_error *err
         o->settings.coupled.nodes = (int32_t)n;
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
+    } else if (strcmp(name, "--body") == 0) {
+        if (!three(value, o->body)) return usage(error, name, "needs DX,DY,DZ");
     } else if (strcmp(name, "--preset") == 0) {
         (void)value;                                    /* read before all others */
     } else if (strcmp(name, "--eps") == 0) {
@@ -209,6 +226,7 @@ static int flag(options *o, const char *name)
     if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
     if (strcmp(name, "--remove") == 0) return o->remove = 1;
     if (strcmp(name, "--suggest") == 0) return o->suggest = 1;
+    if (strcmp(name, "--tilt-margin") == 0) return o->tilt_margin = 1;
     return 0;
 }
 

@@ -9,6 +9,8 @@ typedef struct options {
     const char *svg;            /* file, or NULL */
     const char *out, *frames;   /* of settle: files, or NULL */
     const char *set;            /* of settle: NAME=VALUE,... or NULL */
+    int tilt_margin;            /* of limit */
+    double body[3];             /* of limit: live load of every block, in its weight; 0: not given */
     double near;                /* of settle: contacts are faces nearer than this [m]; 0: Bullet's points */
     int confirm;                /* of settle */
     const char *order, *order_file;     /* of sequence: names a,b,c, or a file of them; NULL */

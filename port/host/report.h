@@ -16,6 +16,7 @@ typedef struct report {
     double seconds;             /* of the check itself, without reading and contacts */
     size_t bytes;               /* its arena [byte] */
     size_t coupled_bytes;       /* by so much larger for the coupled check */
+    const sp_limit_result *limit;           /* a limit instead: result has its forces and motion only; NULL: a check */
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
 

@@ -17,6 +17,7 @@
 #define FOOT    96.0                    /* of the legend */
 
 static const char *const color_force = "#1d5fa6", *const color_weak = "#e07b00", *const color_motion = "#b2182b";
+static const char *const color_hinge = "#6a1b9a", *const color_slide = "#00796b";
 
 typedef struct edge { int32_t low, high, face; } edge;
 
@@ -34,6 +35,7 @@ typedef struct picture {
     double largest;                     /* [N] force of a joint */
     double shift, largest_shift;        /* factor on dq; longest way a corner goes in the drawing [m] */
     int forces, moving;                 /* is there any? */
+    int32_t hinges, slides;             /* of a limit's mechanism */
     edge *edge;                         /* of all faces, sorted by block's vertex pairs */
     int32_t edges;
     unsigned char *bend;                /* do the faces bend at the edge that follows this corner? */
@@ -308,6 +310,33 @@ static void draw_weakest(const picture *p)
     for (int32_t k = 0; k < c->points && c->points < 3; k++) {
         world_px(p, p->s->point[c->point + k], at);
         fprintf(p->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", at[0], at[1], color_weak);
+    }
+}
+
+/* Joints of a limit's mechanism: hinges as thick lines with their ends, sliding joints as tinted polygons. */
+static void draw_gives(picture *p)
+{
+    for (int32_t i = 0; p->r->limit && i < p->s->count.interfaces; i++) {
+        const sp_interface *c = &p->s->interface[i];
+        sp_joint_motion m;
+        double a[2], b[2];
+        if (sp_joint_moves(p->s, p->r->limit->dq, i, &m) != SP_OK) continue;
+        if (m.kind == SP_JOINT_HINGE) {
+            p->hinges++;
+            world_px(p, m.a, a);
+            world_px(p, m.b, b);
+            fprintf(p->out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
+                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", a[0], a[1], b[0], b[1],
+                    color_hinge, a[0], a[1], color_hinge);
+        }
+        if (m.kind != SP_JOINT_SLIDING) continue;
+        p->slides++;
+        fprintf(p->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2\" d=\"", color_slide, color_slide);
+        for (int32_t k = 0; k < c->points; k++) {
+            world_px(p, p->s->point[c->point + k], a);
+            fprintf(p->out, "%s%.1f %.1f", k ? "L" : "M", a[0], a[1]);
+        }
+        fputs(c->points > 2 ? "Z\"/>\n" : "\"/>\n", p->out);
     }
 }
 
@@ -603,6 +632,23 @@ static void friction(const picture *p)
     fprintf(p->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);
 }
 
+static void title_limit(const picture *p)
+{
+    const sp_limit_result *x = p->r->limit;
+    fprintf(p->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"#333\">", MARGIN);
+    if (x->kind == SP_LIMIT_FOUND) fprintf(p->out, "falls at %.6g", (double)x->multiplier);
+    else fputs(sp_limit_text(x->kind), p->out);
+    fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", p->out);
+    escaped(p->out, file_name(p->r->scene->path), 50);
+    fprintf(p->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints", MARGIN,
+            (long)p->s->count.blocks, (long)p->s->count.interfaces);
+    friction(p);
+    fprintf(p->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", MARGIN);
+    if (x->kind == SP_LIMIT_FOUND) fprintf(p->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
+                                           (double)x->upper, x->verified ? ", verified" : "");
+    fputs("with friction an upper value</text>\n", p->out);
+}
+
 static void title(const picture *p)
 {
     const sp_result *x = &p->r->result;
@@ -638,7 +684,7 @@ static void legend_forces(const picture *p, double x, double y)
     arrow(p->out, a, b, color_force, 1.7, 8);
     label(p->out, x + length + 10, y);
     quantity(p->out, force, "N");
-    fputs(p->r->result.verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
+    fputs(p->r->limit ? ", force of a joint at the limit</text>\n" : p->r->result.verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
                                             : ", best force that joints can give</text>\n", p->out);
 }
 
@@ -706,6 +752,23 @@ static void legend_gravity(const picture *p)
     fputs("gravity</text>\n", p->out);
 }
 
+/* What the marks on the joints of a mechanism mean. */
+static void legend_gives(const picture *p, double x, double y)
+{
+    if (p->hinges) {
+        fprintf(p->out, "<path d=\"M%.1f %.1fh22\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/><circle cx=\"%.1f\" cy=\"%.1f\" "
+                "r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", x + 3, y - 4, color_hinge, x + 3, y - 4, color_hinge);
+        label(p->out, x + 36, y);
+        fprintf(p->out, "%ld hinge%s</text>\n", (long)p->hinges, p->hinges == 1 ? "" : "s");
+    }
+    if (!p->slides) return;
+    if (p->hinges) x += 150;
+    fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
+            "stroke-width=\"2\"/>\n", x, y - 11, color_slide, color_slide);
+    label(p->out, x + 36, y);
+    fprintf(p->out, "%ld sliding joint%s</text>\n", (long)p->slides, p->slides == 1 ? "" : "s");
+}
+
 static void legend(const picture *p, double y)
 {
     const double second = 400;
@@ -713,6 +776,7 @@ static void legend(const picture *p, double y)
     legend_length(p, MARGIN + 110, y);
     if (p->forces) legend_forces(p, second, y);
     if (p->r->result.weakest >= 0) legend_weakest(p, MARGIN, y + 26);
+    legend_gives(p, MARGIN, y + 26);
     if (p->moving) legend_motion(p, MARGIN, y + 52);
     legend_gravity(p);
 }
@@ -753,7 +817,8 @@ int svg_write(FILE *out, const report *r)
     good = good && draw_forces(&p);
     if (good) {
         draw_mechanism(&p);
-        title(&p);
+        draw_gives(&p);
+        if (r->limit) title_limit(&p); else title(&p);
         legend(&p, height - foot + 46);
     }
     fputs("</svg>\n", out);

@@ -16,6 +16,9 @@ draw() {                                                # draw NAME GEN-ARGUMENT
 }
 draw arch arch n=15 t=0.14
 draw arch-falling arch n=15 t=0.09
+"$cli" gen arch n=20 t=0.15 > build/figures/arch-limit.obj
+"$cli" limit --body 1,0,0 --svg $out/arch-limit.svg build/figures/arch-limit.obj > build/figures/arch-limit.txt
+echo "$out/arch-limit.svg"
 draw overhang-falling overhang n=6 factor=1.05
 draw wall rubble rows=7 bricks=6
 "$cli" gen arch n=7 t=0.2 > build/figures/steps.obj

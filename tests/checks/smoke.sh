@@ -212,6 +212,25 @@ part "worker: no time, fallback"    exits 0 "$cli" check --worker 0.000001 --fal
 gen wall size=10000
 part "worker: too little memory: 71" exits 71 "$cli" check --stages gates,dense --worker 60,400 "$tmp/scene.obj"
 part "cost: table, picture, JSON"     costs arch n=5
+gen arch n=20 t=0.15
+part "limit: a number"              says '"multiplier": 0.1' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
+part "limit: both ends verified"    says 'a mechanism falls at 0.1.*; verified' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
+part "limit: hinges by name"        says '^  hinges  *b' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
+part "limit: says that friction makes it an upper value" says 'upper value' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
+part "limit: down has no end, 0"    exits 0 "$cli" limit --body 0,0,-1 "$tmp/scene.obj"
+part "limit: no end in JSON"        says '"multiplier": "unbounded"' "$cli" limit --json --body 0,0,-1 "$tmp/scene.obj"
+part "limit: picture"               exits 0 "$cli" limit --svg "$tmp/limit.svg" --body 1,0,0 "$tmp/scene.obj"
+part "limit: picture names hinges"  grep -q '4 hinges' "$tmp/limit.svg"
+part "limit: nothing live: 64"      exits 64 "$cli" limit "$tmp/scene.obj"
+part "limit: no direction: 64"      exits 64 "$cli" limit --body 1,0 "$tmp/scene.obj"
+gen topple angle=13
+part "limit: tilt margin of a block of 1 : 4 that leans already" says '"tilt_margin": 1.0362434' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
+part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$tmp/tilt.svg" "$tmp/scene.obj"
+gen topple angle=15
+part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
+part "limit: does not stand level: 1" exits 1 "$cli" limit --tilt-margin "$tmp/scene.obj"
+gen wall size=2000
+part "limit: on a budget: 2"        exits 2 "$cli" limit --budget 1e7 --body 1,0,0 "$tmp/scene.obj"
 part "check on a budget"               on_a_budget
 qps
 for b in sparse dense cg; do

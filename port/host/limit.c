@@ -1,0 +1,297 @@
+/* limit: how much of the live loads does it bear, and what gives way? */
+#define _POSIX_C_SOURCE 200809L         /* clock_gettime */
+#include "commands.h"
+#include "json_out.h"
+#include "limit.h"
+#include "svg.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,
+                      void **memory)
+{
+    const size_t need = sp_limit_memory_scratch(scene);
+    sp_arena arena;
+    sp_status status = SP_E_MEMORY;
+    double start;
+
+    *memory = malloc(need + SP_ALIGN);
+    if (*memory) status = sp_arena_init(&arena, *memory, need + SP_ALIGN);
+    if (status == SP_OK) status = sp_limit_memory(scene, settings, arena, bytes);
+    free(*memory);
+    *memory = NULL;
+    if (status != SP_OK) return status;
+    *memory = *bytes < SIZE_MAX - SP_ALIGN ? malloc(*bytes + SP_ALIGN) : NULL;
+    if (!*memory) return SP_E_MEMORY;
+    status = sp_arena_init(&arena, *memory, *bytes + SP_ALIGN);
+    start = now();
+    if (status == SP_OK) status = sp_limit(scene, settings, &arena, result);
+    *seconds = now() - start;
+    return status;
+}
+
+static int any_friction(const sp_scene *s)
+{
+    for (int32_t i = 0; i < s->count.interfaces; i++) if (s->interface[i].joint.mu > 0) return 1;
+    return 0;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- JSON */
+
+static void json_end(json_out *j, const char *key, sp_real x)
+{
+    if (x >= 0) json_real(j, key, (double)x);
+    else json_null(j, key);
+}
+
+/* What moves, and what the joints do meanwhile. */
+static void json_motion(json_out *j, const host_scene *s, const sp_limit_result *x)
+{
+    json_open(j, "mechanism", '[');
+    for (int32_t b = 0; b < s->scene.count.blocks; b++) {
+        const sp_real *dq = x->dq + 6 * (size_t)b;
+        int moves = 0;
+        for (int k = 0; k < 6; k++) moves |= dq[k] < 0 || dq[k] > 0;
+        if (!moves) continue;
+        json_open(j, NULL, '{');
+        json_string(j, "block", s->name[b]);
+        json_reals(j, "dq", dq, 6);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+    json_open(j, "joints", '[');
+    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+        sp_joint_motion m;
+        if (sp_joint_moves(&s->scene, x->dq, i, &m) != SP_OK || m.kind == SP_JOINT_RIGID) continue;
+        json_open(j, NULL, '{');
+        json_string(j, "a", s->name[s->scene.interface[i].a]);
+        json_string(j, "b", s->name[s->scene.interface[i].b]);
+        json_string(j, "kind", sp_joint_text(m.kind));
+        json_real(j, "opening", (double)m.opening);
+        json_real(j, "slip", (double)m.slip);
+        if (m.kind == SP_JOINT_HINGE) {
+            json_open(j, "line", '[');
+            json_reals(j, NULL, m.a, 3);
+            json_reals(j, NULL, m.b, 3);
+            json_close(j, ']');
+        }
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+static void print_json(const report *r)
+{
+    const sp_limit_result *x = r->limit;
+    json_out j = { stdout, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", r->scene->path);
+    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "multiplier", (double)x->multiplier);
+    else if (x->kind == SP_LIMIT_NONE) json_null(&j, "multiplier");
+    else json_string(&j, "multiplier", sp_limit_text(x->kind));
+    json_string(&j, "kind", sp_limit_text(x->kind));
+    json_string(&j, "reason", sp_reason_text(x->reason));
+    json_bool(&j, "verified", x->verified);
+    json_end(&j, "lower", x->lower);
+    json_end(&j, "upper", x->upper);
+    json_bool(&j, "upper_value_by_friction", any_friction(&r->scene->scene));
+    json_string(&j, "cone", r->options->cone);
+    json_bool(&j, "final", x->final);
+    json_real(&j, "tol", (double)x->tol);
+    json_real(&j, "force_bound", (double)x->force_bound);
+    json_real(&j, "omega", (double)x->omega);
+    json_real(&j, "least_imbalance", (double)x->least_imbalance);
+    json_motion(&j, r->scene, x);
+    json_open(&j, "cost", '{');
+    json_int(&j, "flops", x->cost.flops);
+    json_int(&j, "factorisations", x->cost.factorisations);
+    json_int(&j, "iterations", x->cost.iterations);
+    json_int(&j, "interior", x->cost.interior);
+    json_int(&j, "peak_bytes", (int64_t)x->peak_bytes);
+    json_real(&j, "seconds", r->seconds);
+    json_close(&j, '}');
+    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
+    json_close(&j, '}');
+    fputc('\n', stdout);
+}
+
+/* --------------------------------------------------------------------------------------------------------------- words */
+
+static void row(const char *label) { printf("  %-15s", label); }
+
+static void print_joints(const report *r, sp_joint_kind kind, const char *label)
+{
+    enum { SHOWN = 6 };
+    const host_scene *s = r->scene;
+    int32_t n = 0;
+    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+        sp_joint_motion m;
+        if (sp_joint_moves(&s->scene, r->limit->dq, i, &m) != SP_OK || m.kind != kind || n++ >= SHOWN) continue;
+        if (n == 1) row(label);
+        printf("%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.interface[i].a], s->name[s->scene.interface[i].b]);
+    }
+    if (n > SHOWN) printf(" and %ld more", (long)(n - SHOWN));
+    if (n) putchar('\n');
+}
+
+static void print_multiplier(const report *r)
+{
+    const sp_limit_result *x = r->limit;
+    printf("%s: ", r->scene->path);
+    switch (x->kind) {
+    case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier); break;
+    case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
+    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: it bears any multiple of the live loads"); break;
+    default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its factorisations"
+                                                                                    : "the ends stay apart at this tol");
+    }
+    row("how sure");
+    if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->omega);
+    if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
+    if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
+    puts(x->verified ? "; verified" : "; NOT verified");
+    if (!any_friction(&r->scene->scene) || x->kind != SP_LIMIT_FOUND) return;
+    row("mind");
+    puts("with friction this is an upper value: real sliding does not open joints, and may fall at less");
+}
+
+static void print_text(const report *r)
+{
+    const sp_limit_result *x = r->limit;
+    const sp_capacity *n = &r->scene->scene.count;
+    int32_t moving = 0;
+    print_multiplier(r);
+    for (int32_t b = 0; b < n->blocks; b++) moving += report_motion(r, b) > 0;
+    if (moving) {
+        row("mechanism");
+        printf("%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");
+        print_joints(r, SP_JOINT_HINGE, "hinges");
+        print_joints(r, SP_JOINT_SLIDING, "sliding");
+        print_joints(r, SP_JOINT_OPEN, "opening");
+    }
+    row("scene");
+    printf("%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->interfaces,
+           n->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "");
+    row("cost");
+    printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
+           (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- command */
+
+/* A picture into o->svg by either of the two. */
+static int draw(const report *r, const tilt_margin *m, text_error *error)
+{
+    const char *path = r->options->svg;
+    FILE *out = text_create(path, error);
+    if (!out) return error->status;
+    const int drawn = m ? tilt_draw(out, r->scene, r->options, m) : svg_write(out, r);
+    return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
+}
+
+static void print_tilt(const report *r, const tilt_margin *m)
+{
+    const double azimuth = m->azimuth < -1e-9 ? m->azimuth + 360 : fabs(m->azimuth);
+    if (r->options->json) {
+        json_out j = { stdout, 0 };
+        json_open(&j, NULL, '{');
+        json_string(&j, "scene", r->scene->path);
+        if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
+        if (m->stands) json_real(&j, "azimuth", azimuth); else json_null(&j, "azimuth");
+        json_int(&j, "undecided", m->undecided);
+        json_string(&j, "cone", r->options->cone);
+        json_open(&j, "angles", '[');
+        for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) json_real(&j, NULL, m->angle[k]);
+        json_close(&j, ']');
+        json_close(&j, '}');
+        putchar('\n');
+        return;
+    }
+    if (!m->stands) { printf("%s: does not stand while level\n", r->scene->path); return; }
+    printf("%s: TILT MARGIN %.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->least, azimuth);
+    row("how");
+    printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
+}
+
+static int tilt_command(report *r, text_error *error)
+{
+    tilt_margin m;
+    void *memory;
+    int status = tilt_measure(r->scene, r->options, &m, &memory, error);
+    if (!status && r->options->svg) status = draw(r, &m, error);
+    if (!status) print_tilt(r, &m);
+    free(memory);
+    return status ? status : !m.stands ? EXIT_UNSTABLE : m.undecided ? EXIT_UNDECIDED : 0;
+}
+
+/* The live load of every block as --body asks: its weight times that vector. */
+static int set_body(host_scene *s, const options *o, text_error *error)
+{
+    double g = 0, body = 0;
+    int live = 0;
+    for (int k = 0; k < 3; k++) {
+        g += (double)s->scene.gravity[k] * (double)s->scene.gravity[k];
+        body += fabs(o->body[k]);
+    }
+    for (int k = 0; k < 3; k++) s->scene.body[k] = (sp_real)(sqrt(g) * o->body[k]);
+    for (int32_t k = 0; k < s->scene.count.loads; k++) live |= s->scene.load[k].live;
+    if (live || body > 0) return 0;
+    return text_fail(error, EXIT_USAGE, s->path, 0, "limit needs a live load: `#@ live` lines, or --body");
+}
+
+static int limit_command(report *r, text_error *error)
+{
+    sp_limit_result x;
+    void *memory = NULL;
+    int status = 0;
+    const sp_status e = limit_scene(&r->scene->scene, &r->options->settings, &x, &r->bytes, &r->seconds, &memory);
+    if (e != SP_OK) status = text_fail_status(error, e, r->scene->path, 0, "");
+    if (!status) {
+        r->limit = &x;
+        r->result.f = x.f;
+        r->result.dq = x.dq;
+        r->result.verdict = x.upper >= 0 ? SP_UNSTABLE : SP_UNDECIDED;
+        r->result.weakest = -1;
+        r->result.verified = x.verified;
+        if (r->options->svg) status = draw(r, NULL, error);
+    }
+    if (!status && r->options->json) print_json(r);
+    if (!status && !r->options->json) print_text(r);
+    free(memory);
+    return status ? status : x.kind == SP_LIMIT_UNDECIDED ? EXIT_UNDECIDED : 0;
+}
+
+int command_limit(int argc, char **argv)
+{
+    text_error error = { 0, "" };
+    host_scene s;
+    options o;
+    report r;
+    int status;
+
+    status = options_read(argc, argv, " --json --svg --tol --cone --mu --body --tilt --tilt-margin --budget ", &o, &error);
+    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
+    if (!status) {
+        memset(&r, 0, sizeof r);
+        r.scene = &s;
+        r.options = &o;
+        status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
+        if (!status && !options_tilt(o.tilt, o.azimuth, s.scene.gravity))
+            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+        if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
+        if (!status) status = o.tilt_margin ? tilt_command(&r, &error) : limit_command(&r, &error);
+        scene_free(&s);
+    }
+    if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
+    return status;
+}

@@ -1,0 +1,29 @@
+/* How much of the live loads a scene bears, and how far it can be tilted. */
+#ifndef STONEPACK_HOST_LIMIT_H
+#define STONEPACK_HOST_LIMIT_H
+
+#include "options.h"
+#include "scene.h"
+
+/* A limit in memory of malloc's, *memory, which the caller frees in every case.      returns as sp_limit */
+sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,
+                      void **memory);
+
+enum { TILT_AZIMUTHS = 72 };
+
+/* How far gravity may turn towards every azimuth before something falls. */
+typedef struct tilt_margin {
+    int stands;                 /* it does while level; without that all angles are 0 */
+    double angle[TILT_AZIMUTHS];        /* [degree] towards azimuth 360 k / TILT_AZIMUTHS; 90: at any angle below */
+    double least, azimuth;      /* the smallest of all azimuths, and its own [degree] */
+    int undecided;              /* so many azimuths were not decided; their angle is what is proved to stand */
+    sp_limit_result worst;      /* the limit at `azimuth`: its mechanism */
+} tilt_margin;
+
+/* returns 0 or an exit status; the arrays of m->worst lie in *memory, freed by the caller in every case */
+int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error);
+
+/* A polar plot of the angles.              returns 1, 0: can't write */
+int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margin *m);
+
+#endif

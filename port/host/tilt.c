@@ -1,0 +1,201 @@
+/* The tilt margin: gravity turns by t towards azimuth a, so that  weight cos t + |weight| sin t h(a)  acts, h level. Where all loads
+ * are weights that is as admissible as  weight + tan t (body force along h(a)): one limit for every azimuth. What stands is convex
+ * in tan t h(a), so the mechanism of each azimuth bounds the whole region by a line, and the nearest line gives the worst one. */
+#define _POSIX_C_SOURCE 200809L
+#include "limit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+/* Level directions: g, x made orthogonal to it (y where gravity is along x), and the third by the right hand seen from above. */
+static void level(const sp_real gravity[3], double g[3], double h[2][3])
+{
+    double size = 0, along = 0, across = 0;
+    for (int k = 0; k < 3; k++) size += (double)gravity[k] * (double)gravity[k];
+    size = sqrt(size);
+    for (int k = 0; k < 3; k++) g[k] = (double)gravity[k] / size;
+    const int first = fabs(g[0]) > 0.9;
+    along = g[first];
+    for (int k = 0; k < 3; k++) { h[0][k] = (k == first) - along * g[k]; across += h[0][k] * h[0][k]; }
+    for (int k = 0; k < 3; k++) h[0][k] *= size / sqrt(across);
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        h[1][k] = h[0][i] * g[j] - h[0][j] * g[i];
+    }
+}
+
+/* The limit towards one azimuth [rad].     *lambda: what stands */
+static sp_status towards(const sp_scene *scene, const options *o, double azimuth, double h[2][3], sp_limit_result *x, double *lambda,
+                         void **memory)
+{
+    sp_scene s = *scene;
+    size_t bytes;
+    double seconds;
+    for (int k = 0; k < 3; k++) s.body[k] = (sp_real)(cos(azimuth) * h[0][k] + sin(azimuth) * h[1][k]);
+    const sp_status status = limit_scene(&s, &o->settings, x, &bytes, &seconds, memory);
+    if (status != SP_OK) return status;
+    *lambda = x->kind == SP_LIMIT_UNBOUNDED ? HUGE_VAL : x->kind == SP_LIMIT_FOUND ? (double)x->multiplier : fmax(0, (double)x->lower);
+    return SP_OK;
+}
+
+/* Where the line that the mechanism draws comes nearest: its azimuth [rad] and tan t. */
+static double nearest_line(const sp_scene *scene, const sp_limit_result *x, double h[2][3], double *azimuth)
+{
+    double dead = 0, live[2] = { 0, 0 };
+    for (int32_t b = 0; b < scene->count.blocks; b++)
+        for (int k = 0; k < 3; k++) {
+            const double push = (double)scene->block[b].mass * (double)x->dq[6 * b + k];
+            if (scene->block[b].fixed == SP_FIXED) continue;
+            dead -= push * (double)scene->gravity[k];
+            for (int i = 0; i < 2; i++) live[i] += push * h[i][k];
+        }
+    for (int32_t n = 0; n < scene->count.loads; n++) {  /* weights laid on */
+        const sp_load *l = &scene->load[n];
+        const sp_block *b = &scene->block[l->block];
+        const sp_real *v = x->dq + 6 * l->block, *w = v + 3;
+        for (int k = 0; k < 3 && b->fixed != SP_FIXED; k++) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            const double turn = (double)w[i] * (double)(l->point[j] - b->centroid[j]) - (double)w[j] * (double)(l->point[i] - b->centroid[i]);
+            const double push = (double)l->mass * ((double)v[k] + turn);
+            dead -= push * (double)scene->gravity[k];
+            for (int q = 0; q < 2; q++) live[q] += push * h[q][k];
+        }
+    }
+    *azimuth = atan2(live[1], live[0]);
+    return x->kind == SP_LIMIT_FOUND ? dead / hypot(live[0], live[1]) : HUGE_VAL;
+}
+
+/* Does it stand while level? */
+static int stands_level(const host_scene *s, const options *o, text_error *error, int *status)
+{
+    void *memory = NULL;
+    sp_limit_result x;
+    size_t bytes;
+    double seconds;
+    sp_scene still = s->scene;
+    for (int k = 0; k < 3; k++) still.body[k] = 0;
+    const sp_status e = limit_scene(&still, &o->settings, &x, &bytes, &seconds, &memory);
+    free(memory);
+    *status = e == SP_OK ? 0 : text_fail_status(error, e, s->path, 0, "");
+    return e == SP_OK && x.kind == SP_LIMIT_UNBOUNDED;
+}
+
+/* From the nearest line on, each azimuth's mechanism shows a nearer one, or none. */
+static sp_status refine(const host_scene *s, const options *o, double h[2][3], double azimuth, tilt_margin *m, void **memory)
+{
+    double best = HUGE_VAL;
+    for (int it = 0; it < 12; it++) {
+        void *now = NULL;
+        sp_limit_result x;
+        double lambda;
+        const sp_status status = towards(&s->scene, o, azimuth, h, &x, &lambda, &now);
+        if (status != SP_OK || !(lambda < best * (1 - 1e-12))) { free(now); return status; }
+        free(*memory);
+        *memory = now;
+        m->worst = x;
+        best = lambda;
+        m->least = atan(lambda) / DEGREE;
+        m->azimuth = azimuth / DEGREE;
+        if (!(nearest_line(&s->scene, &x, h, &azimuth) < HUGE_VAL)) return SP_OK;
+    }
+    return SP_OK;
+}
+
+int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error)
+{
+    double g[3], h[2][3], nearest = HUGE_VAL, worst = 0;
+    int status;
+    memset(m, 0, sizeof *m);
+    *memory = NULL;
+    for (int32_t k = 0; k < s->scene.count.loads; k++) {
+        const sp_load *l = &s->scene.load[k];
+        if (l->live || l->force[0] * l->force[0] + l->force[1] * l->force[1] + l->force[2] * l->force[2] + l->couple[0] * l->couple[0]
+                       + l->couple[1] * l->couple[1] + l->couple[2] * l->couple[2] > 0)
+            return text_fail(error, EXIT_USAGE, s->path, 0, "--tilt-margin turns weights only, not the forces of this scene");
+    }
+    m->stands = stands_level(s, o, error, &status);
+    if (status || !m->stands) return status;
+    level(s->scene.gravity, g, h);
+    m->least = 90;
+    for (int k = 0; k < TILT_AZIMUTHS; k++) {
+        const double azimuth = 360.0 * k / TILT_AZIMUTHS * DEGREE;
+        void *now = NULL;
+        sp_limit_result x;
+        double lambda, at, line;
+        const sp_status e = towards(&s->scene, o, azimuth, h, &x, &lambda, &now);
+        if (e != SP_OK) { free(now); return text_fail_status(error, e, s->path, 0, ""); }
+        m->angle[k] = atan(lambda) / DEGREE;
+        m->undecided += x.kind == SP_LIMIT_UNDECIDED;
+        line = nearest_line(&s->scene, &x, h, &at);
+        if (line < nearest) { nearest = line; worst = at; }
+        free(now);
+    }
+    if (nearest < HUGE_VAL) {
+        const sp_status e = refine(s, o, h, worst, m, memory);
+        if (e != SP_OK) return text_fail_status(error, e, s->path, 0, "");
+    }
+    for (int k = 0; k < TILT_AZIMUTHS; k++)
+        if (m->angle[k] < m->least) { m->least = m->angle[k]; m->azimuth = 360.0 * k / TILT_AZIMUTHS; }
+    return 0;
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- plot */
+
+#define SIDE 560.0                      /* [px] */
+#define RADIUS 210.0
+
+static void at_polar(double radius, double azimuth, double *x, double *y)
+{
+    *x = SIDE / 2 + radius * cos(azimuth * DEGREE);
+    *y = 312 - radius * sin(azimuth * DEGREE);
+}
+
+/* Circles of whole degrees, lines every 30. */
+static void grid(FILE *out, double most, double step)
+{
+    double x, y;
+    for (double a = step; a <= most * (1 + 1e-9); a += step) {
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"312\" r=\"%.2f\" fill=\"none\" stroke=\"#bbb\" stroke-width=\"0.8\"/>\n", SIDE / 2,
+                RADIUS * a / most);
+        at_polar(RADIUS * a / most, 75, &x, &y);
+        fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" fill=\"#555\">%g&#176;</text>\n", x + 2, y - 3, a);
+    }
+    for (int k = 0; k < 12; k++) {
+        at_polar(RADIUS, 30 * k, &x, &y);
+        fprintf(out, "<path d=\"M%.1f 312L%.1f %.1f\" stroke=\"#ddd\" stroke-width=\"0.8\"/>\n", SIDE / 2, x, y);
+        at_polar(RADIUS + 17, 30 * k, &x, &y);
+        fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"#333\" text-anchor=\"middle\">%s</text>\n", x, y + 4,
+                k == 0 ? "x" : k == 3 ? "y" : k == 6 ? "-x" : k == 9 ? "-y" : "");
+    }
+}
+
+int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margin *m)
+{
+    double most = 0, step, x, y;
+    for (int k = 0; k < TILT_AZIMUTHS; k++) most = fmax(most, m->angle[k]);
+    step = most > 50 ? 15 : most > 25 ? 10 : most > 10 ? 5 : most > 4 ? 2 : most > 1.5 ? 0.5 : 0.1;
+    most = step * ceil(fmax(most, 1e-3) / step);
+    fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
+            "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n",
+            SIDE, SIDE + 20, SIDE, SIDE + 20);
+    fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by up to %.3g&#176;</text>\n"
+            "<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); %s cone</text>\n",
+            m->least, m->azimuth < -1e-9 ? m->azimuth + 360 : fabs(m->azimuth), o->cone);
+    grid(out, most, step);
+    fputs("<path fill=\"#1b7837\" fill-opacity=\"0.25\" stroke=\"#1b7837\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"", out);
+    for (int k = 0; k < TILT_AZIMUTHS; k++) {
+        at_polar(RADIUS * m->angle[k] / most, 360.0 * k / TILT_AZIMUTHS, &x, &y);
+        fprintf(out, "%s%.2f %.2f", k ? "L" : "M", x, y);
+    }
+    fputs("Z\"/>\n", out);
+    at_polar(RADIUS * m->least / most, m->azimuth, &x, &y);
+    fprintf(out, "<path d=\"M%.1f 312L%.2f %.2f\" stroke=\"#b2182b\" stroke-width=\"1.6\"/><circle cx=\"%.2f\" cy=\"%.2f\" r=\"4\" "
+            "fill=\"#b2182b\"/>\n", SIDE / 2, x, y, x, y);
+    fputs("<text x=\"28\" y=\"566\" font-size=\"12\" fill=\"#555\">green: tilts that admissible forces balance; with friction an upper "
+          "value</text>\n</svg>\n", out);
+    (void)s;
+    return !ferror(out);
+}
