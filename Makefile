@@ -118,6 +118,10 @@ build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 build/run_float: $(RUN_O:%=build/float/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
+# The program in float, for the pictures of what precision costs.
+build/stonepack_float: $(patsubst %.c,build/float/%.o,$(MAIN) $(HOST) $(PLUG) stonepack.c) $(SETTLE_O)
+	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
+
 -include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))
 
 test: build/run build/run_float build/stonepack build/corpus-double.txt build/corpus-float.txt
@@ -180,7 +184,7 @@ build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
 bench: build/bench
 	@sh tests/bench/bench.sh
 
-figures: build/stonepack
+figures: build/stonepack build/stonepack_float
 	@sh tests/bench/figures.sh
 
 clean:

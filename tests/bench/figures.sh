@@ -3,6 +3,7 @@
 #
 #     tests/bench/figures/*.svg           scenes, drawn by build/stonepack
 #     tests/bench/results/MACHINE/*.svg   curves, of the bench.csv beside them; need python3-matplotlib
+#     tests/bench/figures/cost-*.svg      what accuracy costs on nine scenes, measured anew; cost.csv beside them
 set -eu
 cli=build/stonepack
 out=tests/bench/figures
@@ -41,6 +42,33 @@ python=/usr/bin/python3                                 # Debian's own, the one 
 if ! $python -c 'import matplotlib' 2> /dev/null; then
     echo "figures: no curves without python3-matplotlib" >&2
     exit 0
+fi
+# What accuracy costs: every cone, stage and tol, in double and in float. COSTS=0: leave them as they are.
+cost() {                                                # cost NAME GEN-ARGUMENTS...
+    name=$1
+    shift
+    "$cli" gen "$@" > "build/figures/$name.obj"
+    for real in '' _float; do
+        "$cli$real" cost --json --budget "$most" "build/figures/$name.obj" >> build/figures/cost.jsonl || [ $? -le 2 ]
+    done
+    echo "$name: measured"
+}
+if [ "${COSTS:-1}" != 0 ]; then
+    : > build/figures/cost.jsonl
+    most=3e8
+    cost wall-54 wall size=54 jitter=0.35
+    cost wall-147 wall size=147 jitter=0.35
+    cost wall-500 wall size=500 jitter=0.35
+    cost arch-near-its-limit arch n=11 t=0.1051
+    cost arch-just-too-thin arch n=11 t=0.1041
+    cost dome dome rings=6 segments=12
+    cost keystone-near-sliding keystone angle=20 mu=0.3713
+    cost rubble rubble rows=7 bricks=6
+    most=6e8
+    cost wall-2000 wall size=2000 jitter=0.35
+    compiler=$(${CC:-gcc} --version | head -n 1)
+    $python tests/bench/cost.py build/figures/cost.jsonl $out "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), \
+$(date +%Y-%m-%d), $compiler -O2"
 fi
 for csv in tests/bench/results/*/bench.csv; do
     if [ -f "$csv" ]; then $python tests/bench/plot.py "$csv" "${csv%/bench.csv}"; fi
