@@ -6,18 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int finite_numbers(const double *x, size_t n)
-{
-    for (size_t k = 0; k < n; k++)
-        if (!(fabs(x[k]) < 1e100)) return 0;
-    return 1;
-}
-
 static settle_status check_mesh(const settle_mesh *m)
 {
     size_t corners = 0;
     if (!m->xyz || !m->size || !m->corner || m->vertices < 4 || m->faces < 4) return SETTLE_E_MESH;
-    if (!finite_numbers(m->xyz, 3 * (size_t)m->vertices)) return SETTLE_E_NUMBER;
+    if (!pieces_finite(m->xyz, 3 * (size_t)m->vertices)) return SETTLE_E_NUMBER;
     for (int32_t f = 0; f < m->faces; f++) {
         if (m->size[f] < 3) return SETTLE_E_MESH;
         for (int32_t k = 0; k < m->size[f]; k++, corners++)
@@ -31,7 +24,7 @@ static settle_status check_stone(const settle_stone *s)
     settle_status status = SETTLE_OK;
     if (s->pieces < 1 || !s->piece) return SETTLE_E_ARGUMENT;
     if (s->pieces > SETTLE_PIECES) return SETTLE_E_PIECES;
-    if (!finite_numbers(&s->mass, 1)) return SETTLE_E_NUMBER;
+    if (!pieces_finite(&s->mass, 1)) return SETTLE_E_NUMBER;
     if (!s->fixed && !(s->mass > 0)) return SETTLE_E_ARGUMENT;
     for (int32_t p = 0; p < s->pieces && !status; p++) status = check_mesh(&s->piece[p]);
     return status;

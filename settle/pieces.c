@@ -11,6 +11,13 @@
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+int pieces_finite(const double *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        if (!(fabs(x[k]) < 1e100)) return 0;
+    return 1;
+}
+
 void pieces_free(pieces_solid *s)
 {
     free(s->size);

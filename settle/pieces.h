@@ -8,6 +8,9 @@
 extern "C" {
 #endif
 
+/* Are these numbers, none of 1e100 or more? */
+int pieces_finite(const double *x, size_t n);
+
 /* Polygons, each with its own corners; of a convex solid all of them, outward. */
 typedef struct pieces_solid {
     int32_t faces, corners, face_room, corner_room;

@@ -1,6 +1,7 @@
 /* The protocol: stones become bodies, fall, are tamped, and are read as poses, contacts and a few numbers.          [seed 5] */
 #include "settle.h"
 #include "body.h"
+#include "pieces.h"
 #include "touch.h"
 
 #include <math.h>
@@ -93,19 +94,12 @@ settle_settings settle_seat_default(void)
 
 static int within(double x, double low, double high) { return x >= low && x <= high; }
 
-static int all_finite(const double *x, size_t n)
-{
-    for (size_t k = 0; k < n; k++)
-        if (!(fabs(x[k]) < 1e100)) return 0;
-    return 1;
-}
-
 static settle_status check_pairs(const settle_settings *s, int32_t stones)
 {
     if (s->pairs < 0 || (s->pairs > 0 && !s->pair)) return SETTLE_E_ARGUMENT;
     for (int32_t k = 0; k < s->pairs; k++) {
         if (!within(s->pair[k].a, -1, stones - 1) || !within(s->pair[k].b, -1, stones - 1)) return SETTLE_E_ARGUMENT;
-        if (!all_finite(&s->pair[k].mu, 1) || s->pair[k].mu < 0) return SETTLE_E_SETTINGS;
+        if (!pieces_finite(&s->pair[k].mu, 1) || s->pair[k].mu < 0) return SETTLE_E_SETTINGS;
     }
     return SETTLE_OK;
 }
@@ -114,8 +108,8 @@ static settle_status check_settings(const settle_settings *s, int32_t stones)
 {
     const double number[] = { s->tamp, s->friction, s->container_friction, s->mu, s->restitution, s->damping, s->margin, s->touch,
                               s->mass_floor, s->wall, s->lift, s->lowest, s->energy, s->moved, s->turned, s->reach, s->dt };
-    if (!all_finite(number, sizeof number / sizeof *number) || !all_finite(s->gravity, 3) || !all_finite(s->ramp, 3)
-        || !all_finite(s->container, 3) || !all_finite(s->floor, 3)) return SETTLE_E_NUMBER;
+    if (!pieces_finite(number, sizeof number / sizeof *number) || !pieces_finite(s->gravity, 3) || !pieces_finite(s->ramp, 3)
+        || !pieces_finite(s->container, 3) || !pieces_finite(s->floor, 3)) return SETTLE_E_NUMBER;
     for (int k = 0; k < 3; k++)
         if (s->ramp[k] < 0 || s->container[k] < 0 || (s->container[k] > 0) != (s->container[0] > 0)) return SETTLE_E_SETTINGS;
     if (!within(s->ramp_steps, 0, 1e6) || !within(s->steps, 0, 1e7) || !within(s->tamps, 0, 1000) || !within(s->tamp_steps, 0, 1e5)

@@ -4,7 +4,6 @@
 #include "cost.h"
 #include "json_out.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -202,13 +201,10 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
 
 static int draw(const char *path, const host_scene *s, const cost_table *t, text_error *error)
 {
-    FILE *out = strcmp(path, "-") ? fopen(path, "wb") : stdout;
-    int failed;
-    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    FILE *out = text_create(path, error);
+    if (!out) return error->status;
     cost_svg(out, s, t);
-    failed = ferror(out);
-    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
-    return failed ? text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture") : 0;
+    return text_finish(out, path, 0, error);
 }
 
 int command_cost(int argc, char **argv)
