@@ -7369,13 +7369,16 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
     to->interior += c->interior;
 }
 
-/* The reason a result gives: the stage's own, unless the evidence says otherwise; least: the imbalance that is proved. */
-static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, sp_verdict proved, sp_real least, sp_reason told)
+/* The reason a result gives: the stage's own, unless the evidence says otherwise. A limit is near where some imbalance is
+ * proved or what is left is some tol, and well below 1 where tol is coarse. */
+static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason told)
 {
-    if (proved == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
-    if (proved == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
-    if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && least > 0) return SP_REASON_LIMIT;
-    return told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT ? told : SP_REASON_LIMIT;
+    const int near = r->least_imbalance > 0 || (r->omega <= SP__NEAR * r->tol && r->omega * r->omega <= r->tol);
+    if (r->verdict == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
+    if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
+    if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;
+    if (told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT) return told;
+    return near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
@@ -7408,7 +7411,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
         r->verdict = proved;
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
-        r->reason = sp__check_reason(set->stage[k], claim, r->verdict, r->least_imbalance, state->reason);
+        r->reason = sp__check_reason(set->stage[k], claim, r, state->reason);
         if (claim == SP_UNSTABLE && !*done && set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) {
             r->reason = SP_REASON_EFFECT;
             r->missing = SP_EFFECT_FRICTION;

@@ -461,6 +461,37 @@ TEST(twelve_stones_come_to_rest_and_statics_finds_their_forces)
     settle_assembly_free(&a);
 }
 
+/* Stopped as they fall, with a tol that hides what moves them: no limit is near, and none is told. */
+TEST(undecided_heaps_in_mid_motion_are_not_said_to_be_at_a_limit)
+{
+    int undecided = 0;
+    for (int seed = 1; seed <= 6; seed++) {
+        sp_scene scene, still;
+        sp_result result;
+        sp_settings set = sp_settings_default();
+        settle_assembly a;
+        settle_settings s = settle_default();
+        settle_result r;
+        test_arena.used = 0;
+        NEED(build("rubble", "count", 8, "seed", seed, &scene));
+        NEED(settle_from_scene(&scene, 0, &a) == SETTLE_OK);
+        s.mu = 0.84;
+        s.steps = 400;
+        s.tamps = 0;
+        NEED(settle_run(a.stones, a.stone, &s, &r) == SETTLE_OK);
+        NEED(at_rest(&scene, &r, &still) == SP_OK);
+        set.tol = R(0.01);
+        NEED(sp_check(&still, &set, &test_arena, &result) == SP_OK);
+        if (result.verdict == SP_UNDECIDED && result.omega > R(0.5) && !(result.least_imbalance > 0)) {
+            undecided++;
+            CHECK_INT(result.reason, SP_REASON_BUDGET);
+        }
+        settle_result_free(&r);
+        settle_assembly_free(&a);
+    }
+    CHECK(undecided > 0);
+}
+
 /* --------------------------------------------------------------------------------------------------------------- pieces */
 
 static void splits_into(const settle_mesh *m, int32_t most, double want)
@@ -674,6 +705,7 @@ TEST_LIST(settle)
     RUN(one_stone_seats_onto_fixed_neighbours)
     RUN(contacts_of_a_cube_have_its_corners)
     RUN(twelve_stones_come_to_rest_and_statics_finds_their_forces)
+    RUN(undecided_heaps_in_mid_motion_are_not_said_to_be_at_a_limit)
     RUN(a_mesh_is_cut_into_convex_pieces_of_its_volume)
     RUN(pieces_are_the_same_however_the_stone_lies)
     RUN(a_stone_of_two_pieces_stands_and_topples_by_its_centroid)
