@@ -2666,6 +2666,54 @@ static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, s
     d[0] = sp__dot3(w, t->joint->n); d[1] = sp__dot3(w, t->joint->t1); d[2] = sp__dot3(w, t->joint->t2);
 }
 
+/* The spin of block i about the line through all its contact points, if they lie on one: it moves no contact, so motions are
+ * judged without it, and proofs need not bound it. In weighted rows z = dq / W, |k| = 1.     returns 0: there is none */
+SP__APART static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[6])
+{
+    const sp_problem *pb = j->pb;
+    sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, far = 0;
+    int32_t seen = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t c = 0; c < pb->contacts; c++) {
+            const sp_contact *t = &pb->contact[c];
+            for (int32_t v = t->point; (t->a == i || t->b == i) && v < t->point + t->points; v++) {
+                sp_real r[3], off[3];
+                sp__arm(pb, i, v, r);
+                if (!seen++) memcpy(first, r, sizeof first);
+                sp__sub3(r, first, r);
+                sp__cross3(line, r, off);
+                if (pass && sp__norm3(off) > 64 * (sp_real)SP_EPSILON * j->scale[i].arm) return 0;
+                if (pass || !(sp__norm3(r) > far)) continue;
+                far = sp__norm3(r);
+                memcpy(line, r, sizeof line);
+            }
+        }
+        if (!(far > 0)) return 0;
+        if (!pass) sp__scale3(1 / far, line, line);
+    }
+    sp__cross3(first, line, k);                         /* of the centroid */
+    sp_real size = 0;
+    for (int q = 0; q < 6; q++) {
+        k[q] = q < 3 ? k[q] / j->scale[i].wf : line[q - 3] / j->scale[i].wm;
+        if (sp__held(pb, i, q) && sp__abs(k[q]) > 0) return 0;
+        size += k[q] * k[q];
+    }
+    for (int q = 0; q < 6; q++) k[q] /= SP_SQRT(size);
+    return 1;
+}
+
+/* dq of block i without that spin; twice, for what rounding leaves of a fast one. */
+static void sp__judge_stop(const sp__judge *j, int32_t i, sp_real *dq)
+{
+    sp_real k[6];
+    if (!sp__judge_spin(j, i, k)) return;
+    for (int round = 0; round < 2; round++) {
+        sp_real along = 0;
+        for (int q = 0; q < 6; q++) along += k[q] * dq[q] / (q < 3 ? j->scale[i].wf : j->scale[i].wm);
+        for (int q = 0; q < 6; q++) dq[q] -= along * k[q] * (q < 3 ? j->scale[i].wf : j->scale[i].wm);
+    }
+}
+
 /* Worst violation of the conditions at one vertex relative to what is allowed. d: dd / L; ft and -alpha dt in units of force;
  * least: force below which friction is not asked for its slip. */
 static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f[3], sp_real alpha, const sp_real d[3],
@@ -2691,9 +2739,11 @@ SP__APART static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, c
                                            const sp_real *alpha)
 {
     const sp_problem *pb = j->pb;
+    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;       /* only then there are proofs */
     for (int32_t i = 0; i < pb->blocks; i++) {
         for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
         sp__release(pb, i, j->x + 6 * (size_t)i);
+        if (few) sp__judge_stop(j, i, j->x + 6 * (size_t)i);
     }
     sp_real worst = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -2785,7 +2835,16 @@ static sp_real sp__refute_stretch(const sp__refute *w)
     return sum;
 }
 
-/* M: |z_r| <= S_r + |G x_r - e_r| max |z|, z = dq / W.     returns 0: contacts do not bound every motion */
+/* e_r without the spin of its block. */
+static void sp__refute_unit(const sp__judge *j, int32_t r, sp_real *e)
+{
+    sp_real k[6];
+    for (int32_t q = 0; q < 6 * j->pb->blocks; q++) e[q] = q == r;
+    if (!sp__judge_spin(j, r / 6, k)) return;
+    for (int32_t q = 0; q < 6; q++) e[r / 6 * 6 + q] -= k[r % 6] * k[q];
+}
+
+/* M: |z_r| <= S_r + |G x_r - e_r| max |z|, z = dq / W, and z has no spin.     returns 0: contacts do not bound every motion */
 SP__APART static int sp__refute_reach(sp__refute *w)
 {
     sp__judge *j = w->j;
@@ -2798,11 +2857,12 @@ SP__APART static int sp__refute_reach(sp__refute *w)
             sp_real miss = 0;
             w->reach[r] = 0;
             if (sp__held(j->pb, r / 6, r % 6)) continue;
-            for (int32_t q = 0; q < n; q++) j->x[q] = j->r[q] = 0;
-            j->r[r] = 1;
+            sp__refute_unit(j, r, j->r);
+            for (int32_t q = 0; q < n; q++) j->x[q] = 0;
             sp__judge_solve(j, j->x);
             sp__judge_normal(j, j->x, j->g);
-            for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - (q == r ? 1 : 0));
+            sp__refute_unit(j, r, j->r);
+            for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - j->r[q]);
             const sp_real stretch = sp__refute_stretch(w);
             farthest = sp__max(farthest, stretch);
             if (!pass) worst = sp__max(worst, miss);

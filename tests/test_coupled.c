@@ -201,6 +201,8 @@ TEST(no_spin_hides_that_a_joint_gives_too_little)
     set.coupled.eta = R(ratio) * EPS;
     NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
     CHECK(r.level != SP_COUPLED);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+    r.coupled.proof.nodes = 0;                          /* what would it be without its proof? */
     r.coupled.dq[12 + 2] = R(-0.9) * set.coupled.eta;
     for (int k = 0; k < 2; k++)
         r.coupled.alpha[k] = R(hypot((double)r.f[3 * k + 1], (double)r.f[3 * k + 2])) / (R(0.9) * set.coupled.eta);
@@ -208,6 +210,56 @@ TEST(no_spin_hides_that_a_joint_gives_too_little)
         r.coupled.dq[12 + 3] = R(spin) * EPS;
         CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
         CHECK_INT(e.level, SP_ADMISSIBLE);
+    }
+}
+
+/* A bar held between two points by their friction alone: nothing presses it, and its spin about them has no bound. */
+TEST(a_bar_between_two_points_is_refuted_whatever_its_spin)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 2, 0 };
+    const sp_joint joint = sp_joint_friction(R(0.5));
+    for (int k = 0; k < 4; k++) {
+        const double c = cos(0.3 * k), d = sin(0.3 * k), sag = k == 3 ? 0.1 : 0;        /* at last it hangs below the line */
+        const sp_real at[3][3] = { { R(-c), R(-d), 0 }, { R(c), R(d), 0 }, { 0, 0, R(-sag) } }, n[3] = { R(c), R(d), 0 };
+        const sp_real left[3] = { R(-c / 2), R(-d / 2), 0 }, right[3] = { R(c / 2), R(d / 2), 0 };
+        sp_settings set = coupled();
+        sp_scene s;
+        sp_result r;
+        sp_evidence e;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int b = 0; b < 3; b++) CHECK_INT(sp_scene_body(&s, 1, at[b], b < 2 ? SP_FIXED : 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &joint, NULL), SP_OK);
+        set.coupled.box = k & 1;
+        NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+        CHECK_INT(r.coupled.reason, SP_COUPLING_NO_MOTION);
+        CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+        CHECK(e.verdict == SP_UNSTABLE && e.margin > 0);
+    }
+}
+
+/* A beam on two points stands, however fast the triple's motion spins it about their line. */
+TEST(a_spin_that_moves_no_contact_neither_makes_nor_breaks_a_triple)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 2, 0 };
+    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_real at[2][3] = { { 0, 0, -1 }, { 0, 0, 0 } }, n[3] = { 0, 0, 1 }, feet[6] = { R(-0.5), 0, 0, R(0.7), 0, 0 };
+    sp_settings set = coupled();
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    test_arena.used = 0;
+    NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+    for (int b = 0; b < 2; b++) CHECK_INT(sp_scene_body(&s, 1, at[b], b ? 0 : SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, feet, &joint, NULL), SP_OK);
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    CHECK_INT(r.level, SP_COUPLED);
+    for (double spin = 1; spin < 1e12; spin *= 1e3) {
+        r.coupled.dq[6 + 3] = R(spin) * EPS;
+        CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+        CHECK_INT(e.level, SP_COUPLED);
     }
 }
 
@@ -691,6 +743,8 @@ TEST_LIST(coupled)
     RUN(no_slip_or_opening_exceeds_eta)
     RUN(without_give_a_triple_may_have_any_size)
     RUN(no_spin_hides_that_a_joint_gives_too_little)
+    RUN(a_bar_between_two_points_is_refuted_whatever_its_spin)
+    RUN(a_spin_that_moves_no_contact_neither_makes_nor_breaks_a_triple)
     RUN(numbers_that_are_none_are_no_triple)
     RUN(lengths_out_of_range_are_refused)
     RUN(what_statics_refuse_is_refuted)
