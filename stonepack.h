@@ -334,9 +334,11 @@ typedef enum sp_choice { SP_PLANNED = 0, SP_WITH, SP_WITHOUT } sp_choice;
  * with L = eps (eta where eps = 0), the residual is <= 1, the largest of
  *     |dn + eps| / g  where fn > 0, (-eps - dn) / g, (dn - eta) / g, (|dt| - eta) / g      g = 1e-10 L + 16 u |motion|
  *     where |ft| > tol min(sbar_A, sbar_B):   |ft + alpha dt| / (1e-6 |ft|) and (1e-6 L + 4e6 u |motion|) / |dt|
- * |motion|: how far the two blocks move there. In words: forces vanish exactly where a joint is open; a joint that presses may
- * be out by a 10^-10th of eps; where there is friction there is slip, of at least a millionth of eps, opposite to it within
- * a millionth. The set of such triples is not closed: what is feasible only as alpha grows without bound is not found (limit).
+ * |motion|: how far the two blocks move there (a block whose contacts lie on one line without its spin about it, which
+ * moves none of them, up to SP_EXACT_POINTS contact vertices). In words: forces vanish exactly where a joint is open; a
+ * joint that presses may be out by a 10^-10th of eps; where there is friction there is slip, of at least a millionth of
+ * eps, opposite to it within a millionth. The set of such triples is not closed: what is feasible only as alpha grows
+ * without bound is not found (limit).
  * In float: 1e-4 instead of 1e-10, both 1e-6 are 1e-2, 4e6 u is 400 u. */
 typedef enum sp_coupling {
     SP_COUPLING_NOT_ASKED = 0,
