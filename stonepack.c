@@ -8263,8 +8263,8 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
 
 /* 31 ---------------------------------------------------------------------------------------------------------- build order */
 
-/* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its own,
- * the part: its blocks, the held ones and supports that they touch, the joints between.
+/* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
+ * own, the part: its blocks, the held ones and supports that they touch, the joints between.
  *
  * Before that the forces of the step before are tried. A block is called plain if its forces f pass sp_check's certificate
  * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, and
@@ -8275,7 +8275,7 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
  * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
 
 #define SP__LEAN_STEPS 8                /* factorisations for that */
-#define SP__LEAN_TOL ((sp_real)0.125)   /* of tol for that: its blocks bear the forces of others, and have little of their own */
+#define SP__LEAN_TOL ((sp_real)0.125)   /* of tol for that: its blocks bear the forces of others */
 #define SP__BELOW ((sp_real)0.2)        /* cosine between gravity and a joint's normal from which on a block is below another */
 
 typedef struct sp__stone {
@@ -8425,9 +8425,9 @@ SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact 
     }
 }
 
-/* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2 for all
- * z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little less, for
- * what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
+/* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2
+ * for all z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little
+ * less, for what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
 SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__grip *w)
 {
     sp_real unit = 0, *M = w->M;
@@ -8681,7 +8681,7 @@ SP__APART static void sp__part_keep(sp_sequence *q, const sp__check *c)
         sp_real *dq = q->dq + 6 * (size_t)b;
         s->plain = 0;
         if (c->r.verdict == SP_STABLE) sp__stone_weigh(q, b);
-        for (size_t i = 0; i < 6; i++) dq[i] = c->r.verdict == SP_STABLE ? 0 : c->r.dq[6 * (size_t)k + i];
+        for (size_t i = 0; i < 6; i++) dq[i] = c->r.verdict == SP_UNSTABLE ? c->r.dq[6 * (size_t)k + i] : 0;
         s->verdict = c->r.verdict;
         s->reason = c->r.reason;
         s->final = c->r.final;
@@ -8975,9 +8975,9 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
 
 /* 32 ------------------------------------------------------------------------------------------------------- what to hold */
 
-/* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does, too
- * (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set, one
- * pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
+/* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does,
+ * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
+ * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
 
 typedef struct sp__hold {
     sp_sequence *q;

@@ -976,7 +976,7 @@ SP_API sp_settings sp_settings_seed(void);
  *
  * A step starts from the forces of the one before: where these, changed only in the stones below the one that came or beside
  * the one that went, balance every block, that decides. If not, the island is checked as sp_check would. Either way the verdict
- * is that of sp_check's certificate on what is there: sp_verify accepts the forces or the motion.
+ * is that of sp_check's certificate: sp_verify accepts the forces of all that is there, or the motion of the island that falls.
  */
 
 typedef enum sp_presence {

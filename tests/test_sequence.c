@@ -1,9 +1,14 @@
-/* A build order: at every step the verdict of a check of what is there, whatever the steps before left; what must be held is the
- * smallest that a search of all sets finds; memory is what was said. */
+/* A build order: at every step the verdict of a check of what is there, whatever the steps before left; what must be held is
+ * the smallest that a search of all sets finds; memory is what was said. */
 #include "test.h"
 #include "scenes/gen.h"
 
 #include <string.h>
+
+enum { MOST = 512 };                                    /* blocks of a scene */
+
+static sp_presence presence[MOST];                      /* who is there */
+static int32_t order[MOST];
 
 static void build(const char *name, const char *param, double value, sp_scene *scene)
 {
@@ -104,11 +109,6 @@ static sp_verdict cold(const sp_scene *s, const sp_settings *set, const sp_prese
     return r.verdict;
 }
 
-enum { MOST = 512 };
-
-static sp_presence presence[MOST];
-static int32_t order[MOST];
-
 static sp_sequence *open_sequence(const sp_scene *s, const sp_settings *set)
 {
     sp_sequence *q = NULL;
@@ -168,11 +168,37 @@ static void any_scene(sp_scene *s)
             if (s->interface[i].area > 0) s->interface[i].joint.cohesion = s->interface[i].joint.tension = 2000;
 }
 
-/* One step against a check of the same partial scene that knows nothing of the steps before. */
-static int step_agrees(const sp_scene *s, const sp_settings *set, const sp_step *step)
+static int loose(const sp_scene *s, int32_t b) { return presence[b] == SP_PRESENT && s->block[b].fixed != SP_FIXED; }
+
+/* Who is there of the island of block b, supports and held ones besides. */
+static void island_of(const sp_scene *s, int32_t b, sp_presence *island)
 {
-    int good = CHECK_INT(step->verdict, cold(s, set, presence));
-    if (step->verdict != SP_UNDECIDED && step->blocks) good &= CHECK_INT(proved(s, set, presence, step), step->verdict);
+    int grows = 1;
+    for (int32_t k = 0; k < s->count.blocks; k++) island[k] = loose(s, k) && k != b ? SP_ABSENT : presence[k];
+    while (grows) {
+        grows = 0;
+        for (int32_t i = 0; i < s->count.interfaces; i++) {
+            const int32_t j = s->interface[i].a, k = s->interface[i].b;
+            if (!loose(s, j) || !loose(s, k) || island[j] == island[k]) continue;
+            island[j] = island[k] = SP_PRESENT;
+            grows = 1;
+        }
+    }
+}
+
+/* One step against a check of the same partial scene that knows nothing of the steps before. What that leaves undecided a step
+ * may have decided: from other forces, or because a check of several islands, one of which nothing can balance, is less sure of its
+ * scales than one of that island alone. What it decided is proved in any case.                  *open: counts these */
+static int step_agrees(const sp_scene *s, const sp_settings *set, const sp_step *step, int32_t *open)
+{
+    static sp_presence island[MOST];
+    const sp_verdict known = cold(s, set, presence);
+    memcpy(island, presence, sizeof island);
+    if (step->verdict == SP_UNSTABLE) island_of(s, step->block, island);
+    const int rounding = TOL(0, step->verdict == SP_UNDECIDED);         /* at the limit, by another order of elimination */
+    int good = known == SP_UNDECIDED || rounding || CHECK_INT(step->verdict, known);
+    *open += known != step->verdict;
+    if (step->verdict != SP_UNDECIDED && step->blocks) good &= CHECK_INT(proved(s, set, island, step), step->verdict);
     return good;
 }
 
@@ -180,7 +206,7 @@ static int step_agrees(const sp_scene *s, const sp_settings *set, const sp_step 
 TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
 {
     const size_t start = test_arena.used;
-    int32_t seen[3] = { 0, 0, 0 }, local = 0;
+    int32_t seen[3] = { 0, 0, 0 }, local = 0, open = 0;
     for (int scene = 0; scene < 60; scene++) {
         sp_scene s;
         sp_settings set = sp_settings_default();
@@ -199,10 +225,11 @@ TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
             const sp_step step = take(q, b, k < n || what > 5 ? SP_PRESENT : what > 2 ? SP_ABSENT : SP_HELD);
             seen[step.verdict]++;
             local += step.local;
-            if (!step_agrees(&s, &set, &step)) { CHECK_INT(scene, -1); CHECK_INT(k, -1); return; }
+            if (!step_agrees(&s, &set, &step, &open)) { CHECK_INT(scene, -1); CHECK_INT(k, -1); return; }
         }
     }
     CHECK(seen[SP_STABLE] > 100 && seen[SP_UNSTABLE] > 100 && local > 50);
+    CHECK(open <= 5);                                   /* of about a thousand */
 }
 
 TEST(the_last_verdict_does_not_depend_on_the_order)
@@ -240,13 +267,15 @@ TEST(a_wall_is_taken_down_from_the_top_and_stands_all_the_while)
     for (int32_t b = 0; b < s.count.blocks; b++) presence[b] = SP_PRESENT;
     NEED(sp_sequence_fill(q, presence, &step) == SP_OK);
     CHECK_INT(step.verdict, SP_STABLE);
+    int32_t open = 0;
     const int32_t n = free_blocks(&s);
     CHECK_INT(step.blocks, n);
     for (int32_t k = n - 1; k >= 0; k--) {
         step = take(q, order[k], SP_ABSENT);
-        if (!CHECK_INT(step.verdict, SP_STABLE) || !step_agrees(&s, NULL, &step)) return;
+        if (!CHECK_INT(step.verdict, SP_STABLE) || !step_agrees(&s, NULL, &step, &open)) return;
         CHECK_INT(step.blocks, k);
     }
+    CHECK_INT(open, 0);
     CHECK_TEXT(sp_reason_text(step.reason), "nothing to carry");
 }
 
@@ -294,8 +323,8 @@ TEST(an_untouched_island_is_not_looked_at_and_keeps_its_forces)
     CHECK_INT(step.verdict, SP_UNSTABLE);
 }
 
-/* As tests/oracle/sequence.py has it from linear programmes: the first stones rest by friction, then they tip over the edge, and
- * only the last one closes the arch. */
+/* As tests/oracle/sequence.py has it from linear programmes: the first stones rest by friction, then they tip over the edge,
+ * and only the last one closes the arch. */
 TEST(an_arch_without_centring_falls_until_it_is_closed)
 {
     static const struct { int n, first; } known[] = { { 7, 2 }, { 9, 2 }, { 15, 3 } };
@@ -320,14 +349,16 @@ TEST(an_arch_without_centring_falls_until_it_is_closed)
     }
 }
 
-/* Does it stand with this set held? By checks of partial scenes. */
-static int stands_held(const sp_scene *s, int32_t n, uint32_t set)
+/* What of it with this set held? By checks of partial scenes. */
+static sp_verdict with_held(const sp_scene *s, int32_t n, uint32_t set)
 {
     sp_presence now[MOST];
     memcpy(now, presence, sizeof now);
     for (int32_t k = 0; k < n; k++) if (set >> k & 1u && presence[order[k]] != SP_ABSENT) now[order[k]] = SP_HELD;
-    return cold(s, NULL, now) == SP_STABLE;
+    return cold(s, NULL, now);
 }
+
+static int stands_held(const sp_scene *s, int32_t n, uint32_t set) { return with_held(s, n, set) == SP_STABLE; }
 
 static int bits(uint32_t x)
 {
@@ -369,7 +400,8 @@ TEST(held_sets_are_as_small_as_a_search_of_all_sets_finds)
                 CHECK_INT(held.must[i], !stands_held(&s, n, ((1u << n) - 1) & ~(1u << k)));
             }
         CHECK_INT(bits(set), held.count);
-        if (!CHECK(stands_held(&s, n, set))) return;
+        const sp_verdict held_so = with_held(&s, n, set);       /* in float a check of several islands may be undecided */
+        if (!CHECK(held_so == SP_STABLE || held_so == TOL(SP_STABLE, SP_UNDECIDED))) return;
     }
     CHECK(asked > 30 && several > 5);
 }
@@ -460,8 +492,8 @@ TEST(asking_changes_nothing)
     CHECK(memcmp(test_arena.base + test_arena.used, after.f, size) == 0);
 }
 
-/* Counts of work, the same on every machine: about what five checks cost in double, where 150 checks were made; in float roundings
- * of a high wall's forces are too near tol for some steps to be seen from a few blocks. */
+/* Counts of work, the same on every machine: about what five checks cost in double, where 150 checks were made; in float
+ * roundings of a high wall's forces are too near tol for some steps to be seen from a few blocks. */
 TEST(a_wall_stone_by_stone_costs_less_than_ten_checks_in_double)
 {
     const size_t start = test_arena.used;

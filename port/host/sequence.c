@@ -50,8 +50,8 @@ static double now(void)
 static void progress(const run *r, int32_t k)
 {
     if (!isatty(STDERR_FILENO)) return;
-    if (k < r->steps) fprintf(stderr, "\r\033[Kstep %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
-    else fputs("\r\033[K", stderr);
+    fputs("\r\033[K", stderr);
+    if (k < r->steps) fprintf(stderr, "step %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
 }
 
 static void *get(size_t count, size_t size)
@@ -130,7 +130,8 @@ static int read_order(run *r, text_error *error)
     int status = 0;
     r->order = get((size_t)s->count.blocks, sizeof *r->order);
     if (!r->order) return text_fail(error, EXIT_MEMORY, r->scene.path, 0, "out of memory");
-    if (o->order && o->order_file) return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
+    if (o->order && o->order_file)
+        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
     if (o->order) status = read_list(r, o->order, error);
     else if (o->order_file) status = read_file(r, o->order_file, &line, error);
     else
@@ -185,7 +186,8 @@ static sp_status mark(run *r, int32_t k)
         const sp_real *dq = t->step.dq + 6 * (size_t)b;
         double size = 0;
         for (int c = 0; c < 6; c++) size += fabs((double)dq[c]);
-        t->mark[b] = size > 1e-6 ? SVG_FALLS : r->scene.scene.block[b].fixed == SP_FIXED || r->options->remove ? SVG_PLAIN : SVG_ABSENT;
+        const int there = r->scene.scene.block[b].fixed == SP_FIXED || r->options->remove;
+        t->mark[b] = size > 1e-6 ? SVG_FALLS : there ? SVG_PLAIN : SVG_ABSENT;
     }
     for (int32_t i = 0; i <= k; i++) {
         unsigned char *m = &t->mark[r->order[i]];
@@ -423,8 +425,8 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove --suggest ",
-                          &o, &error);
+    status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove"
+                          " --suggest ", &o, &error);
     if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
     if (!status && !options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity))
@@ -432,7 +434,8 @@ int command_sequence(int argc, char **argv)
     if (!status) status = read_order(&r, &error);
     if (!status) {
         const sp_status s = all_steps(&r);
-        if (s == SP_E_UNSUPPORTED) status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: %s", sp_status_text(s));
+        if (s == SP_E_UNSUPPORTED)
+            status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: %s", sp_status_text(s));
         else if (s) status = text_fail_status(&error, s, r.scene.path, 0, "");
     }
     if (!status && o.svg && r.steps) status = draw(&r, &error);

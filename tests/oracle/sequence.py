@@ -3,9 +3,9 @@
 
     sequence.py [--cli build/stonepack] [--count N] [--seed N]
 
-Arches stone by stone, then random scenes in random orders, built or taken down. At every step the least imbalance that any forces
-leave is found by HiGHS for what is there: none within pyramids inside the cone is stable, some with pyramids around it unstable;
-what lies between is left out. With the blocks to be held fixed there is none, and where a set of one or two is called minimal,
+Arches stone by stone, then random scenes in random orders, built or taken down. At every step the least imbalance that any
+forces leave is found by HiGHS for what is there: none within pyramids inside the cone is stable, some with pyramids around it
+unstable; what lies between is left out. With the blocks to be held fixed there is none, and where a set of one or two is called minimal,
 every smaller one leaves some. Prints at which step each arch first fails; the exit status is 1 if an answer was wrong.
 Needs numpy and scipy (Debian: python3-numpy, python3-scipy).
 """
@@ -53,7 +53,8 @@ def compare(cli, scene, order, remove, cone, count):
         path = os.path.join(tmp, "scene.obj")
         with open(path, "w") as f:
             f.write(scene.text())
-        command = [cli, "sequence", "--json", "--cone", cone, "--order", ",".join(order), path] + (["--remove"] if remove else [])
+        command = [cli, "sequence", "--json", "--cone", cone, "--order", ",".join(order), path]
+        command += ["--remove"] if remove else []
         run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode > 2:
         return ["exit status %d: %s" % (run.returncode, run.stderr)], None
@@ -93,9 +94,11 @@ def main():
             words = arch
         else:
             kind = rng.integers(0, 6)
-            words = [["wall", "rows=%d" % rng.integers(2, 5), "bricks=%d" % rng.integers(2, 4), "jitter=%.3f" % rng.uniform(0, 0.4)],
+            words = [["wall", "rows=%d" % rng.integers(2, 5), "bricks=%d" % rng.integers(2, 4),
+                      "jitter=%.3f" % rng.uniform(0, 0.4)],
                      ["arch", "n=%d" % rng.integers(3, 10), "t=%.3f" % rng.uniform(0.1, 0.4)],
-                     ["diamond", "rows=%d" % rng.integers(2, 4)], ["tower", "n=%d" % rng.integers(2, 7), "lean=%.3f" % rng.uniform(0, 0.4)],
+                     ["diamond", "rows=%d" % rng.integers(2, 4)],
+                     ["tower", "n=%d" % rng.integers(2, 7), "lean=%.3f" % rng.uniform(0, 0.4)],
                      ["rubble", "rows=3", "bricks=2", "seed=%d" % rng.integers(1, 1000)],
                      ["inverted-triangle", "rows=%d" % rng.integers(2, 5)]][kind]
             words.append("mu=%.2f" % rng.uniform(0.2, 1))
