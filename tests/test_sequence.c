@@ -31,7 +31,7 @@ static void build_wall(int rows, int bricks, double jitter, sp_scene *scene)
 
 /* What is there as a scene of its own, built without the library: absent blocks and their joints left out, held ones fixed.
  * `point` gets, for each of its contact vertices, the number in the whole scene; `block` likewise. */
-static void partial(const sp_scene *s, const sp_presence *presence, sp_scene *p, int32_t **point, int32_t **block)
+static void partial(const sp_scene *s, const sp_presence *who, sp_scene *p, int32_t **point, int32_t **block)
 {
     const sp_capacity cap = { s->count.blocks, 0, 0, 0, s->count.interfaces, s->count.points, s->count.loads };
     int32_t *number = (int32_t *)(void *)(test_arena.base + ((test_arena.used + 15) & ~(size_t)15));
@@ -45,12 +45,12 @@ static void partial(const sp_scene *s, const sp_presence *presence, sp_scene *p,
     p->live = s->live;
     for (int32_t b = 0; b < s->count.blocks; b++) {
         number[b] = -1;
-        if (presence[b] == SP_ABSENT) continue;
+        if (who[b] == SP_ABSENT) continue;
         (*block)[p->count.blocks] = b;
         number[b] = p->count.blocks++;
         p->block[number[b]] = s->block[b];
         p->block[number[b]].vertices = p->block[number[b]].faces = 0;
-        if (presence[b] == SP_HELD) p->block[number[b]].fixed = SP_FIXED;
+        if (who[b] == SP_HELD) p->block[number[b]].fixed = SP_FIXED;
     }
     for (int32_t k = 0; k < s->count.interfaces; k++) {
         const sp_interface *t = &s->interface[k];
@@ -73,7 +73,7 @@ static void partial(const sp_scene *s, const sp_presence *presence, sp_scene *p,
 }
 
 /* The evidence of a step on the scene of what is there: what sp_verify makes of its forces or its motion. */
-static sp_verdict proved(const sp_scene *s, const sp_settings *set, const sp_presence *presence, const sp_step *step)
+static sp_verdict proved(const sp_scene *s, const sp_settings *set, const sp_presence *who, const sp_step *step)
 {
     sp_scene p;
     sp_result claim;
@@ -81,7 +81,7 @@ static sp_verdict proved(const sp_scene *s, const sp_settings *set, const sp_pre
     int32_t *point, *block;
     const size_t mark = test_arena.used;
     memset(&claim, 0, sizeof claim);
-    partial(s, presence, &p, &point, &block);
+    partial(s, who, &p, &point, &block);
     claim.f = (sp_real *)(void *)(test_arena.base + ((test_arena.used + 15) & ~(size_t)15));
     claim.dq = claim.f + 3 * (size_t)p.count.points;
     test_arena.used = ((test_arena.used + 15) & ~(size_t)15)
@@ -95,14 +95,14 @@ static sp_verdict proved(const sp_scene *s, const sp_settings *set, const sp_pre
     return e.verdict;
 }
 
-static sp_verdict cold(const sp_scene *s, const sp_settings *set, const sp_presence *presence)
+static sp_verdict cold(const sp_scene *s, const sp_settings *set, const sp_presence *who)
 {
     sp_scene p;
     sp_result r;
     int32_t *point, *block;
     const size_t mark = test_arena.used;
     r.verdict = SP_UNDECIDED;
-    partial(s, presence, &p, &point, &block);
+    partial(s, who, &p, &point, &block);
     if (p.count.blocks == 0) r.verdict = SP_STABLE;
     else CHECK_INT(sp_check(&p, set, &test_arena, &r), SP_OK);
     test_arena.used = mark;
