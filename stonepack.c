@@ -7340,6 +7340,10 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
     return status;
 }
 
+/* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show. */
+typedef char sp__memory_bytes_holds[sizeof(sp__dual) <= 512 && sizeof(sp__yield) <= 64 && sizeof(sp__scale) <= 13 * sizeof(sp_real)
+                                    && SP__DUAL_H <= 96 && SP_ALIGN == 16 ? 1 : -1];
+
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;

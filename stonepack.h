@@ -526,6 +526,27 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
  * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
 SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings);
 
+/* The same as constant expressions, for static arrays:
+ *
+ *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
+ *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices, whatever
+ *                     touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0 for the default
+ *                     ones. It takes the factor as full, 18 numbers a pair of blocks: near the truth up to some thirty blocks.
+ *                     What counts alone don't tell (ADMM, a custom stage, the coupled check) it does not cover: SIZE_MAX, which no
+ *                     array has, for SP_STAGE_ADMM and SP_STAGE_CUSTOM. */
+#define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
+    ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
+     + (((size_t)(faces) * sizeof(sp_face) + 15) & ~(size_t)15) + (((size_t)(corners) * 4 + 15) & ~(size_t)15) \
+     + (((size_t)(interfaces) * sizeof(sp_interface) + 15) & ~(size_t)15) \
+     + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
+#define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
+    ((stages) & ~62 ? SIZE_MAX \
+     : sizeof(sp_real) * (6 * (size_t)(vertices) + 18 * (size_t)(blocks) * (size_t)(blocks) + 67 * (size_t)(blocks) + 96 \
+                          + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 3) * (size_t)(blocks) : 0)) \
+     + 4 * ((size_t)(blocks) * ((size_t)(blocks) + 15) / 2 + 4 * (size_t)(interfaces) + 3) \
+     + (sizeof(sp_demand) + sizeof(sp_contact)) * (size_t)(interfaces) \
+     + sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result) + 1280)
+
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,

@@ -213,6 +213,83 @@ TEST(contacts_memory_is_enough_and_less_is_refused)
     }
 }
 
+/* Bodies of any weight that touch in points wherever: from none touching to all pairs, repeatedly. */
+static void random_scene(sp_scene *scene, int32_t blocks, int32_t interfaces)
+{
+    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, 4 * interfaces, 2 };
+    NEED(sp_scene_create(scene, &cap, &test_arena) == SP_OK);
+    for (int32_t k = 0; k < blocks; k++) {
+        const sp_real c[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
+        CHECK_INT(sp_scene_body(scene, R(100), c, test_random_int(0, 9) ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < interfaces && blocks > 1; k++) {
+        sp_real xyz[12], n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(1) };
+        const int32_t a = test_random_int(0, blocks - 1), b = (a + test_random_int(1, blocks - 1)) % blocks;
+        const sp_joint joint = sp_joint_friction(R(0.5));
+        for (int c = 0; c < 12; c++) xyz[c] = test_random_real(-1, 1);
+        CHECK_INT(sp_scene_points(scene, a, b, n, test_random_int(1, 4), xyz, &joint, NULL), SP_OK);
+    }
+    sp_load load = { 0, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
+    if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
+}
+
+#define ALL_STAGES (1 << SP_STAGE_GATES | 1 << SP_STAGE_LEAST_SQUARES | 1 << SP_STAGE_DENSE | 1 << SP_STAGE_POLISH \
+                    | 1 << SP_STAGE_EXACT)
+
+static unsigned char a_static_array[SP_SCENE_BYTES(2, 0, 0, 0, 1, 4, 0) + SP_MEMORY_BYTES(2, 1, 4, ALL_STAGES)];
+
+TEST(memory_by_counts_bounds_what_is_taken)
+{
+    sp_settings dense = sp_settings_default();
+    dense.stage_count = 5;
+    for (int k = 0; k < 5; k++) dense.stage[k] = (sp_stage_id)(SP_STAGE_GATES + k);
+    double least = 1e9;
+    for (int k = 0; k < 300; k++) {
+        const int32_t blocks = test_random_int(1, k % 10 ? 12 : 40), most = k % 3 ? 3 * blocks : blocks * blocks / 2;
+        const int32_t interfaces = blocks > 1 ? test_random_int(0, most) : 0;
+        size_t bytes = 0;
+        sp_scene scene;
+        test_arena.used = 0;
+        random_scene(&scene, blocks, interfaces);
+        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+        const size_t bound = SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, 0);
+        if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)interfaces,
+                                               (unsigned long)bytes, (unsigned long)bound);
+        if ((double)bound / (double)bytes < least) least = (double)bound / (double)bytes;
+        NEED(sp_memory(&scene, &dense, test_arena, &bytes) == SP_OK);
+        CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES));
+    }
+    CHECK(least < 1.2);                                 /* where all touch all there is not much to spare */
+    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_ADMM) == SIZE_MAX);
+}
+
+TEST(scene_memory_by_counts_is_exact)
+{
+    for (int k = 0; k < 100; k++) {
+        int32_t n[7];
+        for (int c = 0; c < 7; c++) n[c] = test_random_int(0, 99);
+        const sp_capacity cap = { n[0], n[1], n[2], n[3], n[4], n[5], n[6] };
+        CHECK_INT(SP_SCENE_BYTES(n[0], n[1], n[2], n[3], n[4], n[5], n[6]), sp_scene_memory(&cap));
+    }
+}
+
+TEST(a_static_array_sized_by_counts_is_enough)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 0 };
+    const sp_real low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 1 };
+    const sp_real xyz[12] = { R(-0.5), R(-0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5) };
+    const sp_joint joint = sp_joint_friction(R(0.5));
+    sp_arena arena;
+    sp_scene scene;
+    sp_result r;
+    NEED(sp_arena_init(&arena, a_static_array, sizeof a_static_array) == SP_OK);
+    NEED(sp_scene_create(&scene, &cap, &arena) == SP_OK);
+    NEED(sp_scene_body(&scene, R(1), low, SP_FIXED, NULL) == SP_OK && sp_scene_body(&scene, R(1), high, 0, NULL) == SP_OK);
+    NEED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL) == SP_OK);
+    NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+}
+
 TEST_LIST(memory)
     RUN(sp_memory_is_exact)
     RUN(every_smaller_capacity_is_refused_cleanly)
@@ -222,4 +299,7 @@ TEST_LIST(memory)
     RUN(verify_memory_is_enough_and_less_is_refused)
     RUN(problem_memory_is_exact)
     RUN(contacts_memory_is_enough_and_less_is_refused)
+    RUN(memory_by_counts_bounds_what_is_taken)
+    RUN(scene_memory_by_counts_is_exact)
+    RUN(a_static_array_sized_by_counts_is_enough)
 TEST_END

@@ -40,9 +40,11 @@ typedef struct stone {
 
 typedef struct answer { const char *why; sp_real push; int checks; int64_t flops; size_t bytes; } answer;
 
-/* All there is: the scene, behind it what a question takes. */
-static const sp_capacity room = { STONES, STONES * CORNERS, STONES * FACES, STONES * FACES * 4, JOINTS, JOINTS * 4, 0 };
-static uint64_t memory[(160u << 10) / 8];
+/* All there is: the scene, behind it what a question takes; the joints are found in the same place before. */
+#define ROOM STONES, STONES * CORNERS, STONES * FACES, STONES * FACES * 4, JOINTS, JOINTS * 4, 0
+static const sp_capacity room = { ROOM };
+#define SCENE(...) SP_SCENE_BYTES(__VA_ARGS__)
+static uint64_t memory[(SCENE(ROOM) + SP_MEMORY_BYTES(STONES, JOINTS, JOINTS * 4, 0)) / 8];
 
 /* A number in decimal, moving on behind it; 0 if there is none. */
 static int number(const char **text, sp_real *x)
