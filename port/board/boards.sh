@@ -1,36 +1,20 @@
 #!/bin/sh
-# boards: the tests and the corpus on every simulated target. Ends with `N passed, N failed`.
+# boards: the tests and the corpus on every simulated target, one target a core. Ends with `N passed, N failed`.
 #
 #     ONLY=text    only boards whose names contain the text
 #     STRICT=1     what could not be run counts as a failure
+#
+# `boards.sh NAME` runs that board alone, in place.
 . tests/checks/tally.sh
-jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
+logs=build/board/logs
+mkdir -p $logs
 
-on() { make --no-print-directory -s -j "$jobs" -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
-
-# What was not run here, each with its reason.
-left_out() {
-    sed -n 's|"\(.*\)", /\* \(.*\) \*/|        left out: \1: \2|p' "build/board/$1-$2/left_out.h"
-}
-
-for suite in $(grep -l '"\.\./port/' tests/test_*.c); do echo "left out everywhere: $suite: it tests programs of port/"; done
-# Board, precisions of the tests; the corpus runs in both everywhere.
-while read -r board simulator package reals; do
-    case $board in *"${ONLY:-}"*) ;; *) continue ;; esac
-    compiler=$(make -s -f port/board/board.mk BOARD="$board" compiler)
-    if ! have "$compiler" || ! have "$simulator"; then skip "$board" "$package"; continue; fi
-    for real in $reals; do
-        count "$board $real" on "$board" "$real" tests
-        left_out "$board" "$real"
-    done
-    for real in double float; do
-        part "$board $real: the bits of the host" on "$board" "$real" corpus
-    done
-done <<'END'
-rv64gc   qemu-system-riscv64 gcc-riscv64-unknown-elf,qemu-system-misc double float
+# Board, simulator, what it needs, precisions of the tests; the corpus runs in both everywhere.
+boards='
+rv64gc   qemu-system-riscv64 gcc-riscv64-unknown-elf,qemu-system-misc double,float
 m3       qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        double
 m4f      qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        float
-m7       qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        double float
+m7       qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        double,float
 m33      qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        float
 m55      qemu-system-arm     gcc-arm-none-eabi,qemu-system-arm        double
 a53      qemu-system-aarch64 gcc-aarch64-linux-gnu,qemu-system-arm    double
@@ -41,5 +25,49 @@ powerpc  qemu-ppc            gcc-powerpc-linux-gnu,qemu-user          float
 mips     qemu-mips           gcc-mips-linux-gnu,qemu-user             double
 s390x    qemu-s390x          gcc-s390x-linux-gnu,qemu-user            double
 i686     true                gcc-i686-linux-gnu                       float
-END
+'
+
+on() { make --no-print-directory -s -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
+
+# What was not run here, each with its reason.
+left_out() {
+    sed -n 's|"\(.*\)", /\* \(.*\) \*/|        left out: \1: \2|p' "build/board/$1-$2/left_out.h"
+}
+
+one() {                                                 # one BOARD SIMULATOR PACKAGE PRECISION,...
+    compiler=$(make -s -f port/board/board.mk BOARD="$1" compiler)
+    if ! have "$compiler" || ! have "$2"; then skip "$1" "$3"; return; fi
+    for real in $(echo "$4" | tr , ' '); do
+        count "$1 $real" on "$1" "$real" tests
+        left_out "$1" "$real"
+    done
+    for real in double float; do
+        part "$1 $real: the bits of the host" on "$1" "$real" corpus
+    done
+}
+
+joined() {                                              # joined BOARD: what it printed, and its numbers added
+    jo_line=$(sed -n '$p' "$logs/$1")
+    if echo "$jo_line" | grep -qxE '[0-9]+ passed, [0-9]+ failed'; then
+        sed '$d' "$logs/$1"
+        # shellcheck disable=SC2086
+        set -- $jo_line
+        passed=$((passed + $1)) failed=$((failed + $3))
+    else
+        failed=$((failed + 1))
+        echo "FAILED  $1: no end"
+        tail -n 20 "$logs/$1"
+    fi
+}
+
+if [ $# -gt 0 ]; then
+    # shellcheck disable=SC2046
+    one $(echo "$boards" | grep "^$1 ")
+else
+    for suite in $(grep -l '"\.\./port/' tests/test_*.c); do echo "left out everywhere: $suite: it tests programs of port/"; done
+    make --no-print-directory -s -f port/board/board.mk needs || failed=$((failed + 1))
+    names=$(echo "$boards" | awk -v only="${ONLY:-}" 'NF && index($1, only) { print $1 }')
+    echo "$names" | xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "sh '$0' {} > $logs/{} 2>&1"
+    for board in $names; do joined "$board"; done
+fi
 total
