@@ -138,7 +138,7 @@ build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) $(
 	sh tests/corpus/corpus.sh $* $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 test-boards: build/corpus-double.txt build/corpus-float.txt
-	@sh port/board/boards.sh
+	+@sh port/board/boards.sh
 
 robot:
 	@$(MAKE) --no-print-directory -s -f port/board/board.mk BOARD=m4f REAL=float robot

@@ -3195,7 +3195,7 @@ typedef struct sp__dual {
     int spent;                          /* a piece of work did not fit; from then on none is done */
 } sp__dual;
 
-#define SP__DUAL_H 96
+#define SP__DUAL_H 102
 
 static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
@@ -3514,7 +3514,7 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
 }
 
 /* h += (I, -[l]x)' D (I, -[l]x), row by row: x = l x D_i is row i of -D [l]x, and [l]x of those rows makes ww. */
-static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
+SP__APART static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
 {
     static const unsigned char at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
     for (int i = 0; i < 3; i++) {
@@ -3588,7 +3588,7 @@ SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, cons
 #endif
 
 /* D of a vertex, df = D du for rates u = V + W x l.     returns 0 when it is zero: the vertex is open */
-SP__APART static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real V[3], const sp_real W[3],
+static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real V[3], const sp_real W[3],
                                     sp_real D[6])
 {
     const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
@@ -3617,12 +3617,11 @@ SP__APART static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t
 SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real V[3], W[3];
+    sp_real *V = h + 90, *W = h + 93, *D = h + 96;
     int carries = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real D[6];
         if (!sp__vertex_law(w, law, c, v, V, W, D)) continue;
         sp__vertex_hessian(D, w->pb->local[v], h);
         carries = 1;
@@ -4817,10 +4816,11 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
     if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real *twist = w->h, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp_real *twist = w->h, *g = w->h + 27, *a = w->h + 30, *F = w->h + 33, *M = w->h + 36;
+        sp_real (*u)[3] = (sp_real (*)[3])(w->h + 18);
         for (int k = 0; k < 3; k++) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
+        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real u[3][3], g[3], a[3];
             for (int k = 0; k < 3; k++) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
             sp__cross3(pb->local[v], g, a);
@@ -4840,11 +4840,11 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_re
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        sp_real *twist = w->h, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp_real *twist = w->h, *u = w->h + 12, *D = w->h + 15, *g = w->h + 21, *F = w->h + 24, *M = w->h + 27;
         sp__dual_twist(w, t, w->y, twist, twist + 3);
         sp__dual_twist(w, t, d, twist + 6, twist + 9);
+        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real u[3], D[6], g[3];
             sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
             sp__ipm_derivative(w, c, v, u, D, g);
             sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
@@ -6154,7 +6154,7 @@ SP__APART static int sp__cra_lay(sp__cra *c)
         sp__dual_solve(w, w->r, w->d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
-            sp_real V[3], W[3], u[3];
+            sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6;
             sp__dual_twist(w, t, w->d, V, W);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *D = c->D + 6 * (size_t)v;
@@ -6499,16 +6499,24 @@ static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_
     return dry.used;
 }
 
-/* Bytes of the alternation; SIZE_MAX: scratch too small. */
-static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+/* Bytes of its own arrays. */
+SP__APART static size_t sp__alt_own(const sp_problem *pb)
 {
     sp_arena dry = sp__arena_dry();
     sp__alt m;
+    sp__take(&dry, 1, sizeof m);
+    sp__alt_carve(&m, pb, &dry);
+    return dry.used;
+}
+
+/* Bytes of the alternation; SIZE_MAX: scratch too small. */
+static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
     if (!set->coupled.rounds) return 0;
     const size_t forces = sp__admm_need(pb, set, scratch), motion = sp__explain_need(pb, set, scratch);
     if (forces == SIZE_MAX || motion == SIZE_MAX) return SIZE_MAX;
-    sp__take(&dry, 1, sizeof m);
-    sp__alt_carve(&m, pb, &dry);
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sp__alt_own(pb));
     sp__take(&dry, 1, forces > motion ? forces : motion);
     return dry.used;
 }
@@ -7342,7 +7350,7 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
 
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show. */
 typedef char sp__memory_bytes_holds[sizeof(sp__dual) <= 512 && sizeof(sp__yield) <= 64 && sizeof(sp__scale) <= 13 * sizeof(sp_real)
-                                    && SP__DUAL_H <= 96 && SP_ALIGN == 16 ? 1 : -1];
+                                    && SP__DUAL_H <= 102 && SP_ALIGN == 16 ? 1 : -1];
 
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
@@ -7445,6 +7453,20 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
     return near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
+/* The judgement of what a stage left in the state, within `left` flops: r->verdict. */
+SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int64_t left, sp_verdict claim,
+                                           sp_state *state, sp_arena *a, sp_result *r)
+{
+    sp__judge j;
+    const size_t mark = a->used;
+    const int32_t most = sp__budget_sweeps(set, pb, left - state->cost.flops);
+    if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
+    r->verdict = sp__check_judge(&j, state, claim, r);
+    a->used = mark;
+    state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
+    return SP_OK;
+}
+
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
                                            sp_result *r, int *done)
@@ -7465,14 +7487,9 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
-        sp__judge j;
-        const int32_t most = sp__budget_sweeps(set, pb, left - state->cost.flops);
-        if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
-        const sp_verdict proved = sp__check_judge(&j, state, claim, r);
-        a->used = mark;
-        state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
-        *done = proved != SP_UNDECIDED;
-        r->verdict = proved;
+        const sp_status judged = sp__check_claim(pb, set, left, claim, state, a, r);
+        if (judged) return judged;
+        *done = r->verdict != SP_UNDECIDED;
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
         r->reason = sp__check_reason(set->stage[k], claim, r, state->reason);

@@ -35,6 +35,7 @@ extern "C" {
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
+ *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
@@ -529,19 +530,20 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 /* The same as constant expressions, for static arrays:
  *
  *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
- *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices, whatever
- *                     touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0 for the default
- *                     ones. It takes the factor as full, 18 numbers a pair of blocks: near the truth up to some thirty blocks.
- *                     What counts alone don't tell (ADMM, a custom stage, the coupled check) it does not cover: SIZE_MAX, which no
- *                     array has, for SP_STAGE_ADMM and SP_STAGE_CUSTOM. */
+ *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices,
+ *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0 for the
+ *                     default ones. It takes the factor as full, 36 numbers for each two blocks: near the truth up to some
+ *                     thirty blocks. What counts alone do not tell (ADMM, a custom stage, the coupled check) it does not
+ *                     cover: for SP_STAGE_ADMM and SP_STAGE_CUSTOM it is SIZE_MAX, which no array has. */
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
-    ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
+    ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
+     + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
      + (((size_t)(faces) * sizeof(sp_face) + 15) & ~(size_t)15) + (((size_t)(corners) * 4 + 15) & ~(size_t)15) \
      + (((size_t)(interfaces) * sizeof(sp_interface) + 15) & ~(size_t)15) \
      + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
 #define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
     ((stages) & ~62 ? SIZE_MAX \
-     : sizeof(sp_real) * (6 * (size_t)(vertices) + 18 * (size_t)(blocks) * (size_t)(blocks) + 67 * (size_t)(blocks) + 96 \
+     : sizeof(sp_real) * (6 * (size_t)(vertices) + 18 * (size_t)(blocks) * (size_t)(blocks) + 67 * (size_t)(blocks) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 3) * (size_t)(blocks) : 0)) \
      + 4 * ((size_t)(blocks) * ((size_t)(blocks) + 15) / 2 + 4 * (size_t)(interfaces) + 3) \
      + (sizeof(sp_demand) + sizeof(sp_contact)) * (size_t)(interfaces) \

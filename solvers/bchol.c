@@ -125,22 +125,47 @@ static void sp__bchol_block(sp_real *a, sp_real floor)
     }
 }
 
+/* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
+#ifdef SP_SMALL
+SP__APART static void sp__less6(sp_real *z, const sp_real *l, sp_real s)
+{
+    for (int r = 0; r < 6; r++) z[r] -= l[r] * s;
+}
+#else
+static inline void sp__less6(sp_real *z, const sp_real *l, sp_real s)
+{
+    z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
+}
+#endif
+
 /* X <- X L'^-1, column by column. */
 static void sp__bchol_right(sp_real *x, const sp_real *l)
 {
     for (int c = 0; c < 6; c++) {
         sp_real *xc = x + 6 * c;
-        for (int k = 0; k < c; k++) {
-            const sp_real s = l[sp__column[k] + c - k];
-            const sp_real *xk = x + 6 * k;
-            xc[0] -= xk[0] * s; xc[1] -= xk[1] * s; xc[2] -= xk[2] * s;
-            xc[3] -= xk[3] * s; xc[4] -= xk[4] * s; xc[5] -= xk[5] * s;
-        }
+        for (int k = 0; k < c; k++) sp__less6(xc, x + 6 * k, l[sp__column[k] + c - k]);
         const sp_real s = sp__max(l[sp__column[c]], 0);
         xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
     }
 }
 
+#ifdef SP_SMALL
+/* C <- C - A B', all 6 x 6 by columns. */
+static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
+{
+    for (int q = 0; q < 6; q++)
+        for (int k = 0; k < 6; k++) sp__less6(c + 6 * q, a + 6 * k, b[6 * k + q]);
+}
+
+/* C <- C - A A', the lower triangle C. */
+static void sp__bchol_square(sp_real *c, const sp_real *a)
+{
+    for (int k = 0; k < 6; k++, a += 6)
+        for (int q = 0; q < 6; q++)
+            for (int r = q; r < 6; r++) c[sp__column[q] + r - q] -= a[r] * a[q];
+}
+
+#else                                                   /* the same numbers, with a column in registers */
 /* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
 static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
 {
@@ -168,6 +193,7 @@ static void sp__bchol_square(sp_real *c, const sp_real *a)
         c[20] -= a5 * a5;
     }
 }
+#endif
 
 SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
 {
@@ -190,7 +216,7 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
 
 #ifndef SP_NO_IPM
 /* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
-static void sp__bchol_balance(sp__bchol *f, sp_real shift)
+SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 {
     for (size_t k = 0; k < (size_t)f->n; k++) {
         sp_real *d = f->d + 21 * k, *t = f->t + 6 * k;
@@ -208,7 +234,7 @@ static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 }
 
 /* L <- T^-1 L: the factor of A, not of T A T. */
-static void sp__bchol_unbalance(sp__bchol *f)
+SP__APART static void sp__bchol_unbalance(sp__bchol *f)
 {
     for (int32_t k = 0; k < f->n; k++) {
         sp_real *d = f->d + 21 * (size_t)k, *t = f->t + 6 * (size_t)k;
@@ -245,10 +271,7 @@ SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_r
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
             sp_real *z = t + 6 * (size_t)f->i[q];
             const sp_real *l = f->x + 36 * (size_t)q;
-            for (int c = 0; c < 6; c++, l += 6) {
-                const sp_real s = v[c];
-                z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
-            }
+            for (int c = 0; c < 6; c++, l += 6) sp__less6(z, l, v[c]);
         }
     }
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */

@@ -2,7 +2,7 @@
  *
  *     run [FILTER] [SEED]        tests whose "file/name" contains FILTER; SEED of the random numbers
  *     run -l                     names only
- *     run -m                     names, bytes of memory touched, thousands of instructions: what a board needs to run them
+ *     run -m                     names, bytes of memory touched, thousands of steps taken: what a board needs to run them
  *
  * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
  * a board may choose fewer. TEST_LEAVE_OUT is a file of "stem/name", one a line: tests too large for a board; they are named,
@@ -157,7 +157,7 @@ static int run(const char *stem, const test_entry *e)
     failures = 0;
     state = seed * 2862933555777941757u + 3037000493u;
     sp_arena_init(&test_arena, memory, sizeof memory);
-    e->run();
+    if (!TEST_TOO_MUCH()) e->run();
     return failures == 0;
 }
 

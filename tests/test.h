@@ -41,7 +41,10 @@ typedef struct test_entry { const char *name; void (*run)(void); } test_entry;
 #define TEST_END        { NULL, NULL } };
 
 #ifndef TEST_WORK
-#define TEST_WORK() ((uint64_t)0)                       /* instructions so far, where a board can count them */
+#define TEST_WORK() ((uint64_t)0)                       /* steps taken so far, where they can be counted */
+#endif
+#ifndef TEST_TOO_MUCH
+#define TEST_TOO_MUCH() 0                               /* 0, later 1 where a test is stopped for taking too many */
 #endif
 
 /* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */

@@ -64,7 +64,9 @@ if [ $# -gt 0 ]; then
     # shellcheck disable=SC2046
     one $(echo "$boards" | grep "^$1 ")
 else
-    for suite in $(grep -l '"\.\./port/' tests/test_*.c); do echo "left out everywhere: $suite: it tests programs of port/"; done
+    for suite in $(grep -l '"\.\./port/' tests/test_*.c); do
+        echo "left out everywhere: $suite: it tests programs of port/"
+    done
     make --no-print-directory -s -f port/board/board.mk needs || failed=$((failed + 1))
     names=$(echo "$boards" | awk -v only="${ONLY:-}" 'NF && index($1, only) { print $1 }')
     echo "$names" | xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "sh '$0' {} > $logs/{} 2>&1"

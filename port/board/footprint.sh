@@ -2,10 +2,11 @@
 # footprint: what the library takes on a Cortex-M7 in double and on a Cortex-M4F in float, as CSV; built with -Os.
 #
 #     sh port/board/footprint.sh > port/board/footprint.csv      (make footprint)
-#     sh port/board/footprint.sh --compare                       is any row more than 2 % off the committed one, or gone, or new?
+#     sh port/board/footprint.sh --compare                       is a row more than 2 % off the committed one, or gone, or new?
 #
-#     text       bytes of code and constants: of all, of each build that leaves parts out, of what a linker takes for a few calls
-#                (ld --gc-sections), of each part: the functions of its file, those merged into callers counted there
+#     text       bytes of code and constants: of all, of builds that leave parts out, of what a linker takes for a few calls
+#                (ld --gc-sections) out of the build before it, of each part: the functions of its file, those merged into
+#                callers counted there
 #     data       bytes of .data and .bss
 #     stack      the deepest of a public call: bound, along any chain of calls [stack.awk]; painted, in all checks below
 #     arena      bytes that the scene (without meshes) and its check take
@@ -79,7 +80,8 @@ pairs() { awk -v kind="$1" -v at=$out/m7.txt '           # m7.txt and m4f.txt, "
 
 parts() {
     for p_on in m7 m4f; do
-        arm-none-eabi-nm -S -l $out/$p_on.o | awk 'BEGIN { for (i = 0; i < 16; i++) hex[substr("0123456789abcdef", i + 1, 1)] = i }
+        arm-none-eabi-nm -S -l $out/$p_on.o | awk '
+            BEGIN { for (i = 0; i < 16; i++) hex[substr("0123456789abcdef", i + 1, 1)] = i }
             NF > 4 && $3 ~ /[tTrR]/ { n = 0; for (i = 1; i <= length($2); i++) n = 16 * n + hex[substr($2, i, 1)]
                                       f = $NF; sub(/:[0-9]*$/, "", f); sub(/.*\//, "", f); size[f] += n }
             END { for (f in size) print f "\t" size[f] }' | LC_ALL=C sort > $out/$p_on.txt
@@ -110,12 +112,13 @@ costs() {                                               # costs KIND AWK-PROGRAM
 
 all() {
     echo "\"bytes, -Os, arm-none-eabi-gcc $(compiler)\",M7 double,M4F float"
-    build 'quadratic programs only, no CG, no polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
+    build 'SP_QP_ONLY, no Dykstra, CG, polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
     build SP_QP_ONLY -DSP_QP_ONLY
-    build 'SP_NO_QP, SP_NO_CRA, SP_NO_IPM' -DSP_NO_QP -DSP_NO_CRA -DSP_NO_IPM
+    linked 'quadratic programs' sp_qp_default sp_qp_memory sp_qp_solve
+    build 'SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_SMALL' -DSP_NO_QP -DSP_NO_CRA -DSP_NO_IPM -DSP_SMALL
     linked 'check, interfaces given' sp_scene_create sp_scene_body sp_scene_interface sp_check sp_verify
     linked 'check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
-    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_IPM SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH; do
+    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_IPM SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH SP_SMALL; do
         build $a_switch -D$a_switch
     done
     both -g -fcallgraph-info=su

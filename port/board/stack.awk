@@ -10,7 +10,10 @@ BEGIN {
     through["sp__check_stage"] = "^sp__(gates|least_squares|dense|polish|exact|admm|penalty)_run$"
     through["sp__stages_need"] = "^sp__(gates|sparse|dense|exact|admm|penalty)_need$"
     through["sp__admm_run"]    = "^sp__qp_plug_solve$"
+    through["sp__alt_explain"] = "^sp__qp_plug_solve$"
+    through["sp__alt_forces"]  = "^sp__qp_plug_solve$"
     through["sp__admm_need"]   = "^sp__qp_plug_need$"
+    through["sp__alt_need"]    = "^sp__qp_plug_need$"
     through["sp__kkt_walk"]    = "^sp__ldl_(degree|edge|value)$"
 }
 function clean(name) { sub(/.*:/, "", name); sub(/\.(constprop|isra|part|cold).*/, "", name); return name }

@@ -284,7 +284,7 @@ check_pair() {
     count "pair: tests" pair_tests
     count "pair: tests, float" pair_tests -DSP_REAL_FLOAT
     part "pair: the bits of the tree, C99, C11, C2x" pair_bits
-    for pa_switch in $(grep -o 'SP_NO_[A-Z_]*' stonepack.h | sort -u | grep -v SP_NO_IPM); do         # that one finds other forces
+    for pa_switch in $(grep -oE 'SP_(NO_[A-Z_]*|SMALL)' stonepack.h | sort -u | grep -v SP_NO_IPM); do         # that one finds other forces
         part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
     done
 }
