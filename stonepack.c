@@ -4367,7 +4367,7 @@ SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const s
     const sp_contact *t = &w->pb->contact[c];
     const sp__yield *yield = sp__dual_yield(w, c);
     const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(t, w->size, 2) / S;
-    sp_real V[3], W[3], u[3], sum = 0;
+    sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         sp__dual_rate(w, V, W, w->pb->local[v], u);
@@ -4502,7 +4502,8 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
     if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real twist[4][3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp_real (*twist)[3] = (sp_real (*)[3])w->h, *F = w->h + 12, *M = w->h + 15;
+        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         sp__dual_twist(w, t, y, twist[0], twist[1]);
         sp__dual_twist(w, t, x, twist[2], twist[3]);
         for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, pb->local[v], twist, F, M);

@@ -92,7 +92,7 @@ i686.qemu     =
 # floating point in software, which takes some thirty times as many, earlier.
 limit = 8000
 soft  = 800
-rv64gc.limit          = 64000
+rv64gc.limit          = 32000
 m3.limit              = $(soft)
 rv32imac.limit        = $(soft)
 m4f-double.limit      = $(soft)
@@ -128,13 +128,13 @@ comma  := ,
 link    = -nostdlib -nostartfiles -Wl,--gc-sections -Lport/board -T port/board/$($(BOARD).map).ld
 libs    = -lgcc
 own     = $(patsubst %,$(out)/port/board/%.o,$($(BOARD).start) board libc)
-run     = timeout $(or $(TIMEOUT),300) $($(BOARD).qemu) -display none -monitor none -serial none -chardev stdio,id=c0 $(1) \
+run     = timeout $(or $(TIMEOUT),900) $($(BOARD).qemu) -display none -monitor none -serial none -chardev stdio,id=c0 $(1) \
           -semihosting-config enable=on,target=native,chardev=c0,arg=program$(if $(2),$(comma)arg=$(2)) -kernel
 else
 link    = -static
 libs    = -lm
 own     =
-run     = timeout $(or $(TIMEOUT),300) $($(BOARD).qemu)
+run     = timeout $(or $(TIMEOUT),900) $($(BOARD).qemu)
 endif
 
 core    = $(own) $(out)/stonepack.o $(out)/tests/scenes/gen.o
