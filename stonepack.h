@@ -531,10 +531,11 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
  *
  *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
  *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices,
- *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0 for the
- *                     default ones. It takes the factor as full, 36 numbers for each two blocks: near the truth up to some
- *                     thirty blocks. What counts alone do not tell (ADMM, a custom stage, the coupled check) it does not
- *                     cover: for SP_STAGE_ADMM and SP_STAGE_CUSTOM it is SIZE_MAX, which no array has. */
+ *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
+ *                     for the default ones; each load takes 4 + sizeof(sp_load) more. The factor is taken as full, 36
+ *                     numbers for each two blocks: near the truth up to some thirty blocks. What counts alone do not tell
+ *                     (ADMM, a custom stage, the coupled check) it does not cover: for SP_STAGE_ADMM and SP_STAGE_CUSTOM
+ *                     it is SIZE_MAX, which no array has. */
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
     ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
      + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
@@ -543,11 +544,12 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
      + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
 #define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
     ((stages) & ~62 ? SIZE_MAX \
-     : sizeof(sp_real) * (6 * (size_t)(vertices) + 18 * (size_t)(blocks) * (size_t)(blocks) + 67 * (size_t)(blocks) + 102 \
-                          + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 3) * (size_t)(blocks) : 0)) \
-     + 4 * ((size_t)(blocks) * ((size_t)(blocks) + 15) / 2 + 4 * (size_t)(interfaces) + 3) \
-     + (sizeof(sp_demand) + sizeof(sp_contact)) * (size_t)(interfaces) \
-     + sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result) + 1280)
+     : sizeof(sp_real) * (12 * (size_t)(vertices) + (18 * ((size_t)(blocks) + 1) + 85) * ((size_t)(blocks) + 1) + 102 \
+                          + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
+     + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
+     + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_interface)) * (size_t)(interfaces) \
+     + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
+     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1680)
 
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later

@@ -252,14 +252,15 @@ TEST(memory_by_counts_bounds_what_is_taken)
         test_arena.used = 0;
         random_scene(&scene, blocks, interfaces);
         NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
-        const size_t bound = SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, 0);
+        const size_t loads = (size_t)scene.count.loads * (4 + sizeof(sp_load));
+        const size_t bound = SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, 0) + loads;
         if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)interfaces,
                                                (unsigned long)bytes, (unsigned long)bound);
         if ((double)bound / (double)bytes < least) least = (double)bound / (double)bytes;
         NEED(sp_memory(&scene, &dense, test_arena, &bytes) == SP_OK);
-        CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES));
+        CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES) + loads);
     }
-    CHECK(least < 1.2);                                 /* where all touch all there is not much to spare */
+    CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
     CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_ADMM) == SIZE_MAX);
 }
 
