@@ -1138,7 +1138,8 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
 SP_API size_t sp_limit_memory_scratch(const sp_scene *scene);
 
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
- * is made exact and then verified from both sides.
+ * is made exact and then verified from both sides. What that leaves open, and joints with strength, is left to the exact stage, by
+ * Newton's method on the power balance; such joints are never called UNBOUNDED.
  *   scene     its `live` is not read
  *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations, budget
  *   result    its arrays live in the arena, before anything else taken from it later
