@@ -9262,7 +9262,7 @@ SP_API const char *sp_held_proof_text(sp_held_proof proof)
  * under dead + upper live and that live loads push on rather than hinder, so that it falls at every larger multiple, too;
  * forces that balance the live loads alone, which may be added to others as often as one likes (the cones are convex). */
 typedef struct sp__ends {
-    sp_settings set, wide;              /* resolved; the same, but a pyramid counts as around the cone: `final` then tells of it */
+    sp_settings set, wide;              /* resolved; with a pyramid around the cone: `final` then tells of it */
     sp_scene scene;                     /* without live loads in p */
     sp_problem pb;                      /* p: some multiples of both loads */
     sp_real *dead, *live;               /* 6b each */
@@ -9317,7 +9317,8 @@ static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
 /* A judge for d dead + l live, while ten sweeps and more are left of the budget; what it took is counted when it is closed. */
 static int sp__ends_open(sp__ends *e, sp__judge *j, sp_real d, sp_real l, sp_arena *room)
 {
-    const int64_t sweeps = e->pb.points ? (e->limit - e->cost.flops) / (SP__FLOPS_JUDGE * (int64_t)e->pb.points) - 8 : INT32_MAX;
+    const int64_t sweep = SP__FLOPS_JUDGE * (int64_t)e->pb.points, left = e->limit - e->cost.flops;
+    const int64_t sweeps = sweep ? left / sweep - 8 : INT32_MAX;
     if (sweeps < 2) { e->spent = 1; return 0; }
     sp__ends_mix(e, d, l);
     return sp__judge_open(j, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX, room);
@@ -9343,8 +9344,8 @@ static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
     return sp__dot(load, e->dq, 6 * (size_t)e->pb.blocks);
 }
 
-/* Where it falls, does it fall at every larger multiple, too? Live loads push on it; or nothing resists it, and they hinder it so
- * little that force_bound times a multiple at which they are as large as the dead ones does not hold it. */
+/* Where it falls, does it fall at every larger multiple, too? Live loads push on it; or nothing resists it, and they hinder it
+ * so little that force_bound times a multiple at which they are as large as the dead ones does not hold it. */
 SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 {
     sp__judge j;
@@ -9359,7 +9360,7 @@ SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
     return final && sp__ends_work(e, e->dead) + e->set.force_bound * sp__ratio(dead, j.unit) * sp__ends_work(e, e->live) >= 0;
 }
 
-/* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger multiple, too?
+/* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
  * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
 SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
 {
@@ -9446,7 +9447,9 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
 
 /* 34 -------------------------------------------------------------------------------------------------------- limit: search */
 
-/* Section 19's embedding with one ray and one column more, for  max lambda,  Aeq f + p + lambda q = 0,  f = E x,  lambda = l / tau:
+/* Section 19's embedding with one ray and one column more, for
+ *
+ *   max lambda,  Aeq f + p + lambda q = 0,  f = E x,  lambda = l / tau:
  *
  *   Aeq E x + l q + tau p = theta r0     z + E' Aeq' y = theta e     s + q.y + tau = theta r1     kappa + p.y - l = theta r2
  *   x o z = mu e,   l s = mu,   tau kappa = mu                               x = z = e, y = 0, l = s = tau = kappa = 1 at first
@@ -9454,8 +9457,8 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
  * At the end tau > 0: f = E x / tau carries lambda, and dq = -y, which no contact resists, does so much work under it that
  * p.dq + lambda q.dq = 0; or kappa > 0: dq falls at every lambda; or l > 0 = tau = kappa: there is no end to it.
  *
- * A step borders the factor of M = Aeq E W^2 E' Aeq' by q and p. M tends to be singular along the mechanism v, which both q and p
- * pull; so p gives way to p' = p + a q with p'.M^-1 q = 0, l to l' = l - a tau, and the two columns no longer see the same v. */
+ * A step borders the factor of M = Aeq E W^2 E' Aeq' by q and p. M tends to be singular along the mechanism v, which both q and
+ * p pull; so p gives way to p' = p + a q with p'.M^-1 q = 0, l to l' = l - a tau, and the columns no longer see the same v. */
 typedef struct sp__limit {
     sp__ends ends;
     sp_state state;
@@ -9517,7 +9520,8 @@ SP__APART static void sp__limit_columns(sp__limit *L)
     L->G[2] = sp__dual_work(w, L->Vp);
 }
 
-/* lambda <= a + (resistance - work under dead + a live) / work of live, for dq = -y, caps at the sizes at hand. The least stays. */
+/* lambda <= a + (resistance - work under dead + a live) / work of live, for dq = -y, caps at the sizes at hand. The least
+ * stays. */
 SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
 {
     sp__dual *w = L->w;
@@ -9535,14 +9539,14 @@ SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     const int none = (idle || live > 0) && work - L->at * live - resist > (sp_real)1.1 * w->set->tol * scale;
     const sp_real best = idle ? (none ? -1 : SP__HUGE) : live > 0 ? L->at + (resist - work) / live : SP__HUGE;
     const sp_real slack = idle ? 0 : w->set->tol * scale / live;
-    if (!none && (L->none || !(best + slack < L->best + L->slack))) return;      /* of proofs that nothing stands the last, purest */
+    if (!none && (L->none || !(best + slack < L->best + L->slack))) return;     /* of proofs that nothing stands the last */
     L->best = best;
     L->none = none;
     L->slack = slack;
     for (size_t k = 0; k < n; k++) L->ends.dq[k] = -w->weight[k / 3] * y[k];
 }
 
-/* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it in the end:
+/* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
  * q.y = -s - tau;  and p.y = l - kappa. The free part of the predictor stays in w->d. */
 SP__APART static void sp__limit_motions(sp__limit *L)
 {
@@ -9784,7 +9788,8 @@ SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real a, sp_real *f,
 /* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
 static sp_real sp__limit_balance(const sp__limit *L)
 {
-    const sp_real dead = sp__ends_work(&L->ends, L->ends.dead) - L->ends.resist, live = L->ref * sp__ends_work(&L->ends, L->ends.live);
+    const sp_real dead = sp__ends_work(&L->ends, L->ends.dead) - L->ends.resist;
+    const sp_real live = L->ref * sp__ends_work(&L->ends, L->ends.live);
     return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
 }
 
