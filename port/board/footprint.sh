@@ -112,8 +112,8 @@ costs() {                                               # costs KIND AWK-PROGRAM
 
 all() {
     echo "\"bytes, -Os, arm-none-eabi-gcc $(compiler)\",M7 double,M4F float"
-    build 'SP_QP_ONLY, no Dykstra, CG, polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
     build SP_QP_ONLY -DSP_QP_ONLY
+    build 'SP_QP_ONLY, no Dykstra, CG, polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
     linked 'quadratic programs' sp_qp_default sp_qp_memory sp_qp_solve
     build 'SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_SMALL' -DSP_NO_QP -DSP_NO_CRA -DSP_NO_IPM -DSP_SMALL
     linked 'check, interfaces given' sp_scene_create sp_scene_body sp_scene_interface sp_check sp_verify
