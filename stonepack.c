@@ -3187,6 +3187,7 @@ typedef struct sp__dual {
     sp_real *weight;                    /* 2b: of force and moment rows */
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
+    sp_real *bears;                     /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
     sp_real *h;                         /* temporaries of the assembly */
     const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
@@ -3460,12 +3461,30 @@ static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
 /* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
 typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
+/* Force g at l, in the contact's frame, into what the blocks bear. */
+SP__APART static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3])
+{
+    const sp_interface *f = t->joint;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        const sp_real *arm = side ? t->rb : t->ra;
+        const sp_real x[3] = { sp__dot3(arm, f->n) + l[0], sp__dot3(arm, f->t1) + l[1], sp__dot3(arm, f->t2) + l[2] };
+        sp_real m[3], *sum = w->bears + 3 * (size_t)i;
+        sp__cross3(x, g, m);
+        sum[0] += sp__norm3(g);
+        sum[1] += sp__norm3(m);
+        sum[2] = sp__max(sum[2], sp__norm3(x));
+    }
+}
+
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!sp__dual_count(w, (w->bears ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
+    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -3481,6 +3500,7 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             M[0] += l[1] * g[2] - l[2] * g[1];
             M[1] += l[2] * g[0] - l[0] * g[2];
             M[2] += l[0] * g[1] - l[1] * g[0];
+            if (w->bears) sp__dual_bear(w, t, l, g);
             if (f) memcpy(f + 3 * (size_t)v, g, sizeof g);
         }
         sp__dual_scatter(w, t, F, M, r);
@@ -3812,12 +3832,24 @@ static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
     for (size_t k = 0; k < (size_t)n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
 }
 
-/* Weighted imbalance relative to sbar and Sbar: the largest over the blocks. */
+/* Sizes by which forces are judged: sbar and Sbar, no more than load and what they themselves put on block i. */
+SP__APART static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s[2])
+{
+    const sp_real *p = w->pb->p + 6 * (size_t)i, *bears = w->bears + 3 * (size_t)i;
+    const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * bears[2] / w->set->tol;
+    const sp_real f = sp__norm3(p) / w->unit + bears[0], m = sp__norm3(p + 3) / w->unit + bears[1] + rounding;
+    if (f < s[0]) s[0] = f;
+    if (m < s[1]) s[1] = m;
+}
+
+/* Weighted imbalance relative to sbar and Sbar, or to what forces are judged by: the largest over the blocks. */
 static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
 {
     sp_real omega = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) {
-        const sp_real *ri = r + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        const sp_real *ri = r + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        sp_real s[2] = { w->size[2 * (size_t)i], w->size[2 * (size_t)i + 1] };
+        if (w->bears) sp__dual_strict(w, i, s);
         const sp_real f = sp__ratio(sp__norm3(ri), z[0] * s[0]), m = sp__ratio(sp__norm3(ri + 3), z[1] * s[1]);
         if (f > omega) omega = f;
         if (m > omega) omega = m;
@@ -3920,6 +3952,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
         if (turned) w->slot[c] = -1 - w->slot[c];
     }
     w->unit = sp__load_unit(pb);
+    w->bears = NULL;
     return w;
 }
 
@@ -4309,6 +4342,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
  * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
  * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
 
+#define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own omega that will do */
 #define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
 
 typedef struct sp__newton {
@@ -4626,17 +4660,39 @@ SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *s
     return s;
 }
 
-/* The goal is reached: a few more steps with the factor at hand while each gains a digit. */
+/* y += (Aeq S DP Aeq')^-1 (-r), with the factor at hand. */
+static void sp__newton_correct(sp__dual *w)
+{
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
+    sp__dual_solve(w, w->d, w->d);
+    sp__dual_axpy(w, 1, w->d, w->y);
+}
+
+/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then omega as forces are judged, and
+ * more steps where that asks for them. What is good enough goes to state->f. */
 SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
 {
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    if (n->found || n->proved || n->omega > n->goal) return;
     for (int it = 0; it < 4; it++) {
         const sp_real last = n->omega;
-        for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
-        sp__dual_solve(w, w->d, w->d);
-        sp__dual_axpy(w, 1, w->d, w->y);
+        sp__newton_correct(w);
         sp__newton_look(w, n, state);
         if (n->omega > last / 10) break;
     }
+    memcpy(w->y, state->y, size * sizeof *w->y);
+    w->bears = w->L.t;
+    n->omega = SP__HUGE;
+    for (int it = 0; it < 12 && !n->found; it++) {
+        const sp_real last = n->omega;
+        if (it) sp__newton_correct(w);
+        sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
+        if (w->spent) break;
+        n->best = n->omega = sp__dual_omega(w, w->r);
+        n->found = n->omega <= SP__ENOUGH * w->set->tol;
+        if (n->omega > last / 2) break;
+    }
+    w->bears = NULL;
 }
 
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
@@ -4836,8 +4892,9 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
 SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_real *d, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
+    if (!sp__dual_count(w, (w->bears ? 3 : 2) * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
+    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -4855,6 +4912,7 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_re
             sp__cone_project(&w->cone, yield, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
+            if (w->bears) sp__dual_bear(w, t, pb->local[v], g);
             if (f) sp__scale3(w->unit, g, f + 3 * (size_t)v);
         }
         sp__dual_scatter(w, t, F, M, r);
@@ -4866,24 +4924,32 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_re
  * while that gains. Then state->f holds them. */
 SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    sp_real last = SP__HUGE;
+    sp_real last = SP__HUGE, strict = SP__HUGE;
     int more = 8;                                       /* once balanced: lightly loaded blocks come to rest last */
     memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
     for (int it = 0; it < 60; it++) {
+        w->bears = w->L.t;
         sp__ipm_balance(w, m, w->d, w->r, NULL);
-        if (w->spent) return;
+        if (w->spent) break;
+        const sp_real now = sp__dual_omega(w, w->r);
+        w->bears = NULL;
         n->omega = sp__dual_omega(w, w->r);
-        if (n->omega > last / 2 && (last > n->goal || !more--)) break;
-        last = n->omega < last ? n->omega : last;
-        memcpy(state->dq, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+        if (n->omega > last / 2 && now > strict / 2 && (last > n->goal || !more--)) break;
+        if (n->omega < last) last = n->omega;
+        if (now < strict) {
+            strict = now;
+            memcpy(state->dq, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+        }
         sp__dual_solve(w, w->r, w->r);
         sp__dual_axpy(w, -1, w->r, w->d);
     }
-    n->omega = last;
-    if (!(last <= n->goal)) return;
+    w->bears = NULL;
+    if (w->spent) return;
+    n->omega = strict;
+    if (strict > SP__ENOUGH * w->set->tol) return;
     sp__ipm_balance(w, m, state->dq, w->r, state->f);
     if (w->spent) return;
-    n->best = last;
+    n->best = strict;
     n->found = 1;
 }
 
@@ -5020,6 +5086,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_try(w, &n, w->y, state);
     sp__newton_look(w, &n, state);
     sp__newton_plain(w, &n, state);
+    sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
     sp_real *x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x) : state->f;
     if (!x) return SP_E_MEMORY;
@@ -5028,8 +5095,8 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     if (sp__newton_open(&n)) {
         sp__newton_path(w, &n, state);
         sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
+        sp__newton_finish(w, &n, state);
     }
-    if (!n.found && !n.proved && n.omega <= n.goal) sp__newton_finish(w, &n, state);
     const int spent = w->spent;
     w->limit = state->left;
     w->spent = 0;
