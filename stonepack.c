@@ -3568,12 +3568,13 @@ typedef struct sp__ipm {
     sp_real dtau, dkappa;
 } sp__ipm;
 
-/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`. */
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`.
+ * e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 {
     const sp_real mu = sp__dual_yield(w, c)->mu, h = mu * w->cone.tan_half, *d = w->cone.direction[k];
     e[0] = w->inner->natural * sp__dual_S(w, c) / (sp_real)w->cone.faces;
-    e[1] = e[0] * (mu * d[0] - h * d[1]);
+    e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
     e[2] = e[0] * (mu * d[1] + h * d[0]);
 }
 
