@@ -320,10 +320,23 @@ check_sanitizers() {
 corpus() {                                              # corpus COMPILER [FLAGS...], in both precisions
     for co_real in double float; do DIFFER=1 sh tests/corpus/corpus.sh $co_real "$@" || return 1; done
 }
+unfused() {                                             # what gcc's vectoriser of straight lines fuses although it may not
+    for un_real in '' -DSP_REAL_FLOAT; do
+        # shellcheck disable=SC2086
+        gcc -std=c99 -ffp-contract=off -fno-math-errno -O3 -march=x86-64-v3 $un_real -S stonepack.c -o $out/unfused.s || return 1
+        grep -E 'vfn?m(add|sub)' $out/unfused.s && return 1
+    done
+    return 0
+}
 check_bits() {
     part "same bits: gcc -O1" corpus gcc -O1
     part "same bits: gcc -Os" corpus gcc -Os
     part "same bits: gcc -O3" corpus gcc -O3
+    part "same bits: gcc -O3 -march=native" corpus gcc -O3 -march=native
+    case $(uname -m) in
+    x86_64) part "same bits: no fused multiply-add, gcc -O3" unfused ;;
+    *) skip "same bits: no fused multiply-add" "x86-64" ;;
+    esac
     if have clang; then part "same bits: clang -O2" corpus clang -O2; else skip "same bits: clang" clang; fi
     if have tcc; then part "same bits: tcc" corpus tcc; else skip "same bits: tcc" tcc; fi
 }
