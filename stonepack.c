@@ -3181,6 +3181,7 @@ typedef struct sp__dual {
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real factor;                     /* coefficient in force / mu */
     struct sp__ipm *inner;              /* of the interior-point method */
+    sp_real *x;                         /* 3 x points: its x for the true cone */
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
     sp_real metric;                     /* 1 / largest sbar of a contact, or 0: S = 1 everywhere */
     int32_t *slot;                      /* per contact: its off-diagonal block in L; -1 - slot: transposed; INT32_MIN: none */
@@ -3223,6 +3224,9 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->d = sp__take(a, b, 6 * sizeof *w->d);
     w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
     sp__bchol_carve_values(&w->L, nnz, a);
+#ifndef SP_NO_IPM
+    w->x = sp__take(a, faces ? 0 : (size_t)pb->points, 3 * sizeof *w->x);
+#endif
 }
 
 /* Neighbours of every free block, each once. */
@@ -3564,6 +3568,7 @@ typedef struct sp__ipm {
     int corrected;                      /* the product of the predictor's changes is taken into account */
     const sp_real *along[3];            /* y; its predictor and its step */
     sp_real tau, kappa, mu, sigma;
+    sp_real stake;                      /* weight of the pair: tau kappa = stake mu */
     sp_real reach;                      /* step length */
     sp_real dtau, dkappa;
 } sp__ipm;
@@ -3973,6 +3978,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #define SP__PLAY ((sp_real)1e-6)
 #endif
 #define SP__IPM_MOST 40                 /* interior-point iterations */
+#define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
 #define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
 
@@ -4343,7 +4349,13 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
  * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
  * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
 
+#ifdef SP_REAL_FLOAT
 #define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own omega that will do */
+#define SP__MORE ((sp_real)1.1)         /* of tol: the search's own value of a proof that will do */
+#else
+#define SP__ENOUGH ((sp_real)0.999)
+#define SP__MORE ((sp_real)1.001)
+#endif
 #define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
 
 typedef struct sp__newton {
@@ -4435,7 +4447,7 @@ static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
 /* Keep y as the mechanism if it is a proof. */
 static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_state *state)
 {
-    if (n->proved || sp__newton_proof(w, y) <= (sp_real)1.1 * w->set->tol) return;
+    if (n->proved || sp__newton_proof(w, y) <= SP__MORE * w->set->tol) return;
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->weight[k / 3] * y[k];
     n->proved = 1;
 }
@@ -4791,10 +4803,12 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
 
 /* Where Newton stalls, with thousands of joints about to slide or open at once. Forces f = E x of any size (E: sp__ipm_edge):
  *
- *   Aeq E x + tau p = theta r0,  z + E' Aeq' y = theta e,  kappa + p.y = theta,  x o z = mu e,  tau kappa = mu,  x, z in cones
+ *   Aeq E x + tau p = theta r0,  z + E' Aeq' y = theta e,  kappa + p.y = k theta,  x o z = mu e,  tau kappa = k mu,
  *
- * from x = z = e, y = 0, tau = kappa = theta = mu = 1 down to theta = mu = 0: the homogeneous self-dual embedding of "is there
- * an f". Then f = E x / tau balances p, or no contact resists dq = -y while the load does work kappa. A step factorises
+ * x, z in cones, from x = z = e, y = 0, tau = theta = mu = 1, kappa = k down to theta = mu = 0: the homogeneous self-dual
+ * embedding of "is there an f". Then f = E x / tau balances p, or no contact resists dq = -y while the load does work kappa: of
+ * all such motions the centre, with k / (k + number of cones) of the most work there is; so k is not 1, and late, where little
+ * work has to do for a proof, more than there are cones. A step factorises
  * Aeq E W^2 E' Aeq', the same blocks as Newton's; z is never stored. Mostly it ends long before that: when the least change of
  * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
  *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
@@ -4889,67 +4903,76 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
     if (pass == SP__AIM) sp__dual_release(w, r);
 }
 
-/* r = Aeq f + p of f = P_K(E x / tau + E W^2 E' Aeq' d); f (may be NULL; its place may be that of x) gets the forces. */
-SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, const sp_real *d, sp_real *r, sp_real *f)
+/* g = P_K(f - D u); g may be f. */
+static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3], const sp_real f[3],
+                           sp_real g[3])
+{
+    const sp_real a = f[0] - (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]), b = f[1] - (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
+    g[2] = f[2] - (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
+    g[0] = a; g[1] = b;
+    sp__cone_project(&w->cone, yield, g, g);
+}
+
+/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). Then r = Aeq g + p of
+ * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
+ * hide small ones. */
+SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, (w->bears ? 3 : 2) * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
-    sp__dual_load(w, r);
-    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
+    if (!sp__dual_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
+    sp__dual_load(w, w->r);
+    memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        sp_real *twist = w->h, *u = w->h + 12, *D = w->h + 15, *g = w->h + 21, *F = w->h + 24, *M = w->h + 27;
+        sp_real *twist = w->h, *u = w->h + 18, *D = w->h + 21, *g = w->h + 27, *F = w->h + 30, *M = w->h + 33;
         sp__dual_twist(w, t, w->y, twist, twist + 3);
         sp__dual_twist(w, t, d, twist + 6, twist + 9);
+        sp__dual_twist(w, t, e, twist + 12, twist + 15);
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *f = state->f + 3 * (size_t)v;
             sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
             sp__ipm_derivative(w, c, v, u, D, g);
+            if (first) sp__scale3(1 / m->tau, g, f);
             sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
-            g[0] = g[0] / m->tau + (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]);
-            g[1] = g[1] / m->tau + (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
-            g[2] = g[2] / m->tau + (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
-            sp__cone_project(&w->cone, yield, g, g);
+            sp__ipm_change(w, yield, D, u, f, f);
+            sp__dual_rate(w, twist + 12, twist + 15, pb->local[v], u);
+            sp__ipm_change(w, yield, D, u, f, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
-            if (w->bears) sp__dual_bear(w, t, pb->local[v], g);
-            if (f) sp__scale3(w->unit, g, f + 3 * (size_t)v);
+            sp__dual_bear(w, t, pb->local[v], g);
         }
-        sp__dual_scatter(w, t, F, M, r);
+        sp__dual_scatter(w, t, F, M, w->r);
     }
-    sp__dual_release(w, r);
+    sp__dual_release(w, w->r);
 }
 
 /* Does the least change of x that balances leave the forces admissible? What is not is projected and the rest balanced again
  * while that gains. Then state->f holds them. */
 SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
+    const size_t size = 6 * (size_t)w->pb->blocks;
     sp_real last = SP__HUGE, strict = SP__HUGE;
     int more = 8;                                       /* once balanced: lightly loaded blocks come to rest last */
-    memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
-    for (int it = 0; it < 60; it++) {
+    memset(state->dq, 0, size * sizeof *w->d);
+    memset(w->d, 0, size * sizeof *w->d);
+    for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
         w->bears = w->L.t;
-        sp__ipm_balance(w, m, w->d, w->r, NULL);
-        if (w->spent) break;
+        sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
         const sp_real now = sp__dual_omega(w, w->r);
         w->bears = NULL;
+        if (w->spent) return;
         n->omega = sp__dual_omega(w, w->r);
-        if (n->omega > last / 2 && now > strict / 2 && (last > n->goal || !more--)) break;
-        if (n->omega < last) last = n->omega;
-        if (now < strict) {
-            strict = now;
-            memcpy(state->dq, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->d);
-        }
-        sp__dual_solve(w, w->r, w->r);
-        sp__dual_axpy(w, -1, w->r, w->d);
+        if (it == 60 || (n->omega > last / 2 && now > strict / 2 && (last > n->goal || now >= strict || !more--))) break;
+        last = n->omega;
+        strict = now;
+        memcpy(state->dq, w->d, size * sizeof *w->d);
+        sp__dual_solve(w, w->r, w->d);
     }
-    w->bears = NULL;
-    if (w->spent) return;
     n->omega = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
-    sp__ipm_balance(w, m, state->dq, w->r, state->f);
-    if (w->spent) return;
+    for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->unit;
     n->best = strict;
     n->found = 1;
 }
@@ -4958,7 +4981,7 @@ SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *
 static void sp__ipm_homogeneous(const sp__dual *w, sp__ipm *m, const sp_state *state, sp_real product)
 {
     const sp_real rest = m->kappa + sp__dual_work(w, w->y), keep = 1 - m->sigma;
-    const sp_real c = m->tau * m->kappa + product - m->sigma * m->mu;
+    const sp_real c = m->tau * m->kappa + product - m->sigma * m->stake * m->mu;
     m->dtau = (c / m->tau - keep * rest - sp__dual_work(w, w->r)) / (sp__dual_work(w, state->dq) - m->kappa / m->tau);
     m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
 }
@@ -5027,29 +5050,31 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
     m->natural = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) m->natural += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
     if (w->metric > 0) m->natural = 1 / (4 * w->metric);
-    m->theta = m->tau = m->kappa = 1;
+    m->theta = m->tau = 1;
+    m->kappa = m->stake;
     m->along[0] = m->along[1] = m->along[2] = w->y;
     w->inner = m;
 }
 
-/* Leaves forces that balance (n->found), a proof (n->proved) or neither. x: 3 a vertex, faces of them for a pyramid; may be
- * state->f where that is as long. */
+/* Leaves forces that balance (n->found), a proof (n->proved) or neither. x: 3 a vertex, faces of them for a pyramid. */
 SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, sp_real *x)
 {
     sp__ipm m;
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
     m.x = x;
+    m.stake = sp__max(1, cones / 10);
     sp__ipm_start(w, &m);
     for (int it = 0; it < SP__IPM_MOST && sp__newton_left(w, n) && m.theta > (sp_real)SP_EPSILON; it++) {
         m.gap = 0;
         m.outside = 0;
+        if (m.theta < SP__IPM_LATE) m.stake = 3 * cones;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
         if (w->spent) break;
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
         if (m.outside) break;
-        m.mu = (m.gap + m.tau * m.kappa) / (cones + 1);
+        m.mu = (m.gap + m.tau * m.kappa) / (cones + m.stake);
         sp__ipm_forces(w, &m, n, state);
         if (n->found) return;
         sp__newton_try(w, n, w->y, state);
@@ -5089,7 +5114,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
-    sp_real *x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x) : state->f;
+    sp_real *x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x) : w->x;
     if (!x) return SP_E_MEMORY;
     if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, &n, state, x);    /* strength: no longer cones */
 #endif

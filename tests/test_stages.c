@@ -398,6 +398,30 @@ static void leaning(int32_t size, int32_t faces, double angle, sp_verdict want)
 #endif
 }
 
+/* Pushed along the level with lambda times gravity; the limits are those of linear programmes (tests/oracle), n = 4: 1 / 16. */
+static void pushed(const char *name, int n, double lambda, double near)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        gen_scene g;
+        sp_scene s;
+        sp_settings set = sp_settings_default();
+        test_arena.used = 0;
+        CHECK_INT(gen_open(&g, name), 1);
+        gen_set(&g, "n", n);
+        CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+        s.gravity[0] = -s.gravity[2] * (sp_real)(lambda * (1 + side * near));
+        set.tol = (sp_real)TOL(1e-12, 1e-6);
+        const sp_result r = check(&s, &set);
+        if (!CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE)) TEST_PRINT("    %s, side %d\n", name, side);
+    }
+}
+
+TEST(both_sides_of_a_limit_are_told_a_billionth_from_it)
+{
+    pushed("arch", 11, 0.05519778886121, TOL(1e-9, 1e-3));
+    pushed("overhang", 4, 0.0625, TOL(1e-9, 1e-3));
+}
+
 TEST(walls_about_to_fall_in_their_plane_take_few_iterations)
 {
 #if !defined SP_REAL_FLOAT && !defined SP_NO_IPM
@@ -978,6 +1002,7 @@ TEST_LIST(stages)
     RUN(exact_needs_no_gates)
     RUN(an_empty_budget_is_the_reason_not_a_verdict)
     RUN(a_budget_is_kept_and_enough_of_it_decides)
+    RUN(both_sides_of_a_limit_are_told_a_billionth_from_it)
     RUN(walls_about_to_fall_in_their_plane_take_few_iterations)
     RUN(what_runs_dry_leaves_the_rest_to_others)
     RUN(the_force_bound_follows_the_tolerance_unless_given)

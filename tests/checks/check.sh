@@ -433,10 +433,12 @@ check_cases() {
     if have python3; then part "cases of known truth" cases; else skip "cases of known truth" python3; fi
     SHOW=
 }
+once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494
 check_oracle() {
     if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
         SHOW=1
         part "random scenes near their limit, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --quick
+        part "scenes that were undecided once" /usr/bin/python3 -B tests/oracle/random.py --seeds $once
         part "linear programmes, against HiGHS" /usr/bin/python3 -B tests/oracle/lp.py
         part "build orders, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py
         SHOW=
