@@ -20,21 +20,22 @@
  *   17  exact stage: rigid groups
  *   18  exact stage: steps               semismooth Newton, proximal path
  *   19  exact stage: interior point      where Newton stalls; the run of the stage
- *   20  penalty form                     where help is wanted [seed 1.5]
- *   21  penalty program                  the same as a quadratic program [seed 1.5, 4]
- *   22  coupled check: exact decision    branch and bound over the states of joints
- *   23  coupled check                    a motion that explains the forces [seed 3]
- *   24  islands                          groups of free blocks that touch, each as a scene of its own
- *   25  ladder                           settings, stages, memory, judgement
- *   26  reading a result                 resultants, utilisation, weakest joint
- *   27  check                            sp_check
- *   28  verify                           sp_verify
- *   29  plan                             which effects a scene calls for, and what that saves
- *   30  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
- *   31  build order                      sp_sequence: islands, steps from the forces of the step before
- *   32  what to hold                     smallest sets of held blocks; what may come next
- *   33  limit: both ends                 sp_limit_verify
- *   34  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
+ *   20  planar and frictionless          3 rows a block where the scene lets them
+ *   21  penalty form                     where help is wanted [seed 1.5]
+ *   22  penalty program                  the same as a quadratic program [seed 1.5, 4]
+ *   23  coupled check: exact decision    branch and bound over the states of joints
+ *   24  coupled check                    a motion that explains the forces [seed 3]
+ *   25  islands                          groups of free blocks that touch, each as a scene of its own
+ *   26  ladder                           settings, stages, memory, judgement
+ *   27  reading a result                 resultants, utilisation, weakest joint
+ *   28  check                            sp_check
+ *   29  verify                           sp_verify
+ *   30  plan                             which effects a scene calls for, and what that saves
+ *   31  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
+ *   32  build order                      sp_sequence: islands, steps from the forces of the step before
+ *   33  what to hold                     smallest sets of held blocks; what may come next
+ *   34  limit: both ends                 sp_limit_verify
+ *   35  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -175,7 +176,7 @@ SP_API const char *sp_stage_text(sp_stage_id stage)
 SP_API const char *sp_effect_text(sp_effect effect)
 {
     const int k = (int)effect;
-    return sp__word("friction\0" "together\0" "strength\0" "loads\0" "live\0" "coupled\0" "dynamics\0"
+    return sp__word("friction\0" "depth\0" "together\0" "strength\0" "loads\0" "live\0" "coupled\0" "dynamics\0"
                     "unknown", k >= 0 && k < SP_EFFECTS ? k : SP_EFFECTS);
 }
 
@@ -186,8 +187,9 @@ SP_API const char *sp_effect_why_text(sp_effect_why why)
     const int k = (int)why;
     return sp__word("the scene calls for it\0" "the caller asks for it\0" "left out by the caller\0" "not in this scene\0"
                     "not asked for\0" "statics asks for none\0" "they share no free block; each is solved alone\0"
-                    "stages or a budget that a plan leaves alone\0"
-                    "unknown", k >= 0 && k <= (int)SP_WHY_STAGES ? k : (int)SP_WHY_STAGES + 1);
+                    "stages or a budget that a plan leaves alone\0" "everything has one mirror plane: 3 rows a block\0"
+                    "level joints under plumb loads: pressure alone comes first\0"
+                    "unknown", k >= 0 && k <= (int)SP_WHY_PRESSURE ? k : (int)SP_WHY_PRESSURE + 1);
 }
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
@@ -2362,13 +2364,15 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
 
 /* The scales of every free block. One that f0 does not balance (nothing does, or its share is lost in rounding) has its load
  * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
- * thousand times all loads, more than what a bilateral force comes to. */
+ * thousand times all loads, more than what a bilateral force comes to. With j->most = 0 the loads alone, f0 = 0: no scale is
+ * larger than the true one, so forces that pass by these pass by those. */
 static void sp__judge_scales(sp__judge *j, const sp_real *y0)
 {
     sp__judge_weights(j);
-    const int settled = sp__judge_bilateral(j, y0);
+    const int settled = j->most ? sp__judge_bilateral(j, y0) : 1;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
+        if (!j->most) s->known = 1;
         s->cap = s->load + s->f0;
         if (s->known < 1) {
             s->cap = settled ? s->cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
@@ -2590,7 +2594,8 @@ static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings
     for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
 }
 
-/* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more.     returns 0 when the arena is too small */
+/* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
+ *     returns 0 when the arena is too small */
 SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
                                     sp_arena *a)
 {
@@ -3925,6 +3930,19 @@ static int sp__dual_metric(sp__dual *w)
 
 typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC } sp__form;      /* METRIC: H of the penalty form */
 
+/* Where every contact's block off the diagonal is. */
+static void sp__dual_slots(sp__dual *w)
+{
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_contact *t = &w->pb->contact[c];
+        int32_t turned = 0;
+        w->slot[c] = INT32_MIN;
+        if (t->a < 0 || t->b < 0) continue;
+        w->slot[c] = sp__bchol_slot(&w->L, t->a, t->b, &turned);
+        if (turned) w->slot[c] = -1 - w->slot[c];
+    }
+}
+
 /* A dual in `a`, everything but the numbers of a metric.     returns NULL when the arena is too small */
 SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
 {
@@ -3949,14 +3967,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
     if (set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) w->factor = 0;
     if (penalty) w->factor /= w->slide;
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        int32_t turned = 0;
-        w->slot[c] = INT32_MIN;
-        if (t->a < 0 || t->b < 0) continue;
-        w->slot[c] = sp__bchol_slot(&w->L, t->a, t->b, &turned);
-        if (turned) w->slot[c] = -1 - w->slot[c];
-    }
+    sp__dual_slots(w);
     w->unit = sp__load_unit(pb);
     w->bears = NULL;
     return w;
@@ -3977,6 +3988,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
 #endif
+#define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 #define SP__IPM_MOST 40                 /* interior-point iterations */
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
@@ -5137,7 +5149,756 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     return SP_OK;
 }
 
-/* 20 -------------------------------------------------------------------------------------------------------- penalty form */
+/* 20 ------------------------------------------------------------------------------------------------ planar and frictionless */
+
+/* Two kinds of scenes need only 3 of a block's 6 rows.
+ *
+ *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and the
+ *                  friction cones. The mirror image of forces that balance balances, and so does the mean of both: if there
+ *                  are forces there are symmetric ones. Symmetric motions go in the plane and turn about its normal m, so of the
+ *                  dual's 6 unknowns 3 are left, corners that mirror each other have equal rates and count as one, and P_K
+ *                  keeps forces in the plane because the cone is symmetric. f0, unique, is symmetric as well.
+ *   frictionless   all loads along e: only joints with n = +-e, and of their forces only fn. Rows: force along e, moments
+ *                  across it; the others are zero of themselves. Forces fn >= 0 lie in every friction cone, so those that
+ *                  balance stand; where there are none friction may still help, and the search begins anew with it.
+ *
+ * Both only propose: what they find is lifted to 3 dimensions and judged there as everything is. Newton's method as in section
+ * 18, without its ways out of a stall: then all 6 rows do it. */
+
+typedef enum sp__mode { SP__PLANE, SP__PLUMB } sp__mode;
+
+typedef struct sp__flat {
+    sp__dual w;                         /* pattern of L, sizes, metric, units; y, r, d have 3 numbers a block */
+    sp__mode mode;
+    sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; frictionless: e2 along the loads, e0, e1 across */
+    int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
+    sp_real *g;                         /* SP__FLAT_G a contact: frame and arms, see sp__flat_contact */
+    sp_real *diag, *off, *t;            /* factor: 3 x 3 blocks, lower triangles by columns (6), by columns (9); 3 a block */
+    sp_real *keep;                      /* 3 a block: best y */
+    int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
+    sp_real omega, goal;
+} sp__flat;
+
+#define SP__FLAT_G 9
+#define SP__FLAT_STEPS 12
+#define SP__FLOPS_FLAT_SWEEP 42         /* a vertex that counts: u 9, P_K and S about 18, sums 15; every block of a contact adds: */
+#define SP__FLOPS_FLAT_TWIST 36         /* its twist there and back */
+#define SP__FLOPS_FLAT_HESSIAN 72       /* a vertex of the assembly: u 9, D about 30, q' D q 33; every block of a contact adds: */
+#define SP__FLOPS_FLAT_BLOCKS 115       /* its twist, T' H T; two that are free besides as much as one for what couples them */
+
+/* Asymmetry, relative to arms, that is as good as none. */
+static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
+
+/* ------------------------------------------------------------------------------------------------------------- looking */
+
+/* The mirror image of vertex v of a contact, in its plane along h = (m.t1, m.t2); -1: there is none. */
+static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real small)
+{
+    const sp_real *l = pb->local[v];
+    const sp_real out = 2 * (l[1] * h[0] + l[2] * h[1]), x = l[1] - out * h[0], y = l[2] - out * h[1];
+    for (int32_t k = t->point; k < t->point + t->points; k++) {
+        const sp_real *o = pb->local[k];
+        if (sp__abs(o[1] - x) <= small && sp__abs(o[2] - y) <= small && sp__abs(o[0] - l[0]) <= small) return k;
+    }
+    return -1;
+}
+
+/* Is m the normal of a mirror of this contact? */
+static int sp__flat_mirror(const sp_problem *pb, const sp_settings *set, const sp_contact *t, const sp_real m[3])
+{
+    const sp_real h[2] = { sp__dot3(m, t->joint->t1), sp__dot3(m, t->joint->t2) }, eps = sp__flat_small(set);
+    sp_real size = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
+    if (sp__abs(sp__dot3(m, t->joint->n)) > eps) return 0;
+    if (t->a >= 0 && sp__abs(sp__dot3(m, t->ra)) > eps * (size + sp__norm3(t->ra))) return 0;
+    if (t->b >= 0 && sp__abs(sp__dot3(m, t->rb)) > eps * (size + sp__norm3(t->rb))) return 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const int32_t image = sp__flat_image(pb, t, v, h, eps * size);
+        if (image < 0 || sp__flat_image(pb, t, image, h, eps * size) != v) return 0;
+    }
+    return 1;
+}
+
+/* Are the loads symmetric: no force along m, no couple across it; frictionless (`plumb`): the other way round? */
+static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int plumb)
+{
+    const sp_real eps = sp__flat_small(set);
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = plumb ? M : F, *across = plumb ? F : M;
+        sp_real rest[3];
+        for (int k = 0; k < 3; k++) rest[k] = across[k] - sp__dot3(across, m) * m[k];
+        if (pb->scene->block[pb->block[i]].fixed) return 0;             /* held in some directions */
+        if (sp__abs(sp__dot3(along, m)) > eps * sp__norm3(along) || sp__norm3(rest) > eps * sp__norm3(across)) return 0;
+    }
+    return 1;
+}
+
+/* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces; where
+ * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
+static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
+{
+    const sp_interface *f = pb->contact[0].joint;
+    sp_real widest = (sp_real)1e-3, size;
+    m[0] = m[1] = m[2] = 0;
+    for (int32_t k = 1; k < pb->contacts + pb->blocks; k++) {
+        sp_real x[3], u[3];
+        memcpy(u, k < pb->contacts ? pb->contact[k].joint->n : pb->p + 6 * (size_t)(k - pb->contacts), sizeof u);
+        size = sp__norm3(u);
+        sp__cross3(f->n, u, x);
+        if (size > 0 && sp__norm3(x) > widest * size) { widest = sp__norm3(x) / size; memcpy(m, x, sizeof x); }
+    }
+    if (sp__norm3(m) > 0) { sp__unit3(m, m); return edge == 1; }
+    memcpy(m, edge == 1 ? f->t1 : f->t2, 3 * sizeof *m);
+    return 1;
+}
+
+/* Does the pyramid of a contact have a mirror across direction h of its tangent plane: is h along a face or an edge? */
+static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_real m[3])
+{
+    const sp_real x = sp__dot3(m, t->joint->t1), y = sp__dot3(m, t->joint->t2);
+    sp_real c, half, plus = -1, minus = -1;
+    if (!set->faces) return 1;
+    sp__pyramid_half(set->faces, &c, &half);
+    for (int32_t k = 0; k < set->faces; k++) {
+        sp_real d[2];
+        sp__pyramid_direction(set->faces, k, d);
+        plus = sp__max(plus, d[1] * x - d[0] * y);
+        minus = sp__max(minus, d[0] * y - d[1] * x);
+    }
+    const sp_real eps = sp__max(sp__flat_small(set), 64 * (sp_real)SP_EPSILON);
+    return (plus >= 1 - eps || plus <= c + eps) && (minus >= 1 - eps || minus <= c + eps);
+}
+
+/* Is the problem planar?     m: the normal of the mirror */
+SP__APART static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
+{
+    for (int edge = 1; pb->contacts && edge <= 2; edge++) {
+        int32_t c = 0;
+        if (!sp__flat_normal(pb, edge, m) || !sp__flat_loads(pb, set, m, 0)) continue;
+        while (c < pb->contacts && sp__flat_mirror(pb, set, &pb->contact[c], m) && sp__flat_cone(set, &pb->contact[c], m)) c++;
+        if (c == pb->contacts) return 1;
+    }
+    return 0;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- the dual */
+
+/* Frame and arms of contact c:
+ *   planar         n in the plane (2), t = m x n in the joint's tangents (2), what a turn about m adds to fn, ft of a (2), of b (2)
+ *   frictionless   t1, t2 along e0 (2), along e1 (2), what turns about e0, e1 add to fn of a (2), of b (2); sign of n       */
+static void sp__flat_contact(const sp__flat *o, int32_t c, sp_real *g)
+{
+    const sp_contact *t = &o->w.pb->contact[c];
+    const sp_interface *f = t->joint;
+    const sp_real *n = f->n;
+    g[0] = o->mode == SP__PLANE ? sp__dot3(n, o->e[0]) : sp__dot3(f->t1, o->e[0]);
+    g[1] = o->mode == SP__PLANE ? sp__dot3(n, o->e[1]) : sp__dot3(f->t2, o->e[0]);
+    sp_real slip[3];
+    for (int k = 0; k < 3; k++) slip[k] = g[0] * o->e[1][k] - g[1] * o->e[0][k];
+    g[2] = o->mode == SP__PLANE ? sp__dot3(slip, f->t1) : sp__dot3(f->t1, o->e[1]);
+    g[3] = o->mode == SP__PLANE ? sp__dot3(slip, f->t2) : sp__dot3(f->t2, o->e[1]);
+    for (int side = 0; side < 2; side++) {
+        const sp_real x = sp__dot3(side ? t->rb : t->ra, o->e[0]), y = sp__dot3(side ? t->rb : t->ra, o->e[1]);
+        g[4 + 2 * side] = o->mode == SP__PLANE ? g[1] * x - g[0] * y : y;
+        g[5 + 2 * side] = o->mode == SP__PLANE ? g[0] * x + g[1] * y : -x;
+    }
+    g[8] = sp__dot3(n, o->e[2]) < 0 ? (sp_real)-1 : (sp_real)1;
+}
+
+/* Column weights of a block's rows. */
+static void sp__flat_weight(const sp__flat *o, int32_t i, sp_real z[3])
+{
+    z[0] = o->w.weight[2 * (size_t)i];
+    z[2] = o->w.weight[2 * (size_t)i + 1];
+    z[1] = o->mode == SP__PLANE ? z[0] : z[2];
+}
+
+/* T, by columns: twist at the contact's origin, in its frame, of the weighted motion of a block with arm (ax, ay).
+ *   planar         [ nx ny  ny ax - nx ay ;  -ny nx  nx ax + ny ay ;  0 0 1 ]
+ *   frictionless   [ 1 ay -ax ;  0 1 0 ;  0 0 1 ]                                                                          */
+static void sp__flat_T(const sp__flat *o, int32_t c, int side, sp_real T[9])
+{
+    const sp_contact *t = &o->w.pb->contact[c];
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4);
+    sp_real z[3];
+    sp__flat_weight(o, side ? t->b : t->a, z);
+    for (int k = 0; k < 9; k++) T[k] = k == 8 ? z[2] : 0;
+    if (o->mode == SP__PLANE) {
+        T[0] = z[0] * g[0]; T[1] = -z[0] * g[1];
+        T[3] = z[1] * g[1]; T[4] = z[1] * g[0];
+        T[6] = z[2] * arm[0]; T[7] = z[2] * arm[1];
+    } else {
+        T[0] = z[0];
+        T[3] = z[1] * arm[0]; T[4] = z[1];
+        T[6] = z[2] * arm[1];
+    }
+}
+
+/* How fn and ft go with the twist at vertex v: u = q . twist. */
+static void sp__flat_q(const sp__flat *o, int32_t c, int32_t v, sp_real q[2][3])
+{
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *l = o->w.pb->local[v];
+    if (o->mode == SP__PLANE) {
+        const sp_real along = l[1] * g[2] + l[2] * g[3];
+        q[0][0] = 1; q[0][1] = 0; q[0][2] = -along;
+        q[1][0] = 0; q[1][1] = 1; q[1][2] = l[0];
+    } else {
+        q[0][0] = g[8];
+        q[0][1] = g[8] * (l[1] * g[2] + l[2] * g[3]);
+        q[0][2] = -g[8] * (l[1] * g[0] + l[2] * g[1]);
+        q[1][0] = q[1][1] = q[1][2] = 0;
+    }
+}
+
+/* V += T x for one block of contact c, x its weighted motion, `sign` its side. */
+static void sp__flat_there(const sp__flat *o, int32_t c, int side, const sp_real *y, sp_real V[3])
+{
+    const sp_contact *t = &o->w.pb->contact[c];
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4), sign = side ? (sp_real)1 : (sp_real)-1;
+    const int32_t i = side ? t->b : t->a;
+    sp_real x[3];
+    if (i < 0) return;
+    sp__flat_weight(o, i, x);
+    for (size_t k = 0; k < 3; k++) x[k] *= sign * y[3 * (size_t)i + k];
+    if (o->mode == SP__PLANE) {
+        V[0] += g[0] * x[0] + g[1] * x[1] + arm[0] * x[2];
+        V[1] += g[0] * x[1] - g[1] * x[0] + arm[1] * x[2];
+    } else {
+        V[0] += x[0] + arm[0] * x[1] + arm[1] * x[2];
+        V[1] += x[1];
+    }
+    V[2] += x[2];
+}
+
+/* Its transpose: rows of that block += T' F. */
+static void sp__flat_back(const sp__flat *o, int32_t c, int side, const sp_real F[3], sp_real *r)
+{
+    const sp_contact *t = &o->w.pb->contact[c];
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4), sign = side ? (sp_real)1 : (sp_real)-1;
+    const int32_t i = side ? t->b : t->a;
+    sp_real x[3];
+    if (i < 0) return;
+    const int plane = o->mode == SP__PLANE;
+    const sp_real f[3] = { plane ? g[0] * F[0] - g[1] * F[1] : F[0], plane ? g[1] * F[0] + g[0] * F[1] : arm[0] * F[0] + F[1],
+                           (plane ? arm[0] * F[0] + arm[1] * F[1] : arm[1] * F[0]) + F[2] };
+    sp__flat_weight(o, i, x);
+    for (size_t k = 0; k < 3; k++) r[3 * (size_t)i + k] += sign * x[k] * f[k];
+}
+
+/* Twist of B seen from A. */
+static void sp__flat_twist(const sp__flat *o, int32_t c, const sp_real *y, sp_real V[3])
+{
+    V[0] = V[1] = V[2] = 0;
+    for (int side = 0; side < 2; side++) sp__flat_there(o, c, side, y, V);
+}
+
+/* Rate u at a vertex, in the joint's frame. */
+static void sp__flat_rate(const sp__flat *o, int32_t c, sp_real q[2][3], const sp_real V[3], sp_real u[3])
+{
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, slip = sp__dot3(q[1], V);
+    u[0] = sp__dot3(q[0], V);
+    u[1] = o->mode == SP__PLANE ? slip * g[2] : 0;
+    u[2] = o->mode == SP__PLANE ? slip * g[3] : 0;
+}
+
+/* f of rate u, in units. */
+static void sp__flat_force(const sp__flat *o, sp__law law, int32_t c, const sp_real u[3], sp_real f[3])
+{
+    const sp_real S = sp__dual_S(&o->w, c);
+    if (law == SP__BILATERAL) { sp__scale3(S, u, f); return; }
+    if (o->mode == SP__PLANE) sp__cone_project(&o->w.cone, sp__dual_yield(&o->w, c), u, f);
+    else { f[0] = sp__max(0, u[0]); f[1] = f[2] = 0; }
+    sp__scale3(S, f, f);
+}
+
+/* So many flops a vertex that counts and a free block of a contact. */
+static void sp__flat_count(sp__flat *o, int32_t vertex, int32_t side)
+{
+    o->w.cost->flops += vertex * o->vertices + side * o->sides;
+}
+
+/* The loads' rows, weighted. */
+static void sp__flat_load(const sp__flat *o, sp_real *r)
+{
+    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
+        const sp_real *F = o->w.pb->p + 6 * (size_t)i, *M = F + 3;
+        sp_real z[3], *x = r + 3 * (size_t)i;
+        sp__flat_weight(o, i, z);
+        x[0] = z[0] * sp__dot3(F, o->e[o->mode == SP__PLANE ? 0 : 2]) / o->w.unit;
+        x[1] = z[1] * (o->mode == SP__PLANE ? sp__dot3(F, o->e[1]) : sp__dot3(M, o->e[0])) / o->w.unit;
+        x[2] = z[2] * sp__dot3(M, o->e[o->mode == SP__PLANE ? 2 : 1]) / o->w.unit;
+    }
+}
+
+/* r = Aeq f(y) + p; f (may be NULL): the forces, 3 x points, in newtons. */
+SP__APART static void sp__flat_gradient(sp__flat *o, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
+{
+    const sp_problem *pb = o->w.pb;
+    sp__flat_load(o, r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3], F[3] = { 0, 0, 0 };
+        sp__flat_twist(o, c, y, V);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real q[2][3], u[3], h[3];
+            if (o->mate[v] < v) continue;
+            sp__flat_q(o, c, v, q);
+            sp__flat_rate(o, c, q, V, u);
+            sp__flat_force(o, law, c, u, h);
+            if (f) sp__scale3(o->w.unit, h, f + 3 * (size_t)v);
+            if (f && o->mate[v] > v) memcpy(f + 3 * (size_t)o->mate[v], f + 3 * (size_t)v, 3 * sizeof *f);
+            const sp_real *g = o->g + SP__FLAT_G * (size_t)c, twice = o->mate[v] > v ? 2 : 1;
+            const sp_real slip = o->mode == SP__PLANE ? h[1] * g[2] + h[2] * g[3] : 0;
+            for (int k = 0; k < 3; k++) F[k] += twice * (q[0][k] * h[0] + q[1][k] * slip);
+        }
+        for (int side = 0; side < 2; side++) sp__flat_back(o, c, side, F, r);
+    }
+    sp__flat_count(o, SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
+}
+
+/* H = sum q' D q of a contact, full 3 x 3. */
+SP__APART static void sp__flat_hessian(sp__flat *o, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
+{
+    const sp_contact *t = &o->w.pb->contact[c];
+    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, S = sp__dual_S(&o->w, c);
+    sp_real V[3];
+    sp__flat_twist(o, c, y, V);
+    for (int k = 0; k < 9; k++) H[k] = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2][3], u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
+        if (o->mate[v] < v) continue;
+        sp__flat_q(o, c, v, q);
+        sp__flat_rate(o, c, q, V, u);
+        if (law != SP__BILATERAL && o->mode == SP__PLUMB) D[0] = u[0] > 0;
+        else if (law != SP__BILATERAL) sp__cone_derivative(&o->w.cone, sp__dual_yield(&o->w, c), u, D);
+        const sp_real m = S * (o->mate[v] > v ? 2 : 1), nn = m * D[0], nt = m * (D[1] * g[2] + D[2] * g[3]);
+        const sp_real tt = m * (D[3] * g[2] * g[2] + 2 * D[4] * g[2] * g[3] + D[5] * g[3] * g[3]);
+        for (int i = 0; i < 3; i++) {
+            const sp_real a = nn * q[0][i] + nt * q[1][i], b = nt * q[0][i] + tt * q[1][i];
+            for (int k = 0; k < 3; k++) H[3 * i + k] += a * q[0][k] + b * q[1][k];
+        }
+    }
+}
+
+/* out = A' H B, all by columns; H symmetric. */
+static void sp__flat_triple(const sp_real A[9], const sp_real H[9], const sp_real B[9], sp_real out[9])
+{
+    for (int c = 0; c < 3; c++) {
+        sp_real x[3];
+        for (int r = 0; r < 3; r++) x[r] = sp__dot3(H + 3 * r, B + 3 * c);
+        for (int r = 0; r < 3; r++) out[3 * c + r] = sp__dot3(A + 3 * r, x);
+    }
+}
+
+/* Aeq S D Aeq' + shift: diagonal blocks as lower triangles. */
+SP__APART static void sp__flat_assemble(sp__flat *o, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_problem *pb = o->w.pb;
+    const sp__bchol *L = &o->w.L;
+    memset(o->diag, 0, 6 * (size_t)L->n * sizeof *o->diag);
+    memset(o->off, 0, 9 * (size_t)L->p[L->n] * sizeof *o->off);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real H[9], T[2][9], K[9];
+        sp__flat_hessian(o, law, c, y, H);
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            sp__flat_T(o, c, side, T[side]);
+            sp__flat_triple(T[side], H, T[side], K);
+            sp_real *d = o->diag + 6 * (size_t)L->inv[i];
+            d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
+        }
+        if (o->w.slot[c] == INT32_MIN) continue;
+        const int turn = o->w.slot[c] < 0;
+        sp_real *x = o->off + 9 * (size_t)(turn ? -1 - o->w.slot[c] : o->w.slot[c]);
+        o->w.cost->flops += SP__FLOPS_FLAT_BLOCKS;
+        if (turn) sp__flat_triple(T[1], H, T[0], K); else sp__flat_triple(T[0], H, T[1], K);
+        for (int k = 0; k < 9; k++) x[k] -= K[k];
+    }
+    for (size_t k = 0; k < (size_t)L->n; k++) { o->diag[6 * k] += shift; o->diag[6 * k + 3] += shift; o->diag[6 * k + 5] += shift; }
+    sp__flat_count(o, SP__FLOPS_FLAT_HESSIAN, SP__FLOPS_FLAT_BLOCKS);
+}
+
+/* L L' of a lower triangle in place, reciprocals on the diagonal; pivots below the floor carry nothing, as in solvers/bchol.c. */
+static void sp__flat_block(sp_real *d, sp_real floor)
+{
+    static const unsigned char at[3] = { 0, 3, 5 };
+    for (int c = 0; c < 3; c++) {
+        sp_real *x = d + at[c];
+        const int carries = *x > floor;
+        const sp_real s = 1 / SP_SQRT(carries ? *x : floor);
+        for (int r = c + 1; r < 3; r++) x[r - c] *= carries ? s : 0;
+        *x = carries ? s : -s;
+        for (int k = c + 1; k < 3; k++)
+            for (int r = k; r < 3; r++) d[at[k] + r - k] -= x[r - c] * x[k - c];
+    }
+}
+
+/* As sp__bchol_factor, blocks of 3 x 3. */
+SP__APART static void sp__flat_factor(sp__flat *o, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp__bchol *L = &o->w.L;
+    sp__flat_assemble(o, law, y, shift);
+    o->w.cost->factorisations++;
+    for (int32_t k = 0; k < L->n; k++) {
+        sp_real *d = o->diag + 6 * (size_t)k;
+        const int64_t below = L->p[k + 1] - L->p[k];
+        o->w.cost->flops += 17 + 57 * below + 54 * (below * (below - 1) / 2);
+        sp__flat_block(d, 4 * (sp_real)SP_EPSILON);
+        const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
+        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++) {               /* X <- X L'^-1 */
+            sp_real *x = o->off + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) {
+                x[r] *= s0;
+                x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
+                x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
+            }
+        }
+        for (int32_t b = L->p[k]; b < L->p[k + 1]; b++) {
+            const int32_t j = L->i[b];
+            const sp_real *xb = o->off + 9 * (size_t)b;
+            sp_real *e = o->diag + 6 * (size_t)j;
+            for (int c = 0, at = 0; c < 3; c++)
+                for (int r = c; r < 3; r++, at++) e[at] -= xb[r] * xb[c] + xb[3 + r] * xb[3 + c] + xb[6 + r] * xb[6 + c];
+            int32_t to = L->p[j];
+            for (int32_t a = b + 1; a < L->p[k + 1]; a++) {
+                while (L->i[to] < L->i[a]) to++;
+                const sp_real *xa = o->off + 9 * (size_t)a;
+                sp_real *x = o->off + 9 * (size_t)to;
+                for (int c = 0; c < 3; c++)
+                    for (int r = 0; r < 3; r++) x[3 * c + r] -= xa[r] * xb[c] + xa[3 + r] * xb[3 + c] + xa[6 + r] * xb[6 + c];
+            }
+        }
+    }
+}
+
+/* x <- (L L')^-1 b; x may be b. */
+SP__APART static void sp__flat_solve(sp__flat *o, const sp_real *b, sp_real *x)
+{
+    const sp__bchol *L = &o->w.L;
+    sp_real *t = o->t;
+    o->w.cost->flops += 36 * (int64_t)L->p[L->n] + 18 * (int64_t)L->n;
+    for (size_t k = 0; k < (size_t)L->n; k++) memcpy(t + 3 * k, b + 3 * (size_t)L->perm[k], 3 * sizeof *t);
+    for (int32_t k = 0; k < L->n; k++) {                                /* L z = b */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = o->diag + 6 * (size_t)k;
+        v[0] *= sp__abs(d[0]);
+        v[1] = (v[1] - d[1] * v[0]) * sp__abs(d[3]);
+        v[2] = (v[2] - d[2] * v[0] - d[4] * v[1]) * sp__abs(d[5]);
+        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++) {
+            sp_real *z = t + 3 * (size_t)L->i[q];
+            const sp_real *l = o->off + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) z[r] -= l[r] * v[0] + l[3 + r] * v[1] + l[6 + r] * v[2];
+        }
+    }
+    for (int32_t k = L->n - 1; k >= 0; k--) {                           /* L' x = z */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = o->diag + 6 * (size_t)k;
+        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++)
+            for (int c = 0; c < 3; c++) v[c] -= sp__dot3(o->off + 9 * (size_t)q + 3 * c, t + 3 * (size_t)L->i[q]);
+        v[2] *= sp__abs(d[5]);
+        v[1] = (v[1] - d[4] * v[2]) * sp__abs(d[3]);
+        v[0] = (v[0] - d[1] * v[1] - d[2] * v[2]) * sp__abs(d[0]);
+    }
+    for (size_t k = 0; k < (size_t)L->n; k++) memcpy(x + 3 * (size_t)L->perm[k], t + 3 * k, 3 * sizeof *x);
+}
+
+/* ------------------------------------------------------------------------------------------------------------ search */
+
+/* Takes part: planar every joint, frictionless those along the loads. */
+static void sp__flat_mates(sp__flat *o)
+{
+    const sp_problem *pb = o->w.pb;
+    const sp_real eps = sp__flat_small(o->w.set);
+    o->vertices = o->sides = 0;
+    for (int32_t v = 0; v < pb->points; v++) o->mate[v] = -1;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real h[2] = { sp__dot3(o->e[2], t->joint->t1), sp__dot3(o->e[2], t->joint->t2) };
+        const int level = h[0] * h[0] + h[1] * h[1] <= eps * eps;
+        o->sides += (t->a >= 0) + (t->b >= 0);
+        sp_real size = 0;
+        for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (o->mode == SP__PLANE) o->mate[v] = sp__flat_image(pb, t, v, h, eps * size);
+            else if (level) o->mate[v] = v;
+            o->vertices += o->mate[v] >= v;
+        }
+    }
+}
+
+/* e0, e1 so that e is right-handed. */
+static void sp__flat_axes(sp__flat *o)
+{
+    const sp_real *m = o->e[2];
+    const int least = sp__abs(m[0]) <= sp__abs(m[1]) ? (sp__abs(m[0]) <= sp__abs(m[2]) ? 0 : 2) : (sp__abs(m[1]) <= sp__abs(m[2]) ? 1 : 2);
+    sp_real x[3] = { 0, 0, 0 };
+    x[least] = 1;
+    sp__cross3(x, m, o->e[0]);
+    sp__unit3(o->e[0], o->e[0]);
+    sp__cross3(m, o->e[0], o->e[1]);
+}
+
+/* In `a`, which has room for the whole dual of 6 rows, or it fails.       *fits: this one wants no more than that */
+SP__APART static sp__flat *sp__flat_open(const sp_problem *pb, const sp_settings *set, sp__mode mode, const sp_real m[3],
+                                         sp_cost *cost, sp_arena *a)
+{
+    sp__flat *o = sp__take(a, 1, sizeof *o);
+    if (!o) return NULL;
+    memset(o, 0, sizeof *o);
+    sp__dual *w = &o->w;
+    const int32_t nnz = sp__dual_analyse(w, pb, a);
+    const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
+    if (nnz < 0) return NULL;
+    sp__cone_carve(&w->cone, set->faces, a);
+    w->yield = sp__take(a, 1, sizeof *w->yield);
+    w->slot = sp__take(a, c, sizeof *w->slot);
+    w->weight = sp__take(a, b, 2 * sizeof *w->weight);
+    w->size = sp__take(a, b, 2 * sizeof *w->size);
+    w->y = sp__take(a, b, 3 * sizeof *w->y);
+    w->r = sp__take(a, b, 3 * sizeof *w->r);
+    w->d = sp__take(a, b, 3 * sizeof *w->d);
+    o->keep = sp__take(a, b, 3 * sizeof *o->keep);
+    o->t = sp__take(a, b, 3 * sizeof *o->t);
+    o->mate = sp__take(a, (size_t)pb->points, sizeof *o->mate);
+    o->g = sp__take(a, c, SP__FLAT_G * sizeof *o->g);
+    w->L.i = sp__take(a, (size_t)nnz, sizeof *w->L.i);
+    o->diag = sp__take(a, b, 6 * sizeof *o->diag);
+    o->off = sp__take(a, (size_t)nnz, 9 * sizeof *o->off);
+    if (sp__failed(a)) return NULL;
+    sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
+    o->mode = mode;
+    memcpy(o->e[2], m, sizeof o->e[2]);
+    sp__flat_axes(o);
+    w->set = set;
+    w->cost = cost;
+    w->slide = w->factor = 1;
+    w->unit = sp__load_unit(pb);
+    o->goal = set->tol / 4;
+    sp__cone_make(&w->cone);
+    sp_real half;
+    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
+    sp__dual_slots(w);
+    sp__flat_mates(o);
+    for (int32_t k = 0; k < pb->contacts; k++) sp__flat_contact(o, k, o->g + SP__FLAT_G * (size_t)k);
+    return o;
+}
+
+static sp_real sp__flat_norm(const sp__flat *o, const sp_real *x) { return SP_SQRT(sp__dot(x, x, 3 * (size_t)o->w.pb->blocks)); }
+
+/* w.y: the potential of the bilateral force, w.d: its correction.     returns 0 where the joints alone don't balance the load */
+SP__APART static int sp__flat_bilateral(sp__flat *o)
+{
+    const size_t n = 3 * (size_t)o->w.pb->blocks;
+    sp_real *y = o->w.y, *r = o->w.r, last = SP__HUGE;
+    sp__dual_weights(&o->w);
+    memset(y, 0, n * sizeof *y);
+    sp__flat_factor(o, SP__BILATERAL, y, SP__SHIFT);
+    sp__flat_load(o, r);
+    o->w.load = sp__flat_norm(o, r);
+    for (int it = 0; it < 6; it++) {
+        sp__flat_solve(o, r, r);
+        for (size_t k = 0; k < n; k++) y[k] -= r[k];
+        sp__flat_gradient(o, SP__BILATERAL, y, r, NULL);
+        const sp_real now = sp__flat_norm(o, r);
+        if (now > SP__SCALE_TOL * o->w.load && it) return 0;
+        if (now <= 64 * (sp_real)SP_EPSILON * o->w.load || now > last / 4) break;
+        last = now;
+    }
+    sp__flat_solve(o, r, o->w.d);
+    return 1;
+}
+
+/* Weighted motion of 3 rows in 6, times `sign`. */
+static void sp__flat_lift(const sp__flat *o, const sp_real *y, sp_real sign, sp_real *to)
+{
+    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
+        const sp_real *x = y + 3 * (size_t)i;
+        sp_real z[3], *m = to + 6 * (size_t)i;
+        sp__flat_weight(o, i, z);
+        for (int k = 0; k < 3; k++) z[k] *= sign * x[k];
+        for (int k = 0; k < 3; k++) {
+            m[k] = o->mode == SP__PLANE ? z[0] * o->e[0][k] + z[1] * o->e[1][k] : z[0] * o->e[2][k];
+            m[3 + k] = o->mode == SP__PLANE ? z[2] * o->e[2][k] : z[1] * o->e[0][k] + z[2] * o->e[1][k];
+        }
+    }
+}
+
+/* Sizes of the blocks by the bilateral force y - d; frictionless: by their loads alone, which are less. */
+SP__APART static void sp__flat_sizes(sp__flat *o)
+{
+    const sp_problem *pb = o->w.pb;
+    sp_real *size = o->w.size;
+    for (size_t k = 0; k < 3 * (size_t)pb->blocks; k++) { o->keep[k] = 0; o->t[k] = o->w.y[k] - o->w.d[k]; }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        size[2 * (size_t)i] = sp__norm3(pb->p + 6 * (size_t)i) / o->w.unit;
+        size[2 * (size_t)i + 1] = sp__norm3(pb->p + 6 * (size_t)i + 3) / o->w.unit;
+    }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real V[3];
+        sp__flat_twist(o, c, o->t, V);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real q[2][3], u[3], x[3], m[3];
+            if (o->mate[v] < v) continue;
+            const sp_real twice = o->mate[v] > v ? 2 : 1;
+            sp__flat_q(o, c, v, q);
+            sp__flat_rate(o, c, q, V, u);
+            for (int side = 0; side < 2; side++) {
+                const int32_t i = side ? t->b : t->a;
+                const sp_real *arm = side ? t->rb : t->ra, *l = pb->local[v];
+                if (i < 0) continue;
+                x[0] = sp__dot3(arm, t->joint->n) + l[0]; x[1] = sp__dot3(arm, t->joint->t1) + l[1];
+                x[2] = sp__dot3(arm, t->joint->t2) + l[2];
+                sp__cross3(x, u, m);
+                o->keep[3 * (size_t)i] = sp__max(o->keep[3 * (size_t)i], sp__norm3(x));
+                if (o->mode == SP__PLUMB) continue;
+                size[2 * (size_t)i] += twice * sp__norm3(u);
+                size[2 * (size_t)i + 1] += twice * sp__norm3(m);
+            }
+        }
+    }
+    for (size_t i = 0; i < (size_t)pb->blocks; i++)
+        size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * size[2 * i] * o->keep[3 * i] / o->w.set->tol;
+    sp__flat_count(o, 2 * SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
+}
+
+/* Gradient, imbalance, best y. */
+static void sp__flat_look(sp__flat *o, sp_real *best)
+{
+    sp_real omega = 0;
+    sp__flat_gradient(o, SP__ADMISSIBLE, o->w.y, o->w.r, NULL);
+    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
+        const sp_real *r = o->w.r + 3 * (size_t)i, *s = o->w.size + 2 * (size_t)i, *z = o->w.weight + 2 * (size_t)i;
+        const int plane = o->mode == SP__PLANE;
+        const sp_real F = plane ? SP_SQRT(r[0] * r[0] + r[1] * r[1]) : sp__abs(r[0]);
+        const sp_real M = plane ? sp__abs(r[2]) : SP_SQRT(r[1] * r[1] + r[2] * r[2]);
+        omega = sp__max(omega, sp__max(sp__ratio(F, z[0] * s[0]), sp__ratio(M, z[1] * s[1])));
+    }
+    o->omega = omega;
+    if (omega >= *best) return;
+    *best = omega;
+    memcpy(o->keep, o->w.y, 3 * (size_t)o->w.pb->blocks * sizeof *o->keep);
+}
+
+/* y += s d with a slope of at most a fifth of the first, as in sp__newton_move. */
+SP__APART static sp_real sp__flat_move(sp__flat *o, sp_real *best)
+{
+    const size_t n = 3 * (size_t)o->w.pb->blocks;
+    const sp_real *d = o->w.d, start = sp__dot(o->w.r, d, n);
+    const sp_real noise = 64 * (sp_real)SP_EPSILON * o->w.load * sp__flat_norm(o, d), enough = sp__max(sp__abs(start) / 5, noise);
+    sp_real lo = 0, flo = start, hi = 0, fhi = 0, s = 1, at = 0;
+    for (int it = 0; it < 14; it++) {
+        for (size_t k = 0; k < n; k++) o->w.y[k] += (s - at) * d[k];
+        at = s;
+        sp__flat_look(o, best);
+        const sp_real f = sp__dot(o->w.r, d, n);
+        if (sp__abs(f) <= enough || start >= -noise) break;
+        if (f < 0) { lo = s; flo = f; } else { hi = s; fhi = f; }
+        if (!(hi > 0)) {
+            if (s > 1000) break;
+            s *= 4;
+            continue;
+        }
+        const sp_real edge = (sp_real)0.1 * (hi - lo);
+        s = lo + (hi - lo) * (-flo / (fhi - flo));
+        if (s < lo + edge) s = lo + edge;
+        if (s > hi - edge) s = hi - edge;
+    }
+    return at;
+}
+
+/* Is dq = -y a proof? As sp__newton_proof. */
+SP__APART static int sp__flat_proof(sp__flat *o, const sp_real *y)
+{
+    const sp_problem *pb = o->w.pb;
+    sp_real work, resist = 0, scale = 0;
+    sp__flat_load(o, o->t);
+    work = -sp__dot(o->t, y, 3 * (size_t)pb->blocks);
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *x = y + 3 * (size_t)i, *s = o->w.size + 2 * (size_t)i, *z = o->w.weight + 2 * (size_t)i;
+        scale += s[0] * z[0] * SP_SQRT(x[0] * x[0] + x[1] * x[1]) + s[1] * z[1] * sp__abs(x[2]);
+    }
+    for (int32_t c = 0; c < pb->contacts && resist < work; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real S = sp__dual_S(&o->w, c), most = o->w.set->force_bound * sp__lesser(t, o->w.size, 2) / S;
+        sp_real V[3], u[3], q[2][3];
+        sp__flat_twist(o, c, y, V);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (o->mate[v] < v) continue;
+            sp__flat_q(o, c, v, q);
+            sp__flat_rate(o, c, q, V, u);
+            resist += S * (o->mate[v] > v ? 2 : 1) * sp__cone_support(&o->w.cone, sp__dual_yield(&o->w, c), u, most);
+        }
+    }
+    sp__flat_count(o, SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
+    return work - resist > (sp_real)1.1 * o->w.set->tol * scale;
+}
+
+/* Newton steps. Planar a mechanism is looked for on the way, in y and what inverse iteration makes of it; it ends in w.d.
+ *     returns what is claimed */
+SP__APART static sp_verdict sp__flat_newton(sp__flat *o)
+{
+    const size_t n = 3 * (size_t)o->w.pb->blocks;
+    sp_real best = SP__HUGE, shift = SP__SHIFT;
+    int tiny = 0;
+    sp__flat_look(o, &best);
+    for (int it = 0; it < SP__FLAT_STEPS && best > o->goal && tiny < 2; it++) {
+        sp__flat_factor(o, SP__ADMISSIBLE, o->w.y, shift);
+        for (size_t k = 0; k < n; k++) o->w.d[k] = -o->w.r[k];
+        sp__flat_solve(o, o->w.d, o->w.d);
+        o->w.cost->iterations++;
+        const sp_real last = best, s = sp__flat_move(o, &best);
+        if (o->mode == SP__PLUMB && best > last / 2) break;             /* as good as rounding lets it, or no way */
+        if (s < (sp_real)0.03) { tiny++; shift = shift * 1000 < 1 ? shift * 1000 : 1; }
+        if (s > (sp_real)0.5) shift = sp__max(SP__SHIFT, shift / 100);
+        if (o->mode != SP__PLANE || best <= o->goal || s <= 10) continue;
+        for (int k = 0; k < 3; k++) {                                   /* something moves */
+            sp__flat_solve(o, o->w.d, o->w.d);
+            const sp_real size = sp__flat_norm(o, o->w.d);
+            if (!(size > 0)) break;
+            for (size_t q = 0; q < n; q++) o->w.d[q] /= size;
+            if (k == 2 && sp__flat_proof(o, o->w.d)) return SP_UNSTABLE;
+        }
+    }
+    for (int it = 0; it < 4 && best <= o->goal && best > 256 * (sp_real)SP_EPSILON; it++) {        /* while a step gains a digit */
+        const sp_real last = best;
+        memcpy(o->w.d, o->w.r, n * sizeof *o->w.d);
+        sp__flat_solve(o, o->w.d, o->w.d);
+        for (size_t k = 0; k < n; k++) o->w.y[k] -= o->w.d[k];
+        sp__flat_look(o, &best);
+        if (best > last / 10) break;
+    }
+    return best <= o->w.set->tol ? SP_STABLE : SP_UNDECIDED;
+}
+
+/* Forces in state->f, or a motion in state->dq; planar f0's potential in state->y0, frictionless none.
+ *     *claim: UNDECIDED where it finds neither; then the state is as it was but for these */
+SP__APART static sp_status sp__flat_run(const sp_problem *pb, const sp_settings *set, sp__mode mode, const sp_real m[3],
+                                        sp_state *state, sp_arena *a, sp_verdict *claim)
+{
+    const size_t n = 6 * (size_t)pb->blocks;
+    sp__flat *o = sp__flat_open(pb, set, mode, m, &state->cost, a);
+    *claim = SP_UNDECIDED;
+    if (!o) return SP_E_MEMORY;
+    if (!sp__flat_bilateral(o)) return SP_OK;
+    sp__flat_sizes(o);
+    if (mode == SP__PLANE) {
+        sp__flat_lift(o, o->w.y, o->w.unit, state->y0);
+        sp__flat_lift(o, o->w.d, -o->w.unit, state->y0 + n);
+        state->has_y0 = 1;
+    }
+    if (sp__dual_metric(&o->w) && !sp__flat_bilateral(o)) return SP_OK;
+    *claim = sp__flat_newton(o);
+    if (*claim == SP_UNSTABLE) sp__flat_lift(o, o->w.d, -1, state->dq);
+    if (*claim != SP_STABLE) return SP_OK;
+    memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
+    sp__flat_gradient(o, SP__ADMISSIBLE, o->keep, o->w.r, state->f);
+    return SP_OK;
+}
+
+/* 21 -------------------------------------------------------------------------------------------------------- penalty form */
 
 /* min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2), Aeq f + p = 0, |ft| <= mu fp: tension at a price, so it always has a solution
  * and shows where help is wanted. It does not decide: a finite gamma buys a little tension even where none is needed.
@@ -5181,7 +5942,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-/* 21 ----------------------------------------------------------------------------------------------------- penalty program */
+/* 22 ----------------------------------------------------------------------------------------------------- penalty program */
 
 /* The penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
  *
@@ -5453,7 +6214,7 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
 
 #endif
 
-/* 22 ------------------------------------------------------------------------------------- coupled check: exact decision */
+/* 23 ------------------------------------------------------------------------------------- coupled check: exact decision */
 
 #ifndef SP_NO_CRA
 /* Whether any triple exists, by branch and bound. d = Aeq' dq / L, g = eps / L (1, or 0), reach = eta / L:
@@ -5988,7 +6749,7 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
 }
 #endif /* SP_NO_CRA */
 
-/* 23 ------------------------------------------------------------------------------------------------------- coupled check */
+/* 24 ------------------------------------------------------------------------------------------------------- coupled check */
 
 #ifndef SP_NO_CRA
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
@@ -6970,7 +7731,7 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     return status;
 }
 #endif /* SP_NO_CRA */
-/* 24 ------------------------------------------------------------------------------------------------------------- islands */
+/* 25 ------------------------------------------------------------------------------------------------------------- islands */
 
 /* Free blocks that touch, or touch a third, form an island; supports join nothing, because they don't move. A contact's columns
  * of Aeq have rows in one island only, so Aeq is block diagonal by islands and so are Aeq Aeq', the bilateral force f0, the
@@ -6988,12 +7749,12 @@ typedef struct sp__islands {
 } sp__islands;
 
 /* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
- * budget, because what a flop buys is then told of the stages as they are. */
+ * budget and no fewer iterations than usual, because what they buy is then told of the stages as they are. */
 static int sp__plan_stages(const sp_settings *set)
 {
     int exact = 0;
     if (!set) return 1;
-    if (set->seed || set->budget > 0 || set->stage_count > SP_STAGES_MAX) return 0;
+    if (set->seed || set->budget > 0 || set->iterations < SP__ITERATIONS || set->stage_count > SP_STAGES_MAX) return 0;
     for (int32_t k = 0; k < set->stage_count; k++) {
         if (set->stage[k] == SP_STAGE_CUSTOM || set->stage[k] == SP_STAGE_ADMM) return 0;
         exact |= set->stage[k] == SP_STAGE_EXACT;
@@ -7131,7 +7892,7 @@ SP__APART static sp_scene *sp__island_scene(const sp_scene *scene, const sp__isl
     return s;
 }
 
-/* 25 -------------------------------------------------------------------------------------------------------------- ladder */
+/* 26 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
 {
@@ -7146,7 +7907,7 @@ SP_API sp_settings sp_settings_default(void)
     s.gamma = 1000;
     s.tau = 1;
     s.localise = 1;
-    s.iterations = 300;
+    s.iterations = SP__ITERATIONS;
     s.budget = 0;
     s.stage_count = 2;
     s.stage[0] = SP_STAGE_GATES;
@@ -7561,6 +8322,91 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
+/* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
+ * upright to, no mortar, and every block rests on something. */
+SP__APART static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+{
+    const sp_real eps = sp__flat_small(set);
+    int32_t rests = 0;
+    if (sp__scene_strong(pb->scene) || !sp__flat_loads(pb, set, m, 1)) return 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real along = sp__dot3(t->joint->n, m);
+        sp_real across[3];
+        sp__cross3(t->joint->n, m, across);
+        if (sp__norm3(across) > eps && sp__abs(along) > eps) return 0;
+        rests += (along < 0 && t->b >= 0) || (along > 0 && t->a >= 0);
+    }
+    return rests >= pb->blocks;
+}
+
+/* The direction of the loads: that of the first.     returns 0 where there is none */
+static int sp__flat_down(const sp_problem *pb, sp_real m[3])
+{
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *F = pb->p + 6 * (size_t)i;
+        if (sp__norm3(F) > 0) { sp__unit3(F, m); return 1; }
+    }
+    return 0;
+}
+
+/* Is a reduction planned for this problem?      m: the normal of the mirror, or the direction of the loads */
+static int sp__plan_reduces(const sp_problem *pb, const sp_settings *set, sp__mode mode, sp_real m[3])
+{
+    const sp_choice choice = set->effect[mode == SP__PLANE ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION];
+    if (!sp__plan_stages(set) || choice == SP_WITH) return 0;
+    if (mode == SP__PLANE) return set->effect[SP_EFFECT_FRICTION] != SP_WITHOUT && sp__flat_planar(pb, set, m);
+    if (set->effect[SP_EFFECT_DEPTH] != SP_WITH && sp__flat_planar(pb, set, m)) return 0;
+    return sp__flat_down(pb, m) && sp__flat_plumb(pb, set, m);
+}
+
+/* One reduction in the memory of the whole search, judged in full. Forces of the frictionless one by least scales, for which no
+ * bilateral force is needed; a planar motion only if it is final, for the whole search has ways to make it so. */
+SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp__mode mode, sp_state *state, sp_arena *a,
+                                          sp_result *r, int *done)
+{
+    sp_real m[3];
+    sp_verdict claim = SP_UNDECIDED;
+    const size_t mark = a->used;
+    if (!sp__plan_reduces(pb, set, mode, m)) return SP_OK;
+    const size_t need = sp__exact_need(pb, set, *a);
+    if (need == SIZE_MAX || !sp__take(a, 1, need)) return SP_E_MEMORY;
+    sp_arena room = *a;
+    room.cap = a->used;
+    a->used = room.used = mark;
+    if (sp__flat_run(pb, set, mode, m, state, &room, &claim) || !claim) return SP_OK;
+    sp__judge j;
+    const int plane = mode == SP__PLANE;
+    if (!sp__judge_open(&j, pb, set, plane ? state->y0 : NULL, plane ? INT32_MAX : 0, a)) return SP_E_MEMORY;
+    const sp_verdict proved = sp__check_judge(&j, state, claim, r);
+    a->used = mark;
+    state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
+    *done = proved == SP_STABLE || (proved == SP_UNSTABLE && (r->final || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT));
+    if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
+    r->verdict = proved;
+    r->verified = 1;
+    r->reason = proved == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
+    r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    return SP_OK;
+}
+
+/* The reduction that is planned: what is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
+SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+                                             sp_arena *a, sp_result *r, int *done)
+{
+    memset(&state->cost, 0, sizeof state->cost);
+    sp_status status = sp__check_flat(pb, set, SP__PLANE, state, a, r, done);
+    if (!status && !*done) status = sp__check_flat(pb, set, SP__PLUMB, state, a, r, done);
+    if (!*done && set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
+        r->reason = SP_REASON_EFFECT;
+        r->missing = SP_EFFECT_DEPTH;
+    }
+    if (*done) r->stage = set->stage[k];
+    sp__cost_add(&r->by_stage[k], &state->cost);
+    sp__cost_add(&r->cost, &state->cost);
+    return status;
+}
+
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
                                            sp_result *r, int *done)
@@ -7592,12 +8438,12 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
             r->missing = SP_EFFECT_FRICTION;
         }
     }
-    r->by_stage[k] = state->cost;
+    sp__cost_add(&r->by_stage[k], &state->cost);
     sp__cost_add(&r->cost, &state->cost);
     return SP_OK;
 }
 
-/* 26 ---------------------------------------------------------------------------------------------------- reading a result */
+/* 27 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
@@ -7686,14 +8532,15 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
     }
 }
 
-/* 27 --------------------------------------------------------------------------------------------------------------- check */
+/* 28 --------------------------------------------------------------------------------------------------------------- check */
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
     int done = 0;
     for (int32_t k = 0; k < set->stage_count && !done; k++) {
-        const sp_status status = sp__check_stage(pb, set, k, state, a, r, &done);
+        sp_status status = set->stage[k] == SP_STAGE_EXACT ? sp__check_reduced(pb, set, k, state, a, r, &done) : SP_OK;
+        if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
     if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
@@ -7765,6 +8612,7 @@ static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int
     for (int32_t k = 0; k < scene->count.interfaces; k++)
         friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
     return effect == SP_EFFECT_FRICTION ? friction
+         : effect == SP_EFFECT_DEPTH ? 1
          : effect == SP_EFFECT_TOGETHER ? islands < 2
          : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
          : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
@@ -7857,6 +8705,7 @@ SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *
     c->state.has_y0 |= found->state.has_y0;
     sp__cost_add(&r->cost, &from->cost);
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
+    for (int q = 0; q < SP_EFFECTS; q++) if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
     r->part[k].block = t->block[k];
     r->part[k].blocks = found->pb.blocks;
     r->part[k].verdict = from->verdict;
@@ -7950,7 +8799,8 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (c->r.verdict == SP_STABLE) c->r.level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
     sp__check_read(scene, &c->r);
     for (int32_t k = 0; k < SP_EFFECTS; k++)
-        c->r.effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
+        if (c->r.effect[k] == SP_WHY_CALLED)
+            c->r.effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
     c->r.peak_bytes = a.peak;
     arena->used = c->r.coupled.proof.nodes ? c->kept : kept;
     arena->peak = a.peak;
@@ -7958,7 +8808,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* 28 -------------------------------------------------------------------------------------------------------------- verify */
+/* 29 -------------------------------------------------------------------------------------------------------------- verify */
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -8028,7 +8878,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     return SP_OK;
 }
 
-/* 29 --------------------------------------------------------------------------------------------------------------- plan */
+/* 30 --------------------------------------------------------------------------------------------------------------- plan */
 
 /* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
  * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
@@ -8036,10 +8886,25 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 #define SP__PLAN_STEPS 5
 #define SP__PLAN_SWEEPS 4
 
-typedef struct sp__work { int64_t unknowns, flops; } sp__work;
+typedef struct sp__work {
+    int64_t unknowns, flops;            /* of all rows and forces */
+    int64_t less[2], fewer[2];          /* flops and unknowns that each sp__mode saves */
+    int32_t problems, reduced[2];       /* how many problems, how many of them a reduction is planned for */
+} sp__work;
+
+/* What a reduction saves, a planar one with corners in pairs; the frictionless one takes a step or two. */
+static void sp__plan_flat(const sp_problem *pb, sp__mode mode, int64_t full, int64_t factor, sp__work *o)
+{
+    const int64_t v = pb->points / (mode == SP__PLANE ? 2 : 1), c = pb->contacts, steps = mode == SP__PLANE ? SP__PLAN_STEPS : 2;
+    const int64_t assembly = SP__FLOPS_FLAT_HESSIAN * v + 3 * SP__FLOPS_FLAT_BLOCKS * c;
+    const int64_t sweep = SP__FLOPS_FLAT_SWEEP * v + 2 * SP__FLOPS_FLAT_TWIST * c;
+    o->less[mode] += full - steps * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
+    o->fewer[mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
+    o->reduced[mode]++;
+}
 
 /* Adds the work of a scene as one problem. */
-SP__APART static sp_status sp__plan_whole(const sp_scene *scene, sp_arena scratch, sp__work *o)
+SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
 {
     sp_problem pb;
     const sp_status status = sp_problem_build(scene, &scratch, &pb);
@@ -8049,13 +8914,19 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, sp_arena scratc
     if (blocks < 0) return SP_E_MEMORY;
     const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
     const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
+    const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
+    sp_real m[3];
     o->unknowns += 6 * b + 3 * v;
-    o->flops += SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
+    o->flops += full;
+    o->problems++;
+    for (int mode = 0; mode < 2; mode++)
+        if (b && sp__plan_reduces(&pb, set, (sp__mode)mode, m)) sp__plan_flat(&pb, (sp__mode)mode, full, w->L.flops, o);
     return SP_OK;
 }
 
 /* The same, island by island. */
-SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, sp_arena scratch, sp__work *o)
+SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+                                           sp__work *o)
 {
     sp__islands t;
     sp_status status = SP_OK;
@@ -8065,7 +8936,7 @@ SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, 
     for (int32_t k = 0; k < count && !status; k++) {
         sp_arena a = scratch;
         const sp_scene *s = sp__island_scene(scene, &t, k, &a);
-        status = s ? sp__plan_whole(s, a, o) : SP_E_MEMORY;
+        status = s ? sp__plan_whole(s, set, a, o) : SP_E_MEMORY;
     }
     return status;
 }
@@ -8083,13 +8954,21 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
     sp_outlook *o = &p->o;
     for (int32_t k = 0; k < SP_EFFECTS; k++)
         o->effect[k].why = sp__effect_why(&p->set, (sp_effect)k, sp__effect_present(scene, &p->set, o->islands, (sp_effect)k));
-    if (!sp_effect_on(o->effect[SP_EFFECT_FRICTION].why)) o->effect[SP_EFFECT_FRICTION].unknowns = 2 * (int64_t)sp__points_count(scene);
-    o->effect[SP_EFFECT_TOGETHER].flops = p->whole.flops - p->apart.flops;
+    const sp__work *w = &p->apart;
+    o->effect[SP_EFFECT_TOGETHER].flops = p->whole.flops - w->flops;
     o->effect[SP_EFFECT_TOGETHER].bytes = (int64_t)o->full_bytes - (int64_t)o->bytes;
     o->full_unknowns = p->whole.unknowns;
     o->full_flops = p->whole.flops;
-    o->unknowns = p->whole.unknowns - o->effect[SP_EFFECT_FRICTION].unknowns;
-    o->flops = p->apart.flops;
+    o->unknowns = w->unknowns;
+    o->flops = w->flops;
+    for (int mode = 0; mode < 2; mode++) {
+        sp_planned *e = &o->effect[mode == SP__PLANE ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION];
+        e->flops = w->less[mode];
+        e->unknowns = w->fewer[mode];
+        if (w->reduced[mode] == w->problems && w->problems) e->why = mode == SP__PLANE ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    }
+    o->flops -= w->less[SP__PLANE] + w->less[SP__PLUMB];
+    o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__PLUMB];
 }
 
 SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
@@ -8104,10 +8983,10 @@ SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, s
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
     sp_status status = sp_memory(scene, &p->set, scratch, &p->o.bytes);
     p->o.islands = sp__islands_count(scene, &p->set, scratch);
-    if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, scratch, &p->apart);
+    if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, &p->set, scratch, &p->apart);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (!status) status = sp_memory(scene, &p->set, scratch, &p->o.full_bytes);
-    if (!status) status = sp__plan_whole(scene, scratch, &p->whole);
+    if (!status) status = sp__plan_whole(scene, &p->set, scratch, &p->whole);
     p->set.effect[SP_EFFECT_TOGETHER] = together;
     if (p->o.islands < 2) p->apart = p->whole;
     return status;
@@ -8128,7 +9007,7 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
     return SP_OK;
 }
 
-/* 30 ----------------------------------------------------------------------------------------------------- placing a stone */
+/* 31 ----------------------------------------------------------------------------------------------------- placing a stone */
 
 SP_API size_t sp_support_memory(int32_t points)
 {
@@ -8376,7 +9255,7 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
                     k >= 0 && k <= 4 ? k : 5);
 }
 
-/* 31 ---------------------------------------------------------------------------------------------------------- build order */
+/* 32 ---------------------------------------------------------------------------------------------------------- build order */
 
 /* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
  * own, the part: its blocks, the held ones and supports that they touch, the joints between.
@@ -9088,7 +9967,7 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
     return SP_OK;
 }
 
-/* 32 ------------------------------------------------------------------------------------------------------- what to hold */
+/* 33 ------------------------------------------------------------------------------------------------------- what to hold */
 
 /* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does,
  * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
@@ -9349,7 +10228,7 @@ SP_API const char *sp_held_proof_text(sp_held_proof proof)
 }
 
 #ifndef SP_NO_IPM
-/* 33 ----------------------------------------------------------------------------------------------------- limit: both ends */
+/* 34 ----------------------------------------------------------------------------------------------------- limit: both ends */
 
 /* What proves an end of the bracket, by the certificate check alone: forces that balance dead + lower live; a motion that falls
  * under dead + upper live and that live loads push on rather than hinder, so that it falls at every larger multiple, too;
@@ -9538,7 +10417,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     return SP_OK;
 }
 
-/* 34 -------------------------------------------------------------------------------------------------------- limit: search */
+/* 35 -------------------------------------------------------------------------------------------------------- limit: search */
 
 /* Section 19's embedding with one ray and one column more, for
  *

@@ -306,6 +306,7 @@ typedef enum sp_stage_id {
 /* What a scene may or may not call for. sp_check leaves out what it can prove to change nothing; sp_plan says what and why. */
 typedef enum sp_effect {
     SP_EFFECT_FRICTION = 0,     /* friction in the joints */
+    SP_EFFECT_DEPTH,            /* the third dimension: what goes out of the plane of a mirror */
     SP_EFFECT_TOGETHER,         /* all blocks as one problem; left out, each island of free blocks that touch is solved alone */
     SP_EFFECT_STRENGTH,         /* cohesion, tension and crushing of joints; from here on told, not chosen */
     SP_EFFECT_LOADS,            /* loads besides weight */
@@ -314,8 +315,8 @@ typedef enum sp_effect {
     SP_EFFECT_DYNAMICS          /* how it moves: never in statics */
 } sp_effect;
 
-#define SP_EFFECTS 7
-#define SP_EFFECTS_FORCED 2     /* the first of them are the caller's to force */
+#define SP_EFFECTS 8
+#define SP_EFFECTS_FORCED 3     /* the first of them are the caller's to force */
 
 /* SP_WITHOUT where the scene calls for the effect: what can still be proved (forces that need none of it) stands, else the
  * verdict is UNDECIDED, SP_REASON_EFFECT. Without SP_EFFECT_TOGETHER is never wrong, so nothing is lost by it. */
@@ -396,9 +397,9 @@ typedef struct sp_settings {
     int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
     sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
     int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted                1 */
-    int32_t iterations;         /* factorisations an exact solve may spend                                           300 */
-    int64_t budget;             /* flops the check may spend, never more; 0: no limit. The result is then the best evidence so
-                                   far: a larger budget decides what a smaller one did, and its omega is no larger (by a fifth at
+    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
+    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Nothing is left out by plan then. The result
+                                   is the best evidence so far: a larger budget decides what a smaller one did, and its omega is no larger (by a fifth at
                                    most, as stages bound it by measures of their own; ADMM's last iterate may be worse). A
                                    custom stage heeds state.left by itself; a coupled check starts where anything is left and
                                    keeps to its own limits                                                             0 */
@@ -474,7 +475,9 @@ typedef enum sp_effect_why {
     SP_WHY_NOT_ASKED,           /* off: a question of its own */
     SP_WHY_STATICS,             /* off: statics */
     SP_WHY_APART,               /* off: islands */
-    SP_WHY_STAGES               /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
+    SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
+    SP_WHY_MIRROR,              /* off: one mirror plane for everything */
+    SP_WHY_PRESSURE             /* off: what presses on level joints stands without */
 } sp_effect_why;
 
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. */

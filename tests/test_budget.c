@@ -17,6 +17,7 @@ static const budget_case cases[] = {
 static sp_settings settings_of(const budget_case *c)
 {
     sp_settings set = sp_settings_default();
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;        /* on a budget nothing is left out by plan */
     set.faces = c->faces;
     set.stage_count = 1;
     for (const char *s = c->stages; *s; s++)

@@ -268,6 +268,107 @@ TEST(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
     }
 }
 
+/* Walls, arches and rubble lie in a plane: a third of the flops or less, the forces as good. */
+TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "wall", "size", 54 }, { "wall", "jitter", 0.3 }, { "arch", "n", 12 }, { "rubble", NULL, 0 }, { "wall", "tilt", 5 }
+    };
+    for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++) {
+        test_arena.used = 0;
+        const sp_scene s = part(scene[k].name, scene[k].param, scene[k].value, -1);
+        sp_arena a = test_arena;
+        const sp_result all = full(&s, NULL, &a), r = check(&s, NULL, &a);
+        CHECK_INT(all.verdict, SP_STABLE);
+        CHECK_INT(r.verdict, SP_STABLE);
+        CHECK_INT(r.effect[SP_EFFECT_DEPTH], SP_WHY_MIRROR);
+        CHECK_INT(all.effect[SP_EFFECT_DEPTH], SP_WHY_ASKED);
+        if (!CHECK(R(2.9) * (sp_real)r.cost.flops <= (sp_real)all.cost.flops))
+            TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.cost.flops, (long)all.cost.flops);
+        CHECK(r.omega <= r.tol / 2);
+    }
+}
+
+TEST(a_mirror_is_found_in_any_direction_and_none_where_there_is_none)
+{
+    for (int k = 0; k < 4; k++) {
+        test_arena.used = 0;
+        sp_scene s = part("arch", "n", 9, -1);
+        sp_arena a = test_arena;
+        if (k == 1) { s.gravity[0] = R(0.3); }                          /* along the arch's own plane */
+        if (k == 2) { s.gravity[1] = R(0.3); }                          /* across it */
+        if (k == 3) s.block[4].centroid[1] += R(1e-3);
+        const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
+        CHECK_INT(r.verdict, all.verdict);
+        CHECK_INT(r.effect[SP_EFFECT_DEPTH], k < 2 ? SP_WHY_MIRROR : SP_WHY_CALLED);
+    }
+}
+
+/* A board across two others: no mirror once it is moved along and across; level joints, so pressure alone decides. */
+TEST(level_joints_without_a_mirror_stand_by_pressure_alone)
+{
+    const sp_real ground[3] = { 0, 0, R(-1) }, top[3] = { R(0.13), R(0.07), R(1.25) };
+    const sp_joint joint = sp_joint_friction(R(0.6));
+    sp_scene s = room(4, 4, 16);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const double x = 2 * k - 1;
+        const sp_real c[3] = { R(x), R(0.1 * k), R(0.5) };
+        const sp_real foot[12] = { R(x - 0.3), R(-0.5), 0, R(x + 0.3), R(-0.5), 0, R(x + 0.3), R(0.5), 0, R(x - 0.3), R(0.5), 0 };
+        CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 1 + k, 4, foot, &joint, NULL), SP_OK);
+    }
+    CHECK_INT(sp_scene_body(&s, R(1500), top, 0, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const double x = 2 * k - 1;
+        const sp_real seat[12] = { R(x - 0.3), R(-0.4), R(1), R(x + 0.3), R(-0.4), R(1), R(x + 0.3), R(0.45), R(1), R(x - 0.3), R(0.45), R(1) };
+        CHECK_INT(sp_scene_interface(&s, 1 + k, 3, 4, seat, &joint, NULL), SP_OK);
+    }
+    sp_arena a = test_arena;
+    const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK_INT(r.effect[SP_EFFECT_FRICTION], SP_WHY_PRESSURE);
+    CHECK_INT(all.effect[SP_EFFECT_FRICTION], SP_WHY_ASKED);
+    CHECK(2 * r.cost.flops <= all.cost.flops);
+}
+
+TEST(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
+{
+    sp_settings set = sp_settings_default();
+    const sp_scene s = part("dome", NULL, 0, -1);
+    sp_arena a = test_arena;
+    set.effect[SP_EFFECT_DEPTH] = SP_WITHOUT;
+    const sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.verdict, SP_UNDECIDED);
+    CHECK_INT(r.reason, SP_REASON_EFFECT);
+    CHECK_INT(r.missing, SP_EFFECT_DEPTH);
+}
+
+/* Random scenes of every kind: the verdict as planned is that of the full simulation. */
+TEST(planned_and_full_simulation_agree_on_random_scenes)
+{
+    static const struct { const char *name, *param; double low, high; } kind[] = {
+        { "arch", "t", 0.07, 0.16 }, { "wall", "tilt", 0, 40 }, { "diamond", "mu", 0.05, 0.8 }, { "tower", "lean", 0.02, 0.16 },
+        { "incline", "turn", -90, 90 }, { "overhang", "factor", 0.8, 1.2 }, { "keystone", "mu", 0.1, 0.9 }, { "cantilever", "reach", 0.8, 1.5 },
+        { "wall", "jitter", 0, 0.45 }, { "rubble", "tilt", 0, 40 }, { "flat-arch", "mu", 0.2, 0.9 }, { "dome", "mu", 0.1, 0.9 }
+    };
+    static const int32_t cone[] = { 0, 8, 4, 5 };
+    int32_t reduced = 0;
+    for (int k = 0; k < 72; k++) {
+        sp_settings set = sp_settings_default();
+        const size_t q = (size_t)k % (sizeof kind / sizeof kind[0]);
+        test_arena.used = 0;
+        set.faces = cone[k / 12 % 4];
+        set.inscribed = k & 1;
+        const sp_scene s = part(kind[q].name, kind[q].param, (double)test_random_real(kind[q].low, kind[q].high), -1);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), all = full(&s, &set, &a);
+        if (!CHECK_INT(r.verdict, all.verdict)) TEST_PRINT("    %s, %ld faces\n", kind[q].name, (long)set.faces);
+        reduced += r.effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR || r.effect[SP_EFFECT_FRICTION] == SP_WHY_PRESSURE;
+    }
+    CHECK(reduced > 20);
+}
+
 TEST(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
 {
     static const struct { const char *name, *param; double value; } scene[] = {
@@ -310,6 +411,8 @@ TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     CHECK_INT(o.islands, 2);
     CHECK(o.bytes < o.full_bytes);
     CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_DEPTH].why, SP_WHY_MIRROR);
+    CHECK(o.effect[SP_EFFECT_DEPTH].flops > 0 && 3 * o.flops < o.full_flops && o.unknowns < o.full_unknowns);
     CHECK_INT(o.effect[SP_EFFECT_TOGETHER].why, SP_WHY_APART);
     CHECK_INT(o.effect[SP_EFFECT_STRENGTH].why, SP_WHY_ABSENT);
     CHECK_INT(o.effect[SP_EFFECT_LOADS].why, SP_WHY_ABSENT);
@@ -355,6 +458,11 @@ TEST_LIST(plan)
     RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
     RUN(supports_join_nothing_and_contacts_between_them_take_no_part)
     RUN(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
+    RUN(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
+    RUN(a_mirror_is_found_in_any_direction_and_none_where_there_is_none)
+    RUN(level_joints_without_a_mirror_stand_by_pressure_alone)
+    RUN(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
+    RUN(planned_and_full_simulation_agree_on_random_scenes)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
     RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     RUN(a_plan_with_unusable_arguments_is_refused)

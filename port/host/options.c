@@ -137,7 +137,7 @@ static int take(options *o, const char *name, const char *value, text_error *err
     } else if (strcmp(name, "--set") == 0) {
         o->set = value;
     } else if (strcmp(name, "--effects") == 0) {
-        if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, together");
+        if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, depth, together");
     } else if (strcmp(name, "--order") == 0) {
         o->order = value;
     } else if (strcmp(name, "--order-file") == 0) {
