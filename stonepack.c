@@ -5180,6 +5180,7 @@ typedef struct sp__flat {
 } sp__flat;
 
 #define SP__FLAT_G 9
+#define SP__FLAT_H 36
 #define SP__FLAT_STEPS 12
 #define SP__FLOPS_FLAT_SWEEP 42         /* a vertex that counts: u 9, P_K and S about 18, sums 15; every block of a contact adds: */
 #define SP__FLOPS_FLAT_TWIST 36         /* its twist there and back */
@@ -5495,11 +5496,11 @@ SP__APART static void sp__flat_assemble(sp__flat *o, sp__law law, const sp_real 
 {
     const sp_problem *pb = o->w.pb;
     const sp__bchol *L = &o->w.L;
+    sp_real *H = o->w.h, *T[2] = { H + 9, H + 18 }, *K = H + 27;
     memset(o->diag, 0, 6 * (size_t)L->n * sizeof *o->diag);
     memset(o->off, 0, 9 * (size_t)L->p[L->n] * sizeof *o->off);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real H[9], T[2][9], K[9];
         sp__flat_hessian(o, law, c, y, H);
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
@@ -5659,6 +5660,7 @@ SP__APART static sp__flat *sp__flat_open(const sp_problem *pb, const sp_settings
     w->y = sp__take(a, b, 3 * sizeof *w->y);
     w->r = sp__take(a, b, 3 * sizeof *w->r);
     w->d = sp__take(a, b, 3 * sizeof *w->d);
+    w->h = sp__take(a, SP__FLAT_H, sizeof *w->h);
     o->keep = sp__take(a, b, 3 * sizeof *o->keep);
     o->t = sp__take(a, b, 3 * sizeof *o->t);
     o->mate = sp__take(a, (size_t)pb->points, sizeof *o->mate);

@@ -496,7 +496,8 @@ typedef struct sp_result {
     int32_t verified;           /* the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided */
     sp_real tol, force_bound;   /* in force */
-    sp_real omega;              /* largest relative imbalance of f; tells for every verdict                             [1] */
+    sp_real omega;              /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
+                                   (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
     sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
     int32_t free_blocks, interfaces, points;    /* that took part */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */

@@ -492,6 +492,14 @@ TEST(asking_changes_nothing)
     CHECK(memcmp(test_arena.base + test_arena.used, after.f, size) == 0);
 }
 
+/* All effects: what both sides of a comparison of work are counted with. */
+static sp_settings every_effect(void)
+{
+    sp_settings set = sp_settings_default();
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;
+    return set;
+}
+
 /* Counts of work, the same on every machine: about what five checks cost in double, where 150 checks were made; in float
  * roundings of a high wall's forces are too near tol for some steps to be seen from a few blocks. */
 TEST(a_wall_stone_by_stone_costs_less_than_ten_checks_in_double)
@@ -503,7 +511,8 @@ TEST(a_wall_stone_by_stone_costs_less_than_ten_checks_in_double)
         test_arena.used = start;
         build_wall(15, 10, 0.3 * jitter, &s);
         const size_t mark = test_arena.used;
-        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        const sp_settings set = every_effect();
+        NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
         CHECK_INT(r.verdict, SP_STABLE);
         test_arena.used = mark;
         sp_sequence *q = open_sequence(&s, NULL);
@@ -526,7 +535,8 @@ TEST(a_budget_ends_the_search_with_a_set_that_stands)
     sp_held held;
     sp_suggestion next;
     build("arch", "n", 20, &s);
-    sp_sequence *q = open_sequence(&s, NULL);
+    const sp_settings set = every_effect();
+    sp_sequence *q = open_sequence(&s, &set);
     NEED(q != NULL);
     for (int32_t k = 1; k < 19; k++) take(q, k, SP_PRESENT);
     NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
