@@ -5151,6 +5151,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
 
 /* 20 ------------------------------------------------------------------------------------------------ planar and frictionless */
 
+#ifndef SP_NO_PLAN
 /* Two kinds of scenes need only 3 of a block's 6 rows.
  *
  *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and the
@@ -5899,6 +5900,8 @@ SP__APART static sp_status sp__flat_run(const sp_problem *pb, const sp_settings 
     sp__flat_gradient(o, SP__ADMISSIBLE, o->keep, o->w.r, state->f);
     return SP_OK;
 }
+
+#endif /* SP_NO_PLAN */
 
 /* 21 -------------------------------------------------------------------------------------------------------- penalty form */
 
@@ -7982,6 +7985,9 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
         const int32_t choice = (int32_t)out->effect[k];
         if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
     }
+#ifdef SP_NO_PLAN
+    if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
+#endif
     if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
@@ -8324,6 +8330,7 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
+#ifndef SP_NO_PLAN
 /* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
  * upright to, no mortar, and every block rests on something. */
 SP__APART static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
@@ -8408,6 +8415,8 @@ SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_sett
     sp__cost_add(&r->cost, &state->cost);
     return status;
 }
+
+#endif /* SP_NO_PLAN */
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
@@ -8541,7 +8550,10 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
 {
     int done = 0;
     for (int32_t k = 0; k < set->stage_count && !done; k++) {
-        sp_status status = set->stage[k] == SP_STAGE_EXACT ? sp__check_reduced(pb, set, k, state, a, r, &done) : SP_OK;
+        sp_status status = SP_OK;
+#ifndef SP_NO_PLAN
+        if (set->stage[k] == SP_STAGE_EXACT) status = sp__check_reduced(pb, set, k, state, a, r, &done);
+#endif
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
@@ -8882,6 +8894,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 
 /* 30 --------------------------------------------------------------------------------------------------------------- plan */
 
+#ifndef SP_NO_PLAN
 /* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
  * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
  * near a limit), what a step costs is known. */
@@ -9008,6 +9021,8 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
     *out = p->o;
     return SP_OK;
 }
+
+#endif /* SP_NO_PLAN */
 
 /* 31 ----------------------------------------------------------------------------------------------------- placing a stone */
 

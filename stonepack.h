@@ -38,6 +38,7 @@ extern "C" {
  *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
+ *   SP_NO_PLAN      defined: no sp_plan, no planar and frictionless search; leaving out the depth: SP_E_UNSUPPORTED
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
@@ -580,6 +581,8 @@ SP_API size_t sp_verify_memory(const sp_scene *scene);
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 
+#ifndef SP_NO_PLAN
+
 typedef struct sp_planned {
     sp_effect_why why;
     int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes,
@@ -599,6 +602,8 @@ SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
 
 /* What will sp_check simulate, what not, and why?            returns what sp_memory returns */
 SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
+
+#endif
 
 /* 7 --------------------------------------------------------------------------------------------------- reading a result */
 

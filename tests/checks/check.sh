@@ -89,11 +89,13 @@ check_switches() {
     core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')  # these test the program
     no_qp=$(echo "$core" | grep -vx qp)
     no_ipm=$(echo "$core" | grep -vx limit)
+    no_plan=$(echo "$core" | grep -vx plan)
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|judge|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
     part "SP_NO_DYKSTRA: no projections left" without 'dykstra' -DSP_NO_DYKSTRA
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|ends|limit)|sp_limit|sp_joint_moves' -DSP_NO_IPM
+    part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
     part "SP_NO_QP, SP_NO_CRA: both gone" without 'sp_qp|sp__(qp|cra)' -DSP_NO_QP -DSP_NO_CRA
     count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
@@ -101,6 +103,7 @@ check_switches() {
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
         count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
         count "tests, SP_NO_IPM $sw_real" tests_without "$no_ipm" tests/scenes/gen.c -DSP_NO_IPM $sw_real
+        count "tests, SP_NO_PLAN $sw_real" tests_without "$no_plan" tests/scenes/gen.c -DSP_NO_PLAN $sw_real
         count "tests, SP_NO_ADMM, SP_NO_DYKSTRA $sw_real" tests_without "$core" tests/scenes/gen.c -DSP_NO_ADMM -DSP_NO_DYKSTRA $sw_real
     done
 }
@@ -284,7 +287,7 @@ check_pair() {
     count "pair: tests" pair_tests
     count "pair: tests, float" pair_tests -DSP_REAL_FLOAT
     part "pair: the bits of the tree, C99, C11, C2x" pair_bits
-    for pa_switch in $(grep -oE 'SP_(NO_[A-Z_]*|SMALL)' stonepack.h | sort -u | grep -v SP_NO_IPM); do         # that one finds other forces
+    for pa_switch in $(grep -oE 'SP_(NO_[A-Z_]*|SMALL)' stonepack.h | sort -u | grep -vxE 'SP_NO_(IPM|PLAN)'); do    # these find other forces
         part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
     done
 }
