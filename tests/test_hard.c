@@ -4,10 +4,16 @@
 
 #include <string.h>
 
+#ifdef SP_NO_IPM
+#define NEWTON HARD_INTERIOR
+#else
+#define NEWTON 0u
+#endif
+
 #ifdef SP_REAL_FLOAT
 #define HARD_OMEGA R(1e-4)
 #define SKIP (HARD_NO_FLOAT)
-#define OPEN (HARD_LIMIT | HARD_OPEN_FLOAT)
+#define OPEN (HARD_LIMIT | HARD_OPEN_FLOAT | NEWTON)
 #else
 #ifdef SP_NO_IPM
 #define HARD_OMEGA R(1e-11)                        /* the proximal path stops a digit earlier */
@@ -15,7 +21,7 @@
 #define HARD_OMEGA R(1e-12)
 #endif
 #define SKIP 0u
-#define OPEN HARD_LIMIT
+#define OPEN (HARD_LIMIT | NEWTON)
 #endif
 
 static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
