@@ -19,6 +19,7 @@ gcc_only='-Wfloat-conversion -Wlogical-op -Wduplicated-cond -Wjump-misses-init'
 host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wvla -Wstrict-prototypes -Wpointer-arith
  -Wwrite-strings -Werror'
 suites=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
+core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')      # these test the program
 host_c="$(ls port/host/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
 test_c="tests/run.c $(ls tests/test_*.c | tr '\n' ' ')"
 
@@ -86,7 +87,6 @@ qp_parts() {                                            # the switches of its pa
     done
 }
 check_switches() {
-    core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')  # these test the program
     no_qp=$(echo "$core" | grep -vx qp)
     no_ipm=$(echo "$core" | grep -vx limit)
     no_plan=$(echo "$core" | grep -vx plan)
@@ -277,6 +277,14 @@ pair_standards() {
 pair_tests() {
     run_build "$CC" build/pair/stonepack.c $out/run_pair -O2 "$@" && $out/run_pair
 }
+# Each file of the tests with a library of its own inside; fence has it anyway.
+pair_private() {                                        # pair_private FLAGS...
+    pp_suites=$(echo "$core" | grep -vx fence)
+    # shellcheck disable=SC2086,SC2046
+    $CC -ffp-contract=off -fno-math-errno -O0 -Wno-unused-function -DSP_API=static -include build/pair/stonepack.c "$@" \
+        -DTEST_SUITES="$(printf 'X(%s) ' $pp_suites)" tests/run.c $(printf 'tests/test_%s.c ' $pp_suites) tests/scenes/gen.c -lm \
+        -o $out/run_private && $out/run_private
+}
 pair_bits() {
     for pb_std in c99 c11 c2x; do (export LIBRARY=build/pair/stonepack.c STD=$pb_std; corpus "$CC" -O2 "$@") || return 1; done
 }
@@ -285,7 +293,8 @@ check_pair() {
     part "pair: C99, C11, C2x, float" pair_standards
     part "pair: static, nothing left over" pair_static
     count "pair: tests" pair_tests
-    count "pair: tests, float" pair_tests -DSP_REAL_FLOAT
+    count "pair: tests, C2x, float" pair_tests -std=c2x -DSP_REAL_FLOAT
+    count "pair: tests, SP_API static, C11" pair_private -std=c11
     part "pair: the bits of the tree, C99, C11, C2x" pair_bits
     for pa_switch in $(grep -oE 'SP_(NO_[A-Z_]*|SMALL)' stonepack.h | sort -u | grep -vxE 'SP_NO_(IPM|PLAN)'); do    # these find other forces
         part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
