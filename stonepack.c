@@ -5380,9 +5380,12 @@ static void sp__flat_back(const sp__flat *o, int32_t c, int side, const sp_real 
     const int32_t i = side ? t->b : t->a;
     sp_real x[3];
     if (i < 0) return;
-    const int plane = o->mode == SP__PLANE;
-    const sp_real f[3] = { plane ? g[0] * F[0] - g[1] * F[1] : F[0], plane ? g[1] * F[0] + g[0] * F[1] : arm[0] * F[0] + F[1],
-                           (plane ? arm[0] * F[0] + arm[1] * F[1] : arm[1] * F[0]) + F[2] };
+    sp_real f[3] = { F[0], arm[0] * F[0] + F[1], arm[1] * F[0] + F[2] };
+    if (o->mode == SP__PLANE) {
+        f[0] = g[0] * F[0] - g[1] * F[1];
+        f[1] = g[1] * F[0] + g[0] * F[1];
+        f[2] = arm[0] * F[0] + arm[1] * F[1] + F[2];
+    }
     sp__flat_weight(o, i, x);
     for (size_t k = 0; k < 3; k++) r[3 * (size_t)i + k] += sign * x[k] * f[k];
 }
@@ -8211,9 +8214,9 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
     return status;
 }
 
-/* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show. */
-typedef char sp__memory_bytes_holds[sizeof(sp__dual) <= 512 && sizeof(sp__yield) <= 64 && sizeof(sp__scale) <= 13 * sizeof(sp_real)
-                                    && SP__DUAL_H <= 102 && SP_ALIGN == 16 ? 1 : -1];
+/* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 512 && sizeof(sp__yield) <= 64
+                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
 
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
