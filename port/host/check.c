@@ -1,5 +1,6 @@
 /* check: does each scene stand? */
-#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#define _POSIX_C_SOURCE 200809L         /* isatty */
+#include "clock.h"
 #include "commands.h"
 #include "done.h"
 #include "report.h"
@@ -8,17 +9,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #define LONG_WORK 5000                  /* [blocks] from here on a terminal is told what goes on */
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* One line on a terminal's stderr that the next one replaces; "" wipes it. */
 static void progress(const char *what, const char *path)

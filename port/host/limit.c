@@ -1,5 +1,5 @@
 /* limit: how much of the live loads does it bear, and what gives way? */
-#define _POSIX_C_SOURCE 200809L         /* clock_gettime */
+#include "clock.h"
 #include "commands.h"
 #include "json_out.h"
 #include "limit.h"
@@ -8,14 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,
                       void **memory)

@@ -1,5 +1,5 @@
 /* qp: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file. */
-#define _POSIX_C_SOURCE 200809L         /* clock_gettime */
+#include "clock.h"
 #include "commands.h"
 #include "json_out.h"
 #include "options.h"
@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { ITERATIONS = 100000 };           /* the program is more patient than the library, and tunes rho as often and finely as it likes */
 
@@ -22,13 +21,6 @@ typedef struct run {
     size_t bytes;
     double seconds;
 } run;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static sp_status memory_of(run *r)
 {

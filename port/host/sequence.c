@@ -1,5 +1,6 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
-#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#define _POSIX_C_SOURCE 200809L         /* isatty */
+#include "clock.h"
 #include "commands.h"
 #include "json_out.h"
 #include "options.h"
@@ -11,7 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { STRIP = 24 };                    /* pictures in a strip, at most */
@@ -39,13 +39,6 @@ typedef struct run {
     size_t bytes;
     double seconds;
 } run;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void progress(const run *r, int32_t k)
 {

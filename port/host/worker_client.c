@@ -1,6 +1,7 @@
 /* worker_client: starts a worker, talks to it until a deadline, ends it. */
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it, prctl */
+#include "clock.h"
 #include "worker_client.h"
 #include "report.h"
 
@@ -20,13 +21,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void limit(int what, rlim_t most)
 {
