@@ -193,13 +193,12 @@ static int draw(const report *r, const tilt_margin *m, text_error *error)
 
 static void print_tilt(const report *r, const tilt_margin *m)
 {
-    const double azimuth = m->azimuth < -1e-9 ? m->azimuth + 360 : fabs(m->azimuth);
     if (r->options->json) {
         json_out j = { stdout, 0 };
         json_open(&j, NULL, '{');
         json_string(&j, "scene", r->scene->path);
         if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
-        if (m->stands) json_real(&j, "azimuth", azimuth); else json_null(&j, "azimuth");
+        if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
         json_int(&j, "undecided", m->undecided);
         json_string(&j, "cone", r->options->cone);
         json_open(&j, "angles", '[');
@@ -210,7 +209,7 @@ static void print_tilt(const report *r, const tilt_margin *m)
         return;
     }
     if (!m->stands) { printf("%s: does not stand while level\n", r->scene->path); return; }
-    printf("%s: TILT MARGIN %.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->least, azimuth);
+    printf("%s: TILT MARGIN %.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->least, m->azimuth);
     row("how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }

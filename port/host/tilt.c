@@ -139,6 +139,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
     }
     for (int k = 0; k < TILT_AZIMUTHS; k++)
         if (m->angle[k] < m->least) { m->least = m->angle[k]; m->azimuth = 360.0 * k / TILT_AZIMUTHS; }
+    m->azimuth = fmod(floor(1e9 * m->azimuth + 0.5) / 1e9 + 360, 360);     /* a billionth of a degree: 0 is 0 */
     return 0;
 }
 
@@ -183,7 +184,7 @@ int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margi
             SIDE, SIDE + 20, SIDE, SIDE + 20);
     fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by up to %.3g&#176;</text>\n"
             "<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); %s cone</text>\n",
-            m->least, m->azimuth < -1e-9 ? m->azimuth + 360 : fabs(m->azimuth), o->cone);
+            m->least, m->azimuth, o->cone);
     grid(out, most, step);
     fputs("<path fill=\"#1b7837\" fill-opacity=\"0.25\" stroke=\"#1b7837\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"", out);
     for (int k = 0; k < TILT_AZIMUTHS; k++) {
