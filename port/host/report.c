@@ -268,7 +268,7 @@ static const char *why(sp_reason reason)
     case SP_REASON_NO_SUPPORT: return "a group of blocks has no path to a support";
     case SP_REASON_MECHANISM:  return "the blocks can move in a way that no force of the joints can resist";
     case SP_REASON_LIMIT:      return "neither forces nor a motion within tol: the limit is nearer than that";
-    case SP_REASON_BUDGET:     return "the search made no more progress: neither forces nor a motion within tol";
+    case SP_REASON_BUDGET:     return "the search gave up, its work spent or without progress: neither forces nor a motion within tol";
     case SP_REASON_STAGES:     return "the chosen stages can't decide this";
     case SP_REASON_NO_MOTION:  return "forces exist, but no virtual motion explains any of them";
     case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was found";
