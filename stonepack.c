@@ -2061,7 +2061,7 @@ typedef struct sp__scale {
 /* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
-#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep: at least 2 for the scales, 1 for forces or a triple, 7 for a motion */
+#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
 
 typedef struct sp__judge {
     const sp_problem *pb;
@@ -5637,7 +5637,7 @@ static void sp__flat_mates(sp__flat *o)
 static void sp__flat_axes(sp__flat *o)
 {
     const sp_real *m = o->e[2];
-    const int least = sp__abs(m[0]) <= sp__abs(m[1]) ? (sp__abs(m[0]) <= sp__abs(m[2]) ? 0 : 2) : (sp__abs(m[1]) <= sp__abs(m[2]) ? 1 : 2);
+    const int less = sp__abs(m[0]) <= sp__abs(m[1]) ? 0 : 1, least = sp__abs(m[less]) <= sp__abs(m[2]) ? less : 2;
     sp_real x[3] = { 0, 0, 0 };
     x[least] = 1;
     sp__cross3(x, m, o->e[0]);
@@ -5933,7 +5933,8 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
     }
 }
 
-SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_demand *demand)
+SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                                           sp_demand *demand)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
@@ -5946,7 +5947,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__newton_look(w, &n, state);
     n.shift = SP__SHIFT;
     while (sp__newton_left(w, &n) && n.omega > n.goal) sp__newton_step(w, &n, state);
-    if (n.omega <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a slide without friction, a loose stone */
+    if (n.omega <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: no friction, a loose stone */
     return SP_OK;
 }
 
@@ -6069,8 +6070,10 @@ SP__APART static void sp__program_matrices(sp__program *g, const sp_problem *pb,
     memset(g->at.Ap, 0, ((size_t)n + 1) * sizeof *g->at.Ap);
     sp__program_columns(g, pb, &t, g->at.Ap);
     for (int32_t i = 0; i < pb->blocks; i++) g->at.arm[i] = 0;
-    for (int32_t k = 0; k < t.count; k++)
-        if (g->at.Ai[k] < 6 * pb->blocks && g->at.Ai[k] % 6 > 2) g->at.arm[g->at.Ai[k] / 6] = sp__max(g->at.arm[g->at.Ai[k] / 6], sp__abs(g->at.Ax[k]));
+    for (int32_t k = 0; k < t.count; k++) {
+        const int32_t row = g->at.Ai[k], i = row / 6;
+        if (row < 6 * pb->blocks && row % 6 > 2) g->at.arm[i] = sp__max(g->at.arm[i], sp__abs(g->at.Ax[k]));
+    }
     for (int32_t i = 0; i < pb->blocks; i++) g->at.arm[i] = g->at.arm[i] > 0 ? 1 / g->at.arm[i] : 1;
     for (int32_t k = 0; k < t.count; k++)
         if (g->at.Ai[k] < 6 * pb->blocks && g->at.Ai[k] % 6 > 2) g->at.Ax[k] *= g->at.arm[g->at.Ai[k] / 6];
@@ -7096,7 +7099,8 @@ SP__APART static int sp__cra_polish(sp__cra *c)
     return sp__cra_lay(c) && sp__cra_offer(c);
 }
 
-/* Rounds at one drag, to more digits where fewer do not do.     returns 1: a triple is verified, 0: go on, -1: the motion ran away */
+/* Rounds at one drag, to more digits where fewer do not do.
+ *   returns 1: a triple is verified, 0: go on, -1: the motion ran away */
 SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
 {
     sp_real last = SP__HUGE;
@@ -8276,8 +8280,8 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
     return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
 }
 
-/* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there. Forces are judged unless a motion is claimed, and
- * a motion unless forces are. */
+/* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
+ * Forces are judged unless a motion is claimed, and a motion unless forces are. */
 SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
@@ -8402,7 +8406,8 @@ SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_setting
     return SP_OK;
 }
 
-/* The reduction that is planned: what is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
+/* The reduction that is planned: what is planar is not tried without friction. Where the third dimension is left out by force
+ * nothing comes after. */
 SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                              sp_arena *a, sp_result *r, int *done)
 {
@@ -8722,7 +8727,8 @@ SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *
     c->state.has_y0 |= found->state.has_y0;
     sp__cost_add(&r->cost, &from->cost);
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
-    for (int q = 0; q < SP_EFFECTS; q++) if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
+    for (int q = 0; q < SP_EFFECTS; q++)
+        if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
     r->part[k].block = t->block[k];
     r->part[k].blocks = found->pb.blocks;
     r->part[k].verdict = from->verdict;
