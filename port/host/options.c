@@ -125,23 +125,43 @@ static int backend(const char *s, int *which)
     return 0;
 }
 
+/* Where an option goes whose value is taken as it is; NULL: another. */
+static const char **text_of(options *o, const char *name)
+{
+    return strcmp(name, "--svg") == 0 ? &o->svg : strcmp(name, "-o") == 0 ? &o->out : strcmp(name, "--frames") == 0 ? &o->frames
+         : strcmp(name, "--set") == 0 ? &o->set : strcmp(name, "--order") == 0 ? &o->order
+         : strcmp(name, "--order-file") == 0 ? &o->order_file : strcmp(name, "--skip-done") == 0 ? &o->done : NULL;
+}
+
+/* One of the coupled check's: --cra-eps, --cra-eta, --cra-nodes. */
+static int take_coupled(sp_coupled_settings *c, const char *name, const char *value, text_error *error)
+{
+    sp_real x;
+    const int read = real(value, &x);
+    if (strcmp(name, "--cra-eps") == 0) {
+        if (!read || x < 0) return usage(error, name, "needs a length, 0 or more");
+        c->eps = x;
+    } else if (strcmp(name, "--cra-eta") == 0) {
+        if (!read || !(x > 0)) return usage(error, name, "needs a length above 0");
+        c->eta = x;
+    } else {
+        if (!read || !(x >= 0 && x <= (sp_real)1e7) || x > (sp_real)(int32_t)x)
+            return usage(error, name, "needs a whole number from 0 to 1e7");
+        c->nodes = (int32_t)x;
+    }
+    return 0;
+}
+
 /* One option with its value. */
 static int take(options *o, const char *name, const char *value, text_error *error)
 {
-    if (strcmp(name, "--svg") == 0) {
-        o->svg = value;
-    } else if (strcmp(name, "-o") == 0) {
-        o->out = value;
-    } else if (strcmp(name, "--frames") == 0) {
-        o->frames = value;
-    } else if (strcmp(name, "--set") == 0) {
-        o->set = value;
+    const char **text = text_of(o, name);
+    if (text) {
+        *text = value;
+    } else if (strncmp(name, "--cra-", 6) == 0) {
+        return take_coupled(&o->settings.coupled, name, value, error);
     } else if (strcmp(name, "--effects") == 0) {
         if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, depth, together");
-    } else if (strcmp(name, "--order") == 0) {
-        o->order = value;
-    } else if (strcmp(name, "--order-file") == 0) {
-        o->order_file = value;
     } else if (strcmp(name, "--near") == 0) {
         if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--tol") == 0) {
@@ -158,15 +178,6 @@ static int take(options *o, const char *name, const char *value, text_error *err
         if (!options_cone(value, &o->settings))
             return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
         snprintf(o->cone, sizeof o->cone, "%s", value);
-    } else if (strcmp(name, "--cra-eps") == 0) {
-        if (!real(value, &o->settings.coupled.eps) || o->settings.coupled.eps < 0) return usage(error, name, "needs a length, 0 or more");
-    } else if (strcmp(name, "--cra-eta") == 0) {
-        if (!real(value, &o->settings.coupled.eta) || !(o->settings.coupled.eta > 0)) return usage(error, name, "needs a length above 0");
-    } else if (strcmp(name, "--cra-nodes") == 0) {
-        sp_real n;
-        if (!real(value, &n) || !(n >= 0 && n <= (sp_real)1e7) || n > (sp_real)(int32_t)n)
-            return usage(error, name, "needs a whole number from 0 to 1e7");
-        o->settings.coupled.nodes = (int32_t)n;
     } else if (strcmp(name, "--stages") == 0) {
         if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
     } else if (strcmp(name, "--body") == 0) {
@@ -175,8 +186,6 @@ static int take(options *o, const char *name, const char *value, text_error *err
         (void)value;                                    /* read before all others */
     } else if (strcmp(name, "--eps") == 0) {
         if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
-    } else if (strcmp(name, "--skip-done") == 0) {
-        o->done = value;
     } else if (strcmp(name, "--worker") == 0) {
         if (!worker(value, o)) return usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
     } else if (strcmp(name, "--backend") == 0) {

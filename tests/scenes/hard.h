@@ -48,27 +48,21 @@ static sp_status hard_bed(sp_scene *s, int32_t a, int32_t b, double x, double y,
     return sp_scene_interface(s, a, b, 4, v, &joint, NULL);
 }
 
-/* Ground, a cube of 1 m and mass a, on it another of mass b. */
-static sp_status hard_masses(const hard_case *c, sp_arena *arena, sp_scene *s)
+/* Ground, a cube of 1 m and mass a, on it another of mass b, `off` beside it. */
+static sp_status hard_two(const hard_case *c, double off, sp_arena *arena, sp_scene *s)
 {
     sp_status e = hard_start(s, 3, 2, 8, arena);
     if (!e) e = hard_body(s, 0, 0, 0, -0.5, 1);
     if (!e) e = hard_body(s, c->a, 0, 0, 0.5, 0);
-    if (!e) e = hard_body(s, c->b, 0, 0, 1.5, 0);
+    if (!e) e = hard_body(s, c->b, off, 0, 1.5, 0);
     if (!e) e = hard_bed(s, 0, 1, 0, 0, 0, 0.5, 0.5, 0.6);
-    return e ? e : hard_bed(s, 1, 2, 0, 0, 1, 0.5, 0.5, 0.6);
+    return e ? e : hard_bed(s, 1, 2, off / 2, 0, 1, 0.5 - off / 2, 0.5, 0.6);
 }
 
-/* The same, the upper one's middle beyond the lower one's edge. */
-static sp_status hard_masses_off(const hard_case *c, sp_arena *arena, sp_scene *s)
-{
-    sp_status e = hard_start(s, 3, 2, 8, arena);
-    if (!e) e = hard_body(s, 0, 0, 0, -0.5, 1);
-    if (!e) e = hard_body(s, c->a, 0, 0, 0.5, 0);
-    if (!e) e = hard_body(s, c->b, 0.6, 0, 1.5, 0);
-    if (!e) e = hard_bed(s, 0, 1, 0, 0, 0, 0.5, 0.5, 0.6);
-    return e ? e : hard_bed(s, 1, 2, 0.3, 0, 1, 0.2, 0.5, 0.6);
-}
+static sp_status hard_masses(const hard_case *c, sp_arena *arena, sp_scene *s) { return hard_two(c, 0, arena, s); }
+
+/* The upper one's middle beyond the lower one's edge. */
+static sp_status hard_masses_off(const hard_case *c, sp_arena *arena, sp_scene *s) { return hard_two(c, 0.6, arena, s); }
 
 /* A cube of 10 m, its middle `a` beside a joint `b` wide. */
 static sp_status hard_edge(const hard_case *c, sp_arena *arena, sp_scene *s)
