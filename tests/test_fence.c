@@ -74,11 +74,8 @@ static void whole(void)
 /* The scene of an entry, its pieces fenced as well. The plain one that it is made of stays in front of it. */
 static void build(const char *name, const char *param, double value, sp_scene *s)
 {
-    gen_scene g;
     sp_scene plain;
-    CHECK_INT(gen_open(&g, name), 1);
-    if (param) CHECK_INT(gen_set(&g, param, value), 1);
-    CHECK_INT(gen_build(&g, &test_arena, &plain), SP_OK);
+    CHECK_INT(gen_make(name, param, value, &test_arena, &plain), SP_OK);
     CHECK_INT(sp_scene_create(s, &plain.count, &test_arena), SP_OK);
     memcpy(s->gravity, plain.gravity, sizeof s->gravity);
     for (int32_t b = 0; b < plain.count.blocks; b++) {

@@ -33,10 +33,7 @@ static sp_arena fenced_arena(const fenced *f)
 
 static void build(const char *name, const char *param, double value, sp_scene *scene)
 {
-    gen_scene g;
-    CHECK_INT(gen_open(&g, name), 1);
-    if (param) CHECK_INT(gen_set(&g, param, value), 1);
-    CHECK_INT(gen_build(&g, &test_arena, scene), SP_OK);
+    CHECK_INT(gen_make(name, param, value, &test_arena, scene), SP_OK);
 }
 
 static const struct { const char *name, *param; double value; } sample[] = {

@@ -12,10 +12,7 @@ static int32_t order[MOST];
 
 static void build(const char *name, const char *param, double value, sp_scene *scene)
 {
-    gen_scene g;
-    CHECK_INT(gen_open(&g, name), 1);
-    if (param) CHECK_INT(gen_set(&g, param, value), 1);
-    CHECK_INT(gen_build(&g, &test_arena, scene), SP_OK);
+    CHECK_INT(gen_make(name, param, value, &test_arena, scene), SP_OK);
 }
 
 static void build_wall(int rows, int bricks, double jitter, sp_scene *scene)

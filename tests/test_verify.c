@@ -6,10 +6,7 @@
 
 static void build(const char *name, const char *param, double value, sp_scene *scene)
 {
-    gen_scene g;
-    CHECK_INT(gen_open(&g, name), 1);
-    if (param) CHECK_INT(gen_set(&g, param, value), 1);
-    CHECK_INT(gen_build(&g, &test_arena, scene), SP_OK);
+    CHECK_INT(gen_make(name, param, value, &test_arena, scene), SP_OK);
 }
 
 /* What a claim proves; a claim with a NaN or an infinity in it is refused and proves nothing. */

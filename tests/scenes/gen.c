@@ -818,3 +818,10 @@ sp_status gen_build(const gen_scene *g, sp_arena *arena, sp_scene *scene)
     gen_gravity(g->value[GEN_OWN + 2], g->value[GEN_OWN + 3], scene->gravity);
     return s.status;
 }
+
+sp_status gen_make(const char *name, const char *param, double value, sp_arena *arena, sp_scene *scene)
+{
+    gen_scene g;
+    if (gen_open(&g, name) != 1 || (param && gen_set(&g, param, value) != 1)) return SP_E_ARGUMENT;
+    return gen_build(&g, arena, scene);
+}

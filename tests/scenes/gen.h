@@ -54,6 +54,10 @@ sp_status gen_capacity(const gen_scene *g, sp_capacity *cap);
 /* Make the scene in an arena.                              returns what the building calls return */
 sp_status gen_build(const gen_scene *g, sp_arena *arena, sp_scene *scene);
 
+/* All of this at once, one number changed (param NULL: none).
+ *   returns what gen_build returns; SP_E_ARGUMENT: no such name or number, or outside its range */
+sp_status gen_make(const char *name, const char *param, double value, sp_arena *arena, sp_scene *scene);
+
 /* Sine and cosine of x [rad] that are the same on every machine: own series, right to an ulp or so for |x| < 1000. */
 double gen_sin(double x);
 double gen_cos(double x);
