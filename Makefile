@@ -54,7 +54,7 @@ SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
 TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
-.PHONY: always all lib demo test deps test-boards robot footprint pair package install bench figures check help clean
+.PHONY: always all lib demo test deps test-boards robot footprint pair package install bench figures coupled-table check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -73,6 +73,7 @@ help:
 	@echo "make install   library, header, program into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
 	@echo "make figures   the pictures of the README"
+	@echo "make coupled-table  the README's table of the coupled check, on CASES (../shared/cases)"
 	@echo "make clean     removes build/"
 
 lib: build/libstonepack.a
@@ -186,6 +187,11 @@ bench: build/bench
 
 figures: build/stonepack build/stonepack_float
 	@sh tests/bench/figures.sh
+
+# compas_cra's own assemblies against the times of Ipopt that come with them.
+CASES ?= ../shared/cases
+coupled-table: build/stonepack
+	@python3 -B tests/checks/coupled_cases.py build/stonepack $(CASES) --samples
 
 clean:
 	rm -rf build

@@ -1,6 +1,7 @@
 /* The coupled check: what a triple (f, dq, alpha) proves, and what is found. */
 #include "test.h"
 #include "scenes/gen.h"
+#include "scenes/change.h"
 
 #include <math.h>
 
@@ -612,6 +613,125 @@ TEST(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numb
     }
 }
 
+/* ---------------------------------------------------------------------------------------------------- monotone, invariant */
+
+/* Scenes with their answers at eta/eps 100, slip bounded by its length. */
+typedef struct known { const char *name; double angle, mu, tilt; sp_coupling answer; } known;
+static const known sample[] = {
+    { "h-model", 0, 0.84, 0, SP_COUPLING_REFUTED },         { "h-model", 0, 0.45, 0, SP_COUPLING_REFUTED },
+    { "squeezed", 0, 0.9, 0, SP_COUPLING_COUPLED },         { "squeezed", 0, 0.7, 0, SP_COUPLING_REFUTED },
+    { "arch", 0, 0.84, 0, SP_COUPLING_COUPLED },            { "flat-arch", 0, 0.5, 0, SP_COUPLING_COUPLED },
+    { "keystone", -1, 0, 0, SP_COUPLING_COUPLED },          { "keystone", -0.5, 0, 0, SP_COUPLING_REFUTED },
+    { "keystone", 20, 0.84, 0, SP_COUPLING_REFUTED },       { "keystone", -20, 0.84, 50, SP_COUPLING_COUPLED },
+    { "keystone", -20, 0.84, 80, SP_COUPLING_COUPLED },     { "snug", 0, 0.7, 0, SP_COUPLING_REFUTED }
+};
+enum { SAMPLES = sizeof sample / sizeof sample[0] };
+
+static void build_known(const known *k, sp_scene *s)
+{
+    squeeze q = plain;
+    gen_scene g;
+    test_arena.used = 0;
+    q.mu = k->mu;
+    if (k->name[0] == 's') {
+        if (k->name[1] == 'q') squeezed(&q, s);
+        else snug(k->mu, 0, s);
+        return;
+    }
+    CHECK(gen_open(&g, k->name));
+    CHECK_INT(gen_set(&g, "mu", k->mu), 1);
+    if (k->name[0] == 'k') CHECK_INT(gen_set(&g, "angle", k->angle), 1);
+    if (k->tilt > 0) CHECK(gen_set(&g, "tilt", k->tilt) == 1 && gen_set(&g, "azimuth", 40) == 1);
+    if (k->name[0] == 'a') CHECK_INT(gen_set(&g, "n", 12), 1);
+    CHECK_INT(gen_build(&g, &test_arena, s), SP_OK);
+}
+
+/* In float an answer may be missing; it is never the other one. */
+static void same_answer(const known *k, const sp_scene *s, double unit)
+{
+    sp_settings set = asked(100, 0);
+    sp_result r;
+    set.coupled.eps *= R(unit);
+    set.coupled.eta *= R(unit);
+    const sp_coupling found = answer(s, &set, &r);
+    if (sizeof(sp_real) == 8 || found != SP_COUPLING_NOT_FOUND) {
+        if (!CHECK_INT(found, k->answer)) TEST_PRINT("    %s angle %g mu %g tilt %g\n", k->name, k->angle, k->mu, k->tilt);
+    }
+}
+
+TEST(a_turn_with_gravity_units_order_sides_and_first_corners_leave_the_answer)
+{
+    for (int k = 0; k < SAMPLES; k++)
+        for (int way = sample[k].name[1] == 'n' ? 5 : 0; way < 6; way++) {         /* what takes seconds: all at once only */
+            sp_scene s, other;
+            int32_t place[MOST], name[MOST];
+            change c = none();
+            if (way == 0 || way == 5) any_turn(&c);
+            if (way == 1 || way == 5) c.scale = 12.5, c.density = 4e-3, c.gravity = 3;
+            if (way == 2 || way == 5) c.permute = 1;
+            if (way == 3 || way == 5) c.swap = 1;
+            if (way == 4 || way == 5) c.turn = 1;
+            build_known(&sample[k], &s);
+            copy(&s, &c, &other, place, name);
+            same_answer(&sample[k], &other, c.scale);
+        }
+}
+
+/* Of one triple (f, dq, alpha) the conditions ask  f in K,  dn <= eta, |dt| <= eta,  and besides only what is linear in f for
+ * one dq, or in dq for one f. So it is one still
+ *     with more friction, or a cone around that one:     f in K stays
+ *     with a larger eta, or its bound per component:     |dt1|, |dt2| <= |dt|
+ *     in another length:  eps, eta, dq  times s,  alpha / s:     ft = -alpha dt, dn + eps
+ *     with other weights: p, f, alpha times s:           Aeq f + p, ft = -alpha dt */
+TEST(a_triple_stays_one_where_more_is_allowed_or_all_is_scaled)
+{
+    for (int k = 0; k < SAMPLES; k++)
+        for (int way = 0; way < 8; way++) {
+            sp_settings set = asked(100, 0);
+            sp_scene s;
+            sp_result r;
+            sp_evidence e;
+            if (sample[k].answer != SP_COUPLING_COUPLED) continue;
+            build_known(&sample[k], &s);
+            if (answer(&s, &set, &r) != SP_COUPLING_COUPLED) { CHECK(sizeof(sp_real) == 4); continue; }
+            if (way == 1) CHECK_INT(sp_scene_friction(&s, R(sample[k].mu * 1.5 + 0.1)), SP_OK);
+            if (way == 2) set.coupled.eta *= 10;
+            if (way == 3) set.coupled.box = 1;
+            if (way == 4 || way == 5) { set.faces = way == 4 ? 5 : 8; set.inscribed = 0; }
+            if (way == 6) { set.coupled.eps *= 7; set.coupled.eta *= 7; }
+            for (int32_t i = 0; i < 6 * s.count.blocks && way == 6; i++) r.coupled.dq[i] *= 7;
+            for (int32_t v = 0; v < s.count.points && way == 6; v++) r.coupled.alpha[v] /= 7;
+            for (int i = 0; i < 3 && way == 7; i++) s.gravity[i] *= 3;
+            for (int32_t v = 0; v < s.count.points && way == 7; v++) r.coupled.alpha[v] *= 3;
+            for (int32_t i = 0; i < 3 * s.count.points && way == 7; i++) r.f[i] *= 3;
+            CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+            if (!CHECK_INT(e.level, SP_COUPLED)) TEST_PRINT("    %s mu %g, way %d\n", sample[k].name, sample[k].mu, way);
+        }
+}
+
+/* ... so no answer turns back: refuted, perhaps not found, then coupled; in double it turns once. */
+TEST(as_friction_or_eta_grows_the_answer_turns_once)
+{
+    for (int what = 0; what < 3; what++) {
+        int turned = 0;
+        for (int step = 0; step <= 24; step++) {
+            const double by = 0.5 + step * 0.0625 + 1e-3;
+            const double mu = what == 2 ? 0 : what == 1 ? 1.6 : 0.8 * by;
+            const known k = { what == 2 ? "keystone" : "squeezed", -1, mu, 0, SP_COUPLING_NOT_FOUND };
+            const double ratio = what == 0 ? 20 : (what == 1 ? 5 : 1 / tan(3.14159265358979323846 / 180)) * by;
+            const sp_settings set = asked(ratio, what == 1);
+            sp_scene s;
+            sp_result r;
+            build_known(&k, &s);
+            const sp_coupling found = answer(&s, &set, &r);
+            if (found == SP_COUPLING_COUPLED) turned = 1;
+            CHECK(!turned || found != SP_COUPLING_REFUTED);
+            if (sizeof(sp_real) == 8) CHECK_INT(found, by > 1 ? SP_COUPLING_COUPLED : SP_COUPLING_REFUTED);
+        }
+        CHECK_INT(turned, 1);
+    }
+}
+
 TEST(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
 {
     static const int n[] = { 1, 2, 4, 11, 12 };
@@ -757,6 +877,9 @@ TEST_LIST(coupled)
     RUN(a_coarse_tol_neither_couples_what_slides_nor_leaves_the_h_model_open)
     RUN(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
     RUN(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numbered)
+    RUN(a_turn_with_gravity_units_order_sides_and_first_corners_leave_the_answer)
+    RUN(a_triple_stays_one_where_more_is_allowed_or_all_is_scaled)
+    RUN(as_friction_or_eta_grows_the_answer_turns_once)
     RUN(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     RUN(the_seeds_alternation_couples_what_stands_in_a_round)

@@ -222,7 +222,10 @@ text_number text_real(text_word word, sp_real *x)
     *x = y;
     return TEXT_NUMBER;
 #else
-    return text_double(word, x);
+    double y;
+    const text_number is = text_double(word, &y);
+    if (is == TEXT_NUMBER) *x = y;
+    return is;
 #endif
 }
 

@@ -439,10 +439,17 @@ cases() { python3 ../shared/tools/run_cases.py --cli build/stonepack --jobs 2; }
 pictures() {
     sh tests/checks/demo.sh && for pi in build/demo/*.svg; do rsvg-convert -w 900 "$pi" -o "${pi%.svg}.png" || return 1; done
 }
+coupled() {                                             # coupled SCENES: its answers, judged in 113 bits from the written results
+    cli_build "$CC" $out/quad -O2 -w -DSP_REAL_QUAD -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' -lquadmath &&
+    python3 -B tests/checks/coupled_cases.py build/stonepack "$1" --quad $out/quad
+}
 check_cases() {
-    if [ ! -d ../shared/cases ]; then return; fi
+    if ! have python3; then skip "cases of known truth, triples in 113 bits" python3; return; fi
     SHOW=1
-    if have python3; then part "cases of known truth" cases; else skip "cases of known truth" python3; fi
+    if [ -d ../shared/cases ]; then
+        part "cases of known truth" cases
+        part "coupled check on cases of known truth: shares, 113 bits, monotone, invariant" coupled ../shared/cases
+    else part "coupled check on the bundled scenes: 113 bits, monotone, invariant" coupled tests/scenes; fi
     SHOW=
 }
 once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494
