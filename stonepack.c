@@ -4298,8 +4298,9 @@ static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_ar
 SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!sp__dual_count(w, (w->bears ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
+    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -4312,19 +4313,40 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
             sp__cone_project(&w->cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+            if (w->bears) sp__dual_bear(w, t, pb->local[v], g);
         }
         sp__dual_scatter(w, t, F, M, r);
     }
     sp__dual_release(w, r);
 }
 
+/* A round and its omega. keep (NULL: not on a budget) gets the forces whose omega, as forces are judged, is the best so far. */
+SP__APART static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
+{
+    if (keep) w->bears = w->L.t;
+    sp__polish_round(w, w->y, f, w->r);
+    const sp_real strict = w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
+    w->bears = NULL;
+    if (keep && strict < *best) {
+        *best = strict;
+        memcpy(keep, f, 3 * (size_t)w->pb->points * sizeof *f);
+    }
+    return w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
+}
+
+static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return sp__dual_need(pb, set, 0, set->budget > 0 ? 3 : 0, scratch);
+}
+
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
     sp__dual *w = sp__dual_open(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
-    if (!w) return SP_E_MEMORY;
+    const size_t n = 6 * (size_t)pb->blocks, size = 3 * (size_t)pb->points;
+    sp_real best = SP__HUGE, *keep = w && set->budget > 0 ? sp__take(arena, size, sizeof *keep) : NULL;
+    if (!w || sp__failed(arena)) return SP_E_MEMORY;
     w->limit = state->left;
-    const size_t n = 6 * (size_t)pb->blocks;
     const sp_real goal = set->seed && seed->balance < set->tol / 4 ? seed->balance : set->tol / 4;
     state->reason = SP_REASON_BUDGET;
     sp__dual_bilateral(w);
@@ -4334,24 +4356,24 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     if (set->seed) sp__dual_forces(w, SP__BILATERAL, w->y, state);
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
     if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
-    memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
-    sp__polish_round(w, w->y, state->f, w->r);
+    memset(state->f, 0, size * sizeof *state->f);
+    sp_real omega = sp__polish_look(w, state->f, keep, &best), last = omega;
     if (w->spent) return SP_OK;
-    sp_real omega = sp__dual_omega(w, w->r), last = omega;
     for (int round = 1; omega > goal && round <= seed->rounds; round++) {
         sp__dual_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
-        sp__polish_round(w, w->y, state->f, w->r);
+        const sp_real now = sp__polish_look(w, state->f, keep, &best);
         if (w->spent) break;
-        omega = sp__dual_omega(w, w->r);
+        omega = now;
         state->cost.iterations++;
         if (round % seed->window) continue;
         if (omega > (1 - seed->gain) * last) break;
         last = omega;
     }
-    for (size_t k = 0; k < 3 * (size_t)pb->points; k++) state->f[k] *= w->unit;
-    if (!w->spent) state->reason = SP_REASON_STAGES;
     *claim = omega <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
+    if (keep && !*claim) memcpy(state->f, keep, size * sizeof *keep);
+    for (size_t k = 0; k < size; k++) state->f[k] *= w->unit;
+    if (!w->spent) state->reason = SP_REASON_STAGES;
     return SP_OK;
 }
 
@@ -8007,7 +8029,7 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
     if (id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
     if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
-    if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__sparse_need; }
+    if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
 #endif

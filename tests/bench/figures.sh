@@ -4,6 +4,7 @@
 #     tests/bench/figures/*.svg           scenes, drawn by build/stonepack
 #     tests/bench/results/MACHINE/*.svg   curves, of the bench.csv beside them; need python3-matplotlib
 #     tests/bench/figures/cost-*.svg      what accuracy costs on nine scenes, measured anew; cost.csv beside them
+#     tests/bench/figures/near.csv        how near to a limit both sides are told
 set -eu
 cli=build/stonepack
 out=tests/bench/figures
@@ -69,6 +70,10 @@ if [ "${COSTS:-1}" != 0 ]; then
     compiler=$(${CC:-gcc} --version | head -n 1)
     $python tests/bench/cost.py build/figures/cost.jsonl $out "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), \
 $(date +%Y-%m-%d), $compiler -O2"
+fi
+if [ "${COSTS:-1}" != 0 ]; then
+    sh tests/bench/near.sh > build/figures/near.csv && mv build/figures/near.csv $out/near.csv
+    echo "$out/near.csv"
 fi
 for csv in tests/bench/results/*/bench.csv; do
     if [ -f "$csv" ]; then $python tests/bench/plot.py "$csv" "${csv%/bench.csv}"; fi

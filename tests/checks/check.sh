@@ -466,7 +466,7 @@ check_oracle() {
     fi
 }
 check_instruments() {                                   # the battery of hard scenes in other arithmetic
-    for in_name in float rounding traps flush quad; do
+    for in_name in float rounding traps flush quad near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
     if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance

@@ -7,6 +7,7 @@
 #     rounding  up, down, towards zero
 #     traps     invalid, division by zero, overflow stop the program; in double and in float
 #     flush     denormals are zero
+#     near      113 bits again: limits of tests/scenes/near.h, both sides told at 1e-12
 #     chance    20 samples of random rounding, the first with the corpus; prints the digits all of them share, the worst ten
 #
 # Passes when no verdict is wrong and none is missing that has to be there. Needs gcc; chance: g++. Output: build/instruments.
@@ -54,6 +55,7 @@ quad)
     same quad
     awk -F'|' 'NR == FNR { f[$1] = $5; next } ($1 in f) && $5 > 0 { e = f[$1] / $5 - 1; printf "%.1e %s\n", e < 0 ? -e : e, $1 }' \
         $out/plain.txt $out/quad.txt | sort -g -r | head -n 10 ;;
+near) sh tests/bench/near.sh check ;;
 chance)
     plain && g++ -x c++ -std=gnu++20 -fpermissive -DSP_REAL_OTHER -include $own/random.hpp $flags -O2 $own/battery.c -lm -o $out/chance
     k=1
