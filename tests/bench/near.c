@@ -2,8 +2,8 @@
  *
  *     near          every scene of ../scenes/near.h at every tol; distances go down in steps of 1, 2, 5 while both verdicts are
  *                   right, to 1e-15, the end of what the limits are known to
- *     near check    instead: are the limits those that sp_limit finds at tol 1e-20, and are both sides told at 1e-12 and tol 1e-15?
- *                   For __float128. Exit status 1: no
+ *     near check    instead: are the limits those that sp_limit finds at tol 1e-20, and are both sides told at 1e-12 and
+ *                   tol 1e-15? For __float128. Exit status 1: no
  *
  * One file with the library, so that near.sh can make it in any precision.
  */

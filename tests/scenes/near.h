@@ -2,7 +2,8 @@
  *
  * Each stands up to `limit` times its live load, the acceleration of gravity along x or y, and falls beyond. Limits are sums of
  * two doubles: those of arch, overhang and the wall in its plane are brackets of sp_limit in __float128 at tol 1e-20, 1e-17
- * wide (tests/bench/near.c asks it again); keystone: (1 + mu t) / (t - mu), t = tan of its sides; wall out of plane: depth / height.
+ * wide (tests/bench/near.c asks it again); keystone: (1 + mu t) / (t - mu), t = tan of its sides; wall out of plane:
+ * depth / height.
  * All of it is static, for one file to include.
  */
 #ifndef NEAR_H
