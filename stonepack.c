@@ -189,7 +189,8 @@ SP_API const char *sp_effect_why_text(sp_effect_why why)
                     "not asked for\0" "statics asks for none\0" "they share no free block; each is solved alone\0"
                     "stages or a budget that a plan leaves alone\0" "everything has one mirror plane: 3 rows a block\0"
                     "level joints under plumb loads: pressure alone comes first\0"
-                    "unknown", k >= 0 && k <= (int)SP_WHY_PRESSURE ? k : (int)SP_WHY_PRESSURE + 1);
+                    "contacts form a forest, or nothing need move: no search\0"
+                    "unknown", k >= 0 && k <= (int)SP_WHY_FOREST ? k : (int)SP_WHY_FOREST + 1);
 }
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
@@ -7701,6 +7702,149 @@ static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_
     return dry.used > branch.used ? dry.used : branch.used;
 }
 
+/* The forces of statics, all at rest. */
+static void sp__cra_rest(sp__cra *c, sp_real omega)
+{
+    memcpy(c->t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->t.f);
+    memset(c->t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->t.dq);
+    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
+    c->omega = omega;
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+}
+
+/* Is a forest told without a search? Not where nothing may be left out, or the seed's search is asked. */
+static int sp__hangs(const sp_settings *set) { return !set->coupled.rounds && set->iterations >= SP__ITERATIONS; }
+
+/* Leaves of the contact graph first, supports one node, every contact an edge: block order[k] goes with its only contact left,
+ * join[order[k]].     returns 1 when no block stays: a forest that hangs on the supports */
+static int sp__forest(const sp_problem *pb, int32_t *degree, int32_t *join, int32_t *order)
+{
+    int32_t n = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) degree[i] = join[i] = 0;
+    for (int32_t q = 0; q < pb->contacts; q++)
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? pb->contact[q].a : pb->contact[q].b;
+            if (i < 0) continue;
+            degree[i]++;
+            join[i] ^= q;                               /* of a single contact left its number */
+        }
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int32_t v = i; v >= 0 && degree[v] == 1;) {
+            const sp_contact *t = &pb->contact[join[v]];
+            const int32_t u = t->a == v ? t->b : t->a;
+            order[n++] = v;
+            degree[v] = 0;
+            if (u >= 0) { degree[u]--; join[u] ^= join[v]; }
+            v = u;
+        }
+    return n == pb->blocks;
+}
+
+/* Friction of a contact spread as its pressure, and the slip against it:  g(r) = G + w x (r - o). */
+typedef struct sp__plate { sp_real o[3], G[3], w[3]; } sp__plate;
+
+static void sp__plate_at(const sp__plate *p, const sp_real r[3], sp_real g[3])
+{
+    sp_real arm[3];
+    sp__sub3(r, p->o, arm);
+    sp__cross3(p->w, arm, g);
+    for (int k = 0; k < 3; k++) g[k] += p->G[k];
+}
+
+/* G = Ft / F, w = Mn / I n;  F = sum fn, o = sum fn r / F, I = sum fn |r - o|^2, Ft and Mn: friction and its moment about o.
+ *   returns the largest |g| of its vertices */
+SP__APART static sp_real sp__plate_of(const sp__cra *c, const sp_contact *t, sp__plate *p)
+{
+    const sp_real (*r)[3] = (const sp_real (*)[3])c->pb->scene->point + t->point;
+    const sp_real *f = c->statics + 3 * (size_t)t->point, *n = t->joint->n;
+    sp_real F = 0, M = 0, I = 0, most = 0;
+    memset(p, 0, sizeof *p);
+    for (int32_t v = 0; v < t->points; v++) F += f[3 * v];
+    if (!(F > 0)) return 0;
+    for (int32_t v = 0; v < t->points; v++)
+        for (int k = 0; k < 3; k++) {
+            p->o[k] += f[3 * v] / F * (r[v][k] - r[0][k]);
+            p->G[k] += (f[3 * v + 1] * t->joint->t1[k] + f[3 * v + 2] * t->joint->t2[k]) / F;
+        }
+    for (int k = 0; k < 3; k++) p->o[k] += r[0][k];
+    for (int32_t v = 0; v < t->points; v++) {
+        sp_real arm[3], x[3];
+        sp__sub3(r[v], p->o, arm);
+        sp__cross3(n, arm, x);
+        I += f[3 * v] * sp__dot3(x, x);
+        M += f[3 * v + 1] * sp__dot3(x, t->joint->t1) + f[3 * v + 2] * sp__dot3(x, t->joint->t2);
+    }
+    if (I > 0) sp__scale3(M / I, n, p->w);
+    for (int32_t v = 0; v < t->points; v++) {
+        sp_real g[3];
+        sp__plate_at(p, r[v], g);
+        most = sp__max(most, sp__norm3(g));
+    }
+    return most;
+}
+
+/* dq of block v from that of the block or support on the other side of contact t: sinking by eps, slip -s g. */
+static void sp__plate_carry(const sp__cra *c, const sp_contact *t, int32_t v, const sp__plate *p, sp_real s)
+{
+    const sp_problem *pb = c->pb;
+    const int32_t u = t->a == v ? t->b : t->a;
+    const sp_real sign = t->b == v ? (sp_real)1 : (sp_real)-1, *at = pb->scene->block[pb->block[v]].centroid;
+    sp_real *m = c->t.dq + 6 * (size_t)v, g[3];
+    sp__plate_at(p, at, g);
+    for (int k = 0; k < 3; k++) {
+        m[k] = -sign * (c->k.eps * c->k.L * t->joint->n[k] + s * g[k]);
+        m[k + 3] = -sign * s * p->w[k];
+    }
+    if (u < 0) return;
+    const sp_real *from = c->t.dq + 6 * (size_t)u;
+    sp_real arm[3], x[3];
+    sp__sub3(at, pb->scene->block[pb->block[u]].centroid, arm);
+    sp__cross3(from + 3, arm, x);
+    for (int k = 0; k < 3; k++) { m[k] += from[k] + x[k]; m[k + 3] += from[k + 3]; }
+}
+
+/* Where the contacts hang the free blocks on the supports as a forest nothing need be searched for: how the sides of a contact
+ * move against each other can be chosen for each of them. All sink by eps, dn = -eps at every vertex, and slip like a plate whose
+ * drag is its pressure (sp__plate_of):
+ *
+ *     ft = fn g(r),    dt = -s g(r),    alpha = fn / s      s > 0 as small as eta likes
+ *
+ * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps and
+ * eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the normal,
+ * and else the judge tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
+ * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
+ *   returns 1 when the triple is verified */
+SP__APART static int sp__cra_hang(sp__cra *c, sp_arena a)
+{
+    const sp_problem *pb = c->pb;
+    const size_t b = (size_t)pb->blocks;
+    const sp_real omega = c->omega;
+    int32_t *degree = sp__take(&a, b, sizeof *degree), *join = sp__take(&a, b, sizeof *join);
+    int32_t *order = sp__take(&a, b, sizeof *order);
+    if (!sp__hangs(c->set) || sp__failed(&a) || !sp__forest(pb, degree, join, order)) return 0;
+    for (size_t k = b; k-- > 0;) {
+        const sp_contact *t = &pb->contact[join[order[k]]];
+        sp__plate p;
+        const sp_real most = sp__plate_of(c, t, &p), slip = c->k.L * (c->k.eta < 2 ? c->k.eta / 2 : 1);
+        const sp_real s = most > 0 ? slip / most : 0;
+        sp__plate_carry(c, t, order[k], &p, s);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            sp_real *f = c->t.f + 3 * v, G[3];
+            sp__plate_at(&p, pb->scene->point[v], G);
+            f[0] = c->statics[3 * v];
+            f[1] = f[0] * sp__dot3(G, t->joint->t1);
+            f[2] = f[0] * sp__dot3(G, t->joint->t2);
+            c->t.alpha[v] = s > 0 ? f[0] / s : 0;
+        }
+    }
+    c->out->cost.flops += 120 * (int64_t)pb->points;
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    if (c->omega <= c->set->tol && c->residual <= 1) return 1;
+    sp__cra_rest(c, omega);
+    return 0;
+}
+
 /* The motion of the free blocks into the scene's. */
 static void sp__cra_spread(const sp__cra *c)
 {
@@ -7725,30 +7869,29 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;
     a->used = mark;
-    c->w = sp__dual_open(pb, set, SP__EXACT, &out->cost, a);
-    if (!c->w) return SP_E_MEMORY;
-    const size_t turns = a->used, more = sp__alt_need(pb, set, *a);
-    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
-    a->used = turns;
     c->pb = pb;
     c->set = set;
     c->out = out;
     c->k = sp__coupled_lengths(pb, set);
     for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
-    memcpy(c->t.f, state->f, (size_t)pb->points * 3 * sizeof *c->t.f);
-    memset(c->t.dq, 0, (size_t)pb->blocks * 6 * sizeof *c->t.dq);
-    memset(c->t.alpha, 0, (size_t)pb->points * sizeof *c->t.alpha);
-    memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
     out->verdict = SP_COUPLING_NOT_FOUND;
     out->reason = SP_COUPLING_BUDGET;
-    sp__dual_bilateral(c->w);
-    sp__dual_sizes(c->w, c->w->y);
-    if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
-    c->w->given = c->D;
     c->statics = state->f;
-    c->omega = *omega;
-    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);     /* statics' forces, all at rest */
-    const int found = c->residual <= 1 ? 1 : set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    sp__cra_rest(c, *omega);
+    int found = c->residual <= 1 || sp__cra_hang(c, *a);
+    c->w = sp__dual_open(pb, set, SP__EXACT, &out->cost, a);
+    if (!c->w) return SP_E_MEMORY;
+    const size_t turns = a->used, more = sp__alt_need(pb, set, *a);
+    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
+    a->used = turns;
+    if (!found) {
+        memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
+        sp__dual_bilateral(c->w);
+        sp__dual_sizes(c->w, c->w->y);
+        if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
+        c->w->given = c->D;
+        found = set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    }
     if (found < 0) return SP_E_MEMORY;
     if (found) {
         out->verdict = SP_COUPLING_COUPLED;
@@ -8617,6 +8760,7 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     } else if (c->pb.blocks) status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
+    if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
     if (out->verdict == SP_COUPLING_COUPLED) return status;
     r->verdict = out->verdict == SP_COUPLING_REFUTED ? SP_UNSTABLE : SP_UNDECIDED;
     r->reason = out->verdict == SP_COUPLING_REFUTED ? SP_REASON_NO_MOTION : SP_REASON_NOT_COUPLED;
@@ -8931,12 +9075,29 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
  * near a limit), what a step costs is known. */
 #define SP__PLAN_STEPS 5
 #define SP__PLAN_SWEEPS 4
+#define SP__PLAN_SEARCH 12              /* steps of a coupled check's search where it is an easy one */
 
 typedef struct sp__work {
     int64_t unknowns, flops;            /* of all rows and forces */
     int64_t less[2], fewer[2];          /* flops and unknowns that each sp__mode saves */
     int32_t problems, reduced[2];       /* how many problems, how many of them a reduction is planned for */
+    int32_t forests;                    /* how many of them are told to be coupled without a search */
+    int64_t search;                     /* flops of such searches */
 } sp__work;
+
+/* Is no search for a motion planned? */
+static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena a)
+{
+#ifndef SP_NO_CRA
+    const size_t b = (size_t)pb->blocks;
+    int32_t *degree = sp__take(&a, b, sizeof *degree), *join = sp__take(&a, b, sizeof *join);
+    int32_t *order = sp__take(&a, b, sizeof *order);
+    return set->coupled.asked && sp__hangs(set) && !sp__failed(&a) && sp__forest(pb, degree, join, order);
+#else
+    (void)pb; (void)set; (void)a;
+    return 0;
+#endif
+}
 
 /* What a reduction saves, a planar one with corners in pairs; the frictionless one takes a step or two. */
 static void sp__plan_flat(const sp_problem *pb, sp__mode mode, int64_t full, int64_t factor, sp__work *o)
@@ -8955,6 +9116,7 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
     sp_problem pb;
     const sp_status status = sp_problem_build(scene, &scratch, &pb);
     if (status) return status;
+    const int hangs = sp__plan_hangs(&pb, set, scratch);
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t blocks = w ? sp__dual_analyse(w, &pb, &scratch) : -1;
     if (blocks < 0) return SP_E_MEMORY;
@@ -8965,6 +9127,8 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
     o->unknowns += 6 * b + 3 * v;
     o->flops += full;
     o->problems++;
+    o->forests += hangs;
+    o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
     for (int mode = 0; mode < 2; mode++)
         if (b && sp__plan_reduces(&pb, set, (sp__mode)mode, m)) sp__plan_flat(&pb, (sp__mode)mode, full, w->L.flops, o);
     return SP_OK;
@@ -9012,6 +9176,11 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
         e->flops = w->less[mode];
         e->unknowns = w->fewer[mode];
         if (w->reduced[mode] == w->problems && w->problems) e->why = mode == SP__PLANE ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    }
+    if (w->forests == w->problems && w->problems) {
+        o->effect[SP_EFFECT_COUPLED].why = SP_WHY_FOREST;
+        o->effect[SP_EFFECT_COUPLED].flops = w->search;
+        o->full_flops += w->search;
     }
     o->flops -= w->less[SP__PLANE] + w->less[SP__PLUMB];
     o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__PLUMB];

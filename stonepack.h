@@ -478,7 +478,8 @@ typedef enum sp_effect_why {
     SP_WHY_APART,               /* off: islands */
     SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
     SP_WHY_MIRROR,              /* off: one mirror plane for everything */
-    SP_WHY_PRESSURE             /* off: what presses on level joints stands without */
+    SP_WHY_PRESSURE,            /* off: what presses on level joints stands without */
+    SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
 } sp_effect_why;
 
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. */

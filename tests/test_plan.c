@@ -430,6 +430,137 @@ TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_LEFT_OUT);
 }
 
+#ifndef SP_NO_CRA
+/* A tree of square slabs on a support: slab k rests on slab (k - 1) / 2, two side by side, each a little askew; gravity leans. */
+static void tree(int32_t n, double lean, sp_scene *s)
+{
+    const sp_joint joint = sp_joint_friction(R(0.6));
+    double x[16] = { 0 }, z[16] = { 0 }, half[16] = { 2 };
+    const sp_real ground[3] = { 0, 0, R(-1) };
+    test_arena.used = 0;
+    *s = room(n + 1, n, 4 * n);
+    CHECK_INT(sp_scene_body(s, 0, ground, SP_FIXED, NULL), SP_OK);
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t on = k ? (k - 1) / 2 : 0;
+        if (k) {
+            half[k] = 0.45 * half[on];
+            x[k] = x[on] + (k % 2 ? -0.5 : 0.5) * half[on] * 1.02;
+            z[k] = z[on] + 0.3;
+        }
+        const double c = 1.1 * half[k] / 2, y = (double)test_random_real(-0.05, 0.05), l = -y, d = half[k] / 2;
+        const sp_real at[3] = { R(x[k] + y), R(y), R(z[k] + 0.15) };
+        const sp_real corner[12] = { R(x[k] - d), R(-c), R(z[k]), R(x[k] + d), R(l - c), R(z[k]), R(x[k] + d), R(c), R(z[k]),
+                                     R(x[k] - d), R(l + c), R(z[k]) };
+        CHECK_INT(sp_scene_body(s, R(100 * half[k]), at, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(s, k ? on + 1 : 0, k + 1, 4, corner, &joint, NULL), SP_OK);
+    }
+    s->gravity[0] = R(9.8 * lean);
+}
+
+/* The coupled check with and without its search. Without: fewer iterations than 300 leave nothing out. */
+static sp_result with_search(const sp_scene *s, sp_settings set, sp_arena *a)
+{
+    set.iterations = 299;
+    return check(s, &set, a);
+}
+
+static void agree_coupled(const sp_scene *s, const sp_settings *set, int *told)
+{
+    sp_arena a = test_arena;
+    const sp_result r = check(s, set, &a), all = with_search(s, *set, &a);
+    sp_evidence e;
+    *told += r.effect[SP_EFFECT_COUPLED] == SP_WHY_FOREST;
+    CHECK_INT(all.effect[SP_EFFECT_COUPLED] == SP_WHY_FOREST, all.coupled.verdict == SP_COUPLING_COUPLED && !all.coupled.rounds);
+    if (r.verdict && all.verdict) CHECK_INT(r.verdict, all.verdict);
+    if (all.verdict) CHECK(r.verdict);
+    if (r.level != SP_COUPLED) return;
+    CHECK_INT(sp_verify(s, set, &r, a, &e), SP_OK);
+    CHECK_INT(e.level, SP_COUPLED);
+    CHECK(e.residual <= 1);
+}
+
+TEST(what_hangs_on_its_supports_as_a_forest_is_coupled_without_a_search)
+{
+    static const double ratio[] = { TOL(1e-2, 1e-1), 1, 100, 1e6 };
+    int told = 0;
+    for (int k = 0; k < 24; k++) {
+        sp_settings set = sp_settings_default();
+        sp_scene s;
+        set.coupled.asked = 1;
+        set.coupled.eps = k % 5 == 4 ? 0 : R(1e-4);
+        set.coupled.eta = R(1e-4 * ratio[k % 4]);
+        set.coupled.box = k % 3 == 1;
+        set.faces = k % 6 == 5 ? 8 : 0;
+        tree(1 + k % 15, k % 2 ? 0 : 0.05, &s);
+        int here = 0;
+        agree_coupled(&s, &set, &here);
+        CHECK_INT(here, 1);
+        told += here;
+    }
+    CHECK_INT(told, 24);
+    sp_settings set = sp_settings_default();
+    set.coupled.asked = 1;
+    test_arena.used = 0;
+    const sp_scene s = part("tower", "n", 10, -1);
+    sp_arena a = test_arena;
+    const sp_result r = check(&s, &set, &a), all = with_search(&s, set, &a);
+    CHECK_INT(r.level, SP_COUPLED);
+    CHECK(5 * r.coupled.cost.flops < all.coupled.cost.flops && r.coupled.cost.factorisations == 0);
+    sp_outlook o;
+    CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_OK);
+    CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, SP_WHY_FOREST);
+    CHECK(o.effect[SP_EFFECT_COUPLED].flops > 0 && o.flops + o.effect[SP_EFFECT_COUPLED].flops <= o.full_flops);
+}
+
+/* A couple about the upright on three corners, whose pressure is given: friction holds 0.445 mu W m, and spread as the pressure
+ * 0.275 mu W m, where the far corner is at the rim of its cone. In between only the search finds a motion. */
+TEST(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
+{
+    static const struct { double twist; int told; sp_verdict verdict; } ask[] = {
+        { 0, 1, SP_STABLE }, { 0.27, 1, SP_STABLE }, { 0.3, 0, SP_STABLE }, { 0.43, 0, SP_STABLE }, { 0.46, 0, SP_UNSTABLE } };
+    const sp_real ground[3] = { 0, 0, R(-1) }, at[3] = { 0, 0, R(0.2) };
+    const sp_real corner[9] = { 0, 1, 0, R(-0.3), R(-0.2), 0, R(0.3), R(-0.2), 0 };
+    const sp_joint joint = sp_joint_friction(R(0.5));
+    for (int k = 0; k < 5; k++) {
+        const sp_load load = { 1, 0, { at[0], at[1], at[2] }, { 0, 0, 0 }, { 0, 0, R(ask[k].twist * 0.5 * 100 * 9.80665) }, 0 };
+        sp_settings set = sp_settings_default();
+        int told = 0;
+        set.coupled.asked = 1;
+        test_arena.used = 0;
+        sp_scene s = room(2, 1, 3);
+        CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 100, at, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 1, 3, corner, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        agree_coupled(&s, &set, &told);
+        CHECK_INT(told, ask[k].told);
+        sp_arena a = test_arena;
+        CHECK_INT(check(&s, &set, &a).verdict, ask[k].verdict);
+    }
+}
+
+/* Rings are no forests: their answers are the search's, whatever they are; repeated joints are rings, too. */
+TEST(a_ring_is_never_told_without_a_search)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "h-model", NULL, 0 }, { "keystone", "angle", 20 }, { "keystone", "angle", -20 }, { "arch", "n", 6 }, { "wall", "rows", 3 },
+        { "diamond", "rows", 3 }
+    };
+    for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++) {
+        sp_settings set = sp_settings_default();
+        sp_outlook o;
+        int told = 0;
+        set.coupled.asked = 1;
+        test_arena.used = 0;
+        const sp_scene s = part(scene[k].name, scene[k].param, scene[k].value, -1);
+        agree_coupled(&s, &set, &told);
+        CHECK_INT(told, 0);
+        CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_OK);
+        CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, SP_WHY_CALLED);
+    }
+}
+#endif
+
 TEST(a_plan_with_unusable_arguments_is_refused)
 {
     sp_scene s = part("two-cubes", NULL, 0, -1);
@@ -465,5 +596,10 @@ TEST_LIST(plan)
     RUN(planned_and_full_simulation_agree_on_random_scenes)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
     RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
+#ifndef SP_NO_CRA
+    RUN(what_hangs_on_its_supports_as_a_forest_is_coupled_without_a_search)
+    RUN(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
+    RUN(a_ring_is_never_told_without_a_search)
+#endif
     RUN(a_plan_with_unusable_arguments_is_refused)
 TEST_END

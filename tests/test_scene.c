@@ -149,7 +149,7 @@ TEST(words_follow_their_enumerators)
     CHECK_TEXT(sp_effect_text((sp_effect)SP_EFFECTS), "unknown");
     CHECK_TEXT(sp_effect_why_text(SP_WHY_CALLED), "the scene calls for it");
     CHECK_TEXT(sp_effect_why_text(SP_WHY_STAGES), "stages or a budget that a plan leaves alone");
-    CHECK_TEXT(sp_effect_why_text((sp_effect_why)(SP_WHY_PRESSURE + 1)), "unknown");
+    CHECK_TEXT(sp_effect_why_text((sp_effect_why)(SP_WHY_FOREST + 1)), "unknown");
     CHECK_TEXT(sp_stage_text(SP_STAGE_NONE), "none");
     CHECK_TEXT(sp_stage_text(SP_STAGE_LEAST_SQUARES), "least squares");
     CHECK_TEXT(sp_stage_text(SP_STAGE_EXACT), "exact");

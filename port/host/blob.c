@@ -497,7 +497,7 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, blob_cost *cost,
     io_cost(s, &r->cost);
     for (int k = 0; k < SP_STAGES_MAX; k++) io_cost(s, &r->by_stage[k]);
     io_coupled(s, &r->coupled);
-    for (int k = 0; k < SP_EFFECTS; k++) IO_ENUM(s, r->effect[k], sp_effect_why, SP_WHY_PRESSURE);
+    for (int k = 0; k < SP_EFFECTS; k++) IO_ENUM(s, r->effect[k], sp_effect_why, SP_WHY_FOREST);
     IO_ENUM(s, r->missing, sp_effect, SP_EFFECTS - 1);
     io_int(s, &r->islands, 0, scene->count.blocks);
     io_size(s, &r->peak_bytes);
