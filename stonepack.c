@@ -3264,13 +3264,18 @@ SP__APART static void sp__dual_graph(sp__dual *w)
     w->xadj[b] = to;
 }
 
+SP__APART static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
+{
+    sp__order order;
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, a);
+}
+
 /* Symbolic step in `a`, whose peak then covers it.     returns blocks of L below the diagonal, -1: does not fit */
 SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
     sp__dual_carve_graph(w, pb, a);
     sp_arena rest = *a;
-    sp__order order;
-    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &rest);
+    sp__dual_carve_order(pb, &rest);
     if (sp__failed(a) || sp__failed(&rest)) return -1;
     if (rest.peak > a->peak) a->peak = rest.peak;
     sp__dual_graph(w);
@@ -3278,12 +3283,6 @@ SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_
     for (int32_t k = 0; k < pb->blocks && pb->ordered; k++) w->L.perm[k] = k;
     return pb->ordered ? sp__bchol_count(&w->L, w->xadj, w->adj, w->parent, w->mark)
                        : sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
-}
-
-SP__APART static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
-{
-    sp__order order;
-    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, a);
 }
 
 /* Bytes the symbolic step takes. */
@@ -3297,10 +3296,9 @@ SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Bytes of the whole dual and of so many rays a vertex: the symbolic step and the factor share the space behind the graph. */
-static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
+/* Bytes of the whole dual and `more` behind it: the symbolic step and the factor share the space behind the graph. */
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t more, sp_arena scratch)
 {
-    sp__order order;
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, &scratch) : -1;
     if (nnz < 0) return SIZE_MAX;
@@ -3308,9 +3306,9 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
     sp__take(&dry, 1, sizeof *w);
     sp__dual_carve_graph(w, pb, &dry);
     sp_arena symbolic = dry;
-    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, &symbolic);
+    sp__dual_carve_order(pb, &symbolic);
     sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
-    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *w->y);
+    if (more) sp__take(&dry, 1, more);
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
@@ -3368,13 +3366,16 @@ static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
     return s;
 }
 
+/* Coefficient of contact c in force. */
+static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->joint.mu * w->factor; }
+
 /* K of a vertex of contact c in units, and as f = S P_(K/S)(u) wants it: strength over S, friction in its own units. It lies in
  * w->yield until the next call. */
 static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
 {
     const sp_interface *f = w->pb->contact[c].joint;
     sp__yield *k = w->yield;
-    k->mu = f->joint.mu * w->factor;
+    k->mu = sp__dual_mu(w, c);
     k->plain = !sp__joint_strong(&f->joint);
     k->C = k->T = 0;
     k->N = SP__HUGE;
@@ -3498,11 +3499,10 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
+        sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             const sp_real *l = pb->local[v];
-            sp_real u[3], g[3];
             sp__dual_rate(w, V, W, l, u);
             if (law == SP__ADMISSIBLE) sp__dual_force(w, c, yield, u, g);
             else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
@@ -3511,7 +3511,7 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             M[1] += l[2] * g[0] - l[0] * g[2];
             M[2] += l[0] * g[1] - l[1] * g[0];
             if (w->bears) sp__dual_bear(w, t, l, g);
-            if (f) memcpy(f + 3 * (size_t)v, g, sizeof g);
+            if (f) memcpy(f + 3 * (size_t)v, g, 3 * sizeof *g);
         }
         sp__dual_scatter(w, t, F, M, r);
     }
@@ -3527,14 +3527,13 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        sp_real V[3], W[3], dV[3], dW[3], part = 0;
-        sp__dual_twist(w, t, y, V, W);
-        sp__dual_twist(w, t, d, dV, dW);
-        for (int k = 0; k < 3; k++) { V[k] += s * dV[k]; W[k] += s * dW[k]; }
+        sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, part = 0;
+        sp__dual_twist(w, t, y, at, at + 3);
+        sp__dual_twist(w, t, d, move, move + 3);
+        for (int k = 0; k < 6; k++) at[k] += s * move[k];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real u[3], du[3], f[3];
-            sp__dual_rate(w, V, W, pb->local[v], u);
-            sp__dual_rate(w, dV, dW, pb->local[v], du);
+            sp__dual_rate(w, at, at + 3, pb->local[v], u);
+            sp__dual_rate(w, move, move + 3, pb->local[v], du);
             sp__dual_force(w, c, yield, u, f);
             part += f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide;
         }
@@ -3583,7 +3582,7 @@ typedef struct sp__ipm {
  * e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 {
-    const sp_real mu = sp__dual_yield(w, c)->mu, h = mu * w->cone.tan_half, *d = w->cone.direction[k];
+    const sp_real mu = sp__dual_mu(w, c), h = mu * w->cone.tan_half, *d = w->cone.direction[k];
     e[0] = w->inner->natural * sp__dual_S(w, c) / (sp_real)w->cone.faces;
     e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
     e[2] = e[0] * (mu * d[1] + h * d[0]);
@@ -3593,21 +3592,21 @@ static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     sp_real *x = w->inner->x + (size_t)(w->cone.faces ? w->cone.faces : 3) * (size_t)v;
+    sp_real *e = w->h + 57, *z = w->h + 60;
     for (int k = 0; k < 6; k++) D[k] = 0;
     for (int k = 0; f && k < 3; k++) f[k] = 0;
     for (int32_t k = 0; k < w->cone.faces; k++) {
-        sp_real e[3];
         sp__ipm_edge(w, c, k, e);
-        const sp_real z = w->inner->theta - sp__dot3(e, u), s = x[k] / z;
-        if (!(z > 0 && x[k] > 0)) w->inner->outside = 1;
-        w->inner->gap += x[k] * z;
+        const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
+        if (!(zk > 0 && x[k] > 0)) w->inner->outside = 1;
+        w->inner->gap += x[k] * zk;
         D[0] += s * e[0] * e[0]; D[1] += s * e[0] * e[1]; D[2] += s * e[0] * e[2];
         D[3] += s * e[1] * e[1]; D[4] += s * e[1] * e[2]; D[5] += s * e[2] * e[2];
         for (int q = 0; f && q < 3; q++) f[q] += x[k] * e[q];
     }
     if (w->cone.faces) return;
-    const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_yield(w, c)->mu;
-    const sp_real z[3] = { w->inner->theta - S * u[0], -T * u[1], -T * u[2] };
+    const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
     const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
@@ -4458,24 +4457,24 @@ SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const s
     return S * sum;
 }
 
-SP__APART static sp__proof sp__newton_weigh(sp__dual *w, const sp_real *y)
+SP__APART static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
 {
     const sp_problem *pb = w->pb;
-    sp__proof o = { -sp__dual_work(w, y), 0, 0 };
-    const sp__proof none = { 0, 0, 0 };
-    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return none;
+    o->work = o->resist = o->scale = 0;
+    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    o->work = -sp__dual_work(w, y);
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
-        o.scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
+        o->scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
-    for (int32_t c = 0; c < pb->contacts && o.resist < o.work; c++) o.resist += sp__newton_resist(w, c, y);
-    return o;
+    for (int32_t c = 0; c < pb->contacts && o->resist < o->work; c++) o->resist += sp__newton_resist(w, c, y);
 }
 
 /* (work - resist) / scale */
 static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
 {
-    const sp__proof o = sp__newton_weigh(w, y);
+    sp__proof o;
+    sp__newton_weigh(w, y, &o);
     return o.work > o.resist ? sp__ratio(o.work - o.resist, o.scale) : 0;
 }
 
@@ -4642,7 +4641,7 @@ static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
 }
 
 /* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
-static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
+SP__APART static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__line l = { n->prox * sp__dot(w->y, w->d, size), n->prox * sp__dot(w->d, w->d, size), 0, 0 };
@@ -4819,14 +4818,15 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];
-    sp__proof best = sp__newton_weigh(w, w->d);
+    sp__proof best, now;
+    sp__newton_weigh(w, w->d, &best);
     for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
         memcpy(w->d, state->y, n * sizeof *w->d);
         if (pass) sp__dual_solve(w, w->d, w->d);
         if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
         sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
         if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
-        const sp__proof now = sp__newton_weigh(w, w->d);
+        sp__newton_weigh(w, w->d, &now);
         if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;
         best = now;
         memcpy(state->y, w->d, n * sizeof *w->d);
@@ -4852,11 +4852,13 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
 
 /* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
  * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
-SP__APART static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3])
+SP__APART static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
 {
     sp__nt W;
-    const sp_real keep = 1 - m->sigma, z[3] = { m->theta - u[0][0], -u[0][1], -u[0][2] };
-    sp_real h[3], dz[3];
+    const sp_real keep = 1 - m->sigma;
+    sp_real *h = t, *z = t + 3, *dz = t + 6;
+    sp__scale3(-1, u[0], z);
+    z[0] += m->theta;
     if (!sp__soc_scaling(x, z, &W)) { m->outside = 1; return; }
     for (int k = 0; k < 3; k++) h[k] = -x[k];
     if (m->corrected) {
@@ -4901,16 +4903,16 @@ SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, i
     sp_real *x = m->x + (size_t)(faces ? faces : 3) * (size_t)v;
     g[0] = g[1] = g[2] = 0;
     for (int32_t k = 0; k < faces; k++) {
-        sp_real e[3];
+        sp_real *e = w->h + 42, *rate = w->h + 45;
         sp__ipm_edge(w, c, k, e);
-        const sp_real rate[3] = { sp__dot3(e, u[0]), sp__dot3(e, u[1]), sp__dot3(e, u[2]) };
+        for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
         const sp_real a = sp__ipm_ray(m, x + k, rate);
         for (int q = 0; q < 3; q++) g[q] += a * e[q];
     }
     if (faces) return;
-    const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_yield(w, c)->mu;
+    const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
-    sp__ipm_cone(m, x, u, g);
+    sp__ipm_cone(m, x, u, g, w->h + 42);
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
@@ -5091,31 +5093,29 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
     w->inner = m;
 }
 
-/* Leaves forces that balance (n->found), a proof (n->proved) or neither. x: 3 a vertex, faces of them for a pyramid. */
-SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, sp_real *x)
+/* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid. */
+SP__APART static void sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    sp__ipm m;
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
-    m.x = x;
-    m.stake = sp__max(1, cones / 10);
-    sp__ipm_start(w, &m);
-    for (int it = 0; it < SP__IPM_MOST && sp__newton_left(w, n) && m.theta > (sp_real)SP_EPSILON; it++) {
-        m.gap = 0;
-        m.outside = 0;
-        if (m.theta < SP__IPM_LATE) m.stake = 3 * cones;
+    m->stake = sp__max(1, cones / 10);
+    sp__ipm_start(w, m);
+    for (int it = 0; it < SP__IPM_MOST && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
+        m->gap = 0;
+        m->outside = 0;
+        if (m->theta < SP__IPM_LATE) m->stake = 3 * cones;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
         if (w->spent) break;
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
-        if (m.outside) break;
-        m.mu = (m.gap + m.tau * m.kappa) / (cones + m.stake);
-        sp__ipm_forces(w, &m, n, state);
+        if (m->outside) break;
+        m->mu = (m->gap + m->tau * m->kappa) / (cones + m->stake);
+        sp__ipm_forces(w, m, n, state);
         if (n->found) return;
         sp__newton_try(w, n, w->y, state);
-        if (!n->proved) sp__ipm_motion(w, &m, n, state);
+        if (!n->proved) sp__ipm_motion(w, m, n, state);
         if (n->proved || w->spent) return;
-        sp__ipm_step(w, &m, state);
+        sp__ipm_step(w, m, state);
     }
     sp__newton_look(w, n, state);
 }
@@ -5123,11 +5123,12 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__newton *n, sp_state *state, s
 
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-#ifdef SP_NO_IPM
-    return sp__dual_need(pb, set, 0, 0, scratch);
-#else
-    return sp__dual_need(pb, set, 0, (size_t)set->faces, scratch);
+    sp_arena dry = sp__arena_dry();
+#ifndef SP_NO_IPM
+    sp__take(&dry, 1, sizeof(sp__ipm));
+    sp__take(&dry, (size_t)pb->points, (size_t)set->faces * sizeof(sp_real));
 #endif
+    return sp__dual_need(pb, set, 0, dry.used, scratch);
 }
 
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
@@ -5149,9 +5150,11 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
-    sp_real *x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x) : w->x;
-    if (!x) return SP_E_MEMORY;
-    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, &n, state, x);    /* strength: no longer cones */
+    sp__ipm *m = sp__take(arena, 1, sizeof *m);
+    sp_real *x = sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x);
+    if (!m || !x) return SP_E_MEMORY;
+    m->x = set->faces ? x : w->x;
+    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, m, &n, state);    /* strength: no longer cones */
 #endif
     if (sp__newton_open(&n)) {
         sp__newton_path(w, &n, state);
@@ -5204,7 +5207,7 @@ typedef struct sp__flat {
 } sp__flat;
 
 #define SP__FLAT_G 9
-#define SP__FLAT_H 36
+#define SP__FLAT_H 54
 #define SP__FLAT_STEPS 12
 #define SP__FLOPS_FLAT_SWEEP 42         /* a vertex that counts: u 9, P_K and S about 18, sums 15; every block of a contact adds: */
 #define SP__FLOPS_FLAT_TWIST 36         /* its twist there and back */
@@ -5465,10 +5468,9 @@ SP__APART static void sp__flat_gradient(sp__flat *o, sp__law law, const sp_real 
     sp__flat_load(o, r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real V[3], F[3] = { 0, 0, 0 };
+        sp_real *V = o->w.h, *u = V + 3, *h = V + 6, (*q)[3] = (sp_real (*)[3])(V + 9), F[3] = { 0, 0, 0 };
         sp__flat_twist(o, c, y, V);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real q[2][3], u[3], h[3];
             if (o->mate[v] < v) continue;
             sp__flat_q(o, c, v, q);
             sp__flat_rate(o, c, q, V, u);
@@ -5489,12 +5491,13 @@ SP__APART static void sp__flat_hessian(sp__flat *o, sp__law law, int32_t c, cons
 {
     const sp_contact *t = &o->w.pb->contact[c];
     const sp_real *g = o->g + SP__FLAT_G * (size_t)c, S = sp__dual_S(&o->w, c);
-    sp_real V[3];
+    sp_real *V = o->w.h + 36, *u = o->w.h + 39, *D = o->w.h + 42, (*q)[3] = (sp_real (*)[3])(o->w.h + 48);
     sp__flat_twist(o, c, y, V);
     for (int k = 0; k < 9; k++) H[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2][3], u[3], D[6] = { 1, 0, 0, 1, 0, 1 };
         if (o->mate[v] < v) continue;
+        D[0] = D[3] = D[5] = 1;
+        D[1] = D[2] = D[4] = 0;
         sp__flat_q(o, c, v, q);
         sp__flat_rate(o, c, q, V, u);
         if (law != SP__BILATERAL && o->mode == SP__PLUMB) D[0] = u[0] > 0;
@@ -8215,6 +8218,15 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
 #endif
 }
 
+/* Bytes of that. */
+SP__APART static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, int32_t islands, const sp_settings *set)
+{
+    sp__kept kept;
+    sp_arena dry = sp__arena_dry();
+    sp__kept_carve(&kept, scene, free_blocks, islands, set, &dry);
+    return dry.used;
+}
+
 /* On a budget stages work on arrays of their own, and the result keeps the best of them. */
 static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, sp_arena *a)
 {
@@ -8334,14 +8346,13 @@ SP__APART static sp_status sp__common_need(const sp_scene *scene, const sp_setti
 SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, const sp_settings *set,
                                            sp_arena scratch, size_t *bytes)
 {
-    sp__kept kept;
-    sp_arena dry = sp__arena_dry();
     const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
     const sp_status status = s ? sp__whole_need(s, set, scratch, bytes) : SP_E_MEMORY;
     if (status) return status;
+    sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *s);
     sp__take(&dry, 1, sp_scene_memory(&s->cap));
-    sp__kept_carve(&kept, s, s->count.blocks - 1, 1, NULL, &dry);
+    sp__take(&dry, 1, sp__kept_need(s, s->count.blocks - 1, 1, NULL));
     sp__take(&dry, 1, sizeof(sp__check));
     sp__take(&dry, 1, *bytes);
     *bytes = dry.used;
@@ -8384,8 +8395,11 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
 }
 
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
-typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 512 && sizeof(sp__yield) <= 64
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 368 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
+#ifndef SP_NO_IPM
+typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
+#endif
 
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
@@ -8398,10 +8412,9 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     size_t work = 0;
     if (!status) status = sp__work_need(scene, islands, &c->set, scratch, &work);
     if (status) return status;
-    sp__kept kept;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &c->pb);
-    sp__kept_carve(&kept, scene, c->pb.blocks, islands, &c->set, &dry);
+    sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, islands, &c->set));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, work);
     *bytes = dry.used;
@@ -8488,13 +8501,12 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
     return near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
-/* The judgement of what a stage left in the state, within `left` flops: r->verdict. */
-SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int64_t left, sp_verdict claim,
+/* The judgement of what a stage left in the state, `most` sweeps for the scales: r->verdict. */
+SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
                                            sp_state *state, sp_arena *a, sp_result *r)
 {
     sp__judge j;
     const size_t mark = a->used;
-    const int32_t most = sp__budget_sweeps(set, pb, left - state->cost.flops);
     if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
     r->verdict = sp__check_judge(&j, state, claim, r);
     a->used = mark;
@@ -8556,17 +8568,14 @@ SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_setting
     room.cap = a->used;
     a->used = room.used = mark;
     if (sp__flat_run(pb, set, mode, m, state, &room, &claim) || !claim) return SP_OK;
-    sp__judge j;
     const int plane = mode == SP__PLANE;
-    if (!sp__judge_open(&j, pb, set, plane ? state->y0 : NULL, plane ? INT32_MAX : 0, a)) return SP_E_MEMORY;
-    const sp_verdict proved = sp__check_judge(&j, state, claim, r);
+    if (sp__check_claim(pb, set, plane ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
     a->used = mark;
-    state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
-    *done = proved == SP_STABLE || (proved == SP_UNSTABLE && (r->final || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT));
-    if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
-    r->verdict = proved;
+    *done = r->verdict == SP_STABLE
+         || (r->verdict == SP_UNSTABLE && (r->final || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT));
+    if (!*done) { r->verdict = SP_UNDECIDED; r->final = 0; r->least_imbalance = 0; return SP_OK; }
     r->verified = 1;
-    r->reason = proved == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
+    r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
     r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
     return SP_OK;
 }
@@ -8611,7 +8620,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
-        const sp_status judged = sp__check_claim(pb, set, left, claim, state, a, r);
+        const sp_status judged = sp__check_claim(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
         if (judged) return judged;
         *done = r->verdict != SP_UNDECIDED;
         r->verified = *done;
@@ -8919,20 +8928,16 @@ static int32_t sp__islands_worst(const sp_result *r)
 SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__islands *t, size_t start, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
-    sp__judge j;
     const sp_island *worst = &r->part[sp__islands_worst(r)];
     for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
         if (t->label[i] >= 0 && r->part[t->label[i]].verdict != worst->verdict)
             memset(r->dq + 6 * (size_t)t->row[i], 0, 6 * sizeof *r->dq);
     a->used = start;                                                    /* the tables are no longer needed */
-    const sp_status status = sp__check_problem(scene, c, a);
+    sp_status status = sp__check_problem(scene, c, a);
+    if (!status) status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
-    const size_t mark = a->used;
-    if (!sp__judge_open(&j, &c->pb, &c->set, c->state.has_y0 ? c->state.y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
-    r->verdict = sp__check_judge(&j, &c->state, worst->verdict, r);
-    a->used = mark;
-    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points;
-    r->by_stage[c->set.stage_count - 1].flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points;
+    sp__cost_add(&r->cost, &c->state.cost);
+    sp__cost_add(&r->by_stage[c->set.stage_count - 1], &c->state.cost);
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
     r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
@@ -11158,7 +11163,9 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     if (status) return status;
     const sp_problem *pb = &L->ends.pb;
     const int32_t faces = L->ends.set.faces;
-    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), scratch) : 0;
+    sp_arena rays = sp__arena_dry();
+    sp__take(&rays, (size_t)pb->points, (size_t)(faces ? faces : 3) * sizeof(sp_real));
+    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, rays.used, scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;
     sp_arena dry = sp__arena_dry();

@@ -165,9 +165,9 @@ static void sp__qp_report(sp__qp *w, sp_qp_result *out)
 
 static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
 {
-    const sp_qp_result none = { SP_QP_ITERATIONS, NULL, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
     int spent;
-    *out = none;
+    memset(out, 0, sizeof *out);
+    out->status = SP_QP_ITERATIONS;
     w->flops = 0;
     w->factorisations = w->iterations = w->changes = 0;
     w->limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_look_flops(w) : INT64_MAX / 4;
@@ -416,59 +416,42 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
 
 /* ------------------------------------------------------------------------------------------------------------ public calls */
 
-SP_API sp_qp_settings sp_qp_default(void)
-{
-    sp_qp_settings s;
-    s.backend = SP_QP_SPARSE;
+static const sp_qp_settings sp__qp_usual = {
+    .backend = SP_QP_SPARSE,
 #ifdef SP_REAL_FLOAT
-    s.eps_abs = s.eps_rel = (sp_real)1e-4;
-    s.radius = (sp_real)1e3;
-    s.sigma = (sp_real)1e-3;                            /* below 64 u x the largest penalty pivots drown */
-    s.rho_equal = (sp_real)1e2;
-    s.cg_tol = (sp_real)1e-6;
+    .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .radius = (sp_real)1e3,
+    .sigma = (sp_real)1e-3,                             /* below 64 u x the largest penalty pivots drown */
+    .rho_equal = (sp_real)1e2, .cg_tol = (sp_real)1e-6,
 #else
-    s.eps_abs = 1e-6;
-    s.eps_rel = 1e-5;
-    s.radius = 1e6;
-    s.sigma = 1e-6;
-    s.rho_equal = 1e3;
-    s.cg_tol = 1e-10;
+    .eps_abs = 1e-6, .eps_rel = 1e-5, .radius = 1e6, .sigma = 1e-6, .rho_equal = 1e3, .cg_tol = 1e-10,
 #endif
-    s.eps_pinf = s.eps_dinf = (sp_real)1e-4;
-    s.strict = s.polish = 1;
-#ifdef SP_QP_NO_POLISH
-    s.polish = 0;
+    .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .strict = 1,
+#ifndef SP_QP_NO_POLISH
+    .polish = 1,
 #endif
-    s.iterations = 8000;
-    s.budget = 0;
-    s.check = 10;
-    s.passes = 10;
-    s.relax = (sp_real)1.6;
-    s.rho = (sp_real)0.1;
-    s.adapt = 100;
-    s.adapt_most = 10;
-    s.adapt_factor = (sp_real)5;
-    s.cg_steps = 250;
-    return s;
-}
+    .iterations = 8000, .check = 10, .passes = 10, .relax = (sp_real)1.6, .rho = (sp_real)0.1,
+    .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5, .cg_steps = 250
+};
+
+SP_API sp_qp_settings sp_qp_default(void) { return sp__qp_usual; }
 
 SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings)
 {
-    const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    return sp__qp_check(qp, &set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), set.backend, 0) : 0;
+    const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
+    return sp__qp_check(qp, set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), set->backend, 0) : 0;
 }
 
 SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
 {
-    const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    const sp_status status = sp__qp_check(qp, &set);
+    const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
+    const sp_status status = sp__qp_check(qp, set);
     int32_t fill = 0;
     if (status != SP_OK || !bytes) return status == SP_OK ? SP_E_ARGUMENT : status;
-    if (set.backend == SP_QP_SPARSE) {
+    if (set->backend == SP_QP_SPARSE) {
         if (!scratch.base) return SP_E_ARGUMENT;
-        if (!sp__qp_place(qp, &set, &scratch, &fill)) return SP_E_MEMORY;
+        if (!sp__qp_place(qp, set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), set.backend, fill);
+    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), set->backend, fill);
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;
@@ -476,14 +459,14 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
 
 SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, sp_qp_work **work)
 {
-    const sp_qp_settings set = settings ? *settings : sp_qp_default();
-    const sp_status status = sp__qp_check(qp, &set);
+    const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
+    const sp_status status = sp__qp_check(qp, set);
     if (status != SP_OK || !arena || !arena->base || !work) return status == SP_OK ? SP_E_ARGUMENT : status;
     sp_arena a = *arena;
     int32_t fill;
-    sp__qp *w = sp__qp_place(qp, &set, &a, &fill);
+    sp__qp *w = sp__qp_place(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
-    if (set.backend == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
+    if (set->backend == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     if (!sp__finite(w->c) || !sp__finite(sp__largest(w->D, qp->n)) || !sp__finite(sp__largest(w->E, qp->m))) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;

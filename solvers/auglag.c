@@ -91,7 +91,7 @@ static sp_real sp__auglag_slope(sp__qp *w, sp_real r, sp_real t)
 }
 
 /* The step where the slope, which rises in straight pieces, is 0 but for a hundredth: bracketed, then by secants and halves. */
-static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
+SP__APART static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
 {
     const sp_real first = sp__auglag_slope(w, r, 0), enough = (sp_real)-0.01 * first;
     sp_real low = 0, high = (sp_real)1, below = first, above = sp__auglag_slope(w, r, high);

@@ -187,7 +187,7 @@ static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 }
 
 /* Is the problem infeasible? Then 1 with status and radius, the certificate in Y or X. */
-static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
+SP__APART static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
 {
     out->status = SP_QP_PRIMAL_INFEASIBLE;
     out->radius = sp__proof_try(w, 1, hard);
