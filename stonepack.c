@@ -3176,6 +3176,26 @@ SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, c
  * Rows are weighted to unit size, forces counted in the largest load, so nothing depends on units. The penalty form adds
  * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it always has a minimiser.
  */
+
+#ifndef SP_NO_IPM
+typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
+
+/* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
+typedef struct sp__ipm {
+    sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
+    sp_real natural;                    /* force of x = e where S = 1 */
+    sp_real theta, gap;                 /* what is left of the start's residuals; sum of x z */
+    int outside;                        /* x or z is no longer inside, by rounding */
+    sp__pass pass;                      /* right-hand side; step length; step */
+    int corrected;                      /* the product of the predictor's changes is taken into account */
+    const sp_real *along[3];            /* y; its predictor and its step */
+    sp_real tau, kappa, mu, sigma;
+    sp_real stake;                      /* weight of the pair: tau kappa = stake mu */
+    sp_real reach;                      /* step length */
+    sp_real dtau, dkappa;
+} sp__ipm;
+#endif
+
 typedef struct sp__dual {
     const sp_problem *pb;
     const sp_settings *set;
@@ -3231,6 +3251,7 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
     sp__bchol_carve_values(&w->L, nnz, a);
 #ifndef SP_NO_IPM
+    w->inner = sp__take(a, 1, sizeof *w->inner);
     w->x = sp__take(a, faces ? 0 : (size_t)pb->points, 3 * sizeof *w->x);
 #endif
 }
@@ -3296,8 +3317,8 @@ SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Bytes of the whole dual and `more` behind it: the symbolic step and the factor share the space behind the graph. */
-static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t more, sp_arena scratch)
+/* Bytes of the whole dual and of so many rays a vertex: the symbolic step and the factor share the space behind the graph. */
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
 {
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, &scratch) : -1;
@@ -3308,7 +3329,7 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
     sp_arena symbolic = dry;
     sp__dual_carve_order(pb, &symbolic);
     sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
-    if (more) sp__take(&dry, 1, more);
+    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *w->y);
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
@@ -3561,23 +3582,6 @@ SP__APART static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, s
 }
 
 #ifndef SP_NO_IPM
-typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
-
-/* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
-typedef struct sp__ipm {
-    sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
-    sp_real natural;                    /* force of x = e where S = 1 */
-    sp_real theta, gap;                 /* what is left of the start's residuals; sum of x z */
-    int outside;                        /* x or z is no longer inside, by rounding */
-    sp__pass pass;                      /* right-hand side; step length; step */
-    int corrected;                      /* the product of the predictor's changes is taken into account */
-    const sp_real *along[3];            /* y; its predictor and its step */
-    sp_real tau, kappa, mu, sigma;
-    sp_real stake;                      /* weight of the pair: tau kappa = stake mu */
-    sp_real reach;                      /* step length */
-    sp_real dtau, dkappa;
-} sp__ipm;
-
 /* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`.
  * e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
@@ -5123,12 +5127,11 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_sta
 
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    sp_arena dry = sp__arena_dry();
-#ifndef SP_NO_IPM
-    sp__take(&dry, 1, sizeof(sp__ipm));
-    sp__take(&dry, (size_t)pb->points, (size_t)set->faces * sizeof(sp_real));
+#ifdef SP_NO_IPM
+    return sp__dual_need(pb, set, 0, 0, scratch);
+#else
+    return sp__dual_need(pb, set, 0, (size_t)set->faces, scratch);
 #endif
-    return sp__dual_need(pb, set, 0, dry.used, scratch);
 }
 
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
@@ -5150,11 +5153,9 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
-    sp__ipm *m = sp__take(arena, 1, sizeof *m);
-    sp_real *x = sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *x);
-    if (!m || !x) return SP_E_MEMORY;
-    m->x = set->faces ? x : w->x;
-    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, m, &n, state);    /* strength: no longer cones */
+    w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
+    if (!w->inner->x) return SP_E_MEMORY;
+    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, w->inner, &n, state);    /* strength: no longer cones */
 #endif
     if (sp__newton_open(&n)) {
         sp__newton_path(w, &n, state);
@@ -11163,9 +11164,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     if (status) return status;
     const sp_problem *pb = &L->ends.pb;
     const int32_t faces = L->ends.set.faces;
-    sp_arena rays = sp__arena_dry();
-    sp__take(&rays, (size_t)pb->points, (size_t)(faces ? faces : 3) * sizeof(sp_real));
-    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, rays.used, scratch) : 0;
+    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;
     sp_arena dry = sp__arena_dry();
