@@ -4920,21 +4920,26 @@ SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, i
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
-/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p. */
+/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is not
+ * corrected no predictor: those rates are 0. */
 SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
+    const int counts[3] = { 1, m->corrected, pass != SP__AIM }, rates = 1 + counts[1] + counts[2];
     m->pass = pass;
-    if (!sp__dual_count(w, 3 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
+    if (!sp__dual_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
     if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real *twist = w->h, *g = w->h + 27, *a = w->h + 30, *F = w->h + 33, *M = w->h + 36;
         sp_real (*u)[3] = (sp_real (*)[3])(w->h + 18);
-        for (int k = 0; k < 3; k++) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
-        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
+        for (int k = 0; k < 3; k++) {
+            F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
+            if (counts[k]) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
+        }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            for (int k = 0; k < 3; k++) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
+            for (int k = 0; k < 3; k++)
+                if (counts[k]) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
             sp__cross3(pb->local[v], g, a);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
@@ -10674,6 +10679,12 @@ typedef struct sp__limit {
 
 #define SP__LIMIT_NEAR SP__SCALE_TOL    /* gap of both ends, relative, at which forces at the limit are tried */
 #define SP__LIMIT_MOST 100              /* interior-point iterations: an optimum takes more than a verdict */
+#define SP__LIMIT_CLOSE ((sp_real)0.03) /* of the way that the predictor does not get: the end is near, and steps go farther */
+#ifdef SP_REAL_FLOAT
+#define SP__LIMIT_KEEP SP__IPM_KEEP
+#else
+#define SP__LIMIT_KEEP ((sp_real)0.999)
+#endif
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 
 static void sp__limit_at(sp__limit *L, sp_real a)
@@ -10816,7 +10827,7 @@ SP__APART static void sp__limit_step(sp__limit *L)
     sp__dual_solve(w, w->r, w->r);
     sp__limit_homogeneous(L, w->r, pl, pt);
     sp__limit_reach(L, w->r);
-    m->reach *= SP__IPM_KEEP;
+    m->reach *= left < SP__LIMIT_CLOSE ? SP__LIMIT_KEEP : SP__IPM_KEEP;
     if (m->reach > 1) m->reach = 1;
     sp__ipm_sweep(w, m, SP__MOVE, NULL);
     sp__dual_axpy(w, m->reach, w->r, w->y);
@@ -11062,7 +11073,8 @@ static void sp__limit_conclude(sp__limit *L)
     if (L->none) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
     else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
-    r->reason = r->kind ? SP_REASON_FORCES : L->n.left > 0 && !L->ends.spent ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    const int spent = L->ends.spent || L->n.left <= 0 || sp__limit_left(&L->ends) <= 0;
+    r->reason = r->kind ? SP_REASON_FORCES : spent ? SP_REASON_BUDGET : SP_REASON_LIMIT;
     if (r->kind != SP_LIMIT_FOUND) return;
     const sp_real balance = sp__limit_balance(L) * L->ref;
     if (balance >= 0 && balance < r->lower && sp__ends_stand(&L->ends, 1, balance, r->f, NULL, L->room)) {
