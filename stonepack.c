@@ -10207,6 +10207,7 @@ typedef struct sp__hold {
     int64_t budget;
     int32_t worst;                      /* what moves most in the first group that falls */
     int over;                           /* the budget is spent */
+    int unsure;                         /* a set that did not stand was not shown to fall */
     sp_status status;
 } sp__hold;
 
@@ -10226,6 +10227,7 @@ SP__APART static int sp__hold_stands(sp__hold *h)
         h->status = sp__part_check(q, &c);
         if (h->status) { h->over = 1; return 0; }
         if (c->r.verdict == SP_STABLE) continue;
+        h->unsure |= c->r.verdict == SP_UNDECIDED;
         sp_real most = -1;
         for (int32_t i = 0; i < q->members; i++) {
             const sp_real *dq = c->r.dq + 6 * (size_t)i, size = sp__norm3(dq);
@@ -10249,8 +10251,9 @@ SP__APART static void sp__hold_must(sp__hold *h)
     sp_sequence *q = h->q;
     sp__hold_all(h, SP_HELD);
     for (int32_t k = 0; k < h->members && !h->over; k++) {
+        h->unsure = 0;                                  /* of these sets nothing is claimed but who falls */
         q->stone[h->member[k]].presence = SP_PRESENT;
-        q->must[h->member[k]] = !sp__hold_stands(h) && !h->over;
+        q->must[h->member[k]] = !sp__hold_stands(h) && !h->over && !h->unsure;
         q->stone[h->member[k]].presence = SP_HELD;
     }
 }
@@ -10334,7 +10337,9 @@ SP__APART static sp_status sp__hold_island(sp__hold *h, sp_held *held)
     h->worst = h->member[0];
     for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
     sp__hold_must(h);
-    const sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
+    h->unsure = q->stone[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
+    const sp_held_proof found = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
+    const sp_held_proof proof = h->unsure ? SP_HELD_ENOUGH : found;
     if (proof > held->proof) held->proof = proof;
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
@@ -10350,7 +10355,7 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
 {
     if (!sequence || !held || budget < 0) return SP_E_ARGUMENT;
     sp_sequence *q = sequence;
-    sp__hold h = { q, q->list, 0, budget, -1, 0, SP_OK };
+    sp__hold h = { q, q->list, 0, budget, -1, 0, 0, SP_OK };
     sp_held out;
     memset(&out, 0, sizeof out);
     sp__sequence_start(q);

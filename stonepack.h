@@ -1064,7 +1064,7 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
 typedef enum sp_held_proof {
     SP_HELD_MINIMAL = 0,        /* no smaller set makes it stand */
     SP_HELD_IRREDUCIBLE,        /* none of them can be let go, others might do with fewer */
-    SP_HELD_ENOUGH              /* it stands so; the budget ended the search */
+    SP_HELD_ENOUGH              /* it stands so; the budget ended the search, or a smaller set was undecided */
 } sp_held_proof;
 
 /* Blocks to be held besides those that are, so that what is there stands. */

@@ -440,6 +440,26 @@ TEST(no_block_of_a_large_held_set_can_be_let_go)
     CHECK_INT(asked, 6);
 }
 
+/* Checks that may not do any work show nothing: what is held is enough, and of no block it is said that it would fall. */
+TEST(what_is_undecided_proves_no_held_set_minimal)
+{
+    sp_scene s;
+    sp_held held;
+    for (int n = 6; n <= 12; n += 6) {
+        build("arch", "n", n, &s);
+        sp_settings set = sp_settings_default();
+        set.budget = 1;
+        sp_sequence *q = open_sequence(&s, &set);
+        NEED(q != NULL);
+        for (int32_t k = 1; k < n; k++) take(q, k, SP_PRESENT);
+        NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
+        CHECK(held.count > 0);
+        CHECK_TEXT(sp_held_proof_text(held.proof), "enough");
+        for (int32_t k = 0; k < held.count; k++) CHECK_INT(held.must[k], 0);
+        for (int32_t k = 1; k < n; k++) take(q, k, SP_ABSENT);
+    }
+}
+
 TEST(a_suggested_stone_keeps_everything_standing)
 {
     sp_scene s;
@@ -666,6 +686,7 @@ TEST_LIST(sequence)
     RUN(an_arch_without_centring_falls_until_it_is_closed)
     RUN(held_sets_are_as_small_as_a_search_of_all_sets_finds)
     RUN(no_block_of_a_large_held_set_can_be_let_go)
+    RUN(what_is_undecided_proves_no_held_set_minimal)
     RUN(a_suggested_stone_keeps_everything_standing)
     RUN(asking_changes_nothing)
     RUN(a_wall_stone_by_stone_costs_less_than_ten_checks_in_double)

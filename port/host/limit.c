@@ -144,7 +144,7 @@ static void print_multiplier(const report *r)
     case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier); break;
     case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
     case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: it bears any multiple of the live loads"); break;
-    default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its factorisations"
+    default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
                                                                                     : "the ends stay apart at this tol");
     }
     row("how sure");
@@ -279,6 +279,8 @@ int command_limit(int argc, char **argv)
         status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
         if (!status && !options_tilt(o.tilt, o.azimuth, s.scene.gravity))
             status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+        if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
+            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_command(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

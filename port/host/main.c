@@ -80,8 +80,8 @@ static const char help_sequence[] =
 "  --json             one JSON object\n"
 "  --tol --cone --mu --stages --tilt as in check\n\n"
 "hold a, b! (proof): with a and b held it stands; ! falls even when all others are held; minimal: no smaller set does,\n"
-"irreducible: none of them can be let go, enough: the budget ended the search. Exit status: 0 every step stands, 1 one is\n"
-"unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
+"irreducible: none of them can be let go, enough: fewer might do, the budget or an undecided check ended the search. Exit\n"
+"status: 0 every step stands, 1 one is unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
 
 static const char help_contacts[] =
 "stonepack contacts [--json] SCENE\n\n"

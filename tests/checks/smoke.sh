@@ -225,6 +225,7 @@ part "limit: nothing live: 64"      exits 64 "$cli" limit "$tmp/scene.obj"
 part "limit: no direction: 64"      exits 64 "$cli" limit --body 1,0 "$tmp/scene.obj"
 gen topple angle=13
 part "limit: tilt margin of a block of 1 : 4 that leans already" says '"tilt_margin": 1.0362434' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
+part "limit: --tilt-margin or --body" exits 64 "$cli" limit --tilt-margin --body 1,0,0 "$tmp/scene.obj"
 part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$tmp/tilt.svg" "$tmp/scene.obj"
 gen topple angle=15
 part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
