@@ -211,6 +211,49 @@ TEST(a_prop_holds_what_would_fall)
     CHECK_INT(verdict(&s), SP_UNSTABLE);
 }
 
+/* Pushed at the top the cube topples at W / 2; held upright it slides at mu W; held in that direction, too, it bears any push. */
+TEST(a_propped_cube_slides_at_mu_times_its_weight)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        sp_scene s = cube(0.84);
+        const sp_load load = force(weight * 0.84 * (1 + side * CLOSE), 0, 0, 0, 0.5, 1);
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        CHECK_INT(verdict(&s), SP_UNSTABLE);
+        s.block[1].fixed = 1u << 4;
+        CHECK_INT(verdict(&s), side < 0 ? SP_STABLE : SP_UNSTABLE);
+        s.block[1].fixed |= 1u << 0;
+        CHECK_INT(verdict(&s), SP_STABLE);
+    }
+}
+
+/* Two plates of one weight on each other, friction lower[0] and upper[1], all shaken along x: what is above the weaker joint
+ * slides at its own mu, both of them at the lower's. */
+TEST(each_joint_slides_at_its_own_friction)
+{
+    static const double mu[2][2] = { { 0.5, 0.3 }, { 0.3, 0.5 } };
+    for (int k = 0; k < 2; k++)
+        for (int side = -1; side <= 1; side += 2) {
+            const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
+            sp_scene s;
+            sp_result r;
+            test_arena.used = 0;
+            CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+            for (int b = 0; b < 3; b++) {
+                const sp_real c[3] = { 2, 2, R(0.1 * b - 0.05) };
+                const sp_real z = R(0.1 * (b - 1)), foot[12] = { 0, 0, z, 4, 0, z, 4, 4, z, 0, 4, z };
+                const sp_joint joint = sp_joint_friction(R(b ? mu[k][b - 1] : 0));
+                CHECK_INT(sp_scene_body(&s, 100, c, b ? 0 : SP_FIXED, NULL), SP_OK);
+                if (b) CHECK_INT(sp_scene_interface(&s, b - 1, b, 4, foot, &joint, NULL), SP_OK);
+            }
+            s.gravity[0] = R(0.3) * G * R(1 + side * CLOSE);
+            CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
+            CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+            if (side < 0) continue;
+            CHECK(r.dq[12] > 0);
+            CHECK_WITHIN(r.dq[6], k ? (double)r.dq[12] : 0, TOL(1e-6, 1e-2) * (double)r.dq[12]);
+        }
+}
+
 /* Blocks in free fall, weightless, turned by a couple: a motion that nothing resists. */
 TEST(a_couple_turns_what_nothing_holds)
 {
@@ -301,6 +344,8 @@ TEST_LIST(loads)
     RUN(a_force_and_its_shift_by_a_couple_are_the_same_load)
     RUN(loads_on_a_support_do_nothing)
     RUN(a_prop_holds_what_would_fall)
+    RUN(a_propped_cube_slides_at_mu_times_its_weight)
+    RUN(each_joint_slides_at_its_own_friction)
     RUN(a_couple_turns_what_nothing_holds)
     RUN(bad_loads_are_refused)
     RUN(memory_is_exact_with_live_loads)

@@ -1,6 +1,8 @@
 /* Placing a stone: support clearance, cost of a seat, resting faces, the next-best-object gate; against brute force. */
 #include "test.h"
 
+#include <math.h>
+
 enum { POINTS = 24 };
 
 static const sp_real down[3] = { 0, 0, R(-9.80665) };
@@ -26,6 +28,24 @@ static int brute_clearance(const sp_real *xyz, int32_t n, const sp_real c[3], do
             edges++;
         }
     return edges;
+}
+
+/* Area by the edges that no point lies right of; for points of which no three are on a line. */
+static double brute_area(const sp_real *xyz, int32_t n)
+{
+    double area = 0;
+    for (int32_t a = 0; a < n; a++)
+        for (int32_t b = 0; b < n; b++) {
+            const double ax = (double)xyz[3 * a], ay = (double)xyz[3 * a + 1];
+            const double bx = (double)xyz[3 * b], by = (double)xyz[3 * b + 1];
+            int right = a == b;
+            for (int32_t k = 0; k < n; k++) {
+                const double x = (double)xyz[3 * k] - ax, y = (double)xyz[3 * k + 1] - ay;
+                right += k != a && k != b && (bx - ax) * y - (by - ay) * x < 0;
+            }
+            if (!right) area += (ax * by - ay * bx) / 2;
+        }
+    return area;
 }
 
 static void random_points(sp_real *xyz, int32_t n, int grid)
@@ -355,6 +375,37 @@ TEST(the_gate_gives_the_first_reason_in_order)
     CHECK_TEXT(sp_nbo_text((sp_nbo)9), "unknown");
 }
 
+/* All four conditions, recomputed from all pairs of points: d_edge / sqrt(area), spans, cosine of the face. */
+TEST(the_gate_is_its_four_conditions_in_10000_random_cases)
+{
+    int32_t count[5] = { 0, 0, 0, 0, 0 };
+    for (int run = 0; run < 10000; run++) {
+        sp_real xyz[3 * 8], margin = 0;
+        const int32_t n = test_random_int(3, 8);
+        const sp_real com[3] = { test_random_real(-0.6, 0.6), test_random_real(-0.6, 0.6), 1 };
+        const sp_real depth = test_random_real(0.2, 1), height = test_random_real(0.2, 1), lean = test_random_real(0, 1.5);
+        const sp_laid laid = { xyz, n, { com[0], com[1], com[2] }, { lean, 0, R(-1) }, depth, height };
+        sp_nbo_settings set = sp_nbo_settings_default();
+        sp_nbo got;
+        double d2 = 0;
+        set.margin = test_random_real(0, 0.2);
+        random_points(xyz, n, 0);
+        CHECK_INT(sp_nbo_gate(&laid, down, &set, test_arena, &got, &margin), SP_OK);
+        const double area = brute_area(xyz, n);
+        brute_clearance(xyz, n, com, &d2);
+        const double m = (d2 < 0 ? -sqrt(-d2) : sqrt(d2)) / sqrt(area), slim = (double)depth - 0.5 * (double)height;
+        const double level = 1 / sqrt(1 + (double)lean * (double)lean) - 0.7, close = TOL(1e-9, 1e-4);
+        const sp_nbo want = m < 0 ? SP_NBO_OUTSIDE : slim < 0 ? SP_NBO_SHALLOW : level < 0 ? SP_NBO_TILTED
+                          : m < (double)set.margin ? SP_NBO_MARGIN : SP_NBO_ACCEPTED;
+        count[got]++;
+        if (!CHECK_WITHIN(margin, m, TOL(1e-9, 1e-3) / sqrt(area))) return;
+        const double beside = fabs(m - (double)set.margin);
+        if ((fabs(m) < beside ? fabs(m) : beside) < close / sqrt(area) || fabs(slim) < close || fabs(level) < close) continue;
+        if (!CHECK_INT(got, want)) return;
+    }
+    for (int k = 0; k < 5; k++) CHECK(count[k] > 200);
+}
+
 TEST(the_gates_margin_has_no_unit)
 {
     const sp_real unit[] = { 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0 };
@@ -393,5 +444,6 @@ TEST_LIST(place)
     RUN(a_stone_with_feet_rests_on_all_of_them)
     RUN(resting_faces_of_random_tetrahedra_are_those_under_their_centroid)
     RUN(the_gate_gives_the_first_reason_in_order)
+    RUN(the_gate_is_its_four_conditions_in_10000_random_cases)
     RUN(the_gates_margin_has_no_unit)
 TEST_END

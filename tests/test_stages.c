@@ -141,6 +141,42 @@ TEST(gates_leave_everything_else_open)
     }
 }
 
+/* Bodies anywhere, some of them touching: what gates call unstable the exact stage alone never calls stable. */
+TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
+{
+    const sp_settings gates = stages(SP_STAGE_GATES, SP_STAGE_NONE), exact = stages(SP_STAGE_EXACT, SP_STAGE_NONE);
+    int32_t falls = 0, stands = 0;
+    for (int run = 0; run < 1000; run++) {
+        const int32_t n = test_random_int(2, 7), joints = test_random_int(1, 2 * n);
+        const sp_capacity cap = { n, 0, 0, 0, joints, 4 * joints, 1 };
+        const sp_joint joint = sp_joint_friction(test_random_real(0, 1));
+        sp_scene s;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        for (int32_t b = 0; b < n; b++) {
+            const sp_real c[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(b) };
+            const uint32_t fixed = b == 0 ? SP_FIXED : test_random_int(0, 9) ? 0 : (uint32_t)test_random_int(1, 63);
+            CHECK_INT(sp_scene_body(&s, test_random_real(1, 9), c, fixed, NULL), SP_OK);
+        }
+        for (int32_t k = 0; k < joints; k++) {
+            const int32_t a = test_random_int(0, n - 2), b = test_random_int(a + 1, n - 1);
+            const double x = (double)test_random_real(-2, 0), y = (double)test_random_real(-2, 0), z = 0.5 * (a + b);
+            const sp_real foot[12] = { R(x), R(y), R(z), R(x + 2), R(y), R(z), R(x + 2), R(y + 2), R(z), R(x), R(y + 2), R(z) };
+            CHECK_INT(sp_scene_interface(&s, a, b, 4, foot, &joint, NULL), SP_OK);
+        }
+        if (run % 4 == 0) {
+            sp_load load = { 1, 0, { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
+            for (int k = 0; k < 3; k++) { load.force[k] = test_random_real(-20, 20); load.couple[k] = test_random_real(-9, 9); }
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        const sp_verdict v = check(&s, &gates).verdict, w = check(&s, &exact).verdict;
+        if (!CHECK(!(v == SP_UNSTABLE && w == SP_STABLE)) || !CHECK(!(v == SP_STABLE && w == SP_UNSTABLE))) return;
+        falls += v == SP_UNSTABLE;
+        stands += w == SP_STABLE;
+    }
+    CHECK(falls > 100 && stands > 30);
+}
+
 /* 2 ------------------------------------------------------------------------------------------- least squares and polish */
 
 static const sp_stage_id bilateral[2] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_DENSE };
@@ -989,6 +1025,7 @@ TEST_LIST(stages)
     RUN(gates_see_a_group_without_support)
     RUN(nothing_to_carry_stands)
     RUN(gates_leave_everything_else_open)
+    RUN(gates_never_say_unstable_where_the_exact_stage_says_stable)
     RUN(least_squares_accept_a_regular_wall_sparse_and_dense_alike)
     RUN(least_squares_decline_a_wall_that_needs_more)
     RUN(least_squares_never_say_that_something_falls)
