@@ -9489,15 +9489,17 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
  * own, the part: its blocks, the held ones and supports that they touch, the joints between.
  *
  * Before that the forces of the step before are tried. A block is called plain if its forces f pass sp_check's certificate
- * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, and
+ * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, s >= 1.8 |load| (what balances a load is no
+ * less than it, and f0 does to three digits, or counts as the load), and with tol' a little less than tol, for rounding,
  *
- *     |r| <= tol/2 |load|,   |m| <= tol/2 (|couple| + min(sum |x_v x f_v|, lever |load|)),   |f_v| <= force_bound min |load|
+ *     |r| <= tol' 1.8 |load|,   |m| <= tol' (|couple| + min(sum |x_v x f_v|, lever |load|)),   |f_v| <= force_bound min |load|
  *
  * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of plain blocks stands. Where a step left some that are not,
  * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
 
-#define SP__LEAN_STEPS 8                /* factorisations for that */
-#define SP__LEAN_TOL ((sp_real)0.125)   /* of tol for that: its blocks bear the forces of others */
+#define SP__LEAN_STEPS 4                /* factorisations for that */
+#define SP__LEAN_TOL ((sp_real)0.25)    /* of tol for that: its blocks bear the forces of others */
+#define SP__PLAIN_TOL ((sp_real)0.9)    /* tol' of tol */
 #define SP__BELOW ((sp_real)0.2)        /* cosine between gravity and a joint's normal from which on a block is below another */
 
 typedef struct sp__stone {
@@ -9885,8 +9887,8 @@ SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
         q->cost.flops += 60 * (int64_t)t->points;
     }
     const sp_real arm = m1 < lever ? m1 : lever;
-    s->omega = sp__max(sp__ratio(sp__norm3(r), load), sp__ratio(sp__norm3(r + 3), couple + arm));
-    s->plain = s->omega <= q->set.tol / 2 && !large && q->lever[q->row[b]] > 0;
+    s->omega = sp__max(sp__ratio(sp__norm3(r), (sp_real)1.8 * load), sp__ratio(sp__norm3(r + 3), couple + arm));
+    s->plain = s->omega <= SP__PLAIN_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
 }
 
 /* What a check of the part found becomes what is known of its blocks. */
