@@ -457,7 +457,7 @@ typedef struct sp_coupled {
     sp_coupling verdict;        /* refuted makes the check's verdict UNSTABLE, not found UNDECIDED */
     sp_coupling_reason reason;
     sp_real residual;           /* largest violation relative to what is allowed; of the best attempt if not coupled     [1] */
-    int32_t rounds;             /* of the search */
+    int32_t rounds;             /* of the search; 0: none was needed */
     sp_real eps, eta;           /* in force [m] */
     sp_real *dq;                /* 6 x scene.count.blocks: virtual displacement of the centroid, rotation      [m, 1] */
     sp_real *alpha;             /* scene.count.points; the forces are result.f                                 [N/m] */

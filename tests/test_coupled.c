@@ -365,6 +365,10 @@ static sp_coupling answer(const sp_scene *s, const sp_settings *set, sp_result *
         CHECK(r->omega <= r->tol && r->coupled.residual <= 1);
         CHECK_INT(sp_verify(s, set, r, test_arena, &e), SP_OK);
         CHECK_INT(e.level, SP_COUPLED);
+        sp_settings statics = *set;
+        statics.coupled.asked = 0;
+        CHECK_INT(sp_verify(s, &statics, r, test_arena, &e), SP_OK);
+        CHECK(e.verdict == SP_STABLE && e.level == SP_ADMISSIBLE);          /* coupled implies admissible */
     } else CHECK(r->verdict != SP_STABLE);
     return r->coupled.verdict;
 }

@@ -539,6 +539,27 @@ TEST(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
     }
 }
 
+TEST(a_coupled_check_agrees_with_its_search_on_random_scenes)
+{
+    static const struct { const char *name, *param; double low, high; } kind[] = {
+        { "tower", "lean", 0.02, 0.12 }, { "incline", "angle", -45, 45 }, { "overhang", "factor", 0.7, 1.1 }, { "topple", "angle", -20, 20 },
+        { "cantilever", "reach", 0.8, 1.5 }, { "incline", "turn", -90, 90 }, { "keystone", "angle", -30, 30 }, { "arch", "t", 0.09, 0.2 }
+    };
+    int told = 0;
+    for (int k = 0; k < 64; k++) {
+        sp_settings set = sp_settings_default();
+        set.coupled.asked = 1;
+        set.coupled.nodes = 0;
+        set.coupled.box = k / 8 % 2;
+        set.faces = k / 16 % 2 ? 8 : 0;
+        test_arena.used = 0;
+        const double value = (double)test_random_real(kind[k % 8].low, kind[k % 8].high);
+        const sp_scene s = part(kind[k % 8].name, kind[k % 8].param, value, k / 8 % 3 ? -1 : (double)test_random_real(0.1, 0.9));
+        agree_coupled(&s, &set, &told);
+    }
+    CHECK(told > 20);
+}
+
 /* Rings are no forests: their answers are the search's, whatever they are; repeated joints are rings, too. */
 TEST(a_ring_is_never_told_without_a_search)
 {
@@ -599,6 +620,7 @@ TEST_LIST(plan)
 #ifndef SP_NO_CRA
     RUN(what_hangs_on_its_supports_as_a_forest_is_coupled_without_a_search)
     RUN(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
+    RUN(a_coupled_check_agrees_with_its_search_on_random_scenes)
     RUN(a_ring_is_never_told_without_a_search)
 #endif
     RUN(a_plan_with_unusable_arguments_is_refused)
