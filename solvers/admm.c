@@ -30,15 +30,6 @@ static void sp__qp_refactor(sp__qp *w)
     w->stale = 0;
 }
 
-/* v onto [El, Eu]. */
-static sp_real sp__qp_onto(const sp__qp *w, int32_t i, sp_real v)
-{
-    const sp_real l = w->E[i] * w->qp.l[i], u = w->E[i] * w->qp.u[i];
-    if (v < l && !sp__qp_no_l(&w->qp, i)) return l;
-    if (v > u && !sp__qp_no_u(&w->qp, i)) return u;
-    return v;
-}
-
 /* One over-relaxed iteration.                                                                  [OSQP, alg. 1, lines 3-7] */
 static void sp__qp_step(sp__qp *w)
 {
@@ -57,15 +48,15 @@ static void sp__qp_step(sp__qp *w)
     for (int32_t i = 0; i < m; i++) {
         const sp_real r = w->row[i], zt = w->z[i] + (w->s[n + i] - w->y[i]) / r;
         const sp_real v = a * zt + ((sp_real)1 - a) * w->z[i] + w->y[i] / r;
-        w->z[i] = sp__qp_onto(w, i, v);
+        w->z[i] = sp__qp_clip(&w->qp, i, v, w->E[i]);
         w->y[i] = r * (v - w->z[i]);
     }
-    w->flops += 6 * (int64_t)n + 14 * (int64_t)m;
+    w->flops += w->vectors;
 }
 
 static int64_t sp__qp_step_flops(const sp__qp *w)
 {
-    return sp__kkt_solve_flops(w, 0) + 6 * (int64_t)w->qp.n + 14 * (int64_t)w->qp.m;
+    return sp__kkt_solve_flops(w, 0) + w->vectors;
 }
 
 /* rho by what is further off, in equilibrated units.                                       [seed 4.2; OSQP, sec. 5.2] */
@@ -87,7 +78,7 @@ static void sp__qp_adapt(sp__qp *w)
 /* Flops a look at the iterate may take, and what stops short of the budget must leave. */
 static int64_t sp__qp_look_flops(const sp__qp *w)
 {
-    return 6 * w->products + 700 * ((int64_t)w->qp.n + w->qp.m);
+    return 6 * w->products + 50 * w->vectors;
 }
 
 /* Iterate until the next look, as far as the budget goes. Returns whether it went that far. */
@@ -114,49 +105,51 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     sp__qp_unscale(w);
     sp__qp_judge(w, w->z);
     const sp_real off = w->off;
-    const int solved = off <= (sp_real)1, hard = !spent && (solved || last || (w->iterations == 100 * k && (k & (k - 1)) == 0));
     if (!(off < SP__NEVER)) {
         memcpy(w->x, w->xc, (size_t)w->qp.n * sizeof *w->x);            /* back to the one before */
         memcpy(w->y, w->yc, (size_t)w->qp.m * sizeof *w->y);
         out->status = SP_QP_NUMERICAL;
         return 1;
     }
-    if (!solved && !last && w->set.adapt > 0 && w->iterations % w->set.adapt == 0) sp__qp_adapt(w);
-    if (!solved && sp__proof_found(w, hard && w->set.polish, out)) return 1;
-    out->status = SP_QP_SOLVED;
+    const int solved = off <= (sp_real)1, hard = !spent && (solved || last || (w->iterations == 100 * k && (k & (k - 1)) == 0));
+    if (!solved) {
+        if (!last && w->set.adapt > 0 && w->iterations % w->set.adapt == 0) sp__qp_adapt(w);
+        if (sp__proof_found(w, hard && w->set.polish, out)) return 1;
+    }
 #ifndef SP_QP_NO_POLISH
+    out->status = SP_QP_SOLVED;
     if (hard && w->set.polish && sp__auglag_run(w, solved ? off : (sp_real)1)) return out->polished = 1;
 #endif
-    if (!solved) out->status = off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
+    out->status = solved ? SP_QP_SOLVED : off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
     return solved || last || spent;
 }
 
 /* What left the range of sp_real becomes 0. */
-static void sp__qp_numbers(sp_real *v, int32_t n)
+static void sp__qp_mend(sp_real *v, int32_t n)
 {
     for (int32_t k = 0; k < n; k++)
         if (!sp__finite(v[k])) v[k] = 0;
 }
 
+static sp_real sp__qp_told(sp_real x) { return sp__finite(x) ? x : SP__NEVER; }
+
 /* What is left of the result, for a point or a certificate. No NaN leaves. */
 static void sp__qp_report(sp__qp *w, sp_qp_result *out)
 {
-    if (out->status == SP_QP_PRIMAL_INFEASIBLE)
-        for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = 0;
-    else if (out->status == SP_QP_DUAL_INFEASIBLE)
-        for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = 0;
+    if (out->status == SP_QP_PRIMAL_INFEASIBLE) memset(w->X, 0, (size_t)w->qp.n * sizeof *w->X);
+    else if (out->status == SP_QP_DUAL_INFEASIBLE) memset(w->Y, 0, (size_t)w->qp.m * sizeof *w->Y);
     else if (!out->polished) {
         sp__qp_unscale(w);
-        sp__qp_numbers(w->X, w->qp.n);
-        sp__qp_numbers(w->Y, w->qp.m);
+        sp__qp_mend(w->X, w->qp.n);
+        sp__qp_mend(w->Y, w->qp.m);
         sp__qp_judge(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
     }
     out->x = w->X;
     out->y = w->Y;
-    out->objective = sp__finite(w->objective) ? w->objective : SP__NEVER;
-    out->primal = sp__finite(w->primal) ? w->primal : SP__NEVER;
-    out->dual = sp__finite(w->dual) ? w->dual : SP__NEVER;
-    out->gap = sp__finite(w->gap) ? w->gap : SP__NEVER;
+    out->objective = sp__qp_told(w->objective);
+    out->primal = sp__qp_told(w->primal);
+    out->dual = sp__qp_told(w->dual);
+    out->gap = sp__qp_told(w->gap);
     out->rho = w->rho;
     out->iterations = w->iterations;
     out->factorisations = w->factorisations;
@@ -167,7 +160,6 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
 {
     int spent;
     memset(out, 0, sizeof *out);
-    out->status = SP_QP_ITERATIONS;
     w->flops = 0;
     w->factorisations = w->iterations = w->changes = 0;
     w->limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_look_flops(w) : INT64_MAX / 4;
@@ -192,17 +184,13 @@ static sp_status sp__qp_check_matrix(const int32_t *p, const int32_t *i, const s
     return SP_OK;
 }
 
-/* A number or an infinity, not a NaN. */
-static int sp__qp_bound(sp_real b) { return b > 0 ? 1 : b <= 0; }
-
 static sp_status sp__qp_check_vectors(const sp_qp *qp)
 {
     if (qp->m > 0 && (!qp->l || !qp->u)) return SP_E_ARGUMENT;
-    for (int32_t j = 0; qp->q && j < qp->n; j++)
-        if (!sp__finite(qp->q[j])) return SP_E_NOT_FINITE;
+    if (!sp__qp_numbers(qp->q, qp->n)) return SP_E_NOT_FINITE;
     for (int32_t i = 0; i < qp->m; i++) {
-        if (!sp__qp_bound(qp->l[i]) || !sp__qp_bound(qp->u[i])) return SP_E_NOT_FINITE;
-        if (qp->l[i] > qp->u[i] || !(qp->l[i] < SP_QP_INFINITY) || !(qp->u[i] > -SP_QP_INFINITY)) return SP_E_RANGE;
+        if (!(qp->l[i] <= qp->u[i])) return qp->l[i] > qp->u[i] ? SP_E_RANGE : SP_E_NOT_FINITE;
+        if (!(qp->l[i] < SP_QP_INFINITY) || !(qp->u[i] > -SP_QP_INFINITY)) return SP_E_RANGE;
     }
     return SP_OK;
 }
@@ -235,16 +223,16 @@ static sp_status sp__qp_check(const sp_qp *qp, const sp_qp_settings *set)
     return status == SP_OK ? sp__qp_check_vectors(qp) : status;
 }
 
-/* Is P diagonal? Then semidefinite is a look at its entries, in *least. */
-static int sp__qp_diagonal(const sp_qp *qp, sp_real *least)
+/* Entries of the KKT matrix off its diagonal, one triangle; -1: too many. */
+static int32_t sp__qp_entries(const sp_qp *qp)
 {
-    *least = 0;
-    for (int32_t j = 0; j < qp->n; j++)
-        for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
-            if (qp->Pi[k] != j) return 0;
-            if (qp->Px[k] < *least) *least = qp->Px[k];
-        }
-    return 1;
+    int32_t count = sp__qp_a0(qp, qp->n);
+    for (int32_t j = 0; j < qp->n; j++) {
+        const int32_t from = sp__qp_p0(qp, j), end = sp__qp_p0(qp, j + 1);
+        count += end - from - (end > from && qp->Pi[end - 1] == j);
+        if (count < 0 || count > INT32_MAX / 4) return -1;
+    }
+    return count;
 }
 
 /* Largest row sum of |cDPD|, more than its largest eigenvalue; in b. */
@@ -293,11 +281,13 @@ static int sp__qp_no_descent(sp__qp *w)
 }
 #endif
 
-/* Is P semidefinite? cDPD + shift I has a factor, the shift above what rounding can do. */
+/* Is P semidefinite? A diagonal one shows; of others cDPD + shift I has a factor, the shift above what rounding can do. */
 static int sp__qp_semidefinite(sp__qp *w)
 {
-    sp_real least;
-    if (sp__qp_diagonal(&w->qp, &least)) return !(least < 0);
+    const int diagonal = sp__qp_entries(&w->qp) == sp__qp_a0(&w->qp, w->qp.n);
+    for (int32_t j = 0; diagonal && j < w->qp.n; j++)
+        if (sp__kkt_diagonal(w, j) < 0) return 0;
+    if (diagonal) return 1;
     for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = 0;
     w->sigma = sp__qp_size(w) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
@@ -308,17 +298,6 @@ static int sp__qp_semidefinite(sp__qp *w)
 }
 
 /* --------------------------------------------------------------------------------------------------------------- memory */
-
-static int32_t sp__qp_entries(const sp_qp *qp)
-{
-    int32_t count = sp__qp_a0(qp, qp->n);
-    for (int32_t j = 0; j < qp->n; j++) {
-        const int32_t from = sp__qp_p0(qp, j), end = sp__qp_p0(qp, j + 1);
-        count += end - from - (end > from && qp->Pi[end - 1] == j);
-        if (count < 0 || count > INT32_MAX / 4) return -1;
-    }
-    return count;
-}
 
 enum { SP__QP_OF_N = 6, SP__QP_OF_M = 13, SP__QP_VECTORS = 15 };      /* ends of the vectors of n, m, n + m numbers */
 
@@ -358,7 +337,9 @@ SP__APART static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp
     w->D = p[0]; w->x = p[1]; w->xc = p[2]; w->X = p[3]; w->Px = p[4]; w->Aty = p[5];
     w->E = p[6]; w->row = p[7]; w->z = p[8]; w->y = p[9]; w->yc = p[10]; w->Y = p[11]; w->Ax = p[12];
     w->b = p[13]; w->s = p[14];
+#ifndef SP_QP_NO_POLISH
     w->side = sp__take(a, (size_t)qp->m, 1);
+#endif
     if (backend == SP_QP_SPARSE) sp__ldl_carve(&w->ldl, qp->n + qp->m, qp->n, sp__qp_entries(qp), a);
     else if (backend == SP_QP_DENSE) w->M = sp__qp_carve_dense(qp, a);
 #ifndef SP_QP_NO_CG
@@ -373,7 +354,9 @@ SP__APART static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_bac
     sp_arena a = sp__arena_dry();
     if (entries < 0) return 0;
     sp__qp_carve_vectors(qp, NULL, &a);
+#ifndef SP_QP_NO_POLISH
     sp__take(&a, (size_t)qp->m, 1);
+#endif
     if (backend == SP_QP_SPARSE) {
         sp__ldl f;
         sp__ldl_carve(&f, qp->n + qp->m, qp->n, entries, &a);
@@ -403,6 +386,7 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
     w->rho = set->rho;
     w->stale = 1;
     w->products = 4 * ((int64_t)sp__qp_entries(qp) + qp->n) + 2 * (int64_t)sp__qp_a0(qp, qp->n);
+    w->vectors = 14 * ((int64_t)qp->n + qp->m);
     w->c = sp__ruiz(qp, set->passes, w->D, w->E, w->b, w->b + qp->n);
     *fill = 0;
     if (set->backend != SP_QP_SPARSE) return w;
@@ -468,7 +452,7 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     if (!w) return SP_E_MEMORY;
     if (set->backend == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
-    if (!sp__finite(w->c) || !sp__finite(sp__largest(w->D, qp->n)) || !sp__finite(sp__largest(w->E, qp->m))) return SP_E_NOT_FINITE;
+    if (!sp__finite(w->c) || !sp__qp_numbers(w->D, qp->n) || !sp__qp_numbers(w->E, qp->m)) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;
     *arena = a;
     *work = w;
@@ -507,18 +491,17 @@ static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
     for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = x0 ? x0[j] : (sp_real)0;
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real y = y0 ? y0[i] : (sp_real)0;
-        w->y[i] = (y > 0 ? sp__qp_no_u(&w->qp, i) : sp__qp_no_l(&w->qp, i)) ? (sp_real)0 : w->c * y / w->E[i];
+        w->y[i] = sp__qp_loose(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
     }
     sp__qp_A(&w->qp, w->X, w->Ax);
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->s[j] = w->X[j] / w->D[j];
-    for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_onto(w, i, w->E[i] * w->Ax[i]);
+    for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_clip(&w->qp, i, w->E[i] * w->Ax[i], w->E[i]);
 }
 
 SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
     if (!work || !result) return SP_E_ARGUMENT;
-    for (int32_t j = 0; x0 && j < work->qp.n; j++) if (!sp__finite(x0[j])) return SP_E_NOT_FINITE;
-    for (int32_t i = 0; y0 && i < work->qp.m; i++) if (!sp__finite(y0[i])) return SP_E_NOT_FINITE;
+    if (!sp__qp_numbers(x0, work->qp.n) || !sp__qp_numbers(y0, work->qp.m)) return SP_E_NOT_FINITE;
     sp__qp_start(work, x0, y0);
     sp__qp_iterate(work, result);
     return SP_OK;

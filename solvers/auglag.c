@@ -43,7 +43,7 @@ static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
     int32_t moved = 0;
     sp__qp_A(qp, w->X, w->Ax);
     for (int32_t i = 0; i < qp->m; i++) {
-        const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + w->yc[i] / R, to = sp__qp_clip(qp, i, v);
+        const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + w->yc[i] / R, to = sp__qp_clip(qp, i, v, 1);
         const signed char side = v < to || v > to || sp__qp_equation(qp, i);
         if (g->full && side && w->side[i] == side) w->Y[i] += g->t * w->E[i] * w->s[qp->n + i] / w->c;
         else w->Y[i] = R * (v - to);
@@ -84,7 +84,7 @@ static sp_real sp__auglag_slope(sp__qp *w, sp_real r, sp_real t)
     for (int32_t j = 0; j < n; j++) s += w->xc[j] * (w->Px[j] + sp__qp_q(&w->qp, j) + t * w->b[j]);
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real R = sp__auglag_weight(w, i, r), v = w->Ax[i] + t * w->b[n + i] + w->yc[i] / R;
-        s += w->b[n + i] * R * (v - sp__qp_clip(&w->qp, i, v));
+        s += w->b[n + i] * R * (v - sp__qp_clip(&w->qp, i, v, 1));
     }
     w->flops += 5 * (int64_t)n + 11 * (int64_t)w->qp.m;
     return s;
@@ -158,7 +158,7 @@ static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j] / w->D[j];
     for (int32_t i = 0; i < w->qp.m; i++) {
         w->y[i] = w->c * w->Y[i] / w->E[i];
-        w->z[i] = w->E[i] * sp__qp_clip(&w->qp, i, w->Ax[i]);
+        w->z[i] = w->E[i] * sp__qp_clip(&w->qp, i, w->Ax[i], 1);
     }
 }
 
@@ -175,7 +175,7 @@ SP__APART static int sp__auglag_run(sp__qp *w, sp_real off)
     sp__qp_unscale(w);
     for (int32_t i = 0; i < w->qp.m; i++) { w->yc[i] = w->Y[i]; w->side[i] = -1; }
     for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
-        sp__rest dual = { 0, 0, 0, 0 };
+        sp__rest dual = { 0, 0, 0, 0, 0 };
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;
         sp__qp_dual(w, &dual);

@@ -10,18 +10,22 @@
 
 #define SP__NEVER ((sp_real)1e30)
 
-/* In place; n^3 / 3 flops. */
-static void sp__chol_factor(sp_real *a, int32_t n, sp_real floor)
+/* In place; n^3 / 3 flops. Returns how many pivots were below the floor. */
+static int32_t sp__chol_factor(sp_real *a, int32_t n, sp_real floor)
 {
+    int32_t low = 0;
     for (int32_t i = 0; i < n; i++) {
         sp_real *ri = a + (size_t)i * ((size_t)i + 1) / 2;
         for (int32_t j = 0; j <= i; j++) {
             const sp_real *rj = a + (size_t)j * ((size_t)j + 1) / 2;
             sp_real s = ri[j];
             for (int32_t k = 0; k < j; k++) s -= ri[k] * rj[k];
-            ri[j] = j < i ? s / rj[j] : s > floor ? SP_SQRT(s) : SP__NEVER;
+            if (j < i) ri[j] = s / rj[j];
+            else if (s > floor) ri[j] = SP_SQRT(s);
+            else { ri[j] = SP__NEVER; low++; }
         }
     }
+    return low;
 }
 
 /* x <- A^-1 x */

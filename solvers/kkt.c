@@ -45,40 +45,33 @@ static void sp__kkt_factor_sparse(sp__qp *w)
     for (int32_t j = 0; j < w->qp.n; j++) sp__ldl_diagonal(&w->ldl, j, sp__kkt_diagonal(w, j) + w->sigma);
     for (int32_t i = 0; i < w->qp.m; i++)
         sp__ldl_diagonal(&w->ldl, w->qp.n + i, w->row[i] > 0 ? (sp_real)-1 / w->row[i] : -SP__QP_FREE_ROW);
-    sp__ldl_factor(&w->ldl, 0);
+    sp__ldl_factor(&w->ldl);
     w->broken = w->ldl.bent;
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- dense */
 
-/* Row j of the lower triangle: P_jk + sum over rows i of rho_i a_ij a_ik, k <= j; column j spread out in t (m). */
-static void sp__kkt_dense_row(sp__qp *w, int32_t j, sp_real *t)
+/* Row j of the lower triangle: P_jk + sum over rows i of rho_i a_ij a_ik, k <= j. */
+static void sp__kkt_dense_row(sp__qp *w, int32_t j)
 {
     const sp_qp *qp = &w->qp;
-    sp_real *r = w->M + (size_t)j * ((size_t)j + 1) / 2;
-    for (int32_t k = 0; k <= j; k++) r[k] = 0;
-    for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++)
-        r[qp->Pi[k]] = w->c * w->D[qp->Pi[k]] * qp->Px[k] * w->D[j];
-    r[j] += w->sigma;
+    sp_real *r = w->M + (size_t)j * ((size_t)j + 1) / 2, *s = w->s, *t = s + qp->n;
     for (int32_t i = 0; i < qp->m; i++) t[i] = 0;
     for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
         const int32_t i = qp->Ai[k];
         t[i] = w->row[i] * w->E[i] * w->E[i] * qp->Ax[k] * w->D[j];
     }
-    for (int32_t k = 0; k <= j; k++) {
-        sp_real s = 0;
-        for (int32_t q = sp__qp_a0(qp, k); q < sp__qp_a0(qp, k + 1); q++) s += qp->Ax[q] * t[qp->Ai[q]];
-        r[k] += s * w->D[k];
-    }
+    sp__qp_At(qp, t, s);
+    sp__qp_scale(r, s, w->D, j + 1);
+    for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++)
+        r[qp->Pi[k]] += w->c * w->D[qp->Pi[k]] * qp->Px[k] * w->D[j];
+    r[j] += w->sigma;
 }
 
 static void sp__kkt_factor_dense(sp__qp *w)
 {
-    const size_t n = (size_t)w->qp.n;
-    for (int32_t j = 0; j < w->qp.n; j++) sp__kkt_dense_row(w, j, w->s + n);
-    sp__chol_factor(w->M, w->qp.n, 0);
-    w->broken = 0;
-    for (size_t j = 0; j < n; j++) w->broken += !(w->M[j * (j + 3) / 2] < SP__NEVER);
+    for (int32_t j = 0; j < w->qp.n; j++) sp__kkt_dense_row(w, j);
+    w->broken = sp__chol_factor(w->M, w->qp.n, 0);
 }
 
 /* ----------------------------------------------------------------------------------------------------------- matrix-free */
@@ -124,14 +117,15 @@ static void sp__kkt_apply(const void *what, const sp_real *in, sp_real *out)
 
 static int64_t sp__kkt_cg_step_flops(const sp__qp *w) { return w->products + 12 * (int64_t)w->qp.n; }
 
+enum { SP__KKT_CG_LEAST = 4 };          /* steps that sp__kkt_solve_flops has counted */
+
 /* s <- M^-1 b from the guess in s, as many steps as the budget allows. */
-static int32_t sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
+static void sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
 {
-    const int64_t each = sp__kkt_cg_step_flops(w), room = (w->limit - w->flops) / each - 1;
+    const int64_t each = sp__kkt_cg_step_flops(w), room = (w->limit - w->flops) / each + SP__KKT_CG_LEAST - 1;
     if (room < steps) steps = room > 0 ? (int32_t)room : 0;
     steps = sp__cg_solve(&w->cg, sp__kkt_apply, w, w->b, w->s, steps, tol);
-    w->flops += (int64_t)(steps < 0 ? -steps : steps + 1) * each;
-    return steps;
+    w->flops += ((steps < 0 ? -steps : steps + 1) - SP__KKT_CG_LEAST) * each;
 }
 #endif
 
@@ -140,12 +134,9 @@ static int32_t sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
 /* Flops of a factorisation. */
 static int64_t sp__kkt_factor_flops(const sp__qp *w)
 {
-    const int64_t n = w->qp.n;
-    int64_t flops = w->products;
-    if (w->set.backend == SP_QP_SPARSE) flops = w->ldl.flops;
-    if (w->set.backend != SP_QP_DENSE) return flops;
-    for (int32_t j = 0; j < w->qp.n; j++) flops += (int64_t)j * (j + 1) + 2 * (int64_t)sp__qp_a0(&w->qp, j + 1);
-    return flops + n * n;
+    const int32_t n = w->qp.n;
+    if (w->set.backend == SP_QP_SPARSE) return w->ldl.flops;
+    return w->set.backend == SP_QP_DENSE ? n * (w->products + (int64_t)n * (n / 3 + 1)) : w->products;
 }
 
 /* Flops of a solve with `rounds` of refinement; matrix-free: the least that makes sense. */
@@ -154,7 +145,7 @@ static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
     if (w->set.backend == SP_QP_SPARSE)
         return w->ldl.solve_flops + (w->broken ? 2 : rounds) * (w->ldl.solve_flops + 4 * (int64_t)w->ldl.entries);
 #ifndef SP_QP_NO_CG
-    if (w->set.backend == SP_QP_CG) return w->products + 4 * sp__kkt_cg_step_flops(w);
+    if (w->set.backend == SP_QP_CG) return w->products + SP__KKT_CG_LEAST * sp__kkt_cg_step_flops(w);
 #endif
     return w->products + 2 * (int64_t)w->qp.n * w->qp.n;
 }
@@ -171,37 +162,34 @@ static void sp__kkt_factor(sp__qp *w)
     w->factorisations++;
 }
 
-/* bx <- bx + A' rho bz, solve for x~ in s, nu = rho (A x~ - bz). */
+/* bx <- bx + A' rho bz, solve for x~ in s, nu = rho (A x~ - bz); in Aty: A' rho bz. */
 static void sp__kkt_solve_eliminated(sp__qp *w, int exact)
 {
     const sp_qp *qp = &w->qp;
-    sp_real *nu = w->s + qp->n;
-    const sp_real *bz = w->b + qp->n;
+    sp_real *b = w->b, *s = w->s, *bz = b + qp->n, *nu = s + qp->n;
+    sp__qp_scale(nu, w->E, w->row, qp->m);
+    sp__qp_scale(nu, nu, bz, qp->m);
+    sp__qp_At(qp, nu, w->Aty);
     for (int32_t j = 0; j < qp->n; j++) {
-        sp_real s = 0;
-        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++)
-            s += qp->Ax[k] * w->E[qp->Ai[k]] * w->row[qp->Ai[k]] * bz[qp->Ai[k]];
-        w->b[j] += w->D[j] * s;
-        if (exact) w->s[j] = 0;
+        b[j] += w->D[j] * w->Aty[j];
+        if (w->set.backend == SP_QP_DENSE) s[j] = b[j];
+        else if (exact) s[j] = 0;
     }
-    if (w->set.backend == SP_QP_DENSE) {
-        for (int32_t j = 0; j < qp->n; j++) w->s[j] = w->b[j];
-        sp__chol_solve(w->M, qp->n, w->s);
-    }
+    if (w->set.backend == SP_QP_DENSE) sp__chol_solve(w->M, qp->n, s);
 #ifndef SP_QP_NO_CG
     else sp__kkt_cg(w, w->set.cg_steps, exact ? (sp_real)8 * SP_EPSILON : w->set.cg_tol);
 #endif
-    for (int32_t j = 0; j < qp->n; j++) w->b[j] = w->D[j] * w->s[j];        /* bx is spent */
-    sp__qp_A(qp, w->b, nu);
+    sp__qp_scale(b, w->D, s, qp->n);                    /* bx is spent */
+    sp__qp_A(qp, b, nu);
     for (int32_t i = 0; i < qp->m; i++) nu[i] = w->row[i] * (w->E[i] * nu[i] - bz[i]);
 }
 
 /* s <- KKT^-1 b; b is spent. rounds: of refinement, > 0 where the last digit counts. */
 static void sp__kkt_solve(sp__qp *w, int32_t rounds)
 {
+    w->flops += sp__kkt_solve_flops(w, rounds);
     if (w->set.backend == SP_QP_SPARSE) sp__ldl_solve(&w->ldl, w->b, w->s, w->broken ? 2 : rounds);
     else sp__kkt_solve_eliminated(w, rounds > 0);
-    w->flops += w->set.backend == SP_QP_CG ? w->products : sp__kkt_solve_flops(w, rounds);
 }
 
 #endif /* SP_NO_QP */

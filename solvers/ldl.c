@@ -2,7 +2,7 @@
  *
  * The first `plus` unknowns have positive pivots, the others negative ones, whatever the order of elimination, so the order may
  * be chosen for fill alone (sp__order) and once for all values. Row k of L is found by following the elimination tree up from
- * the entries of column k of K. A pivot of the wrong sign or below `floor` is bent to +-sqrt(u); what that changes is taken back
+ * the entries of column k of K. A pivot of the wrong sign is bent to +-sqrt(u); what that changes is taken back
  * by refinement against K itself.
  *
  * K is kept as its upper triangle by columns in elimination order, each diagonal entry last in its column.
@@ -184,7 +184,7 @@ static int32_t sp__ldl_row(sp__ldl *f, int32_t k)
 }
 
 /* Up-looking: row k of L solves L_(k-1) D_(k-1) l = K_(1..k-1, k), d_k = K_kk - l' D l.                 [Davis 2005, fig. 5] */
-SP__APART static void sp__ldl_factor(sp__ldl *f, sp_real floor)
+SP__APART static void sp__ldl_factor(sp__ldl *f)
 {
     f->bent = 0;
     for (int32_t k = 0; k < f->n; k++) { f->t[k] = 0; f->mark[k] = -1; f->count[k] = 0; }
@@ -200,7 +200,7 @@ SP__APART static void sp__ldl_factor(sp__ldl *f, sp_real floor)
             f->lx[end] = l;
         }
         const sp_real sign = f->perm[k] < f->plus ? (sp_real)1 : (sp_real)-1;
-        if (!(sign * pivot > floor)) { pivot = sign * SP__BEND; f->bent++; }
+        if (!(sign * pivot > 0)) { pivot = sign * SP__BEND; f->bent++; }
         f->d[k] = (sp_real)1 / pivot;
     }
 }

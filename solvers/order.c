@@ -143,7 +143,7 @@ SP__APART static void sp__order_run(int32_t n, const int32_t *xadj, const int32_
 {
     sp__order o;
     sp__order_carve(&o, n, xadj[n], &a);
-    for (int32_t k = 0; k < xadj[n]; k++) o.iw[k] = adj[k];
+    memcpy(o.iw, adj, (size_t)xadj[n] * sizeof *adj);
     for (int32_t i = 0; i <= n; i++) o.head[i] = -1;
     for (int32_t i = 0; i < n; i++) {
         o.pe[i] = xadj[i]; o.len[i] = xadj[i + 1] - xadj[i]; o.elen[i] = 0;

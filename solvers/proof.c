@@ -49,9 +49,9 @@ static sp_real sp__proof_primal(sp__qp *w)
 {
     sp_real terms;
     for (int32_t i = 0; i < w->qp.m; i++)
-        if (w->Y[i] > 0 ? sp__qp_no_u(&w->qp, i) : sp__qp_no_l(&w->qp, i)) w->Y[i] = 0;
+        if (sp__qp_loose(&w->qp, i, w->Y[i])) w->Y[i] = 0;
     const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
-    w->flops += w->products + 6 * (int64_t)w->qp.m;
+    w->flops += w->products + w->vectors;
     return down > 0 ? sp__proof_radius(down, terms, w->qp.m, sp__proof_rest(w)) : (sp_real)0;
 }
 
@@ -65,14 +65,13 @@ static sp_real sp__proof_dual(sp__qp *w)
         down -= t;
         terms += sp__abs(t);
     }
-    w->flops += w->products + 8 * (int64_t)qp->n;
+    w->flops += w->products + w->vectors;
     if (!(down > 0)) return 0;
     sp__qp_P(qp, w->X, w->Px);
     sp__qp_A(qp, w->X, w->Ax);
     for (int32_t j = 0; j < qp->n; j++) rest = sp__max(rest, w->D[j] * sp__abs(w->Px[j]));
     for (int32_t i = 0; i < qp->m; i++)
-        if (w->Ax[i] > 0 ? !sp__qp_no_u(qp, i) : !sp__qp_no_l(qp, i))
-            rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
+        if (!sp__qp_loose(qp, i, w->Ax[i])) rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
     return sp__proof_radius(down, terms, qp->n, rest);
 }
 
@@ -161,24 +160,26 @@ static int sp__proof_direction(sp_real *v, int32_t n)
     return 1;
 }
 
+static sp_real sp__proof_judge(sp__qp *w, int primal) { return primal ? sp__proof_primal(w) : sp__proof_dual(w); }
+
 /* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
  * Its radius if it counts, else 0. */
 static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 {
-    const int32_t n = w->qp.n, m = w->qp.m;
+    const int32_t n = w->qp.n, m = w->qp.m, size = primal ? m : n;
+    const sp_real *to = primal ? w->y : w->x, *from = primal ? w->yc : w->xc;
     sp_real *v = primal ? w->Y : w->X;
-    const int32_t size = primal ? m : n;
-    for (int32_t k = 0; k < size; k++)
-        v[k] = primal ? w->E[k] * (w->y[k] - w->yc[k]) : w->D[k] * (w->x[k] - w->xc[k]);
+    for (int32_t k = 0; k < size; k++) v[k] = to[k] - from[k];
+    sp__qp_scale(v, primal ? w->E : w->D, v, size);
     if (!sp__proof_direction(v, size)) return 0;
     const sp_real far = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
     const sp_real least = sp__max(far, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
-    sp_real radius = primal ? sp__proof_primal(w) : sp__proof_dual(w);
+    sp_real radius = sp__proof_judge(w, primal);
 #ifndef SP_QP_NO_POLISH
     if (hard && radius > (sp_real)1 && !(radius > least)) {
         if (primal) sp__proof_sharpen_y(w);
         else sp__proof_sharpen_x(w);
-        radius = !sp__proof_direction(v, size) ? (sp_real)0 : primal ? sp__proof_primal(w) : sp__proof_dual(w);
+        radius = sp__proof_direction(v, size) ? sp__proof_judge(w, primal) : (sp_real)0;
     }
 #else
     (void)hard;
@@ -189,12 +190,12 @@ static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 /* Is the problem infeasible? Then 1 with status and radius, the certificate in Y or X. */
 SP__APART static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
 {
-    out->status = SP_QP_PRIMAL_INFEASIBLE;
-    out->radius = sp__proof_try(w, 1, hard);
-    if (out->radius > 0) return 1;
-    out->status = SP_QP_DUAL_INFEASIBLE;
-    out->radius = sp__proof_try(w, 0, hard);
-    return out->radius > 0;
+    for (int primal = 1; primal >= 0; primal--) {
+        out->status = primal ? SP_QP_PRIMAL_INFEASIBLE : SP_QP_DUAL_INFEASIBLE;
+        out->radius = sp__proof_try(w, primal, hard);
+        if (out->radius > 0) return 1;
+    }
+    return 0;
 }
 
 #endif /* SP_NO_QP */

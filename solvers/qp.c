@@ -27,24 +27,25 @@
 #define SP__QP_RHO_MOST  ((sp_real)1e6)
 #define SP__QP_FREE_ROW  ((sp_real)1e20)                /* 1 / rho of a row that shall not matter */
 
-struct sp_qp_work {
+struct sp_qp_work {                     /* pointers first: near offsets make short instructions */
     sp_qp qp;
-    sp_qp_settings set;
-    sp_real c, rho, sigma;
     sp_real *D, *E, *row;               /* row: rho of each row */
     sp_real *x, *z, *y, *xc, *yc;       /* iterate; xc, yc: at the look before this one */
     sp_real *b, *s;                     /* n + m: right-hand side and solution of the linear system */
     sp_real *X, *Y, *Px, *Aty, *Ax;     /* a point and its products, in the units of the data */
-    signed char *side;                  /* m, polish: the row is outside its bounds */
-    sp__ldl ldl;
     sp_real *M;                         /* dense: lower triangle by rows */
+    signed char *side;                  /* m, polish: the row is outside its bounds */
+    int32_t stale;                      /* the factor is not that of rho */
+    int32_t factorisations, iterations, changes, broken;
+    sp_real c, rho, sigma;
+    sp_qp_settings set;
+    sp__ldl ldl;
 #ifndef SP_QP_NO_CG
     sp__cg cg;
     sp_real *v, *Av;                    /* cg: n, m */
 #endif
-    int32_t stale;                      /* the factor is not that of rho */
-    int32_t factorisations, iterations, changes, broken;
-    int64_t flops, products, limit;     /* products: flops of P x, A x and A'y together; limit: where flops must end */
+    int64_t flops, limit;               /* limit: where flops must end */
+    int64_t products, vectors;          /* flops of P x, A x and A'y together; of what else a step or a look does, about */
     sp_real primal, dual, gap, objective, off;  /* of X, Y; off: largest residual relative to its tolerance */
     sp_real rel_primal, rel_dual;       /* scaled residuals relative to their terms */
 };
@@ -52,6 +53,8 @@ typedef struct sp_qp_work sp__qp;
 
 static int sp__qp_no_l(const sp_qp *qp, int32_t i) { return !(qp->l[i] > -SP_QP_INFINITY); }
 static int sp__qp_no_u(const sp_qp *qp, int32_t i) { return !(qp->u[i] < SP_QP_INFINITY); }
+/* Would the multiplier y of row i push at a bound that is not there? */
+static int sp__qp_loose(const sp_qp *qp, int32_t i, sp_real y) { return y > 0 ? sp__qp_no_u(qp, i) : sp__qp_no_l(qp, i); }
 static int sp__qp_equation(const sp_qp *qp, int32_t i) { return !(qp->l[i] < qp->u[i]); }
 static sp_real sp__qp_q(const sp_qp *qp, int32_t j) { return qp->q ? qp->q[j] : (sp_real)0; }
 static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
@@ -59,16 +62,31 @@ static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low
 static sp_real sp__largest(const sp_real *x, int32_t n)
 {
     sp_real most = 0;
-    for (int32_t i = 0; i < n; i++)
+    for (int32_t i = 0; i < n && most >= 0; i++)
         if (!(sp__abs(x[i]) <= most)) most = sp__abs(x[i]);                 /* a NaN goes through */
     return most;
 }
 
-/* v onto [l_i, u_i]. */
-static sp_real sp__qp_clip(const sp_qp *qp, int32_t i, sp_real v)
+/* out <- a b, one by one. */
+SP__APART static void sp__qp_scale(sp_real *out, const sp_real *a, const sp_real *b, int32_t n)
 {
-    if (v < qp->l[i] && !sp__qp_no_l(qp, i)) return qp->l[i];
-    if (v > qp->u[i] && !sp__qp_no_u(qp, i)) return qp->u[i];
+    for (int32_t k = 0; k < n; k++) out[k] = a[k] * b[k];
+}
+
+/* Are they numbers? NULL is. */
+static int sp__qp_numbers(const sp_real *v, int32_t n)
+{
+    for (int32_t k = 0; v && k < n; k++)
+        if (!sp__finite(v[k])) return 0;
+    return 1;
+}
+
+/* v onto e [l_i, u_i], e = 1 or the scale of the row. */
+static sp_real sp__qp_clip(const sp_qp *qp, int32_t i, sp_real v, sp_real e)
+{
+    const sp_real l = e * qp->l[i], u = e * qp->u[i];
+    if (v < l && !sp__qp_no_l(qp, i)) return l;
+    if (v > u && !sp__qp_no_u(qp, i)) return u;
     return v;
 }
 
@@ -79,8 +97,7 @@ static sp_real sp__qp_support(const sp_qp *qp, const sp_real *y, sp_real *terms)
     sp_real s = 0;
     *terms = 0;
     for (int32_t i = 0; i < qp->m; i++) {
-        const sp_real t = y[i] > 0 ? (sp__qp_no_u(qp, i) ? (sp_real)0 : qp->u[i] * y[i])
-                                   : (sp__qp_no_l(qp, i) ? (sp_real)0 : qp->l[i] * y[i]);
+        const sp_real t = sp__qp_loose(qp, i, y[i]) ? (sp_real)0 : (y[i] > 0 ? qp->u[i] : qp->l[i]) * y[i];
         s += t;
         *terms += sp__abs(t);
     }
@@ -122,51 +139,56 @@ static void sp__qp_At(const sp_qp *qp, const sp_real *y, sp_real *x)
 
 /* ----------------------------------------------------------------------------------------------------------- judgement */
 
-/* A residual, the largest of its terms, and both in equilibrated units. */
-typedef struct sp__rest { sp_real r, size, scaled, scaled_size; } sp__rest;
+/* A residual, the largest of its terms, and both in equilibrated units; price: the sum of |weight| r. */
+typedef struct sp__rest { sp_real r, size, scaled, scaled_size, price; } sp__rest;
 
-/* One component r of terms up to `size`, which the scales multiply by t. A NaN goes through. */
-static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_real t)
+/* One component r of terms up to `size`, which the scales multiply by t. The price is no number where an r is none. */
+SP__APART static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_real t, sp_real weight)
 {
-    if (!(r <= a->r)) a->r = r;
+    a->r = sp__max(a->r, r);
     a->size = sp__max(a->size, size);
     a->scaled = sp__max(a->scaled, t * r);
     a->scaled_size = sp__max(a->scaled_size, t * size);
+    a->price += sp__abs(weight) * r;
 }
 
 /* Relative size of the equilibrated residual. */
 static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
 
+/* r over its tolerance. */
+static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
+{
+    return r > 0 ? r / (w->set.eps_abs + w->set.eps_rel * size) : (sp_real)0;
+}
+
 /* Residual over tolerance; strict: also in equilibrated units, so that small rows count as large ones do. */
-static sp_real sp__rest_over(const sp__rest *a, const sp_qp_settings *set)
+static sp_real sp__rest_over(const sp__qp *w, const sp__rest *a)
 {
-    const sp_real off = a->r / (set->eps_abs + set->eps_rel * a->size);
-    const sp_real scaled = a->scaled / (set->eps_abs + set->eps_rel * a->scaled_size);
-    return set->strict && scaled > off ? scaled : off;
+    const sp_real off = sp__qp_over(w, a->r, a->size);
+    return w->set.strict ? sp__max(off, sp__qp_over(w, a->scaled, a->scaled_size)) : off;
 }
 
-/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u]. Returns its price |Y|'|AX - z|. */
-static sp_real sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
+/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u]; its price |Y|'|AX - z|. */
+static void sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
 {
-    sp_real price = 0;
     for (int32_t i = 0; i < w->qp.m; i++) {
-        const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a), r = sp__abs(a - to);
-        sp__rest_widen(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i]);
-        price += sp__abs(w->Y[i]) * r;
+        const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a, 1);
+        sp__rest_widen(out, sp__abs(a - to), sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
     }
-    return price;
 }
 
-/* |PX + q + A'Y|. Returns its price |X|'|PX + q + A'Y|. */
-static sp_real sp__qp_dual(const sp__qp *w, sp__rest *out)
+/* |PX + q + A'Y|, its price |X|'|PX + q + A'Y|; in passing objective = 1/2 X'PX + q'X and gap = X'PX + q'X. */
+static void sp__qp_dual(sp__qp *w, sp__rest *out)
 {
-    sp_real price = 0;
+    sp_real xPx = 0, qx = 0;
     for (int32_t j = 0; j < w->qp.n; j++) {
-        const sp_real q = sp__qp_q(&w->qp, j), p = w->Px[j], a = w->Aty[j], r = sp__abs(p + q + a);
-        sp__rest_widen(out, r, sp__max(sp__abs(q), sp__max(sp__abs(p), sp__abs(a))), w->c * w->D[j]);
-        price += sp__abs(w->X[j]) * r;
+        const sp_real q = sp__qp_q(&w->qp, j), p = w->Px[j], a = w->Aty[j], x = w->X[j];
+        sp__rest_widen(out, sp__abs(p + q + a), sp__max(sp__abs(q), sp__max(sp__abs(p), sp__abs(a))), w->c * w->D[j], x);
+        xPx += x * p;
+        qx += x * q;
     }
-    return price;
+    w->objective = (sp_real)0.5 * xPx + qx;
+    w->gap = xPx + qx;
 }
 
 /* Residuals of X, Y on the data as given, and how far off they are in units of their tolerances.            [seed 4.2]
@@ -184,32 +206,29 @@ static sp_real sp__qp_dual(const sp__qp *w, sp__rest *out)
 SP__APART static void sp__qp_judge(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
-    sp__rest primal = { 0, 0, 0, 0 }, dual = { 0, 0, 0, 0 };
-    sp_real terms, xPx = 0, qx = 0;
+    sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;
+    sp_real terms;
     sp__qp_A(qp, w->X, w->Ax);
     sp__qp_P(qp, w->X, w->Px);
     sp__qp_At(qp, w->Y, w->Aty);
-    const sp_real infeasible = sp__qp_primal(w, z, &primal), unbalanced = sp__qp_dual(w, &dual);
-    for (int32_t j = 0; j < qp->n; j++) {
-        xPx += w->X[j] * w->Px[j];
-        qx += w->X[j] * sp__qp_q(qp, j);
-    }
+    sp__qp_primal(w, z, &primal);
+    sp__qp_dual(w, &dual);
     w->primal = primal.r;
     w->dual = dual.r;
     w->rel_primal = sp__rest_relative(&primal);
     w->rel_dual = sp__rest_relative(&dual);
-    w->objective = (sp_real)0.5 * xPx + qx;
-    w->gap = sp__max(infeasible, sp__abs(xPx + qx + sp__qp_support(qp, w->Y, &terms)) + unbalanced);
-    w->off = sp__max(sp__rest_over(&primal, &w->set), sp__rest_over(&dual, &w->set));
-    if (w->set.strict) w->off = sp__max(w->off, w->gap / (w->set.eps_abs + w->set.eps_rel * sp__abs(w->objective)));
-    if (!(w->off < SP__NEVER) || !sp__finite(w->primal + w->dual + w->gap + w->objective)) w->off = SP__NEVER;
-    w->flops += w->products + 18 * (int64_t)qp->n + 14 * (int64_t)qp->m;
+    w->off = sp__max(sp__rest_over(w, &primal), sp__rest_over(w, &dual));
+    const sp_real open = sp__abs(w->gap + sp__qp_support(qp, w->Y, &terms)) + dual.price;
+    w->gap = sp__max(primal.price, open);
+    if (w->set.strict) w->off = sp__max(w->off, sp__qp_over(w, w->gap, sp__abs(w->objective)));
+    if (!(w->off < SP__NEVER) || !sp__finite(primal.price + open + w->objective)) w->off = SP__NEVER;
+    w->flops += w->products + w->vectors;
 }
 
 /* The iterate in the units of the data. */
 static void sp__qp_unscale(sp__qp *w)
 {
-    for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = w->D[j] * w->x[j];
+    sp__qp_scale(w->X, w->D, w->x, w->qp.n);
     for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = w->E[i] * w->y[i] / w->c;
 }
 

@@ -42,7 +42,7 @@ static int factor(sp__ldl *f, int32_t plus)
     const int32_t fill = sp__ldl_analyse(f, walk, NULL, test_arena);
     sp__ldl_carve_factor(f, fill, &test_arena);
     for (int32_t k = 0; k < size; k++) sp__ldl_diagonal(f, k, R(K[k][k]));
-    sp__ldl_factor(f, 0);
+    sp__ldl_factor(f);
     return !sp__failed(&test_arena) && f->lp[size] == fill;
 }
 
