@@ -6,6 +6,8 @@
  *   RANGES    E: [rhs, rhs + R] or [rhs + R, rhs], L: [rhs - |R|, rhs], G: [rhs, rhs + |R|]
  *   BOUNDS    0 .. infinity unless said; UP below 0 without a lower bound makes that minus infinity
  *   QUADOBJ   P of 1/2 x'Px, one triangle; QMATRIX: all of it
+ *
+ * What is given twice, and a second set of RHS, RANGES or BOUNDS, is refused: programs differ in which of them they take.
  */
 #include "qps.h"
 
@@ -32,13 +34,16 @@ typedef struct reader {
     int words;
     names rows, columns;
     char *kind;                         /* of each row that counts: L G E */
-    double *rhs, *range;                /* range: NaN where none */
+    double *rhs, *range;                /* NaN where none */
+    int32_t *filled;                    /* the last column with an entry in the row */
+    text_word set[END];                 /* of sections that name one: the name */
     int32_t row_room, m;
-    double *lower, *upper, *cost;
+    double *lower, *upper, *cost;       /* cost: NaN where none */
     char *given;                        /* the lower bound was given */
     int32_t column_room, marked;
-    int objectives;
-    entries A, P;
+    int objectives, whole;              /* whole: P is a QMATRIX */
+    double constant;                    /* right-hand side of the objective, NaN where none */
+    entries A, P, Q;                    /* Q: the other triangle of a QMATRIX, turned over */
     host_qp *out;
     text_error *error;
 } reader;
@@ -190,7 +195,7 @@ static int read_row(reader *r)
 {
     const char kind = r->w[0].s[0];
     int32_t value = r->m;
-    int32_t room_rhs = r->row_room, room_range = r->row_room;
+    int32_t room_rhs = r->row_room, room_range = r->row_room, room_filled = r->row_room;
     int added;
     const text_word none = { "", 0 };
     if (r->words != 2 || r->w[0].n != 1) return fail(r, "a row is: N, L, G or E, and its name", none);
@@ -200,9 +205,11 @@ static int read_row(reader *r)
     if (added <= 0) return added ? no_memory(r) : fail(r, "a second row called", r->w[1]);
     if (kind == 'N') return 0;
     if (!grow(&r->rhs, r->m, &room_rhs, sizeof *r->rhs) || !grow(&r->range, r->m, &room_range, sizeof *r->range) ||
-        !grow(&r->kind, r->m, &r->row_room, 1)) return no_memory(r);
+        !grow(&r->filled, r->m, &room_filled, sizeof *r->filled) || !grow(&r->kind, r->m, &r->row_room, 1))
+        return no_memory(r);
     r->kind[r->m] = kind;
-    r->rhs[r->m] = 0;
+    r->rhs[r->m] = NAN;
+    r->filled[r->m] = -1;
     r->range[r->m++] = NAN;
     return 0;
 }
@@ -217,7 +224,7 @@ static int add_column(reader *r, text_word name)
         !grow(&r->cost, n, &c, sizeof *r->cost) || !grow(&r->given, n, &r->column_room, 1)) return no_memory(r);
     r->lower[n] = 0;
     r->upper[n] = 1e30;
-    r->cost[n] = 0;
+    r->cost[n] = NAN;
     r->given[n] = 0;
     if (r->marked) r->out->integers++;
     return 0;
@@ -242,10 +249,29 @@ static int read_column(reader *r)
         int status;
         if (!names_find(&r->rows, r->w[k], &i)) return fail(r, "no such row:", r->w[k]);
         status = finite_number(r, r->w[k + 1], &x);
-        if (!status && i >= 0) status = put(r, &r->A, i, j, x);
         if (status) return status;
-        if (i == OBJECTIVE) r->cost[j] += x;
+        if (i >= 0 ? r->filled[i] == j : i == OBJECTIVE && !isnan(r->cost[j]))
+            return fail(r, "a second entry of the column in row", r->w[k]);
+        if (i >= 0 && put(r, &r->A, i, j, x)) return no_memory(r);
+        if (i >= 0) r->filled[i] = j;
+        if (i == OBJECTIVE) r->cost[j] = x;
     }
+    return 0;
+}
+
+/* The section's first set names it; another one is refused. */
+static int same_set(reader *r, text_word name)
+{
+    text_word *set = &r->set[r->section];
+    if (!set->n) *set = name;
+    return same(*set, name) ? 0 : fail(r, "a second set:", name);
+}
+
+/* *to <- x, the first value there. */
+static int once(reader *r, double *to, double x, text_word what)
+{
+    if (!isnan(*to)) return fail(r, "a second value for", what);
+    *to = x;
     return 0;
 }
 
@@ -253,19 +279,19 @@ static int read_column(reader *r)
 static int read_rhs(reader *r)
 {
     const text_word none = { "", 0 };
+    int status = 0;
     if (r->words < 2) return fail(r, "expected a row and a value", none);
-    for (int k = r->words % 2; k + 1 < r->words; k += 2) {
+    if (r->words % 2) status = same_set(r, r->w[0]);
+    for (int k = r->words % 2; k + 1 < r->words && !status; k += 2) {
         int32_t i;
         double x;
-        int status;
         if (!names_find(&r->rows, r->w[k], &i)) return fail(r, "no such row:", r->w[k]);
         status = finite_number(r, r->w[k + 1], &x);
-        if (status) return status;
-        if (r->section == RHS && i == OBJECTIVE) r->out->constant = -x;
-        if (r->section == RHS && i >= 0) r->rhs[i] = x;
-        if (r->section == RANGES && i >= 0) r->range[i] = x;
+        if (status || i == DROPPED) continue;
+        if (r->section == RANGES) status = i >= 0 ? once(r, &r->range[i], x, r->w[k]) : fail(r, "a range of the objective", none);
+        else status = once(r, i >= 0 ? &r->rhs[i] : &r->constant, x, r->w[k]);
     }
-    return 0;
+    return status;
 }
 
 static int set_bound(reader *r, text_word kind, int32_t j, double x)
@@ -301,6 +327,7 @@ static int read_bound(reader *r)
     if (!bare && r->words < 3) return fail(r, "the bound has no value", none);
     if (!names_find(&r->columns, r->w[k], &j)) return fail(r, "no such column:", r->w[k]);
     status = bare ? 0 : number(r, r->w[r->words - 1], &x);
+    if (!status && k == 2) status = same_set(r, r->w[1]);
     return status ? status : set_bound(r, kind, j, x);
 }
 
@@ -315,19 +342,28 @@ static int read_quadratic(reader *r)
         int status;
         if (!names_find(&r->columns, r->w[k], &i)) return fail(r, "no such column:", r->w[k]);
         status = finite_number(r, r->w[k + 1], &x);
-        if (!status) status = put(r, &r->P, i < j ? i : j, i < j ? j : i, r->section == QMATRIX && i != j ? x / 2 : x);
+        if (!status) status = put(r, r->section == QMATRIX && i > j ? &r->Q : &r->P, i < j ? i : j, i < j ? j : i, x);
         if (status) return status;
     }
     return 0;
 }
 
-static int is_maximise(text_word w) { return text_is(w, "MAX") || text_is(w, "MAXIMIZE") || text_is(w, "MAXIMISE") || text_is(w, "max"); }
+static int read_sense(reader *r, text_word w)
+{
+    static const char *const known[] = { "MIN", "MINIMIZE", "MINIMISE", "MINIMUM", "min",
+                                         "MAX", "MAXIMIZE", "MAXIMISE", "MAXIMUM", "max" };
+    const int count = (int)(sizeof known / sizeof *known);
+    int k = 0;
+    while (k < count && !text_is(w, known[k])) k++;
+    r->out->maximise = k >= count / 2;
+    return k < count ? 0 : fail(r, "neither MIN nor MAX:", w);
+}
 
 static int read_data(reader *r)
 {
     const text_word none = { "", 0 };
     switch (r->section) {
-    case OBJSENSE: r->out->maximise = is_maximise(r->w[0]); return 0;
+    case OBJSENSE: return read_sense(r, r->w[0]);
     case ROWS: return read_row(r);
     case COLUMNS: return read_column(r);
     case RHS: case RANGES: return read_rhs(r);
@@ -350,9 +386,9 @@ static int read_header(reader *r)
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (text_is(w, known[k].name)) {
             r->section = known[k].section;
+            r->whole |= r->section == QMATRIX;
             if (k == 0 && text_next_word(&r->at, &more)) r->out->name = more;
-            if (k == 1 && text_next_word(&r->at, &more)) r->out->maximise = is_maximise(more);
-            return 0;
+            return k == 1 && text_next_word(&r->at, &more) ? read_sense(r, more) : 0;
         }
     return fail(r, "unknown section", w);
 }
@@ -385,7 +421,7 @@ static int bounded(const reader *r, int32_t j) { return r->lower[j] > -1e20 || r
 /* [l, u] of row i. */
 static void row_bounds(const reader *r, int32_t i, double *l, double *u)
 {
-    const double b = r->rhs[i], R = r->range[i], size = fabs(R);
+    const double b = isnan(r->rhs[i]) ? 0 : r->rhs[i], R = r->range[i], size = fabs(R);
     *l = r->kind[i] == 'L' ? -1e30 : b;
     *u = r->kind[i] == 'G' ? 1e30 : b;
     if (isnan(R)) return;
@@ -412,28 +448,48 @@ static sp_status columns_of(const entries *e, int32_t rows, int32_t cols, double
     return status;
 }
 
+/* Has Q the entries of P above its diagonal, and no others? */
+static int symmetric(const sp_csc *P, const sp_csc *Q)
+{
+    int32_t q = 0;
+    for (int32_t j = 0; j < P->cols; j++)
+        for (int32_t k = P->p[j]; k < P->p[j + 1]; k++) {
+            if (P->i[k] == j) continue;
+            if (q >= Q->p[j + 1] || Q->i[q] != P->i[k] || Q->x[q] < P->x[k] || Q->x[q] > P->x[k]) return 0;
+            q++;
+        }
+    return q == Q->p[Q->cols];
+}
+
+static int refuse(reader *r, const char *what) { return text_fail(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
+
 static int build(reader *r)
 {
     const int32_t n = r->columns.count;
     const double sign = r->out->maximise ? -1 : 1;
     int32_t m = r->m, bounds = 0;
-    for (int32_t j = 0; j < n; j++) bounds += bounded(r, j);
+    for (int32_t j = 0; j < n; j++) {
+        if (!(r->lower[j] <= r->upper[j] && r->lower[j] < 1e20 && r->upper[j] > -1e20))
+            return text_fail(r->error, EXIT_SCENE, r->path, 0, "the bounds of column '%.*s' leave nothing",
+                             (int)(r->columns.word[j].n < 60 ? r->columns.word[j].n : 60), r->columns.word[j].s);
+        bounds += bounded(r, j);
+    }
     if (bounds > INT32_MAX / 2 - m) return no_memory(r);
     r->out->rows = m;
     r->out->entries = r->A.count;
     for (int32_t j = 0; j < n; j++)
         if (bounded(r, j) && put(r, &r->A, m++, j, 1)) return no_memory(r);
 
-    const size_t numbers = (size_t)n + 2 * (size_t)m, count = (size_t)r->A.count + (size_t)r->P.count;
-    const size_t bytes = 1024 + numbers * sizeof(sp_real) + (count * 2 + 4 * ((size_t)n + (size_t)m)) * (sizeof(sp_real) + 2 * sizeof(int32_t));
+    const size_t numbers = (size_t)n + 2 * (size_t)m, count = (size_t)r->A.count + (size_t)r->P.count + (size_t)r->Q.count;
+    const size_t bytes = 1024 + numbers * sizeof(sp_real) + (count * 2 + 5 * ((size_t)n + (size_t)m)) * (sizeof(sp_real) + 2 * sizeof(int32_t));
     sp_arena arena;
-    sp_csc A, P;
+    sp_csc A, P, Q;
     r->out->memory = malloc(bytes);
     if (!r->out->memory || sp_arena_init(&arena, r->out->memory, bytes) != SP_OK) return no_memory(r);
     sp_real *q = (sp_real *)(void *)arena.base, *l = q + n, *u = l + m;
     arena.used = numbers * sizeof(sp_real);
     for (int32_t j = 0, i = r->m; j < n; j++) {
-        q[j] = (sp_real)(sign * r->cost[j]);
+        q[j] = isnan(r->cost[j]) ? 0 : (sp_real)(sign * r->cost[j]);
         if (bounded(r, j)) { l[i] = (sp_real)r->lower[j]; u[i++] = (sp_real)r->upper[j]; }
     }
     for (int32_t i = 0; i < r->m; i++) {
@@ -442,7 +498,10 @@ static int build(reader *r)
         l[i] = (sp_real)low;
         u[i] = (sp_real)high;
     }
-    if (columns_of(&r->A, m, n, 1, &arena, &A) != SP_OK || columns_of(&r->P, n, n, sign, &arena, &P) != SP_OK) return no_memory(r);
+    if (columns_of(&r->A, m, n, 1, &arena, &A) != SP_OK || columns_of(&r->P, n, n, sign, &arena, &P) != SP_OK ||
+        columns_of(&r->Q, n, n, sign, &arena, &Q) != SP_OK) return no_memory(r);
+    if (P.p[n] + Q.p[n] < r->P.count + r->Q.count) return refuse(r, "an entry of P is given twice (of QUADOBJ, either triangle)");
+    if (r->whole && !symmetric(&P, &Q)) return refuse(r, "QMATRIX is not symmetric");
     const sp_qp qp = { n, m, P.p, P.i, P.x, q, A.p, A.i, A.x, l, u };
     r->out->qp = qp;
     return 0;
@@ -452,9 +511,9 @@ static void reader_free(reader *r)
 {
     free(r->rows.word); free(r->rows.value); free(r->rows.slot);
     free(r->columns.word); free(r->columns.value); free(r->columns.slot);
-    free(r->kind); free(r->rhs); free(r->range);
+    free(r->kind); free(r->rhs); free(r->range); free(r->filled);
     free(r->lower); free(r->upper); free(r->cost); free(r->given);
-    free(r->A.at); free(r->P.at);
+    free(r->A.at); free(r->P.at); free(r->Q.at);
 }
 
 static int read_as(int fixed, const char *path, size_t length, host_qp *qp, text_error *error)
@@ -472,8 +531,14 @@ static int read_as(int fixed, const char *path, size_t length, host_qp *qp, text
     qp->constant = 0;
     qp->maximise = 0;
     qp->integers = 0;
+    r.constant = NAN;
     status = read_lines(&r);
+    if (!status && !isnan(r.constant)) qp->constant = -r.constant;
     if (!status) status = build(&r);
+    if (status) {
+        free(qp->memory);
+        qp->memory = NULL;
+    }
     reader_free(&r);
     return status;
 }

@@ -137,6 +137,23 @@ forms() {
     exits 65 "$cli" qp "$tmp/form.qps" 2> "$tmp/warned"                        # its curvature is the other way
 }
 edited() { sed "$1" "$tmp/small.qps" > "$tmp/edited.qps"; }
+unread() {                                             # unread EDIT MESSAGE: of the small program
+    edited "$1"
+    "$cli" qp "$tmp/edited.qps" > "$tmp/said" 2>&1
+    [ $? -eq 65 ] && grep -q "$2" "$tmp/said" || { echo "$1:"; cat "$tmp/said"; return 1; }
+}
+ambiguous() {                                           # what programs read in different ways
+    unread '/x         c2/p' 'qps:10: a second entry of the column in row .c2' && unread '/x         obj/s/c1 /obj/' 'a second entry' &&
+    unread '/rhs       c2/p' 'a second value for .c2' && unread 's/rhs       c2/r2        c2/' 'a second set: .r2' &&
+    unread '/ UP bnd/{p;s/bnd/b2 /;s/ x / y /}' 'a second set: .b2' &&
+    unread 's/^BOUNDS/RANGES\n r c1 1\n r c1 2\n&/' 'a second value' && unread 's/^BOUNDS/RANGES\n r obj 1\n&/' 'range of the obj' &&
+    unread '/ UP bnd/{p;s/UP/LO/;s/20/21/}' 'bounds of column .x. leave nothing' &&
+    unread '/x         y /{p;s/x         y/y         x/}' 'given twice' && unread '/y         y /p' 'given twice' &&
+    unread 's/QUADOBJ/QMATRIX/' 'not symmetric' && unread 's/^ROWS/OBJSENSE UPWARD\nROWS/' 'neither MIN nor MAX' &&
+    unread '/^    y         y/s/10.0/1e25/' 'too large' && unread '/^    y         y/s/10.0/nan/' 'not a number' &&
+    unread '/^ROWS/,/^ L/d' 'no such row' && unread '/ENDATA/d' 'without ENDATA' && unread 's/^BOUNDS/SOS/' 'unknown section' &&
+    edited 's/^ROWS/OBJSENSE MINIMUM\nROWS/' && says 'objective 8.371' "$cli" qp "$tmp/edited.qps"
+}
 
 part "version"                      exits 0 "$cli" --version
 part "help names the commands"      says check "$cli" --help
@@ -244,6 +261,7 @@ edited 's/^    x  /    x a/; s/bnd       x  /bnd       x a/; s/^    x a       y 
 part "qp: fixed format, a blank in a name" says 'objective 8.371' "$cli" qp "$tmp/edited.qps"
 part "qp: infeasible: 1"            sh -c "sed 's/^ UP bnd       x         20.0/ UP bnd x 0.1\n UP bnd y 0.1/' '$tmp/small.qps' > '$tmp/none.qps'; '$cli' qp '$tmp/none.qps'; test \$? -eq 1"
 part "qp: ranges, bounds, largest, integers"  forms
+part "qp: what can be read in two ways: 65"    ambiguous
 edited 's/10.0$/1o.0/'
 part "qp: a bad number: 65"         exits 65 "$cli" qp "$tmp/edited.qps"
 part "qp: file:line"                sh -c "'$cli' qp '$tmp/edited.qps' 2>&1 | grep -q 'edited.qps:20: not a number'"
