@@ -78,7 +78,7 @@ static void sp__qp_adapt(sp__qp *w)
 /* Flops a look at the iterate may take, and what stops short of the budget must leave. */
 static int64_t sp__qp_look_flops(const sp__qp *w)
 {
-    return 6 * w->products + 50 * w->vectors;
+    return 8 * w->products + 50 * w->vectors;
 }
 
 /* Iterate until the next look, as far as the budget goes. Returns whether it went that far. */
@@ -87,7 +87,7 @@ static int sp__qp_advance(sp__qp *w)
     memcpy(w->xc, w->x, (size_t)w->qp.n * sizeof *w->x);
     memcpy(w->yc, w->y, (size_t)w->qp.m * sizeof *w->y);
     if (w->stale) {
-        if (sp__kkt_factor_flops(w) + sp__qp_step_flops(w) > w->limit - w->flops) return 0;
+        if (w->factoring + sp__qp_step_flops(w) > w->limit - w->flops) return 0;
         sp__qp_refactor(w);
     }
     for (int32_t k = 0; k < w->set.check && w->iterations < w->set.iterations; k++, w->iterations++) {
@@ -235,20 +235,6 @@ static int32_t sp__qp_entries(const sp_qp *qp)
     return count;
 }
 
-/* Largest row sum of |cDPD|, more than its largest eigenvalue; in b. */
-static sp_real sp__qp_size(sp__qp *w)
-{
-    for (int32_t j = 0; j < w->qp.n; j++) w->b[j] = 0;
-    for (int32_t j = 0; j < w->qp.n; j++)
-        for (int32_t k = w->qp.Pp[j]; k < w->qp.Pp[j + 1]; k++) {
-            const int32_t i = w->qp.Pi[k];
-            const sp_real a = w->c * w->D[i] * sp__abs(w->qp.Px[k]) * w->D[j];
-            w->b[j] += a;
-            if (i < j) w->b[i] += a;
-        }
-    return sp__largest(w->b, w->qp.n);
-}
-
 #ifndef SP_QP_NO_CG
 /* P_jj >= 0 and P_ij^2 <= P_ii P_jj, scaled and up to rounding; in d (n) the roots of the diagonal. */
 static int sp__qp_minors(const sp__qp *w, sp_real *d)
@@ -289,7 +275,8 @@ static int sp__qp_semidefinite(sp__qp *w)
         if (sp__kkt_diagonal(w, j) < 0) return 0;
     if (diagonal) return 1;
     for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = 0;
-    w->sigma = sp__qp_size(w) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
+    sp__ruiz_norms_P(&w->qp, w->D, w->c, w->b);
+    w->sigma = sp__largest(w->b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
 #ifndef SP_QP_NO_CG
     if (w->set.backend == SP_QP_CG) return sp__qp_minors(w, w->b) && sp__qp_no_descent(w);
@@ -387,6 +374,7 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
     w->stale = 1;
     w->products = 4 * ((int64_t)sp__qp_entries(qp) + qp->n) + 2 * (int64_t)sp__qp_a0(qp, qp->n);
     w->vectors = 14 * ((int64_t)qp->n + qp->m);
+    w->factoring = set->backend == SP_QP_DENSE ? qp->n * (w->products + (int64_t)qp->n * (qp->n / 3 + 1)) : w->products;
     w->c = sp__ruiz(qp, set->passes, w->D, w->E, w->b, w->b + qp->n);
     *fill = 0;
     if (set->backend != SP_QP_SPARSE) return w;
@@ -395,6 +383,7 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
     if (sp__failed(&symbolic)) return NULL;
     if (symbolic.peak > a->peak) a->peak = symbolic.peak;
     *fill = sp__ldl_analyse(&w->ldl, sp__kkt_walk, w, *a);
+    w->factoring = w->ldl.flops;
     return *fill < 0 ? NULL : w;
 }
 
@@ -493,7 +482,7 @@ static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
         const sp_real y = y0 ? y0[i] : (sp_real)0;
         w->y[i] = sp__qp_loose(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
     }
-    sp__qp_A(&w->qp, w->X, w->Ax);
+    sp__qp_A(&w->qp, w->X, w->Ax, 0);
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->s[j] = w->X[j] / w->D[j];
     for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_clip(&w->qp, i, w->E[i] * w->Ax[i], w->E[i]);
 }

@@ -41,7 +41,7 @@ static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
 {
     const sp_qp *qp = &w->qp;
     int32_t moved = 0;
-    sp__qp_A(qp, w->X, w->Ax);
+    sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t i = 0; i < qp->m; i++) {
         const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + w->yc[i] / R, to = sp__qp_clip(qp, i, v, 1);
         const signed char side = v < to || v > to || sp__qp_equation(qp, i);
@@ -50,8 +50,7 @@ static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
         moved += side != w->side[i];
         w->side[i] = side;
     }
-    sp__qp_P(qp, w->X, w->Px);
-    sp__qp_At(qp, w->Y, w->Aty);
+    sp__qp_P(qp, w->X, w->Px, 0);
     w->flops += w->products + 9 * (int64_t)qp->m;
     return moved;
 }
@@ -71,8 +70,8 @@ static void sp__auglag_direction(sp__qp *w, sp__auglag *g)
     for (int32_t i = 0; i < m; i++) w->b[n + i] = 0;
     sp__kkt_solve(w, 1);
     for (int32_t j = 0; j < n; j++) w->xc[j] = w->D[j] * w->s[j];
-    sp__qp_P(&w->qp, w->xc, w->b);
-    sp__qp_A(&w->qp, w->xc, w->b + n);
+    sp__qp_P(&w->qp, w->xc, w->b, 0);
+    sp__qp_A(&w->qp, w->xc, w->b + n, 0);
     w->flops += w->products + 6 * (int64_t)n;
 }
 
@@ -168,7 +167,7 @@ SP__APART static int sp__auglag_run(sp__qp *w, sp_real off)
 {
     sp__auglag g = { sp__within((sp_real)10 * w->rho, (sp_real)0.01, SP__AUGLAG_MOST), (sp_real)0.01, w->primal, 0,
                      SP__NEVER, 0, 0, 1, 0, 0 };
-    const int64_t step = sp__kkt_factor_flops(w) + sp__kkt_solve_flops(w, 1) + 4 * w->products +
+    const int64_t step = w->factoring + sp__kkt_solve_flops(w, 1) + 4 * w->products +
                          700 * ((int64_t)w->qp.n + w->qp.m);
     const int64_t own = 2 * w->flops + 10 * step, end = own < w->limit ? own : w->limit;
     const sp_real before = w->off;
@@ -178,7 +177,7 @@ SP__APART static int sp__auglag_run(sp__qp *w, sp_real off)
         sp__rest dual = { 0, 0, 0, 0, 0 };
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;
-        sp__qp_dual(w, &dual);
+        sp__qp_dual(w, NULL, &dual);
         if (!sp__finite(dual.r)) return sp__auglag_kept(w, &g);
         if (sp__rest_relative(&dual) <= g.tol || (g.full && !g.moved)) {
             if (sp__auglag_round(w, &g, off)) return sp__auglag_kept(w, &g);

@@ -171,7 +171,7 @@ static sp_real sp__dykstra_judge(sp__dykstra *w, const sp_qp_settings *set, sp_q
     const sp_qp *qp = w->qp;
     sp_real rows = 0, columns = 0, price = 0, moved = 0, terms, xPx = 0, qx = 0;
     out->primal = out->dual = 0;
-    sp__qp_A(qp, w->x, w->Ax);
+    sp__qp_A(qp, w->x, w->Ax, 0);
     sp__qp_At(qp, w->y, w->g);
     for (int32_t i = 0; i < qp->m; i++) {
         const sp_real a = w->Ax[i], off = sp__max(sp__qp_no_u(qp, i) ? 0 : a - qp->u[i], sp__qp_no_l(qp, i) ? 0 : qp->l[i] - a);

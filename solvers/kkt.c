@@ -105,9 +105,9 @@ static void sp__kkt_apply(const void *what, const sp_real *in, sp_real *out)
     const sp__qp *w = what;
     const sp_qp *qp = &w->qp;
     for (int32_t j = 0; j < qp->n; j++) w->v[j] = w->D[j] * in[j];
-    sp__qp_A(qp, w->v, w->Av);
+    sp__qp_A(qp, w->v, w->Av, 0);
     for (int32_t i = 0; i < qp->m; i++) w->Av[i] *= w->row[i] * w->E[i] * w->E[i];
-    sp__qp_P(qp, w->v, out);
+    sp__qp_P(qp, w->v, out, 0);
     for (int32_t j = 0; j < qp->n; j++) {
         sp_real s = w->c * out[j];
         for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) s += qp->Ax[k] * w->Av[qp->Ai[k]];
@@ -131,14 +131,6 @@ static void sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
 
 /* ------------------------------------------------------------------------------------------------------------------ all */
 
-/* Flops of a factorisation. */
-static int64_t sp__kkt_factor_flops(const sp__qp *w)
-{
-    const int32_t n = w->qp.n;
-    if (w->set.backend == SP_QP_SPARSE) return w->ldl.flops;
-    return w->set.backend == SP_QP_DENSE ? n * (w->products + (int64_t)n * (n / 3 + 1)) : w->products;
-}
-
 /* Flops of a solve with `rounds` of refinement; matrix-free: the least that makes sense. */
 static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
 {
@@ -158,7 +150,7 @@ static void sp__kkt_factor(sp__qp *w)
 #ifndef SP_QP_NO_CG
     else sp__kkt_factor_cg(w);
 #endif
-    w->flops += sp__kkt_factor_flops(w);
+    w->flops += w->factoring;
     w->factorisations++;
 }
 
@@ -180,7 +172,7 @@ static void sp__kkt_solve_eliminated(sp__qp *w, int exact)
     else sp__kkt_cg(w, w->set.cg_steps, exact ? (sp_real)8 * SP_EPSILON : w->set.cg_tol);
 #endif
     sp__qp_scale(b, w->D, s, qp->n);                    /* bx is spent */
-    sp__qp_A(qp, b, nu);
+    sp__qp_A(qp, b, nu, 0);
     for (int32_t i = 0; i < qp->m; i++) nu[i] = w->row[i] * (w->E[i] * nu[i] - bz[i]);
 }
 

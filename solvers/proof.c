@@ -25,19 +25,15 @@ static sp_real sp__proof_rest(const sp__qp *w)
     const sp_qp *qp = &w->qp;
     sp_real worst = 0;
     for (int32_t j = 0; j < qp->n; j++) {
-        sp_real r = 0, size = 0;
-        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
-            const sp_real t = qp->Ax[k] * w->Y[qp->Ai[k]];
-            r += t;
-            size += sp__abs(t);
-        }
+        sp_real size;
+        const sp_real r = sp__qp_column(qp, w->Y, j, &size);
         worst = sp__max(worst, w->D[j] * (sp__abs(r) + (sp_real)4 * SP_EPSILON * size));
     }
     return worst;
 }
 
 /* What a proof is worth: `down` beyond its own rounding, over the rest; 0 if it proves nothing. */
-static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
+SP__APART static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
 {
     down -= (sp_real)(count + 4) * SP_EPSILON * terms;
     if (!(down > 0) || !(rest >= 0)) return 0;
@@ -67,8 +63,8 @@ static sp_real sp__proof_dual(sp__qp *w)
     }
     w->flops += w->products + w->vectors;
     if (!(down > 0)) return 0;
-    sp__qp_P(qp, w->X, w->Px);
-    sp__qp_A(qp, w->X, w->Ax);
+    sp__qp_P(qp, w->X, w->Px, 0);
+    sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t j = 0; j < qp->n; j++) rest = sp__max(rest, w->D[j] * sp__abs(w->Px[j]));
     for (int32_t i = 0; i < qp->m; i++)
         if (!sp__qp_loose(qp, i, w->Ax[i])) rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
@@ -121,7 +117,7 @@ SP__APART static void sp__proof_sharpen_y(sp__qp *w)
 SP__APART static void sp__proof_sharpen_x(sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
-    sp__qp_A(qp, w->X, w->Ax);
+    sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t i = 0; i < qp->m; i++) w->Ax[i] *= w->E[i];
     const sp_real little = (sp_real)1e-3 * sp__largest(w->Ax, qp->m);
     w->sigma = SP__QP_DELTA;
@@ -164,7 +160,7 @@ static sp_real sp__proof_judge(sp__qp *w, int primal) { return primal ? sp__proo
 
 /* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
  * Its radius if it counts, else 0. */
-static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
+SP__APART static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 {
     const int32_t n = w->qp.n, m = w->qp.m, size = primal ? m : n;
     const sp_real *to = primal ? w->y : w->x, *from = primal ? w->yc : w->xc;

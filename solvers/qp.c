@@ -46,6 +46,7 @@ struct sp_qp_work {                     /* pointers first: near offsets make sho
 #endif
     int64_t flops, limit;               /* limit: where flops must end */
     int64_t products, vectors;          /* flops of P x, A x and A'y together; of what else a step or a look does, about */
+    int64_t factoring;                  /* flops of a factorisation */
     sp_real primal, dual, gap, objective, off;  /* of X, Y; off: largest residual relative to its tolerance */
     sp_real rel_primal, rel_dual;       /* scaled residuals relative to their terms */
 };
@@ -106,35 +107,49 @@ static sp_real sp__qp_support(const sp_qp *qp, const sp_real *y, sp_real *terms)
 
 /* ------------------------------------------------------------------------------------------------------------ products */
 
-/* y <- P x, from the upper triangle. */
-static void sp__qp_P(const sp_qp *qp, const sp_real *x, sp_real *y)
+/* a b, or its size. */
+static sp_real sp__qp_term(sp_real a, sp_real b, int sizes) { return sizes ? sp__abs(a * b) : a * b; }
+
+/* y <- P x, from the upper triangle; sizes: |P| |x|. */
+static void sp__qp_P(const sp_qp *qp, const sp_real *x, sp_real *y, int sizes)
 {
     for (int32_t j = 0; j < qp->n; j++) {
         y[j] = 0;
         for (int32_t k = sp__qp_p0(qp, j); k < sp__qp_p0(qp, j + 1); k++) {
             const int32_t i = qp->Pi[k];
-            y[i] += qp->Px[k] * x[j];                   /* i <= j: set before */
-            if (i < j) y[j] += qp->Px[k] * x[i];
+            y[i] += sp__qp_term(qp->Px[k], x[j], sizes);                    /* i <= j: set before */
+            if (i < j) y[j] += sp__qp_term(qp->Px[k], x[i], sizes);
         }
     }
 }
 
-/* y <- A x */
-static void sp__qp_A(const sp_qp *qp, const sp_real *x, sp_real *y)
+/* y <- A x; sizes: |A| |x|. */
+static void sp__qp_A(const sp_qp *qp, const sp_real *x, sp_real *y, int sizes)
 {
     for (int32_t i = 0; i < qp->m; i++) y[i] = 0;
     for (int32_t j = 0; j < qp->n; j++)
-        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) y[qp->Ai[k]] += qp->Ax[k] * x[j];
+        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++)
+            y[qp->Ai[k]] += sp__qp_term(qp->Ax[k], x[j], sizes);
+}
+
+/* (A'y)_j; *size: sum of |terms|. */
+static sp_real sp__qp_column(const sp_qp *qp, const sp_real *y, int32_t j, sp_real *size)
+{
+    sp_real s = 0, sum = 0;
+    for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
+        const sp_real t = qp->Ax[k] * y[qp->Ai[k]];
+        s += t;
+        sum += sp__abs(t);
+    }
+    *size = sum;
+    return s;
 }
 
 /* x <- A'y */
 static void sp__qp_At(const sp_qp *qp, const sp_real *y, sp_real *x)
 {
-    for (int32_t j = 0; j < qp->n; j++) {
-        sp_real s = 0;
-        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) s += qp->Ax[k] * y[qp->Ai[k]];
-        x[j] = s;
-    }
+    sp_real size;
+    for (int32_t j = 0; j < qp->n; j++) x[j] = sp__qp_column(qp, y, j, &size);
 }
 
 /* ----------------------------------------------------------------------------------------------------------- judgement */
@@ -153,10 +168,10 @@ SP__APART static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_re
 }
 
 /* Relative size of the equilibrated residual. */
-static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
+SP__APART static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
 
 /* r over its tolerance. */
-static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
+SP__APART static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
 {
     return r > 0 ? r / (w->set.eps_abs + w->set.eps_rel * size) : (sp_real)0;
 }
@@ -168,22 +183,28 @@ static sp_real sp__rest_over(const sp__qp *w, const sp__rest *a)
     return w->set.strict ? sp__max(off, sp__qp_over(w, a->scaled, a->scaled_size)) : off;
 }
 
-/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u]; its price |Y|'|AX - z|. */
+/* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u], and what rounding may hide: u |A| |X|, the latter in b + n.
+ * Its price: |Y|'|AX - z|. */
 static void sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
 {
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a, 1);
-        sp__rest_widen(out, sp__abs(a - to), sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
+        const sp_real r = sp__abs(a - to) + SP_EPSILON * w->b[w->qp.n + i];
+        sp__rest_widen(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
     }
 }
 
-/* |PX + q + A'Y|, its price |X|'|PX + q + A'Y|; in passing objective = 1/2 X'PX + q'X and gap = X'PX + q'X. */
-static void sp__qp_dual(sp__qp *w, sp__rest *out)
+/* |PX + q + A'Y| and, with |P| |X| in sizes (or NULL), what rounding may hide. Its price: |X|'|PX + q + A'Y|.
+ * In passing Aty, objective = 1/2 X'PX + q'X and gap = X'PX + q'X. */
+static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
 {
-    sp_real xPx = 0, qx = 0;
+    sp_real xPx = 0, qx = 0, size;
     for (int32_t j = 0; j < w->qp.n; j++) {
-        const sp_real q = sp__qp_q(&w->qp, j), p = w->Px[j], a = w->Aty[j], x = w->X[j];
-        sp__rest_widen(out, sp__abs(p + q + a), sp__max(sp__abs(q), sp__max(sp__abs(p), sp__abs(a))), w->c * w->D[j], x);
+        const sp_real q = sp__qp_q(&w->qp, j), p = w->Px[j], a = sp__qp_column(&w->qp, w->Y, j, &size), x = w->X[j];
+        const sp_real most = sp__max(sp__abs(q), sp__max(sp__abs(p), sp__abs(a)));
+        const sp_real hidden = sizes ? SP_EPSILON * (most + size + sizes[j]) : (sp_real)0;
+        sp__rest_widen(out, sp__abs(p + q + a) + hidden, most, w->c * w->D[j], x);
+        w->Aty[j] = a;
         xPx += x * p;
         qx += x * q;
     }
@@ -202,27 +223,29 @@ static void sp__qp_dual(sp__qp *w, sp__rest *out)
  *     f(x) >= f* - y*'r                       f* as a function of the bounds is convex with slope y*
  *     f*   >= -1/2 x'Px - (u'y+ + l'y-) + s'x*        the dual with q - s for q
  *
- * so near the solution |f(x) - f*| <= gap = max(|y|'|r|, |x'Px + q'x + u'y+ + l'y-| + |x|'|s|). */
+ * so near the solution |f(x) - f*| <= gap = max(|y|'|r|, |x'Px + q'x + u'y+ + l'y-| + |x|'|s|). Where terms cancel rounding may
+ * hide a residual: u times their sizes counts as one. The right-hand side b is scratch. */
 SP__APART static void sp__qp_judge(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
     sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;
     sp_real terms;
-    sp__qp_A(qp, w->X, w->Ax);
-    sp__qp_P(qp, w->X, w->Px);
-    sp__qp_At(qp, w->Y, w->Aty);
+    sp__qp_A(qp, w->X, w->Ax, 0);
+    sp__qp_A(qp, w->X, w->b + qp->n, 1);
+    sp__qp_P(qp, w->X, w->Px, 0);
+    sp__qp_P(qp, w->X, w->b, 1);
     sp__qp_primal(w, z, &primal);
-    sp__qp_dual(w, &dual);
+    sp__qp_dual(w, w->b, &dual);
     w->primal = primal.r;
     w->dual = dual.r;
     w->rel_primal = sp__rest_relative(&primal);
     w->rel_dual = sp__rest_relative(&dual);
     w->off = sp__max(sp__rest_over(w, &primal), sp__rest_over(w, &dual));
-    const sp_real open = sp__abs(w->gap + sp__qp_support(qp, w->Y, &terms)) + dual.price;
+    const sp_real open = sp__abs(w->gap + sp__qp_support(qp, w->Y, &terms)) + SP_EPSILON * terms + dual.price;
     w->gap = sp__max(primal.price, open);
     if (w->set.strict) w->off = sp__max(w->off, sp__qp_over(w, w->gap, sp__abs(w->objective)));
     if (!(w->off < SP__NEVER) || !sp__finite(primal.price + open + w->objective)) w->off = SP__NEVER;
-    w->flops += w->products + w->vectors;
+    w->flops += 2 * w->products + w->vectors;
 }
 
 /* The iterate in the units of the data. */
