@@ -41,6 +41,9 @@ typedef struct sample {
 #ifndef EACH
 #define EACH 5                                          /* problems of each kind; a long battery: -DEACH=200 */
 #endif
+#ifndef WILD
+#define WILD 2000                                       /* of numbers nobody would give */
+#endif
 #ifndef TELL
 #define TELL 0                                          /* 1: print how each kind went */
 #endif
@@ -101,10 +104,15 @@ static void make_bounds(int32_t n, int32_t m, int32_t equations, int32_t active,
     }
 }
 
-/* Into columns; q from KKT where `optimal`. Numbers are rounded to sp_real first, so that what is known is known of them. */
+/* Into columns; q from KKT where `optimal`. P and A are rounded to sp_real first, so that what is known is known of them; bounds
+ * are met but for their own rounding. */
 static void finish(int32_t n, int32_t m, int optimal)
 {
     int32_t p = 0, a = 0;
+    for (int32_t j = 0; j < n; j++) {
+        for (int32_t i = 0; i < n; i++) P[i][j] = (double)R(P[i][j]);
+        for (int32_t i = 0; i < m; i++) A[i][j] = (double)R(A[i][j]);
+    }
     for (int32_t j = 0; j < n; j++) {
         s.Pp[j] = p;
         for (int32_t i = 0; i <= j; i++) if (size_of(P[i][j]) > 0) { s.Pi[p] = i; s.Px[p++] = R(P[i][j]); }
@@ -442,6 +450,111 @@ TEST(no_NaN_leaves_whatever_goes_in)
     }
 }
 
+/* Sizes 10^-e .. 10^e in every place, rows that cancel, nothing known: whatever is claimed holds in longer arithmetic.
+ * Without sums of |terms| in its residuals a float build calls one in a thousand of these solved that is not. */
+static void make_wild(int32_t e)
+{
+    const int32_t n = whole(1, 10), m = whole(0, 16), rank = whole(0, n);
+    static double g[N][N];
+    for (int32_t i = 0; i < n; i++) for (int32_t k = 0; k < rank; k++) g[i][k] = whole(0, 1) ? 0 : real(-1, 1) * power(e / 2);
+    for (int32_t i = 0; i < n; i++)
+        for (int32_t j = 0; j < n; j++) {
+            P[i][j] = x[i] = 0;
+            for (int32_t k = 0; k < rank; k++) P[i][j] += g[i][k] * g[j][k];
+        }
+    for (int32_t j = 0; j < n; j++) s.q[j] = R(whole(0, 2) ? real(-1, 1) * power(e) : 0);
+    for (int32_t i = 0; i < m; i++) {
+        const int kind = whole(0, 4);
+        const double at = real(-1, 1) * power(e), room = kind == 2 ? 0 : real(0, 1) * power(e);
+        for (int32_t j = 0; j < n; j++) A[i][j] = whole(0, 2) ? 0 : real(-1, 1) * power(e);
+        lo[i] = kind == 0 ? -1e30 : at;
+        up[i] = kind == 1 ? 1e30 : at + room;
+        y[i] = 0;
+    }
+    finish(n, m, 0);
+}
+
+typedef long double longer;                             /* of a float build a double would do; elsewhere it is what there is */
+static longer size_of_longer(longer v) { return v < 0 ? -v : v; }
+static longer larger(longer a, longer b) { return b > a ? b : a; }
+static longer over(longer r, longer tol) { return r > 0 || r < 0 ? r / tol : 0; }
+
+/* What the claim of a solution is out by, in units of its tolerances and of what rounding excuses. */
+static double overclaim(const sp_qp_result *r, const sp_qp_settings *set)
+{
+    const longer u = 4 * SP_EPSILON;
+    longer ax[M] = { 0 }, px[N] = { 0 }, off = 0, size = 0, most = 0, value = 0, gap = 0, terms = 0;
+    for (int32_t j = 0; j < s.qp.n; j++) {
+        for (int32_t k = s.Ap[j]; k < s.Ap[j + 1]; k++) ax[s.Ai[k]] += (longer)s.Ax[k] * r->x[j];
+        for (int32_t k = s.Pp[j]; k < s.Pp[j + 1]; k++) {
+            px[s.Pi[k]] += (longer)s.Px[k] * r->x[j];
+            if (s.Pi[k] < j) px[j] += (longer)s.Px[k] * r->x[s.Pi[k]];
+        }
+    }
+    for (int32_t i = 0; i < s.qp.m; i++) {
+        const longer to = s.l[i] > -SP_QP_INFINITY && ax[i] < s.l[i] ? s.l[i] : s.u[i] < SP_QP_INFINITY && ax[i] > s.u[i] ? s.u[i] : ax[i];
+        const longer push = (longer)r->y[i] * (r->y[i] > 0 ? s.u[i] : s.l[i]);
+        size = larger(size, larger(size_of_longer(ax[i]), size_of_longer(to)));
+        off = larger(off, size_of_longer(ax[i] - to));
+        gap += push;
+        terms += size_of_longer(push);
+        if (r->y[i] > 0 ? !(s.u[i] < SP_QP_INFINITY) : r->y[i] < 0 && !(s.l[i] > -SP_QP_INFINITY)) return 1e30;
+    }
+    double worst = (double)over(off, set->eps_abs + (set->eps_rel + u) * size);
+    off = size = 0;
+    for (int32_t j = 0; j < s.qp.n; j++) {
+        longer ay = 0;
+        for (int32_t k = s.Ap[j]; k < s.Ap[j + 1]; k++) ay += (longer)s.Ax[k] * r->y[s.Ai[k]];
+        most = larger(size_of_longer(px[j]), larger(size_of_longer(ay), size_of_longer((longer)s.q[j])));
+        size = larger(size, most);
+        off = larger(off, size_of_longer(px[j] + s.q[j] + ay));
+        value += (px[j] / 2 + s.q[j]) * r->x[j];
+        gap += (px[j] + s.q[j]) * r->x[j];
+        terms += (size_of_longer(px[j]) + size_of_longer((longer)s.q[j])) * size_of_longer((longer)r->x[j]);
+    }
+    worst = (double)larger(worst, over(off, set->eps_abs + (set->eps_rel + u) * size));
+    return (double)larger(worst, over(size_of_longer(gap), set->eps_abs + set->eps_rel * size_of_longer(value) + u * terms));
+}
+
+TEST(what_is_claimed_of_wild_numbers_holds)
+{
+    int solved = 0, false_claims = 0;
+    for (int trial = 0; trial < WILD; trial++) {
+        sp_qp_settings set = with(all[trial % BACKENDS]);
+        sp_qp_result r;
+        make_wild(trial % 9);
+            set.iterations = 200;
+        set.eps_abs = set.eps_rel = R(TOL(1e-8, 1e-4));
+        if (trial % 4 == 0) set.eps_abs = 0;
+        if (sp_qp_solve(&s.qp, &set, &test_arena, NULL, NULL, &r) != SP_OK || r.status != SP_QP_SOLVED) continue;
+        const double times = overclaim(&r, &set);
+        solved++;
+        if (times <= 2) continue;
+        false_claims++;
+        TEST_PRINT("wild %d: called solved, %.3g times its tolerance\n", trial, times);
+    }
+    CHECK_INT(false_claims, 0);
+    CHECK(solved > WILD / 20);
+}
+
+/* Nothing to do and no absolute tolerance: 0 is within 0 of 0. */
+TEST(nothing_is_solved_to_no_tolerance)
+{
+    static const sp_real zero[] = { 0, 0 }, l[] = { -1, -1, -1 }, u[] = { 1, 1, 1 };
+    for (int k = 0; k < BACKENDS; k++) {
+        sp_qp_settings set = with(all[k]);
+        sp_qp_result r;
+        sp_qp qp = small;
+        qp.q = zero;
+        qp.l = l;
+        qp.u = u;
+        set.eps_abs = 0;
+        NEED(sp_qp_solve(&qp, &set, &test_arena, NULL, NULL, &r) == SP_OK);
+        CHECK_INT(r.status, SP_QP_SOLVED);
+        CHECK_WITHIN(r.objective, 0, 0);
+    }
+}
+
 /* --------------------------------------------------------------------------------------------------------------- memory */
 
 TEST(memory_is_exact)
@@ -572,6 +685,8 @@ TEST_LIST(qp)
     RUN(bad_problems_are_refused)
     RUN(indefinite_P_is_refused_by_every_back_end)
     RUN(no_NaN_leaves_whatever_goes_in)
+    RUN(what_is_claimed_of_wild_numbers_holds)
+    RUN(nothing_is_solved_to_no_tolerance)
     RUN(memory_is_exact)
     RUN(warm_start_and_updates_cost_less)
     RUN(a_budget_is_a_cap)
