@@ -184,7 +184,7 @@ SP__APART static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 }
 
 /* Is the problem infeasible? Then 1 with status and radius, the certificate in Y or X. */
-SP__APART static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
+static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
 {
     for (int primal = 1; primal >= 0; primal--) {
         out->status = primal ? SP_QP_PRIMAL_INFEASIBLE : SP_QP_DUAL_INFEASIBLE;

@@ -17,12 +17,12 @@
 #define SP__HUGE ((sp_real)1e30)        /* stands for no bound, and for a ratio with nothing below the line */
 
 /* |x|, of -0 too: one instruction where the compiler knows it. */
-#if !defined(__GNUC__)
-static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x + (sp_real)0; }
-#elif defined(SP_REAL_FLOAT)
+#if defined(__GNUC__) && defined(SP_REAL_FLOAT)
 static sp_real sp__abs(sp_real x) { return __builtin_fabsf(x); }
-#else
+#elif defined(__GNUC__) && !defined(SP_REAL_QUAD) && !defined(SP_REAL_OTHER)
 static sp_real sp__abs(sp_real x) { return __builtin_fabs(x); }
+#else
+static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x + (sp_real)0; }
 #endif
 static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
 

@@ -464,11 +464,11 @@ static void make_wild(int32_t e)
         }
     for (int32_t j = 0; j < n; j++) s.q[j] = R(whole(0, 2) ? real(-1, 1) * power(e) : 0);
     for (int32_t i = 0; i < m; i++) {
-        const int kind = whole(0, 4);
-        const double at = real(-1, 1) * power(e), room = kind == 2 ? 0 : real(0, 1) * power(e);
+        const int bounds = whole(0, 4);
+        const double at = real(-1, 1) * power(e), room = bounds == 2 ? 0 : real(0, 1) * power(e);
         for (int32_t j = 0; j < n; j++) A[i][j] = whole(0, 2) ? 0 : real(-1, 1) * power(e);
-        lo[i] = kind == 0 ? -1e30 : at;
-        up[i] = kind == 1 ? 1e30 : at + room;
+        lo[i] = bounds == 0 ? -1e30 : at;
+        up[i] = bounds == 1 ? 1e30 : at + room;
         y[i] = 0;
     }
     finish(n, m, 0);

@@ -15,7 +15,7 @@ cd "$(dirname "$0")/../.." || exit 1
 out=build/footprint
 table=port/board/footprint.csv
 mkdir -p $out
-flags='-std=c99 -Os -ffp-contract=off -fno-math-errno -mthumb -mfloat-abi=hard -ffunction-sections'
+flags='-std=c99 -Os -ffp-contract=off -fno-math-errno -mthumb -mfloat-abi=hard -ffunction-sections -fdata-sections'
 m7='-mcpu=cortex-m7 -mfpu=fpv5-d16'
 m4f='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -DSP_REAL_FLOAT'
 
