@@ -106,12 +106,16 @@ build/float/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
 
+build/mixed/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_MIXED -MMD -MP -c $< -o $@
+
 build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)   # it lists the suites
 
 RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
-$(foreach p,double float,build/$p/tests/test_plugins.o build/$p/tests/test_settle.o \
+$(foreach p,double float mixed,build/$p/tests/test_plugins.o build/$p/tests/test_settle.o \
   build/$p/port/host/solvers.o build/$p/port/host/settle.o): build/plugins
 build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
@@ -119,11 +123,12 @@ build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 build/run_float: $(RUN_O:%=build/float/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
-# The program in float, for the pictures of what precision costs.
-build/stonepack_float: $(patsubst %.c,build/float/%.o,$(MAIN) $(HOST) $(PLUG) stonepack.c) $(SETTLE_O)
+# The program in other precisions, for the pictures of what they cost.
+build/stonepack_float build/stonepack_mixed: build/stonepack_%: \
+  $(patsubst %.c,build/\%/%.o,$(MAIN) $(HOST) $(PLUG) stonepack.c) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 
--include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O))
+-include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O)) $(patsubst %.o,build/mixed/%.d,$(RUN_O))
 
 test: build/run build/run_float build/stonepack build/corpus-double.txt build/corpus-float.txt
 	@sh tests/checks/test.sh
@@ -185,7 +190,7 @@ build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
 bench: build/bench
 	@sh tests/bench/bench.sh
 
-figures: build/stonepack build/stonepack_float
+figures: build/stonepack build/stonepack_mixed build/stonepack_float
 	@sh tests/bench/figures.sh
 
 # compas_cra's own assemblies against the times of Ipopt that come with them.

@@ -3203,6 +3203,11 @@ typedef struct sp__dual {
     sp__yield *yield;                   /* of the contact last asked for */
     sp__bchol L;                        /* factor of the Hessian + shift */
     sp_real *dense;                     /* or, not NULL, its dense factor */
+#ifdef SP_REAL_MIXED
+    sp_real *diagonal, *coupling;       /* the matrix: 21 a block as in L.d, 36 a contact */
+    sp_real *scale;                     /* 6b: 1 / sqrt(its diagonal) */
+    sp_real *cg;                        /* 24b: direction, its image, residual over the factor, residual */
+#endif
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real factor;                     /* coefficient in force / mu */
@@ -3224,6 +3229,9 @@ typedef struct sp__dual {
 } sp__dual;
 
 #define SP__DUAL_H 102
+#ifdef SP_REAL_MIXED
+#define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
+#endif
 
 static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
@@ -3250,6 +3258,12 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->d = sp__take(a, b, 6 * sizeof *w->d);
     w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
     sp__bchol_carve_values(&w->L, nnz, a);
+#ifdef SP_REAL_MIXED
+    w->diagonal = sp__take(a, b, 21 * sizeof *w->diagonal);
+    w->coupling = sp__take(a, c, 36 * sizeof *w->coupling);
+    w->scale = sp__take(a, b, 6 * sizeof *w->scale);
+    w->cg = sp__take(a, b, 24 * sizeof *w->cg);
+#endif
 #ifndef SP_NO_IPM
     w->inner = sp__take(a, 1, sizeof *w->inner);
     w->x = sp__take(a, faces ? 0 : (size_t)pb->points, 3 * sizeof *w->x);
@@ -3732,13 +3746,26 @@ SP__APART static void sp__add_coupling(sp_real *block, int turn, const sp_real *
     sp__add9(block + 3 * tr + 3 * tc, tr, tc, -za[1] * zb[1], ww, 3, 1);
 }
 
+/* The matrix's block of free block i, the lower triangle by columns; of a contact between free blocks, or of all between the two:
+ * its rows are the later one's in elimination order. L is made in place, unless it is of other precision. */
+#ifdef SP_REAL_MIXED
+static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->diagonal + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c) { return w->coupling + 36 * (size_t)c; }
+#else
+static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->L.d + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c)
+{
+    return w->L.x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
+}
+#endif
+
 /* Rows and columns of held directions to zero, in every block they run through. */
 static void sp__dual_hold(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i < pb->blocks; i++)
         for (int k = 0; k < 6; k++) {
-            sp_real *d = w->L.d + 21 * (size_t)w->L.inv[i];
+            sp_real *d = sp__dual_diagonal(w, i);
             if (!sp__held(pb, i, k)) continue;
             for (int q = 0; q < 6; q++) d[q < k ? sp__column[q] + k - q : sp__column[k] + q - k] = 0;
         }
@@ -3746,7 +3773,7 @@ static void sp__dual_hold(sp__dual *w)
         for (int k = 0; k < 12 && w->slot[c] != INT32_MIN; k++) {
             const int32_t i = k < 6 ? pb->contact[c].a : pb->contact[c].b;
             const int turn = w->slot[c] < 0, row = (k < 6) != turn;     /* is block a's direction a row as stored? */
-            sp_real *x = w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+            sp_real *x = sp__dual_coupling(w, c);
             if (!sp__held(pb, i, k % 6)) continue;
             for (int q = 0; q < 6; q++) x[row ? 6 * q + k % 6 : 6 * (k % 6) + q] = 0;
         }
@@ -3760,7 +3787,12 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     const sp_problem *pb = w->pb;
     sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
     int held = 0;
+#ifdef SP_REAL_MIXED
+    memset(w->diagonal, 0, 21 * (size_t)pb->blocks * sizeof *w->diagonal);
+    memset(w->coupling, 0, 36 * (size_t)pb->contacts * sizeof *w->coupling);
+#else
     sp__bchol_zero(&w->L);
+#endif
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
@@ -3772,25 +3804,83 @@ static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_rea
             sp__cross_right(t->ra, vv, 0, vw, qa);                          /* K_vw = vw - vv [arm]x */
             sp__cross_right(t->ra, vw, 1, ww, nb);                          /* ww - vw' [arm]x */
             sp__cross_left(t->ra, qa, nb, k);                               /* K_ww */
-            sp__add_diagonal(w->L.d + 21 * (size_t)w->L.inv[t->a], za, vv, qa, k);
+            sp__add_diagonal(sp__dual_diagonal(w, t->a), za, vv, qa, k);
         }
         if (t->b >= 0) {
             sp__cross_right(t->rb, vv, 0, vw, qb);
             sp__cross_right(t->rb, vw, 1, ww, nb);
             sp__cross_left(t->rb, qb, nb, k);
-            sp__add_diagonal(w->L.d + 21 * (size_t)w->L.inv[t->b], zb, vv, qb, k);
+            sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, vv, qb, k);
         }
         if (w->slot[c] != INT32_MIN) {
-            const int turn = w->slot[c] < 0;
             sp__cross_left(t->ra, qb, nb, k);
-            sp__add_coupling(w->L.x + 36 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]), turn, za, zb, vv, qa, qb, k);
+            sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, vv, qa, qb, k);
         }
     }
     for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
     if (held) sp__dual_hold(w);
-    for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        for (int q = 0; q < 6; q++) w->L.d[21 * i + sp__column[q]] += shift;
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int q = 0; q < 6; q++) sp__dual_diagonal(w, i)[sp__column[q]] += shift;
 }
+
+#ifdef SP_REAL_MIXED
+/* L <- T A T + 2 u, u and L of the factor's precision, T = diag(A)^-1/2 (1 where that is 0): no number leaves the range of a
+ * float, and motions that A hardly resists are all slowed down alike. Pivots dropped one by one would tear them apart, and
+ * conjugate gradients would find each anew. Before that A's diagonal grows by its own `own`. */
+SP__APART static void sp__dual_lower(sp__dual *w, sp_real own)
+{
+    const sp__bchol *L = &w->L;
+    sp__bchol_zero(&w->L);
+    for (size_t k = 0; k < (size_t)L->n; k++) {
+        sp_real *d = w->diagonal + 21 * k, *t = w->scale + 6 * k;
+        sp__low *to = L->d + 21 * k;
+        for (int c = 0; c < 6; c++) {
+            sp_real *pivot = d + sp__column[c];
+            *pivot += own * *pivot;
+            t[c] = *pivot > 0 ? 1 / SP_SQRT(*pivot) : 1;
+        }
+        for (int c = 0; c < 6; c++) {
+            for (int r = c; r < 6; r++) to[sp__column[c] + r - c] = (sp__low)(d[sp__column[c] + r - c] * t[c] * t[r]);
+            to[sp__column[c]] += 2 * SP__LOW_EPSILON;
+        }
+    }
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        if (w->slot[c] == INT32_MIN) continue;
+        const int32_t a = L->inv[w->pb->contact[c].a], b = L->inv[w->pb->contact[c].b], first = a < b ? a : b;
+        const sp_real *A = sp__dual_coupling(w, c), *col = w->scale + 6 * (size_t)first, *row = w->scale + 6 * (size_t)(a + b - first);
+        sp__low *to = L->x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
+        for (int k = 0; k < 36; k++) to[k] += (sp__low)(A[k] * col[k / 6] * row[k % 6]);
+    }
+}
+
+/* y <- A x, in the caller's order of rows. */
+SP__APART static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_real *y)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *d = sp__dual_diagonal(w, i), *xi = x + 6 * (size_t)i;
+        sp_real *yi = y + 6 * (size_t)i;
+        for (int r = 0; r < 6; r++) yi[r] = 0;
+        for (int c = 0; c < 6; c++)
+            for (int r = c; r < 6; r++) {
+                const sp_real a = d[sp__column[c] + r - c];
+                yi[r] += a * xi[c];
+                if (r > c) yi[c] += a * xi[r];
+            }
+    }
+    for (int32_t k = 0; k < pb->contacts; k++) {
+        if (w->slot[k] == INT32_MIN) continue;
+        const size_t a = (size_t)pb->contact[k].a, b = (size_t)pb->contact[k].b, first = w->L.inv[a] < w->L.inv[b] ? a : b;
+        const sp_real *block = sp__dual_coupling(w, k), *xc = x + 6 * first, *xr = x + 6 * (a + b - first);
+        sp_real *yc = y + 6 * first, *yr = y + 6 * (a + b - first);
+        for (int c = 0; c < 6; c++)
+            for (int r = 0; r < 6; r++) {
+                yr[r] += block[6 * c + r] * xc[c];
+                yc[c] += block[6 * c + r] * xr[r];
+            }
+    }
+}
+#endif
 
 /* The assembled blocks as one dense lower triangle, in elimination order. */
 static void sp__dual_spread(sp__dual *w)
@@ -3802,11 +3892,11 @@ static void sp__dual_spread(sp__dual *w)
         for (int32_t q = L->p[k] - 1; q < L->p[k + 1]; q++) {
             const int diagonal = q < L->p[k];
             const int32_t i = diagonal ? k : L->i[q];
-            const sp_real *block = diagonal ? L->d + 21 * (size_t)k : L->x + 36 * (size_t)q;
+            const sp__low *block = diagonal ? L->d + 21 * (size_t)k : L->x + 36 * (size_t)q;
             for (size_t r = 0; r < 6; r++)
                 for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
                     const size_t row = 6 * (size_t)i + r;
-                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = block[diagonal ? sp__column[c] + r - c : 6 * c + r];
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = (sp_real)block[diagonal ? sp__column[c] + r - c : 6 * c + r];
                 }
         }
 }
@@ -3814,12 +3904,14 @@ static void sp__dual_spread(sp__dual *w)
 /* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
 SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
-    const sp_real floor = 4 * (sp_real)SP_EPSILON;
+    const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
     if (!sp__dual_pay(w, own + (int64_t)SP__FLOPS_HESSIAN * w->pb->points + (int64_t)SP__FLOPS_BLOCKS * w->pb->contacts)) return;
     sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
     w->cost->factorisations++;
-#ifndef SP_NO_IPM
+#ifdef SP_REAL_MIXED
+    sp__dual_lower(w, law == SP__INTERIOR ? shift : 0);
+#elif !defined SP_NO_IPM
     if (law == SP__INTERIOR) {
         sp__bchol_balance(&w->L, shift);
         sp__bchol_factor(&w->L, floor);
@@ -3829,23 +3921,78 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
 #endif
     if (w->dense) {
         sp__dual_spread(w);
-        sp__chol_factor(w->dense, 6 * w->L.n, floor);
+        sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
     } else sp__bchol_factor(&w->L, floor);
 }
 
+/* x <- (L L')^-1 b; x may be b. */
+static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    const size_t n = 6 * (size_t)w->L.n;
+    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    for (size_t k = 0; k < n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
+    sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
+    for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
+}
+
+static int64_t sp__dual_solve_flops(const sp__dual *w)
+{
+    const int64_t n = 6 * (int64_t)w->L.n;
+    return w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n;
+}
+
+#ifdef SP_REAL_MIXED
+/* z <- T (L L')^-1 T r, in the range of a float whatever the size of r.     returns r.z */
+static sp_real sp__dual_precondition(sp__dual *w, const sp_real *r, sp_real *z)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real most = 0, rz = 0;
+    for (size_t k = 0; k < n; k++) {
+        z[k] = r[k] * w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6];
+        most = sp__max(most, sp__abs(z[k]));
+    }
+    for (size_t k = 0; k < n; k++) z[k] = most > 0 ? z[k] / most : 0;
+    sp__dual_back(w, z, z);
+    for (size_t k = 0; k < n; k++) {
+        z[k] *= w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6] * most;
+        rz += r[k] * z[k];
+    }
+    return rz;
+}
+
+/* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: a few steps, and where A is nearly singular
+ * one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one only in
+ * A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for. */
+static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const int64_t flops = sp__dual_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
+    sp_real *p = w->cg, *q = p + n, *z = q + n, *r = z + n;
+    memcpy(r, b, n * sizeof *r);
+    memset(x, 0, n * sizeof *x);
+    if (!sp__dual_pay(w, flops)) return;
+    sp_real rz = sp__dual_precondition(w, r, p);
+    const sp_real enough = 256 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * rz;
+    for (int it = 0; it < SP__REFINE && rz > enough; it++) {
+        sp__dual_times(w, p, q);
+        const sp_real pq = sp__dot(p, q, n);
+        if (!(pq > 0)) return;
+        const sp_real alpha = rz / pq;
+        for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
+        if (!sp__dual_pay(w, flops)) return;
+        const sp_real next = sp__dual_precondition(w, r, z), beta = -alpha * sp__dot(z, q, n) / rz;
+        for (size_t k = 0; k < n; k++) p[k] = z[k] + beta * p[k];
+        rz = next;
+    }
+}
+#else
 /* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
 static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 {
-    const int64_t n = 6 * (int64_t)w->L.n;
-    if (!sp__dual_pay(w, w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n)) {
-        memset(x, 0, (size_t)n * sizeof *x);
-        return;
-    }
-    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
-    for (size_t k = 0; k < (size_t)n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
-    sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
-    for (size_t k = 0; k < (size_t)n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
+    if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__dual_back(w, b, x);
+    else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
 }
+#endif
 
 /* Sizes by which forces are judged: sbar and Sbar, no more than load and what they themselves put on block i. */
 SP__APART static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s[2])

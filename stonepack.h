@@ -33,6 +33,8 @@ extern "C" {
  *
  *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
  *   SP_REAL_FLOAT   defined: all numbers are float           double
+ *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: the block factors of the 3-dimensional search are float and what they solve is
+ *                   refined in double by conjugate gradients; the same verdicts as double, at most a relative 1e-6 from a limit
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
  *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
@@ -60,6 +62,9 @@ typedef __float128 sp_real;
 #elif !defined SP_REAL_OTHER                            /* defined: sp_real and SP_EPSILON stand before this header; for tests */
 typedef double sp_real;
 #define SP_EPSILON 1.1102230246251565e-16               /* u, unit roundoff: 2^-53 */
+#endif
+#if defined SP_REAL_MIXED && (defined SP_REAL_FLOAT || defined SP_REAL_QUAD)
+#error "SP_REAL_MIXED is double with factors in float: not with SP_REAL_FLOAT, SP_REAL_QUAD"
 #endif
 
 /* 2 ------------------------------------------------------------------------------------------------------------- status */
@@ -548,10 +553,16 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
      + (((size_t)(faces) * sizeof(sp_face) + 15) & ~(size_t)15) + (((size_t)(corners) * 4 + 15) & ~(size_t)15) \
      + (((size_t)(interfaces) * sizeof(sp_interface) + 15) & ~(size_t)15) \
      + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
+#ifdef SP_REAL_MIXED                                    /* the matrix beside its factor, and what refines */
+#define SP_MIXED_BYTES(blocks, interfaces) (sizeof(sp_real) * (54 * (size_t)(blocks) + 36 * (size_t)(interfaces)) + 64)
+#else
+#define SP_MIXED_BYTES(blocks, interfaces) 0
+#endif
 #define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
     ((stages) & ~62 ? SIZE_MAX \
      : sizeof(sp_real) * (12 * (size_t)(vertices) + (18 * ((size_t)(blocks) + 1) + 85) * ((size_t)(blocks) + 1) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
+     + SP_MIXED_BYTES(blocks, interfaces) \
      + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
      + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_interface)) * (size_t)(interfaces) \
      + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \

@@ -18,8 +18,9 @@ typedef struct sp__bchol {
     int32_t n;
     int32_t *perm, *inv;                /* k-th eliminated row, and back */
     int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
-    sp_real *d, *x;                     /* 21 n, 36 p[n] */
-    sp_real *t;                         /* 6 n: right-hand side in elimination order */
+    sp__low *d, *x;                     /* 21 n, 36 p[n] */
+    sp_real *t;                         /* 6 n: right-hand side in elimination order, free between solves */
+    sp__low *z;                         /* the same in the factor's precision: t, where that is the only one */
     int64_t flops;                      /* of one factorisation */
 } sp__bchol;
 
@@ -37,6 +38,11 @@ static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
     f->d = sp__take(a, (size_t)f->n, 21 * sizeof *f->d);
     f->x = sp__take(a, (size_t)nnz, 36 * sizeof *f->x);
     f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
+#ifdef SP_REAL_MIXED
+    f->z = sp__take(a, (size_t)f->n, 6 * sizeof *f->z);
+#else
+    f->z = f->t;
+#endif
 }
 
 /* Walk the pattern of L by rows: row k holds j if a path leads from j up the elimination tree to k. Without `i` the columns
@@ -109,17 +115,17 @@ static int32_t sp__bchol_slot(const sp__bchol *f, int32_t r, int32_t c, int32_t 
 }
 
 /* L L' = A for one block, lower triangle in place, reciprocal diagonal. */
-static void sp__bchol_block(sp_real *a, sp_real floor)
+static void sp__bchol_block(sp__low *a, sp__low floor)
 {
     for (int c = 0; c < 6; c++) {
-        sp_real *ac = a + sp__column[c];
+        sp__low *ac = a + sp__column[c];
         for (int k = 0; k < c; k++) {
-            const sp_real *ak = a + sp__column[k] + c - k;
-            const sp_real s = *ak;
+            const sp__low *ak = a + sp__column[k] + c - k;
+            const sp__low s = *ak;
             for (int r = c; r < 6; r++) ac[r - c] -= ak[r - c] * s;
         }
         const int carries = *ac > floor;
-        const sp_real s = (sp_real)1 / SP_SQRT(carries ? *ac : floor);
+        const sp__low s = (sp__low)(1 / SP_SQRT((sp_real)(carries ? *ac : floor)));
         *ac = carries ? s : -s;
         for (int r = c + 1; r < 6; r++) ac[r - c] *= carries ? s : 0;
     }
@@ -127,38 +133,38 @@ static void sp__bchol_block(sp_real *a, sp_real floor)
 
 /* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
 #ifdef SP_SMALL
-SP__APART static void sp__less6(sp_real *z, const sp_real *l, sp_real s)
+SP__APART static void sp__less6(sp__low *z, const sp__low *l, sp__low s)
 {
     for (int r = 0; r < 6; r++) z[r] -= l[r] * s;
 }
 #else
-static inline void sp__less6(sp_real *z, const sp_real *l, sp_real s)
+static inline void sp__less6(sp__low *z, const sp__low *l, sp__low s)
 {
     z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
 }
 #endif
 
 /* X <- X L'^-1, column by column. */
-static void sp__bchol_right(sp_real *x, const sp_real *l)
+static void sp__bchol_right(sp__low *x, const sp__low *l)
 {
     for (int c = 0; c < 6; c++) {
-        sp_real *xc = x + 6 * c;
+        sp__low *xc = x + 6 * c;
         for (int k = 0; k < c; k++) sp__less6(xc, x + 6 * k, l[sp__column[k] + c - k]);
-        const sp_real s = sp__max(l[sp__column[c]], 0);
+        const sp__low s = l[sp__column[c]] < 0 ? 0 : l[sp__column[c]];
         xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
     }
 }
 
 #ifdef SP_SMALL
 /* C <- C - A B', all 6 x 6 by columns. */
-static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
+static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
 {
     for (int q = 0; q < 6; q++)
         for (int k = 0; k < 6; k++) sp__less6(c + 6 * q, a + 6 * k, b[6 * k + q]);
 }
 
 /* C <- C - A A', the lower triangle C. */
-static void sp__bchol_square(sp_real *c, const sp_real *a)
+static void sp__bchol_square(sp__low *c, const sp__low *a)
 {
     for (int k = 0; k < 6; k++, a += 6)
         for (int q = 0; q < 6; q++)
@@ -167,12 +173,12 @@ static void sp__bchol_square(sp_real *c, const sp_real *a)
 
 #else                                                   /* the same numbers, with a column in registers */
 /* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
-static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
+static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
 {
     for (int q = 0; q < 6; q++) {
-        sp_real *cq = c + 6 * q;
-        sp_real c0 = cq[0], c1 = cq[1], c2 = cq[2], c3 = cq[3], c4 = cq[4], c5 = cq[5];
-#define SP__STEP(k) { const sp_real s = b[6 * (k) + q]; const sp_real *ak = a + 6 * (k); \
+        sp__low *cq = c + 6 * q;
+        sp__low c0 = cq[0], c1 = cq[1], c2 = cq[2], c3 = cq[3], c4 = cq[4], c5 = cq[5];
+#define SP__STEP(k) { const sp__low s = b[6 * (k) + q]; const sp__low *ak = a + 6 * (k); \
         c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
         SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
 #undef SP__STEP
@@ -181,10 +187,10 @@ static void sp__bchol_update(sp_real *c, const sp_real *a, const sp_real *b)
 }
 
 /* C <- C - A A', the lower triangle C. */
-static void sp__bchol_square(sp_real *c, const sp_real *a)
+static void sp__bchol_square(sp__low *c, const sp__low *a)
 {
     for (int k = 0; k < 6; k++, a += 6) {
-        const sp_real a0 = a[0], a1 = a[1], a2 = a[2], a3 = a[3], a4 = a[4], a5 = a[5];
+        const sp__low a0 = a[0], a1 = a[1], a2 = a[2], a3 = a[3], a4 = a[4], a5 = a[5];
         c[0] -= a0 * a0; c[1] -= a1 * a0; c[2] -= a2 * a0; c[3] -= a3 * a0; c[4] -= a4 * a0; c[5] -= a5 * a0;
         c[6] -= a1 * a1; c[7] -= a2 * a1; c[8] -= a3 * a1; c[9] -= a4 * a1; c[10] -= a5 * a1;
         c[11] -= a2 * a2; c[12] -= a3 * a2; c[13] -= a4 * a2; c[14] -= a5 * a2;
@@ -195,15 +201,15 @@ static void sp__bchol_square(sp_real *c, const sp_real *a)
 }
 #endif
 
-SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
+SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
-        sp_real *d = f->d + 21 * (size_t)k;
+        sp__low *d = f->d + 21 * (size_t)k;
         sp__bchol_block(d, floor);
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) sp__bchol_right(f->x + 36 * (size_t)q, d);
         for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
             const int32_t j = f->i[b];
-            const sp_real *xb = f->x + 36 * (size_t)b;
+            const sp__low *xb = f->x + 36 * (size_t)b;
             sp__bchol_square(f->d + 21 * (size_t)j, xb);
             int32_t to = f->p[j];
             for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
@@ -214,7 +220,7 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp_real floor)
     }
 }
 
-#ifndef SP_NO_IPM
+#if !defined SP_NO_IPM && !defined SP_REAL_MIXED
 /* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
 SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 {
@@ -257,40 +263,40 @@ static void sp__bchol_zero(sp__bchol *f)
 /* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
 SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
 {
-    sp_real *t = f->t;
+    sp__low *t = f->z;
     for (int32_t k = 0; k < f->n; k++)
-        for (int r = 0; r < 6; r++) t[6 * (size_t)k + (size_t)r] = b[6 * (size_t)f->perm[k] + (size_t)r];
+        for (int r = 0; r < 6; r++) t[6 * (size_t)k + (size_t)r] = (sp__low)b[6 * (size_t)f->perm[k] + (size_t)r];
     for (int32_t k = 0; k < f->n; k++) {                                        /* L z = b */
-        sp_real *v = t + 6 * (size_t)k;
-        const sp_real *d = f->d + 21 * (size_t)k;
+        sp__low *v = t + 6 * (size_t)k;
+        const sp__low *d = f->d + 21 * (size_t)k;
         for (int c = 0; c < 6; c++) {
-            const sp_real *dc = d + sp__column[c];
-            v[c] *= sp__abs(*dc);
+            const sp__low *dc = d + sp__column[c];
+            v[c] *= (sp__low)sp__abs((sp_real)*dc);
             for (int r = c + 1; r < 6; r++) v[r] -= dc[r - c] * v[c];
         }
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
-            sp_real *z = t + 6 * (size_t)f->i[q];
-            const sp_real *l = f->x + 36 * (size_t)q;
+            sp__low *z = t + 6 * (size_t)f->i[q];
+            const sp__low *l = f->x + 36 * (size_t)q;
             for (int c = 0; c < 6; c++, l += 6) sp__less6(z, l, v[c]);
         }
     }
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
-        sp_real *v = t + 6 * (size_t)k;
-        const sp_real *d = f->d + 21 * (size_t)k;
+        sp__low *v = t + 6 * (size_t)k;
+        const sp__low *d = f->d + 21 * (size_t)k;
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
-            const sp_real *z = t + 6 * (size_t)f->i[q];
-            const sp_real *l = f->x + 36 * (size_t)q;
+            const sp__low *z = t + 6 * (size_t)f->i[q];
+            const sp__low *l = f->x + 36 * (size_t)q;
             for (int c = 0; c < 6; c++, l += 6)
                 v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
         }
         for (int c = 5; c >= 0; c--) {
-            const sp_real *dc = d + sp__column[c];
+            const sp__low *dc = d + sp__column[c];
             for (int r = c + 1; r < 6; r++) v[c] -= dc[r - c] * v[r];
-            v[c] *= sp__abs(*dc);
+            v[c] *= (sp__low)sp__abs((sp_real)*dc);
         }
     }
     for (int32_t k = 0; k < f->n; k++)
-        for (int r = 0; r < 6; r++) x[6 * (size_t)f->perm[k] + (size_t)r] = t[6 * (size_t)k + (size_t)r];
+        for (int r = 0; r < 6; r++) x[6 * (size_t)f->perm[k] + (size_t)r] = (sp_real)t[6 * (size_t)k + (size_t)r];
 }
 
 #endif /* SP__BCHOL_C */

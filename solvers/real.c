@@ -14,6 +14,14 @@
 #endif
 #endif
 
+#ifdef SP_REAL_MIXED
+typedef float sp__low;                  /* what factors are made of; what they solve is refined in sp_real */
+#define SP__LOW_EPSILON 5.9604644775390625e-08f
+#else
+typedef sp_real sp__low;
+#define SP__LOW_EPSILON SP_EPSILON
+#endif
+
 #define SP__HUGE ((sp_real)1e30)        /* stands for no bound, and for a ratio with nothing below the line */
 
 /* |x|, of -0 too: one instruction where the compiler knows it. */

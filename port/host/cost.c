@@ -166,7 +166,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
     json_out j = { out, 0 };
     json_open(&j, NULL, '{');
     json_string(&j, "scene", s->path);
-    json_string(&j, "real", sizeof(sp_real) == 8 ? "double" : "float");
+    json_string(&j, "real", COST_REAL);
     json_string(&j, "verdict", sp_verdict_text(t->truth));
     json_real(&j, "verdict_tol", t->truth_tol);
     json_int(&j, "blocks", s->scene.count.blocks);

@@ -6,6 +6,14 @@
 
 enum { COST_CONES = 9, COST_STAGES = 4, COST_TOLS = 6, COST_ROWS = COST_CONES * COST_STAGES * COST_TOLS };
 
+#ifdef SP_REAL_FLOAT
+#define COST_REAL "float"
+#elif defined SP_REAL_MIXED
+#define COST_REAL "mixed"
+#else
+#define COST_REAL "double"
+#endif
+
 typedef struct cost_row {
     const char *cone;           /* "true", "8i" */
     sp_stage_id stage;          /* behind the gates, alone */

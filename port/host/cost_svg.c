@@ -87,7 +87,7 @@ void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
     escaped(out, s->path);
     fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage says %s</text>\n",
-            sizeof(sp_real) == 8 ? "double" : "float", sp_verdict_text(t->truth));
+            COST_REAL, sp_verdict_text(t->truth));
     panel(out, t, 60, 0);
     panel(out, t, PANEL_W + 150, 1);
     for (int k = 0; k < COST_STAGES; k++)

@@ -18,6 +18,7 @@ from matplotlib.lines import Line2D
 
 STAGES = {"least squares": "#b8860b", "polish": "#4d9221", "ADMM": "#8e44ad", "exact": "#1d5fa6"}
 CONES = ["true", "4i", "4c", "8i", "8c", "16i", "16c", "32i", "32c"]
+REALS = ("double", "mixed", "float")
 WRONG = "#b2182b"
 
 plt.rcParams.update({
@@ -29,7 +30,7 @@ plt.rcParams.update({
 
 
 def read(path):
-    """Checks of all scenes; the truth of a scene is what double says, for float, too."""
+    """Checks of all scenes; the truth of a scene is what double says, for the others, too."""
     rows, truth = [], {}
     with open(path, encoding="utf-8") as f:
         tables = [json.loads(line) for line in f]
@@ -65,7 +66,8 @@ def legend(fig, anchor):
              (("o", "true cone"), ("s", "pyramid inside"), ("D", "pyramid around"))]
     grip += [Line2D([], [], color="#444444", marker="o", fillstyle="none", linestyle="none", label="undecided"),
              Line2D([], [], color=WRONG, marker="x", linestyle="none", label="another verdict"),
-             Line2D([], [], color="#aaaaaa", marker="o", markersize=3, linestyle="none", label="small: float")]
+             Line2D([], [], color="#aaaaaa", marker="o", markersize=3.6, linestyle="none", label="small: mixed"),
+             Line2D([], [], color="#aaaaaa", marker="o", markersize=2.2, linestyle="none", label="smallest: float")]
     fig.legend(handles=grip, loc="lower center", ncol=5, bbox_to_anchor=anchor)
 
 
@@ -91,8 +93,8 @@ def panels(rows, key, label, title, caption, path):
             marks.setdefault(style, []).append((float(f"{max(x, 1e-9):.2g}"), float(f"{y:.1g}")))
         for (real, color, marker, fill), points in marks.items():
             x, y = zip(*sorted(set(points)))            # what would lie on each other is drawn once
-            big = real == "double"
-            ax.plot(x, y, marker=marker, color=color, fillstyle=fill, markersize=5 if big else 2.6, alpha=0.8 if big else 0.45,
+            size, alpha = {"double": (5, 0.8), "mixed": (3.4, 0.6), "float": (2.2, 0.45)}[real]
+            ax.plot(x, y, marker=marker, color=color, fillstyle=fill, markersize=size, alpha=alpha,
                     markeredgewidth=0.9, linestyle="none", zorder=3 if color == WRONG else 2)
     for ax in axes[-1]:
         ax.set_xlabel(label)
@@ -105,10 +107,10 @@ def panels(rows, key, label, title, caption, path):
 
 def verdicts(rows, caption, path):
     """How many scenes each choice decides, over what it takes."""
-    fig, axes = plt.subplots(1, 2, figsize=(10.4, 4.6), sharey=True)
+    fig, axes = plt.subplots(1, 3, figsize=(10.4, 4.6), sharey=True)
     fig.subplots_adjust(left=0.07, right=0.985, top=0.88, bottom=0.25, wspace=0.06)
     fig.suptitle("Verdicts over nine scenes: what a choice of cone, stage and tol decides", x=0.07, ha="left", fontweight="bold")
-    for ax, real in zip(axes, ("double", "float")):
+    for ax, real in zip(axes, REALS):
         groups = {}
         for r in rows:
             if r["real"] == real:
@@ -159,7 +161,7 @@ def words(rows):
         own = pick(real="double", stage="exact", cone=cone, tol=1e-9)
         print(f"{cone}: {'costs' if cone[-1] == 'i' else 'adds up to'} {share:.1f} % of friction, {mean(own) / base:.2f} times the work, "
               f"{sum(r['is'] == 'wrong' for r in own)} other verdicts of {scenes}")
-    for real in ("double", "float"):
+    for real in REALS:
         for stage in STAGES:
             for tol in sorted({r["tol"] for r in pick(real=real)}):
                 own = pick(real=real, stage=stage, cone="true", tol=tol)

@@ -44,12 +44,12 @@ if ! $python -c 'import matplotlib' 2> /dev/null; then
     echo "figures: no curves without python3-matplotlib" >&2
     exit 0
 fi
-# What accuracy costs: every cone, stage and tol, in double and in float. COSTS=0: leave them as they are.
+# What accuracy costs: every cone, stage and tol, in double, mixed and float. COSTS=0: leave them as they are.
 cost() {                                                # cost NAME GEN-ARGUMENTS...
     name=$1
     shift
     "$cli" gen "$@" > "build/figures/$name.obj"
-    for real in '' _float; do
+    for real in '' _mixed _float; do
         "$cli$real" cost --json --budget "$most" "build/figures/$name.obj" >> build/figures/cost.jsonl || [ $? -le 2 ]
     done
     echo "$name: measured"

@@ -41,7 +41,7 @@ cli_build() {                                           # cli_build COMPILER OUT
 warn() {                                                # warn COMPILER EXTRA...
     w_cc=$1
     shift
-    for w_real in '' -DSP_REAL_FLOAT; do
+    for w_real in '' -DSP_REAL_FLOAT -DSP_REAL_MIXED; do
         for w_opt in -O0 -O2; do
             # shellcheck disable=SC2086
             $w_cc $base "$@" $w_real $w_opt -c stonepack.c -o $out/warn.o || return 1
@@ -465,10 +465,12 @@ check_oracle() {
         skip "random scenes against linear programming" "python3-numpy python3-scipy"
     fi
 }
+mixed_tests() { run_build "$CC" stonepack.c $out/run_mixed -O2 -DSP_REAL_MIXED && $out/run_mixed; }
 check_instruments() {                                   # the battery of hard scenes in other arithmetic
-    for in_name in float rounding traps flush quad near; do
+    for in_name in float mixed rounding traps flush quad near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
+    count "tests, factors in float" mixed_tests
     if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance
     else skip "battery: random rounding" g++; fi
 }

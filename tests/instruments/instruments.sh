@@ -3,6 +3,7 @@
 #
 #     plain     double as it is; the truth of the corpus for the others
 #     float     24 bits: no wrong verdict on hard scenes outside its band, the corpus as double has it
+#     mixed     factors in float, refined in double: what double says, with the planar search and without
 #     quad      113 bits; prints how far double's largest force is off, the worst ten
 #     rounding  up, down, towards zero
 #     traps     invalid, division by zero, overflow stop the program; in double and in float
@@ -43,6 +44,9 @@ plain() { build plain -O2 && run plain plain; }
 case $name in
 plain) plain && cat $out/plain.txt ;;
 float) plain && build float -O2 -DSP_REAL_FLOAT && run float float && same float may-open ;;
+mixed)
+    plain && build mixed -O2 -DSP_REAL_MIXED && run mixed mixed && same mixed
+    build mixed -O2 -DSP_REAL_MIXED -DSP_NO_PLAN && run mixed mixed-rows && same mixed-rows ;;
 rounding)
     plain && build modes -O1 -frounding-math
     for mode in up down zero; do run modes $mode $mode && same $mode; done ;;
