@@ -24,7 +24,11 @@ static const double tols[] = { 1e-2, 1e-3, 1e-4, 1e-5, 3e-6, 1e-6 };
 #define NEAR_REAL "quad"
 static const double tols[] = { 1e-6, 1e-9, 1e-12, 1e-15, 1e-18 };
 #else
+#ifdef SP_REAL_MIXED
+#define NEAR_REAL "mixed"
+#else
 #define NEAR_REAL "double"
+#endif
 static const double tols[] = { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12 };
 #endif
 

@@ -15,6 +15,7 @@ quad() { build quad -DSP_REAL_QUAD -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' -
 if [ "${1:-}" = check ]; then quad && $out/quad check && exit 0 || exit 1; fi
 build float -DSP_REAL_FLOAT
 build double
+build mixed -DSP_REAL_MIXED -DSP_NO_PLAN            # the planar search has no factor in float
 quad
 echo "real,scene,tol,distance"
-for real in float double quad; do $out/$real; done
+for real in float mixed double quad; do $out/$real; done
