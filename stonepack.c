@@ -8447,14 +8447,17 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
 SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    size_t most = sp__judge_need(pb, set);
+    const size_t most = sp__judge_need(pb, set);
+    size_t work = 0;
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
         if (k == set->stage_count && !set->localise) break;
         const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
                                                  : sp__sparse_need(pb, set, scratch);
-        if (need > most) most = need;
+        if (need > work) work = need;
     }
-    return most;
+    if (!set->work) return most > work ? most : work;
+    if (!set->work->base && work > set->work->peak) set->work->peak = work;     /* sp_memory_work asks */
+    return work == SIZE_MAX ? work : most;
 }
 
 /* Bytes of a problem, its potential and what is done to it; SIZE_MAX: scratch too small. */
@@ -8554,7 +8557,8 @@ typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 #endif
 
-SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+/* As sp_memory; work: where not NULL, an arena that only counts in place of settings.work. */
+static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, sp_arena *work, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -8562,16 +8566,39 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || islands < 0) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
-    size_t work = 0;
-    if (!status) status = sp__work_need(scene, islands, &c->set, scratch, &work);
+    size_t behind = 0;
+    if (work) c->set.work = work;
+    if (!status) status = sp__work_need(scene, islands, &c->set, scratch, &behind);
     if (status) return status;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &c->pb);
     sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, islands, &c->set));
     sp__take(&dry, 1, sizeof *c);
-    sp__take(&dry, 1, work);
+    sp__take(&dry, 1, behind);
     *bytes = dry.used;
     return SP_OK;
+}
+
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__memory(scene, settings, NULL, scratch, bytes);
+}
+
+SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    sp_arena work = sp__arena_dry();
+    const sp_status status = sp__memory(scene, settings, &work, scratch, bytes);
+    if (!status) *bytes = work.peak;
+    return status;
+}
+
+/* Where stages work: memory of its own, or what is left of the check's. */
+static sp_arena sp__work_open(const sp_settings *set, const sp_arena *a) { return set->work ? *set->work : *a; }
+
+static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *room)
+{
+    if (set->work) a = set->work;
+    if (room->peak > a->peak) a->peak = room->peak;
 }
 
 static int sp__all_finite(const sp_real *x, size_t n)
@@ -8713,17 +8740,16 @@ SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_setting
 {
     sp_real m[3];
     sp_verdict claim = SP_UNDECIDED;
-    const size_t mark = a->used;
     if (!sp__plan_reduces(pb, set, mode, m)) return SP_OK;
-    const size_t need = sp__exact_need(pb, set, *a);
-    if (need == SIZE_MAX || !sp__take(a, 1, need)) return SP_E_MEMORY;
-    sp_arena room = *a;
-    room.cap = a->used;
-    a->used = room.used = mark;
+    sp_arena room = sp__work_open(set, a);
+    const size_t mark = room.used, need = sp__exact_need(pb, set, room);
+    if (need == SIZE_MAX || !sp__take(&room, 1, need)) return SP_E_MEMORY;
+    sp__work_close(set, a, &room);
+    room.cap = room.used;
+    room.used = mark;
     if (sp__flat_run(pb, set, mode, m, state, &room, &claim) || !claim) return SP_OK;
     const int plane = mode == SP__PLANE;
     if (sp__check_claim(pb, set, plane ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
-    a->used = mark;
     *done = r->verdict == SP_STABLE
          || (r->verdict == SP_UNSTABLE && (r->final || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT));
     if (!*done) { r->verdict = SP_UNDECIDED; r->final = 0; r->least_imbalance = 0; return SP_OK; }
@@ -8758,7 +8784,6 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
                                            sp_result *r, int *done)
 {
     sp_verdict claim = SP_UNDECIDED;
-    const size_t mark = a->used;
     const int last = k + 1 == set->stage_count;
     const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
     memset(&state->cost, 0, sizeof state->cost);
@@ -8767,9 +8792,10 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
         return SP_OK;
     }
     state->left = left - judge;
-    const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, a, &claim);
+    sp_arena room = sp__work_open(set, a);
+    const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, &room, &claim);
     if (status) return status;
-    a->used = mark;
+    sp__work_close(set, a, &room);
     r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
@@ -8893,12 +8919,12 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
         if (status) return status;
     }
     if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
-    const size_t mark = a->used;
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
-    const sp_status status = sp__penalty_run(pb, set, state, a, r->demand);
+    sp_arena room = sp__work_open(set, a);
+    const sp_status status = sp__penalty_run(pb, set, state, &room, r->demand);
     sp__cost_add(&r->cost, &state->cost);
-    a->used = mark;
+    sp__work_close(set, a, &room);
     return status;
 }
 
@@ -9128,6 +9154,7 @@ SP__APART static sp_status sp__islands_run(const sp_scene *scene, int32_t count,
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (settings && settings->work && (settings->work == arena || !settings->work->base)) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__check *c = NULL;
     size_t kept = 0;
@@ -9373,6 +9400,7 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
     if (!p) return SP_E_MEMORY;
     memset(p, 0, sizeof *p);
     sp_status status = sp__settings_resolve(scene, settings, &p->set);
+    p->set.work = NULL;
     if (!status) status = sp__plan_run(scene, p, scratch);
     if (status) return status;
     sp__plan_effects(scene, p);
@@ -9725,6 +9753,7 @@ static sp_status sp__sequence_settings(const sp_scene *scene, const sp_settings 
         if (out->stage[k] == SP_STAGE_ADMM || out->stage[k] == SP_STAGE_CUSTOM) return SP_E_UNSUPPORTED;
     out->localise = 0;
     out->effect[SP_EFFECT_TOGETHER] = SP_WITH;          /* a part is one island */
+    out->work = NULL;
     return SP_OK;
 }
 

@@ -33,8 +33,8 @@ extern "C" {
  *
  *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
  *   SP_REAL_FLOAT   defined: all numbers are float           double
- *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: the block factors of the 3-dimensional search are float and what they solve is
- *                   refined in double by conjugate gradients; the same verdicts as double, at most a relative 1e-6 from a limit
+ *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: block factors of the search in space are float, and what they solve is
+ *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
  *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
@@ -417,6 +417,8 @@ typedef struct sp_settings {
     const struct sp_seed *seed;                 /* constants and gates of the seed (section 12); NULL: only its constants where
                                                    a stage has no other, gates by tol                                NULL */
     sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
+    struct sp_arena *work;      /* another arena, where stages work: their factors are most of what a check takes. Given back
+                                   behind each; not the arena of the check itself. For sp_check; plan, sequence, limit do without    NULL */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);
@@ -533,6 +535,10 @@ typedef struct sp_result {
 /* Bytes sp_check takes from an arena for this scene, exact. Runs the symbolic step in `scratch`, which it may overwrite.
  *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+
+/* The two parts of it where settings.work is to be used: what sp_memory tells of settings with a work, and what that arena has
+ * to have, exact (whatever settings.work is). Status and scratch as there. */
+SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
 /* Bytes of scratch that sp_memory needs for the chosen stages, an upper bound from counts alone; 0: too large to count, or
  * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */

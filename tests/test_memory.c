@@ -2,6 +2,8 @@
 #include "test.h"
 #include "scenes/gen.h"
 
+#include <string.h>
+
 enum { GUARD = 256, GUARD_BYTE = 0xa5 };
 
 /* A piece of memory of exactly `bytes` bytes between two guards. */
@@ -67,6 +69,51 @@ TEST(sp_memory_is_exact)
         CHECK_INT(a.used, 0);
         CHECK_INT(a.cap, bytes - 1);
         CHECK(result.f == before.f && result.verdict == before.verdict && result.peak_bytes == before.peak_bytes);
+    }
+}
+
+/* The same check with its stages at work in another memory: both sizes exact, every number the same. */
+TEST(stages_can_work_in_another_memory)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        sp_result one, two;
+        sp_settings set = sp_settings_default();
+        size_t all = 0, bytes = 0, work = 0;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        NEED(sp_memory(&scene, NULL, test_arena, &all) == SP_OK && sp_memory_work(&scene, NULL, test_arena, &work) == SP_OK);
+        NEED(sp_check(&scene, NULL, &test_arena, &one) == SP_OK);
+
+        static unsigned char there[1 << 20];
+        sp_arena far;
+        NEED(work <= sizeof there - SP_ALIGN && sp_arena_init(&far, there, sizeof there) == SP_OK);
+        far.cap = work;
+        set.work = &far;
+        NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+        CHECK(bytes < all && bytes + work >= all);
+        CHECK_INT(far.peak, 0);
+
+        fenced f = fence(bytes);
+        sp_arena near = fenced_arena(&f);
+        NEED(sp_check(&scene, &set, &near, &two) == SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(two.peak_bytes, bytes);
+        CHECK_INT(far.peak, work);
+        CHECK_INT(far.used, 0);
+        CHECK(one.verdict == two.verdict && one.reason == two.reason && one.cost.flops == two.cost.flops);
+        CHECK_INT(memcmp(one.f, two.f, 3 * (size_t)scene.count.points * sizeof *one.f), 0);
+        CHECK_INT(memcmp(one.dq, two.dq, 6 * (size_t)scene.count.blocks * sizeof *one.dq), 0);
+
+        near = fenced_arena(&f);
+        far.cap = work - 1;
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
+        far.cap = work;
+        f = fence(bytes - 1);
+        near = fenced_arena(&f);
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
+        set.work = &near;
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_ARGUMENT);
     }
 }
 
@@ -290,6 +337,7 @@ TEST(a_static_array_sized_by_counts_is_enough)
 
 TEST_LIST(memory)
     RUN(sp_memory_is_exact)
+    RUN(stages_can_work_in_another_memory)
     RUN(every_smaller_capacity_is_refused_cleanly)
     RUN(check_leaves_what_is_in_the_arena)
     RUN(sp_memory_scratch_is_enough_and_less_is_refused)
