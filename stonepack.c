@@ -4711,17 +4711,19 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
     }
 }
 
-/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W. */
+/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W; h from 18 on is used up. */
 SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
                                        sp_real M[3])
 {
     const sp__yield *yield = sp__dual_yield(w, c);
-    sp_real D[6], u[3], m[3];
+    sp_real *D = w->h + 18, *u = w->h + 24, *g = w->h + 27, *m = w->h + 30;
     sp__dual_rate(w, twist[0], twist[1], l, u);
     if (sp__cone_derivative(&w->cone, yield, u, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
     const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
-    const sp_real g[3] = { D[0] * x + D[1] * y + D[2] * z, D[1] * x + D[3] * y + D[4] * z, D[2] * x + D[4] * y + D[5] * z };
+    g[0] = D[0] * x + D[1] * y + D[2] * z;
+    g[1] = D[1] * x + D[3] * y + D[4] * z;
+    g[2] = D[2] * x + D[4] * y + D[5] * z;
     sp__cross3(l, g, m);
     for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
 }
@@ -9685,6 +9687,20 @@ typedef struct sp__stone {
     sp_real omega, least;
 } sp__stone;
 
+/* A search for what to hold (section 33). */
+typedef struct sp__hold {
+    sp_sequence *q;
+    int32_t *member, members;           /* the island */
+    int64_t budget;
+    int32_t worst;                      /* what moves most in the first group that falls */
+    int32_t known;                      /* how many of the members must be held */
+    int32_t count;                      /* held so far, in q->answer */
+    sp_held_proof proof;                /* the weakest of all islands */
+    int over;                           /* the budget is spent */
+    int unsure;                         /* a set that did not stand was not shown to fall */
+    sp_status status;
+} sp__hold;
+
 struct sp_sequence {
     const sp_scene *scene;
     sp_settings set;
@@ -9702,6 +9718,7 @@ struct sp_sequence {
     int32_t *answer, *must, *was;       /* of the search for what to hold */
     sp_real *f, *f_kept, *dq, *dq_kept;
     sp_arena work;
+    sp__hold hold;
     sp_cost cost;
     int32_t checked, again, local, tries;
 };
@@ -10379,16 +10396,6 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
  * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
  * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
 
-typedef struct sp__hold {
-    sp_sequence *q;
-    int32_t *member, members;           /* the island */
-    int64_t budget;
-    int32_t worst;                      /* what moves most in the first group that falls */
-    int over;                           /* the budget is spent */
-    int unsure;                         /* a set that did not stand was not shown to fall */
-    sp_status status;
-} sp__hold;
-
 /* Do the members stand that are not held now?     returns 0 also when the budget is spent */
 SP__APART static int sp__hold_stands(sp__hold *h)
 {
@@ -10464,22 +10471,25 @@ SP__APART static sp_held_proof sp__hold_exhaust(sp__hold *h)
     return SP_HELD_ENOUGH;
 }
 
-/* Two blocks are held: does one suffice?     leaves it so if it does */
-SP__APART static void sp__hold_one(sp__hold *h, int32_t must)
+/* Of those that can't be let go one is minimal; of two, does one of the others suffice?     leaves it so if it does */
+SP__APART static sp_held_proof sp__hold_one(sp__hold *h)
 {
     sp_sequence *q = h->q;
     int32_t pair[2] = { -1, -1 }, n = 0;
+    if (sp__hold_size(h) < 2) return SP_HELD_MINIMAL;
+    if (sp__hold_size(h) > 2) return SP_HELD_IRREDUCIBLE;
     for (int32_t k = 0; k < h->members; k++)
         if (q->stone[h->member[k]].presence == SP_HELD) pair[n++] = h->member[k];
     sp__hold_all(h, SP_PRESENT);
     for (int32_t k = 0; k < h->members && !h->over; k++) {
         const int32_t b = h->member[k];
-        if (b == pair[0] || b == pair[1] || (must && !q->must[b])) continue;    /* the pair itself: letting go has tried */
+        if (b == pair[0] || b == pair[1] || (h->known && !q->must[b])) continue;    /* the pair itself: letting go has tried */
         q->stone[b].presence = SP_HELD;
-        if (sp__hold_stands(h)) return;
+        if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
         q->stone[b].presence = SP_PRESENT;
     }
     q->stone[pair[0]].presence = q->stone[pair[1]].presence = SP_HELD;
+    return h->over ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
 }
 
 /* What must be held and what was held last; then what moves most, until it stands; then each let go that can be. */
@@ -10502,27 +10512,26 @@ SP__APART static sp_held_proof sp__hold_guided(sp__hold *h)
         q->stone[b].presence = SP_PRESENT;
         if (!sp__hold_stands(h)) q->stone[b].presence = SP_HELD;
     }
-    const int32_t size = sp__hold_size(h);
-    if (h->over) return SP_HELD_ENOUGH;
-    if (size == 2 && must < 2) sp__hold_one(h, must);
-    return h->over ? SP_HELD_IRREDUCIBLE : size <= 2 || size == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
+    h->known = must;
+    return h->over ? SP_HELD_ENOUGH : sp__hold_size(h) == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
 }
 
 /* The island whose lowest block is q->list[0..members-1]'s first; its set to the answer. */
-SP__APART static sp_status sp__hold_island(sp__hold *h, sp_held *held)
+SP__APART static sp_status sp__hold_island(sp__hold *h)
 {
     sp_sequence *q = h->q;
     h->worst = h->member[0];
     for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
     sp__hold_must(h);
     h->unsure = q->stone[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
-    const sp_held_proof found = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
-    const sp_held_proof proof = h->unsure ? SP_HELD_ENOUGH : found;
-    if (proof > held->proof) held->proof = proof;
+    sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
+    if (proof == SP_HELD_IRREDUCIBLE) proof = sp__hold_one(h);
+    if (h->unsure) proof = SP_HELD_ENOUGH;
+    if (proof > h->proof) h->proof = proof;
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
         q->was[b] = q->stone[b].presence == SP_HELD;
-        if (q->was[b]) q->answer[held->count++] = b;
+        if (q->was[b]) q->answer[h->count++] = b;
         q->stone[b].presence = SP_PRESENT;
     }
     sp__sequence_islands(q);
@@ -10533,24 +10542,28 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
 {
     if (!sequence || !held || budget < 0) return SP_E_ARGUMENT;
     sp_sequence *q = sequence;
-    sp__hold h = { q, q->list, 0, budget, -1, 0, 0, SP_OK };
-    sp_held out;
-    memset(&out, 0, sizeof out);
+    sp__hold *h = &q->hold;
+    memset(h, 0, sizeof *h);
+    h->q = q;
+    h->member = q->list;
+    h->budget = budget;
     sp__sequence_start(q);
     for (int32_t root = 0; root < q->scene->count.blocks; root++) {
         if (!sp__loose(q, root) || sp__root(q->up, root) != root || q->stone[root].verdict == SP_STABLE) continue;
-        h.members = 0;
+        h->members = 0;
         for (int32_t b = root; b < q->scene->count.blocks; b++)
-            if (sp__loose(q, b) && sp__root(q->up, b) == root) q->list[h.members++] = b;
-        const sp_status status = sp__hold_island(&h, &out);
+            if (sp__loose(q, b) && sp__root(q->up, b) == root) q->list[h->members++] = b;
+        const sp_status status = sp__hold_island(h);
         if (status) return status;
     }
-    for (int32_t k = 0; k < out.count; k++) q->list[k] = q->must[q->answer[k]];
-    out.block = q->answer;
-    out.must = q->list;
-    out.checks = q->tries;
-    out.cost = q->cost;
-    *held = out;
+    for (int32_t k = 0; k < h->count; k++) q->list[k] = q->must[q->answer[k]];
+    memset(held, 0, sizeof *held);
+    held->count = h->count;
+    held->block = q->answer;
+    held->must = q->list;
+    held->proof = h->proof;
+    held->checks = q->tries;
+    held->cost = q->cost;
     return SP_OK;
 }
 
@@ -10609,20 +10622,22 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
 {
     if (!sequence || !suggestion || budget < 0) return SP_E_ARGUMENT;
     sp_sequence *q = sequence;
-    sp_suggestion out = { -1, 0, 1, { 0, 0, 0, 0 } };
+    int32_t found = -1, tried = 0, all = 1;
     sp__sequence_start(q);
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->answer[b] = !sp__next_candidate(q, b, add);
-    for (int32_t b = sp__next_pick(q, add); b >= 0 && out.block < 0; b = sp__next_pick(q, add)) {
+    for (int32_t b = sp__next_pick(q, add); b >= 0 && found < 0; b = sp__next_pick(q, add)) {
         int stands = 0;
-        out.all = !(budget > 0 && q->cost.flops >= budget);
-        if (!out.all) break;
+        all = !(budget > 0 && q->cost.flops >= budget);
+        if (!all) break;
         const sp_status status = sp__next_try(q, b, add, &stands);
         if (status) return status;
-        out.tried++;
-        if (stands) out.block = b;
+        tried++;
+        if (stands) found = b;
     }
-    out.cost = q->cost;
-    *suggestion = out;
+    suggestion->block = found;
+    suggestion->tried = tried;
+    suggestion->all = all;
+    suggestion->cost = q->cost;
     return SP_OK;
 }
 
@@ -10657,6 +10672,7 @@ typedef struct sp__ends {
     int64_t limit;                      /* flops in all */
     sp_cost cost;
     int spent;                          /* a judgement did not fit */
+    sp__judge judge;                    /* the one at hand */
 } sp__ends;
 
 /* dead, live, dq, whole, hint */
@@ -10698,27 +10714,27 @@ static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
 }
 
 /* A judge for d dead + l live, while ten sweeps and more are left of the budget; what it took is counted when it is closed. */
-static int sp__ends_open(sp__ends *e, sp__judge *j, sp_real d, sp_real l, sp_arena *room)
+static int sp__ends_open(sp__ends *e, sp_real d, sp_real l, sp_arena *room)
 {
     const int64_t sweep = SP__FLOPS_JUDGE * (int64_t)e->pb.points, left = e->limit - e->cost.flops;
     const int64_t sweeps = sweep ? left / sweep - 8 : INT32_MAX;
     if (sweeps < 2) { e->spent = 1; return 0; }
     sp__ends_mix(e, d, l);
-    return sp__judge_open(j, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX, room);
+    return sp__judge_open(&e->judge, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX,
+                          room);
 }
 
-static void sp__ends_close(sp__ends *e, const sp__judge *j)
+static void sp__ends_close(sp__ends *e)
 {
-    e->cost.flops += SP__FLOPS_JUDGE * (int64_t)j->sweeps * e->pb.points;
+    e->cost.flops += SP__FLOPS_JUDGE * (int64_t)e->judge.sweeps * e->pb.points;
 }
 
 /* Do these forces balance d dead + l live?     admitted: as sp__judge_forces */
 SP__APART static int sp__ends_stand(sp__ends *e, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
 {
-    sp__judge j;
-    if (!sp__ends_open(e, &j, d, l, &room)) return 0;
-    e->omega = sp__judge_forces(&j, f, admitted);
-    sp__ends_close(e, &j);
+    if (!sp__ends_open(e, d, l, &room)) return 0;
+    e->omega = sp__judge_forces(&e->judge, f, admitted);
+    sp__ends_close(e);
     return e->omega <= e->set.tol;
 }
 
@@ -10731,16 +10747,16 @@ static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
  * so little that force_bound times a multiple at which they are as large as the dead ones does not hold it. */
 SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 {
-    sp__judge j;
     int32_t final;
     sp__ends_mix(e, 1, 0);
     const sp_real dead = sp__load_unit(&e->pb);
-    if (!sp__ends_open(e, &j, 0, 1, &room)) return 0;
-    j.set = &e->wide;
-    const int pushes = sp__judge_motion(&j, e->dq, 0, &final) > 0;
-    sp__ends_close(e, &j);
+    if (!sp__ends_open(e, 0, 1, &room)) return 0;
+    e->judge.set = &e->wide;
+    const int pushes = sp__judge_motion(&e->judge, e->dq, 0, &final) > 0;
+    sp__ends_close(e);
     if (pushes) return 1;
-    return final && sp__ends_work(e, e->dead) + e->set.force_bound * sp__ratio(dead, j.unit) * sp__ends_work(e, e->live) >= 0;
+    const sp_real ratio = sp__ratio(dead, e->judge.unit);
+    return final && sp__ends_work(e, e->dead) + e->set.force_bound * ratio * sp__ends_work(e, e->live) >= 0;
 }
 
 /* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
@@ -10753,12 +10769,12 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
     memcpy(e->whole, e->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
         sp_arena again = room;
-        sp__judge j;
+        sp__judge *j = &e->judge;
         int k = 0;
-        if (!sp__ends_open(e, &j, 1, lambda, &again)) return 0;
+        if (!sp__ends_open(e, 1, lambda, &again)) return 0;
         if (pass == 0) {
-            for (k = 0; k < 6; k++) value[k] = sp__judge_motion(&j, e->whole, sp__judge_rest[k], &final[k]);
-            sp__ends_close(e, &j);
+            for (k = 0; k < 6; k++) value[k] = sp__judge_motion(j, e->whole, sp__judge_rest[k], &final[k]);
+            sp__ends_close(e);
             continue;
         }
         for (int q = 1; q < 6; q++) {                   /* a final proof before others, then the best */
@@ -10766,11 +10782,11 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
             if (proof && (!before || final[q] > final[k] || (final[q] == final[k] && value[q] > value[k]))) k = q;
         }
         if (!(value[k] > e->set.tol)) break;
-        e->least = sp__judge_motion(&j, e->whole, sp__judge_rest[k], &e->final);
-        e->resist = sp__scene_strong(&e->scene) ? j.resist * j.unit : 0;
-        if (all) sp__check_motion(&j, all);
-        memcpy(e->dq, j.x, bytes);
-        sp__ends_close(e, &j);
+        e->least = sp__judge_motion(j, e->whole, sp__judge_rest[k], &e->final);
+        e->resist = sp__scene_strong(&e->scene) ? j->resist * j->unit : 0;
+        if (all) sp__check_motion(j, all);
+        memcpy(e->dq, j->x, bytes);
+        sp__ends_close(e);
         if (!beyond || sp__ends_beyond(e, room)) return 1;
         value[k] = 0;
     }
