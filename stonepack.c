@@ -2395,7 +2395,7 @@ static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
 {
     const sp__strength none = { 0, 0, SP__HUGE };
-    if (!sp__joint_strong(&t->joint->joint)) return none;
+    if (!SP__FULL || !sp__joint_strong(&t->joint->joint)) return none;
     sp__strength k = sp__vertex_strength(t->joint);
     k.C /= j->unit;
     k.T /= j->unit;
@@ -2408,7 +2408,7 @@ static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
 static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
-    const int32_t faces = j->set->faces;
+    const int32_t faces = SP__FULL ? j->set->faces : 0;
     const sp_real slip[3] = { 0, f[1], f[2] };
     sp_real most = faces ? 0 : sp__norm3(slip);         /* the largest tangential share any face sees */
     for (int32_t k = 0; k < faces; k++) {
@@ -2468,7 +2468,7 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
 static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
-    const int32_t faces = j->set->faces;
+    const int32_t faces = SP__FULL ? j->set->faces : 0;
     const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
     if (!faces) {
         if (u[0] >= 0 && z <= mu * u[0]) return all;
@@ -2554,13 +2554,13 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
             const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
-            resist += sp__joint_strong(&t->joint->joint) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
+            resist += SP__FULL && sp__joint_strong(&t->joint->joint) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
             if (capped) *final = 0;
         }
     }
     j->sweeps++;
     j->resist = resist;
-    if (j->set->faces && j->set->inscribed) *final = 0;
+    if (SP__FULL && j->set->faces && j->set->inscribed) *final = 0;
     return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
@@ -2588,7 +2588,7 @@ static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings
     j->mu_factor = 1;
     j->tan_half = 0;
     j->sweeps = 0;
-    if (!set->faces) return;
+    if (!SP__FULL || !set->faces) return;
     sp_real c;
     sp__pyramid_half(set->faces, &c, &j->tan_half);
     if (set->inscribed) j->mu_factor = c;
@@ -3414,7 +3414,7 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     k->plain = !sp__joint_strong(&f->joint);
     k->C = k->T = 0;
     k->N = SP__HUGE;
-    if (k->plain) return k;
+    if (!SP__FULL || k->plain) return k;
     const sp__strength strength = sp__vertex_strength(f);
     const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
     k->C = strength.C * scale / w->slide;
@@ -3455,7 +3455,7 @@ static void sp__dual_rate(const sp__dual *w, const sp_real V[3], const sp_real W
 static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield, const sp_real u[3], sp_real f[3])
 {
     sp__cone_project(&w->cone, yield, u, f);
-    if (w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
+    if (SP__FULL && w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
     const sp_real S = sp__dual_S(w, c), slip = S * w->slide;
     f[0] *= S; f[1] *= slip; f[2] *= slip;
 }
@@ -3654,7 +3654,7 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
 #endif
     if (law == SP__ADMISSIBLE) {
         const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
-        if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
+        if (SP__FULL && w->soft > 0 && u[0] < 0) D[0] += w->soft;
         else if (region == SP__APEX) return 0;
     }
     D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
@@ -3919,7 +3919,7 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
         return;
     }
 #endif
-    if (w->dense) {
+    if (SP__FULL && w->dense) {
         sp__dual_spread(w);
         sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
     } else sp__bchol_factor(&w->L, floor);
@@ -3929,7 +3929,7 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
 static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->L.n;
-    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    if (!SP__FULL || !w->dense) { sp__bchol_solve(&w->L, b, x); return; }
     for (size_t k = 0; k < n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
     sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
     for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
@@ -4115,7 +4115,7 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     sp_real half;
     w->factor = 1;
     w->metric = 0;
-    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
+    if (SP__FULL && set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
     if (set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) w->factor = 0;
     if (penalty) w->factor /= w->slide;
     sp__dual_slots(w);
@@ -4830,7 +4830,7 @@ static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *
 /* The candidate in w->d, tied into rigid groups. */
 SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_state *state)
 {
-    if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!SP__FULL || n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
     if (sp__rigid_sharpen(w, w->xadj, state)) sp__newton_try(w, n, w->d, state);
     sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
@@ -5321,7 +5321,7 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     w->spent = 0;
     if (!n.found && n.best < SP__HUGE) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
     w->spent = spent;
-    if (n.proved && set->localise) sp__newton_settle(w, state);
+    if (SP__FULL && n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
@@ -8100,7 +8100,7 @@ static int sp__plan_stages(const sp_settings *set)
 /* May islands be solved apart? */
 static int sp__islands_apart(const sp_settings *set)
 {
-    return sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
+    return SP__FULL && sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
 }
 
 /* up: root of each free block's island.                                                      returns how many there are */
@@ -8294,11 +8294,13 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
     if (out->iterations < 0 || out->budget < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
     for (int32_t k = 0; k < out->stage_count; k++) {
-        if (out->stage[k] <= SP_STAGE_NONE || out->stage[k] > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
+        const sp_stage_id id = out->stage[k];
+        if (id <= SP_STAGE_NONE || id > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
+        if (!SP__FULL && id != SP_STAGE_GATES && id != SP_STAGE_EXACT && id != SP_STAGE_CUSTOM) return SP_E_UNSUPPORTED;
 #if defined(SP_NO_QP) || defined(SP_NO_ADMM)
-        if (out->stage[k] == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
+        if (id == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
 #endif
-        if (out->stage[k] == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
+        if (id == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
     const sp_coupled_settings *cs = &out->coupled;
@@ -8310,7 +8312,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #if defined(SP_NO_QP) || defined(SP_NO_ADMM)
     if (out->coupled.asked && out->coupled.rounds) return SP_E_UNSUPPORTED;
 #endif
-    if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
+    if (SP__FULL && out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
     for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
         const int32_t choice = (int32_t)out->effect[k];
         if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
@@ -8318,7 +8320,8 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #ifdef SP_NO_PLAN
     if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
 #endif
-    if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
+    if (!SP__FULL && (out->faces || out->seed)) return SP_E_UNSUPPORTED;
+    if ((!SP__FULL || out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -8328,9 +8331,9 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 {
     sp_stage s = { sp__exact_run, sp__exact_need };
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
-    if (id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
-    if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
-    if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
+    if (SP__FULL && id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
+    if (SP__FULL && id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
+    if (SP__FULL && id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
 #endif
@@ -8452,7 +8455,7 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
     const size_t most = sp__judge_need(pb, set);
     size_t work = 0;
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
-        if (k == set->stage_count && !set->localise) break;
+        if (k == set->stage_count && (!SP__FULL || !set->localise)) break;
         const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
                                                  : sp__sparse_need(pb, set, scratch);
         if (need > work) work = need;
@@ -8920,7 +8923,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
-    if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
+    if (!SP__FULL || r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
     sp_arena room = sp__work_open(set, a);

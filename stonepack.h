@@ -46,7 +46,22 @@ extern "C" {
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
  *   SP_NO_QP        defined: no quadratic programs (section 10), none of the two above
  *   SP_QP_ONLY      defined: quadratic programs and nothing else
+ *   SP_EXACT_ONLY   defined: the smallest check: true cone, joints without strength, gates and the exact stage, all blocks
+ *                   together; no tension is localised (demand stays 0), fewer mechanisms are final. More: SP_E_UNSUPPORTED.
+ *                   With it go SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN, SP_SMALL
  */
+#ifdef SP_EXACT_ONLY
+#undef SP_SMALL
+#define SP_SMALL
+#undef SP_NO_IPM
+#define SP_NO_IPM
+#undef SP_NO_PLAN
+#define SP_NO_PLAN
+#undef SP_NO_CRA
+#define SP_NO_CRA
+#undef SP_NO_QP
+#define SP_NO_QP
+#endif
 #ifndef SP_API
 #define SP_API extern
 #endif
