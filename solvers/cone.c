@@ -131,8 +131,9 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yie
     if (o.region == SP__INSIDE) D[0] = 1;
     if (o.region == SP__INSIDE || o.region == SP__WALL) D[3] = D[5] = 1;
     if (o.region == SP__FACE || o.region == SP__RIM) {              /* true cone: (1, mu w)(1, mu w)'/(1 + mu^2)      */
-        const sp_real q = SP__FULL && o.region == SP__RIM ? 0 : 1 / (1 + mu * mu);  /* + (C + mu t)/a (I - w w'); a rim: */
-        const sp_real c = SP__FULL && k->faces ? 1 : o.a > 0 ? sp__max(0, yield->C + mu * o.t) / o.a : 0;    /* the second part alone */
+        const sp_real q = SP__FULL && o.region == SP__RIM ? 0 : 1 / (1 + mu * mu);  /* + (C + mu t)/a (I - w w'); a rim:  */
+        const sp_real c = SP__FULL && k->faces ? 1                                              /* the second part alone */
+                        : o.a > 0 ? sp__max(0, yield->C + mu * o.t) / o.a : 0;
                                                     /* pyramid: I - n n', so 1 in place of (C + mu t)/a               */
         D[0] = q; D[1] = q * mu * o.w[0]; D[2] = q * mu * o.w[1];
         const sp_real s = q * mu * mu;
