@@ -456,7 +456,7 @@ check_cases() {
     else part "coupled check on the bundled scenes: 113 bits, monotone, invariant" coupled tests/scenes; fi
     SHOW=
 }
-once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494
+once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494,17,58,128,461,5327,5575,6141,6148
 check_oracle() {
     if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
         SHOW=1

@@ -5,8 +5,10 @@
 
 Each scene is generated, changed at random (weights, friction, lost joints, a turned world), and pushed: gravity g + lambda h in a
 random direction h, where h and g are equally long. oracle.py finds the largest lambda that some forces balance; at relative
-distances 1e-2 .. 1e-6 on either side the program must say stable or unstable. Prints what was compared; the exit status is 1 if
-a verdict was wrong, of --seeds if one was undecided, too. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
+distances 1e-2 .. 1e-6 on either side the program must say stable or unstable. A millionth beyond its limit a scene may miss
+balance by less than 1e-9 of its blocks' forces: where the program says that the limit is nearer than its tol, it is asked again
+at a tenth and a hundredth of that ("finer"). Prints what was compared; the exit status is 1 if a verdict was wrong, of --seeds if
+one was undecided, too. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
 """
 import argparse
 import json
@@ -24,7 +26,7 @@ import oracle
 
 DISTANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 CONES = ("8i", "4c", "16i", "true")
-TOL = 1e-9                                              # the program's
+TOLS = (1e-9, 1e-10, 1e-11)                             # the program's, and what it is asked for where that leaves it undecided
 
 
 def numbers(rng):
@@ -81,30 +83,37 @@ def change(scene, rng):
     return done
 
 
-def ask(cli, scene, cone, gravity):
+def ask(cli, scene, cone, gravity, tol):
     """The program's answer."""
     scene.gravity = gravity
-    out = subprocess.run([cli, "check", "--json", "--forces", "--cone", cone, "-"], input=scene.text(), capture_output=True,
-                         text=True)
+    out = subprocess.run([cli, "check", "--json", "--forces", "--cone", cone, "--tol", repr(tol), "-"], input=scene.text(),
+                         capture_output=True, text=True)
     if out.returncode not in (0, 1, 2):
-        return dict(verdict="status %d: %s" % (out.returncode, out.stderr.strip()), omega=0, verified=False)
+        return dict(verdict="status %d: %s" % (out.returncode, out.stderr.strip()), omega=0, verified=False, reason="")
     return json.loads(out.stdout)
 
 
-def judge(cli, scene, problem, cone, gravity, want, distance, label):
-    """One comparison: right, undecided, near or wrong. Near: stable beyond the limit, by forces that our own sums find balanced
-    within tol, too; a limit is known no better than that. Forces that are not what they are said to be are wrong anywhere."""
-    r = ask(cli, scene, cone, gravity)
+def judge(cli, scene, problem, cone, gravity, want, distance, label, tols=TOLS[:1]):
+    """One comparison: right, finer, undecided, near or wrong. Finer: right, but not at the first tol. Near: stable beyond the
+    limit, by forces that our own sums find balanced within tol, too; a limit is known no better than that. Forces that are not
+    what they are said to be are wrong anywhere."""
+    for tol in tols:
+        r = ask(cli, scene, cone, gravity, tol)
+        if r["verdict"] != "undecided" or r["reason"] != "limit":
+            break
     got = r["verdict"]
     how = "right" if got == want else "undecided" if got == "undecided" else "wrong"
+    if how == "right" and tol < TOLS[0]:
+        how = "finer"
     if got != "undecided" and not r["verified"]:
         how = "wrong"
     omega = r["omega"]
     if got == "stable" and "forces" in r:
-        omega, excess, pushing = oracle.evidence(problem, cone, gravity, r["forces"], TOL)
-        holds = omega <= 1.01 * TOL and excess <= 1e-12 and pushing
+        omega, excess, pushing = oracle.evidence(problem, cone, gravity, r["forces"], tol)
+        holds = omega <= 1.01 * tol and excess <= 1e-12 and pushing
         how = "wrong" if not holds else "near" if want != "stable" and distance <= 1e-5 else how
-    return dict(how=how, got=got, want=want, distance=distance, omega=omega, label=label, cone=cone,
+    return dict(how=how, got=got, want=want, distance=distance, omega=omega, least=r.get("least_imbalance", 0), tol=tol,
+                label=label, cone=cone,
                 text=scene.text() if how == "wrong" else None)
 
 
@@ -132,6 +141,7 @@ def trial(job):
         return dict(skip=top.status, label=label)
     if not oracle.within_bound(problem, top.f):
         return dict(skip="forces beyond the bound", label=label)
+    tols = [t for t in TOLS if oracle.within_bound(problem, top.f, min(0.1, t / TOLS[0]))]     # the bound shrinks with tol
     bottom = oracle.limit(problem, cone, g / np.linalg.norm(g), -h / np.linalg.norm(g))
     width = top.value + bottom.value if bottom.status == "limit" else np.inf
     size = np.linalg.norm(g + top.value * h) / np.linalg.norm(h)
@@ -140,9 +150,9 @@ def trial(job):
         if top.error() > 0.1 * d * size:
             unknown += 1
             continue
-        found.append(judge(cli, scene, problem, cone, g + (top.value + d * size) * h, "unstable", d, label))
+        found.append(judge(cli, scene, problem, cone, g + (top.value + d * size) * h, "unstable", d, label, tols))
         if d * size < 0.5 * width:
-            found.append(judge(cli, scene, problem, cone, g + (top.value - d * size) * h, "stable", d, label))
+            found.append(judge(cli, scene, problem, cone, g + (top.value - d * size) * h, "stable", d, label, tols))
     return dict(label=label, found=found, unknown=unknown)
 
 
@@ -176,19 +186,21 @@ def report(options):
             if f["got"] == "stable":
                 omega = max(omega, f["omega"])
             if f["how"] != "right" or options.verbose:
-                print("%-9s %s, want %s, %g from the limit, cone %s, omega %.2g; %s"
-                      % (f["how"], f["got"], f["want"], f["distance"], f["cone"], f["omega"], f["label"]), flush=True)
+                print("%-9s %s, want %s, %g from the limit, cone %s, tol %g, omega %.2g, least imbalance %.2g; %s"
+                      % (f["how"], f["got"], f["want"], f["distance"], f["cone"], f["tol"], f["omega"], f["least"], f["label"]),
+                      flush=True)
             if f["how"] == "wrong" and options.keep:
                 with open(os.path.join(options.keep, "wrong-%d.obj" % sum(tally.values())), "w", encoding="utf-8") as out:
                     out.write(f["text"])
-    total = {how: sum(n for (_, k), n in tally.items() if k == how) for how in ("right", "undecided", "near", "wrong")}
+    total = {how: sum(n for (_, k), n in tally.items() if k == how) for how in ("right", "finer", "undecided", "near", "wrong")}
     for cone in CONES:
         print("%-5s " % cone + ", ".join("%d %s" % (tally.get((cone, how), 0), how) for how in total))
     for why, n in sorted(skipped.items()):
         print("left out: %d scenes, %s" % (n, why))
     print("left out: %d distances nearer than ten errors of the oracle" % unknown)
-    print("%d scenes, %d compared: %d wrong, %d undecided, %d stable within tol beyond the limit; worst omega %.2g"
-          % (scenes, sum(total.values()), total["wrong"], total["undecided"], total["near"], omega))
+    print("%d scenes, %d compared: %d wrong, %d undecided, %d at a finer tol, %d stable within tol beyond the limit; "
+          "worst omega %.2g"
+          % (scenes, sum(total.values()), total["wrong"], total["undecided"], total["finer"], total["near"], omega))
     return 1 if total["wrong"] or not total["right"] or (options.seeds and total["undecided"]) else 0
 
 
