@@ -4132,19 +4132,22 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
 #define SP__DEEP ((sp_real)1e-4)        /* so far down the path proofs are tried even while the imbalance falls */
 #define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
 #define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
-#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
 #define SP__PROX ((sp_real)1e-15)
 #define SP__DEEP SP__SHIFT
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
-#define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more; float tells 1e-3 */
 #endif
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 #define SP__IPM_MOST 60                 /* interior-point iterations */
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
+#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
+#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
+#else
+#define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more */
+#endif
 
 /* The seed's constants, each with its section; what a float can't reach is float's own. */
 #ifdef SP_REAL_FLOAT
