@@ -471,10 +471,20 @@ check_oracle() {
 }
 mixed_tests() { run_build "$CC" stonepack.c $out/run_mixed -O2 -DSP_REAL_MIXED && $out/run_mixed; }
 check_instruments() {                                   # the battery of hard scenes in other arithmetic
-    for in_name in float mixed rounding traps flush quad near; do
+    for in_name in float mixed rounding traps flush near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
     count "tests, factors in float" mixed_tests
+    SHOW=1
+    part "battery: quad; each scene's omega, growth of rounding, time" sh tests/instruments/instruments.sh quad
+    SHOW=
+    if [ -d ../shared/cases ] && have python3; then
+        SHOW=1
+        part "cases of known truth in other arithmetic" sh tests/instruments/instruments.sh cases
+        SHOW=
+    fi
+    if have clang-19; then part "battery: shadows of 113 bits" sh tests/instruments/instruments.sh shadows
+    else skip "battery: shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi
     if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance
     else skip "battery: random rounding" g++; fi
 }

@@ -3,7 +3,8 @@
  *
  *     cc -ffp-contract=off corpus.c ../scenes/gen.c ../../stonepack.c -lm -I build && ./a.out
  *
- * Prints a line per scene, so that a difference has a name, and last `corpus double HASH`. Scenes are those of the generators
+ * Prints a line per scene, so that a difference has a name, and last `corpus double HASH`. Before it `bytes 64-bit HASH`, over
+ * what each check took of its arena: pointers are in there, so it is the same for machines of one pointer size. Scenes are those of the generators
  * and the committed files, made into C by scenes.awk. No files, no malloc: it runs on a bare board.
  */
 #include "../test.h"
@@ -71,6 +72,7 @@ static const formula made[] = {
 };
 
 static unsigned char memory[3u << 20];
+static uint64_t bytes = 14695981039346656037u;                  /* over the peaks of the arenas */
 
 /* FNV-1a over the bytes of an integer, lowest first, whatever the machine's own order. */
 static uint64_t mix(uint64_t hash, uint64_t value)
@@ -108,6 +110,11 @@ static sp_status judge(const sp_scene *scene, int32_t faces, sp_arena *arena, ui
     h = mix(h, (uint64_t)(r.final + 2 * r.verified));
     h = mix(h, (uint64_t)r.weakest);
     h = mix(h, (uint64_t)r.cost.flops);
+    h = mix(h, (uint64_t)r.cost.factorisations);
+    h = mix(h, (uint64_t)r.cost.iterations);
+    h = mix(h, (uint64_t)r.cost.interior);
+    for (int k = 0; k < SP_STAGES_MAX; k++) h = mix(h, (uint64_t)r.by_stage[k].flops);
+    bytes = mix(bytes, (uint64_t)r.peak_bytes);
     h = mix_reals(h, number, 5);
     h = mix_reals(h, r.f, 3 * scene->count.points);
     h = mix_reals(h, r.dq, 6 * scene->count.blocks);
@@ -184,6 +191,7 @@ int main(void)
         all = tell(all, made[k].name, &scene, made[k].faces, &arena, status);
         failed |= status != SP_OK;
     }
+    TEST_PRINT("bytes %d-bit %08lx%08lx\n", (int)(8 * sizeof(void *)), (unsigned long)(bytes >> 32), (unsigned long)(bytes & 0xffffffffu));
     TEST_PRINT("corpus %s %08lx%08lx\n", sizeof(sp_real) == 4 ? "float" : "double",
                (unsigned long)(all >> 32), (unsigned long)(all & 0xffffffffu));
     return failed;

@@ -4,12 +4,16 @@
 #     plain     double as it is; the truth of the corpus for the others
 #     float     24 bits: no wrong verdict on hard scenes outside its band, the corpus as double has it
 #     mixed     factors in float, refined in double: what double says, with the planar search and without
-#     quad      113 bits; prints how far double's largest force is off, the worst ten
+#     quad      113 bits; prints of each scene verdict, omega, how far double's largest force is off, time
 #     rounding  up, down, towards zero
 #     traps     invalid, division by zero, overflow stop the program; in double and in float
 #     flush     denormals are zero
 #     near      113 bits again: limits of tests/scenes/near.h, both sides told at 1e-12
 #     chance    20 samples of random rounding, the first with the corpus; prints the digits all of them share, the worst ten
+#
+#     cases     the program on assemblies of known truth (../shared/cases) in three rounding modes, under traps, flushed; in float
+#     shadows   clang's NSan: every number has a shadow of 113 bits; forces that stand are told where they leave theirs by 2^-19.
+#               A square root that loses eleven digits must be told, too
 #
 # Passes when no verdict is wrong and none is missing that has to be there. Needs gcc; chance: g++. Output: build/instruments.
 set -eu
@@ -39,6 +43,19 @@ same() {                                                # same TO [may-open]
         $2 != verdict[$1] && $3 != "open" && !open[$1] && !(may && ($2 == "undecided" || verdict[$1] == "undecided")) { print FILENAME ": " $0; bad = 1 }
         END { exit bad }' $out/plain.txt $out/"$1".txt
 }
+# Checked are the forces that come out (battery_shadow), not all that is stored on the way: a residual is all rounding.
+shadow() {                                              # shadow NAME WORDS... FLAGS...
+    sh=$1 words=''
+    shift
+    while [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; do words="$words $1"; shift; done
+    # shellcheck disable=SC2086
+    clang-19 -std=gnu99 $flags -O1 -fsanitize=numerical -DBATTERY_SHADOW -mllvm -nsan-check-stores=false \
+        -mllvm -nsan-check-loads=false -mllvm -nsan-check-ret=false -mllvm -nsan-instrument-fcmp=false \
+        -mllvm '-check-functions-filter=^none$' "$@" $own/battery.c -lm -o $out/"$sh"
+    # shellcheck disable=SC2086
+    NSAN_OPTIONS=halt_on_error=0:log2_max_relative_error=19:log2_absolute_error_threshold=500 \
+        $out/"$sh" $words > $out/"$sh".txt 2> $out/"$sh".err
+}
 plain() { build plain -O2 && run plain plain; }
 
 case $name in
@@ -57,8 +74,35 @@ flush) plain && run plain flush flush && same flush ;;
 quad)
     plain && LIBS=-lquadmath build quad -O2 -DSP_REAL_QUAD -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' && run quad quad light
     same quad
-    awk -F'|' 'NR == FNR { f[$1] = $5; next } ($1 in f) && $5 > 0 { e = f[$1] / $5 - 1; printf "%.1e %s\n", e < 0 ? -e : e, $1 }' \
-        $out/plain.txt $out/quad.txt | sort -g -r | head -n 10 ;;
+    echo "rounding: how far the largest force in double is from that in 113 bits, in units of 2^-53 of it"
+    printf '%-38s  %-9s  %8s  %8s  %8s\n' scene verdict omega rounding ms
+    awk -F'|' 'NR == FNR { f[$1] = $5; next }
+        ($1 in f) && $5 > 0 { e = f[$1] / $5 - 1; grown[$1] = sprintf("%.1e", (e < 0 ? -e : e) * 2 ^ 53) }
+        END { for (k in grown) print k "|" grown[k] }' $out/plain.txt $out/quad.txt > $out/grown.txt
+    awk -F'|' 'NR == FNR { g[$1] = $2; next } { printf "%s %s %s  %8s  %8s\n", $1, $2, $4, $1 in g ? g[$1] : "-", $6 }' \
+        $out/grown.txt $out/plain.txt ;;
+shadows)
+    shadow nsan light || { cat $out/nsan.txt; exit 1; }
+    shadow nsan-bad light short -DBATTERY_BAD || true           # some of its verdicts are open
+    told() { grep -c 'WARNING: Numerical' $out/"$1".err || true; }
+    grep -A 5 'WARNING: Numerical' $out/nsan.err || true
+    echo "told: $(told nsan); of the bad square root: $(told nsan-bad)"
+    [ "$(told nsan)" -eq 0 ] && [ "$(told nsan-bad)" -gt 0 ] ;;
+cases)
+    host="port/host/*.c tests/scenes/gen.c stonepack.c $own/modes.c"
+    # shellcheck disable=SC2086
+    $cc -std=gnu99 $flags -O1 -frounding-math $host -lm -o $out/program
+    # shellcheck disable=SC2086
+    $cc -std=gnu99 $flags -O1 -DSP_REAL_FLOAT $host -lm -o $out/program-float
+    tell() { sed -n '$p' $out/cases.txt; }
+    for mode in up down zero traps flush; do
+        MODE=$mode python3 ../shared/tools/run_cases.py --cli $out/program > $out/cases.txt || { cat $out/cases.txt; exit 1; }
+        echo "$mode: $(tell)"
+    done
+    # At 1e-4 float calls stable what balances within that: some dozen that fall by less. What stands must never be called fallen.
+    python3 ../shared/tools/run_cases.py --cli $out/program-float > $out/cases.txt || true
+    echo "float: $(tell)"
+    grep '^[0-9]* compared' $out/cases.txt > /dev/null && ! grep 'got unstable' $out/cases.txt ;;
 near) sh tests/bench/near.sh check ;;
 chance)
     plain && g++ -x c++ -std=gnu++20 -fpermissive -DSP_REAL_OTHER -include $own/random.hpp $flags -O2 $own/battery.c -lm -o $out/chance
