@@ -4,8 +4,8 @@
  *     cc -ffp-contract=off corpus.c ../scenes/gen.c ../../stonepack.c -lm -I build && ./a.out
  *
  * Prints a line per scene, so that a difference has a name, and last `corpus double HASH`. Before it `bytes 64-bit HASH`, over
- * what each check took of its arena: pointers are in there, so it is the same for machines of one pointer size. Scenes are those of the generators
- * and the committed files, made into C by scenes.awk. No files, no malloc: it runs on a bare board.
+ * what each check took of its arena: pointers are in there, so it is the same for machines of one pointer size. Scenes are
+ * those of the generators and the committed files, made into C by scenes.awk. No files, no malloc: it runs on a bare board.
  */
 #include "../test.h"
 #include "../scenes/gen.h"
@@ -191,7 +191,8 @@ int main(void)
         all = tell(all, made[k].name, &scene, made[k].faces, &arena, status);
         failed |= status != SP_OK;
     }
-    TEST_PRINT("bytes %d-bit %08lx%08lx\n", (int)(8 * sizeof(void *)), (unsigned long)(bytes >> 32), (unsigned long)(bytes & 0xffffffffu));
+    TEST_PRINT("bytes %d-bit %08lx%08lx\n", (int)(8 * sizeof(void *)), (unsigned long)(bytes >> 32),
+               (unsigned long)(bytes & 0xffffffffu));
     TEST_PRINT("corpus %s %08lx%08lx\n", sizeof(sp_real) == 4 ? "float" : "double",
                (unsigned long)(all >> 32), (unsigned long)(all & 0xffffffffu));
     return failed;

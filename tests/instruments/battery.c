@@ -45,8 +45,8 @@ static double battery_sqrt(double x)
 #ifdef BATTERY_SHADOW
 void __nsan_check_double(double x);                             /* of clang's runtime: says where x and its shadow differ */
 
-/* Forces that stand, as they come out: those a thousandth of the largest and more, because the others may be 0 by nature, as the
- * residuals inside are: of these the rounding is all there is. */
+/* Forces that stand, as they come out: those a thousandth of the largest and more, because the others may be 0 by nature, as
+ * the residuals inside are: of these the rounding is all there is. */
 static void battery_shadow(const sp_result *r)
 {
     for (int32_t k = 0; r->verdict == SP_STABLE && k < 3 * r->points; k++)

@@ -11,9 +11,9 @@
 #     near      113 bits again: limits of tests/scenes/near.h, both sides told at 1e-12
 #     chance    20 samples of random rounding, the first with the corpus; prints the digits all of them share, the worst ten
 #
-#     cases     the program on assemblies of known truth (../shared/cases) in three rounding modes, under traps, flushed; in float
-#     shadows   clang's NSan: every number has a shadow of 113 bits; forces that stand are told where they leave theirs by 2^-19.
-#               A square root that loses eleven digits must be told, too
+#     cases     the program on assemblies of known truth (../shared/cases): three rounding modes, traps, flushed; float
+#     shadows   clang's NSan: every number has a shadow of 113 bits; forces that stand are told where they leave theirs by
+#               2^-19. A square root that loses eleven digits must be told, too
 #
 # Passes when no verdict is wrong and none is missing that has to be there. Needs gcc; chance: g++. Output: build/instruments.
 set -eu
@@ -99,7 +99,7 @@ cases)
         MODE=$mode python3 ../shared/tools/run_cases.py --cli $out/program > $out/cases.txt || { cat $out/cases.txt; exit 1; }
         echo "$mode: $(tell)"
     done
-    # At 1e-4 float calls stable what balances within that: some dozen that fall by less. What stands must never be called fallen.
+    # At 1e-4 float calls stable what balances within that: some that fall by less. What stands is never called fallen.
     python3 ../shared/tools/run_cases.py --cli $out/program-float > $out/cases.txt || true
     echo "float: $(tell)"
     grep '^[0-9]* compared' $out/cases.txt > /dev/null && ! grep 'got unstable' $out/cases.txt ;;
