@@ -2608,6 +2608,14 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
     return 1;
 }
 
+/* Sweeps the judge may take for the scales out of so many flops. */
+static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
+{
+    if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
+    const int64_t sweeps = flops / (SP__FLOPS_JUDGE * (int64_t)pb->points) - 8;
+    return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
+}
+
 #ifndef SP_NO_CRA
 /* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
  * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap SP__GIVE_MOST
@@ -6332,10 +6340,10 @@ static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp
 }
 
 /* What a run of the quadratic program takes before it heeds a budget: two looks at the first guess. */
-static int64_t sp__program_least(const sp__program *g)
+static int64_t sp__program_least(const sp_qp *qp)
 {
-    const int64_t products = 4 * ((int64_t)g->at.Ap[g->qp.n] + 2 * (int64_t)g->qp.n) + 2 * (int64_t)g->at.Ap[g->qp.n];
-    return 2 * (6 * products + 700 * ((int64_t)g->qp.n + g->qp.m));
+    const int64_t products = 4 * ((int64_t)qp->Ap[qp->n] + 2 * (int64_t)qp->n) + 2 * (int64_t)qp->Ap[qp->n];
+    return 2 * (6 * products + 700 * ((int64_t)qp->n + qp->m));
 }
 
 /* dq <- the multipliers of Aeq. */
@@ -6354,7 +6362,7 @@ static sp_status sp__admm_run(const sp_problem *pb, const sp_settings *set, sp_s
     if (!g) return SP_E_MEMORY;
     state->reason = SP_REASON_BUDGET;
     if (set->budget > 0) g->set.budget = state->left;
-    if (set->budget > 0 && state->left < sp__program_least(g)) return SP_OK;
+    if (set->budget > 0 && state->left < sp__program_least(&g->qp)) return SP_OK;
     const sp_status status = g->solver.solve(g->solver.self, &g->qp, &g->set, arena, g->at.x, NULL, &g->r);
     if (status) return status == SP_E_MEMORY ? status : SP_OK;
     state->cost.flops += g->r.flops;
@@ -6837,14 +6845,24 @@ static int32_t sp__branch_children(int32_t state, int32_t *first)
     return state == 2 ? 4 : 2;
 }
 
+/* Flops that the check of the proof takes: so far, and with a leaf more. */
+static int64_t sp__branch_check(const sp__branch *s)
+{
+    return 40 * ((int64_t)s->proof->entries + s->lp.n) + SP__FLOPS_JUDGE * ((int64_t)s->proof->leaves + 1) * s->points;
+}
+
 typedef enum sp__outcome { SP__OUT_REFUTED, SP__OUT_POINT, SP__OUT_BUDGET } sp__outcome;
 
-SP__APART static sp__outcome sp__branch_run(sp__branch *s)
+SP__APART static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
 {
     s->depth = 0;
     s->proof->nodes = s->proof->leaves = s->proof->entries = 0;
     for (;;) {
-        for (int32_t v = 0; v < s->points; v++) sp__branch_load(s, v, s->state[v]);
+        s->lp.limit = left - sp__branch_check(s);
+        for (int32_t v = 0; v < s->points; v++) {
+            if (!sp__lp_pays(&s->lp, SP__ROWS)) return SP__OUT_BUDGET;
+            sp__branch_load(s, v, s->state[v]);
+        }
         const sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
         if (status == SP__LP_GIVEN_UP) return SP__OUT_BUDGET;
         if (status == SP__LP_POINT) {
@@ -6908,7 +6926,7 @@ static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
 
 /* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. */
 SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
-                                             sp_arena *a, sp_coupled *out)
+                                             int64_t left, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;
     int32_t entries;
@@ -6926,14 +6944,11 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
     s->nodes = nodes;
     s->entries = entries;
     sp__branch_make(s);
-    const sp__outcome outcome = sp__branch_run(s);
-    out->cost.flops += s->lp.flops;
+    const sp__outcome outcome = sp__branch_run(s, left - out->cost.flops);
+    out->cost.flops += s->lp.flops + (outcome == SP__OUT_REFUTED ? sp__branch_check(s) : 0);
     a->used = mark;
-    if (outcome == SP__OUT_REFUTED) {
-        out->margin = sp__judge_refuted(j, k, &out->proof, a);
-        out->cost.flops += 40 * (int64_t)out->proof.entries + 90 * (int64_t)out->proof.leaves * s->points;
-        a->used = mark;
-    }
+    if (outcome == SP__OUT_REFUTED) out->margin = sp__judge_refuted(j, k, &out->proof, a);
+    a->used = mark;
     if (out->margin > 0) {
         out->verdict = SP_COUPLING_REFUTED;
         out->reason = SP_COUPLING_NO_MOTION;
@@ -6983,6 +6998,11 @@ typedef struct sp__cra {
     int far;                            /* forces and slips agree, but a slip or opening exceeds eta */
     sp_real grow;                       /* how fast a drag that was lessened may grow again */
     int tiny;                           /* friction had to be dropped because its slip was too short */
+    sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
+    sp_real (*held)[4];                 /* points, of a motion held fast: largest |ft| / fp, -1: open; direction; 1 / |dt| */
+    sp_real *still;                     /* 6b: that motion */
+    int holds;                          /* forces are those of the penalty form in the motion held fast */
+    sp_real energy, least;              /* at the end of a descent; of the penalty form so far */
 } sp__cra;
 
 #ifdef SP_REAL_FLOAT
@@ -6995,6 +7015,7 @@ typedef struct sp__cra {
 #define SP__DUST ((sp_real)1e-8)
 #endif
 #define SP__CRA_FLOPS 4000000000        /* work after which the search gives up */
+#define SP__HOLD_SHIFT ((sp_real)(sizeof(sp_real) == 8 ? 1e-8 : 1e-5))          /* SP__SHIFT for a motion held fast */
 
 static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
 {
@@ -7003,7 +7024,7 @@ static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
     t->alpha = sp__take(a, (size_t)pb->points, sizeof *t->alpha);
 }
 
-static void sp__cra_carve(sp__cra *c, const sp_problem *pb, sp_arena *a)
+static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_arena *a)
 {
     const size_t v = (size_t)pb->points;
     c->f = sp__take(a, v, 3 * sizeof *c->f);
@@ -7012,6 +7033,8 @@ static void sp__cra_carve(sp__cra *c, const sp_problem *pb, sp_arena *a)
     c->lam = sp__take(a, v, sizeof *c->lam);
     c->cap = sp__take(a, v, sizeof *c->cap);
     c->kept = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->kept);
+    c->still = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->still);
+    c->held = sp__take(a, localise ? v : 0, sizeof *c->held);
 }
 
 /* sbar of the vertices of contact c, the smaller. */
@@ -7034,13 +7057,13 @@ static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_rea
 /* u = Aeq' y at every vertex. */
 SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
 {
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         sp_real V[3], W[3];
         sp__dual_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
     }
-    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
 }
 
 /* w->r = Aeq f + load (load: 1 or 0), weighted. */
@@ -7049,6 +7072,7 @@ SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int lo
     const sp_problem *pb = c->pb;
     if (load) sp__dual_load(c->w, c->w->r);
     else memset(c->w->r, 0, 6 * (size_t)pb->blocks * sizeof *c->w->r);
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
     for (int32_t q = 0; q < pb->contacts; q++) {
         const sp_contact *t = &pb->contact[q];
         sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
@@ -7060,7 +7084,6 @@ SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int lo
         sp__dual_scatter(c->w, t, F, M, c->w->r);
     }
     sp__dual_release(c->w, c->w->r);
-    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
 }
 
 /* Force and derivative of one vertex that moves by d; the energy stored in it is added to *energy. */
@@ -7072,15 +7095,48 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     const int slides = drag * slip > cap;
     const sp_real al = slides ? cap / slip : drag, z = al / (SP__STIFF * c->most);
     const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
-    f[0] = sp__max(fn, 0);
+    f[0] = fn > 0 ? fn : c->soft * fn;
     f[1] = -al * d[1];
     f[2] = -al * d[2];
-    D[0] = fn > 0 ? s / c->most : 0;
+    D[0] = (fn > 0 ? 1 : c->soft) * s / c->most;
     D[1] = D[2] = 0;
     D[3] = z * (1 - x * x);
     D[4] = -z * x * y;
     D[5] = z * (1 - y * y);
-    *energy += f[0] * f[0] / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
+    *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
+}
+
+/* The same of a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
+ * the nearest to -(dn, e . dt / sqrt(tau)) in the wedge between (1, 0) and (1, m). */
+static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
+{
+    const sp_real *d = c->d + 3 * v, *held = c->held[v], soft = 1 / c->set->gamma, slide = 1 / SP_SQRT(c->set->tau);
+    const sp_real m = held[0] / slide, x = -d[0], z = -slide * (held[1] * d[1] + held[2] * d[2]);
+    const sp_real on = (x + m * z) / (1 + m * m);
+    const int open = held[0] < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
+    const int axis = !open && z <= 0 && x > 0;
+    const sp_real nn = inside || axis ? 1 : rim ? 1 / (1 + m * m) : 0;
+    const sp_real nt = rim ? m * nn : 0, tt = inside ? 1 : rim ? m * nt : 0;
+    const sp_real fp = inside || axis ? x : rim ? on : 0, ft = inside ? z : rim ? m * on : 0, fm = soft * sp__max(-x, 0);
+    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    f[0] = s * (fp - fm);
+    f[1] = s * slide * ft * held[1];
+    f[2] = s * slide * ft * held[2];
+    s /= c->most;
+    D[0] = s * (nn + (x < 0 ? soft : 0));
+    D[1] = s * slide * nt * held[1];
+    D[2] = s * slide * nt * held[2];
+    s *= slide * slide * tt;
+    D[3] = s * held[1] * held[1];
+    D[4] = s * held[1] * held[2];
+    D[5] = s * held[2] * held[2];
+    *energy += (f[0] * x + f[1] * -d[1] + f[2] * -d[2]) / 2;
+}
+
+/* sbar of contact t as the penalty form takes it: no metric unless there must be one. */
+static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
+{
+    return c->w->metric > 0 ? sp__cra_sbar(c, t) : c->most;
 }
 
 /* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
@@ -7090,9 +7146,11 @@ SP__APART static sp_real sp__cra_springs(sp__cra *c)
     sp__cra_rates(c, c->w->y, c->d);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t);
-        for (int32_t v = t->point; v < t->point + t->points; v++)
-            sp__cra_vertex(c, (size_t)v, s, &energy);
+        const sp_real s = c->holds ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            if (c->holds) sp__cra_wedge(c, v, s, &energy);
+            else sp__cra_vertex(c, v, s, &energy);
+        }
     }
     sp__cra_balance(c, c->f, 1);
     return energy - sp__dual_work(c->w, c->w->y);
@@ -7102,6 +7160,7 @@ SP__APART static sp_real sp__cra_springs(sp__cra *c)
 SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 {
     sp_real most = 0;
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return 0;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         sp_real V[3], W[3], u[3];
@@ -7111,35 +7170,59 @@ SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
             for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
         }
     }
-    sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2);
     return most;
 }
 
-/* Newton steps with halving on the energy.     returns 0 when the motion runs away */
+/* y <- kept + step d */
+static sp_real sp__cra_at(sp__cra *c, sp_real step)
+{
+    memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    sp__dual_axpy(c->w, step, c->w->d, c->w->y);
+    return sp__cra_springs(c);
+}
+
+/* Where between 0 and `high` along d the energy is least; it falls by `down` at first, and rises at `step`. */
+static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real down)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp_real low = 0, energy = 0;
+    for (int k = 0; k < 20; k++) {
+        energy = sp__cra_at(c, step);
+        const sp_real slope = sp__dot(c->w->r, c->w->d, n);
+        if (sp__abs(slope) < (sp_real)0.1 * down) break;
+        if (slope > 0) low = step;
+        else high = step;
+        step = (low + high) / 2;
+    }
+    return energy;
+}
+
+/* Newton steps with halving on the energy; a motion held fast has sharper bends, and takes more of them.
+ *   returns 0 when the motion runs away, or the work is spent */
 SP__APART static int sp__cra_descend(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__dual *w = c->w;
     const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->goal);
-    sp_real energy = sp__cra_springs(c);
-    for (int it = 0; it < 15; it++) {
-        if (sp__dual_norm(w, w->r) <= enough * w->load) return 1;
-        sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+    const sp_real shift = c->holds ? SP__HOLD_SHIFT : SP__SHIFT;
+    const sp_real room = 1 + (c->holds ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((c->holds ? 1 : SP__STIFF) * c->most);
+    c->energy = sp__cra_springs(c);
+    for (int it = 0; it < (c->holds ? 150 : 15) && !w->spent; it++) {
+        if (sp__dual_norm(w, w->r) <= enough * w->load) break;
+        sp__dual_factor(w, SP__GIVEN, w->y, shift);
         sp__dual_solve(w, w->r, w->d);
-        const sp_real down = sp__dot(w->r, w->d, n), whole = 1 / (SP__STIFF * c->most), far = sp__cra_extent(c, w->d);
+        const sp_real down = sp__dot(w->r, w->d, n), far = sp__cra_extent(c, w->d);
         memcpy(c->kept, w->y, n * sizeof *w->y);
-        sp_real step = far * whole > 20 * (1 + c->k.eta) ? 20 * (1 + c->k.eta) / far : whole, next = energy;
+        sp_real step = far * whole > 20 * room ? 20 * room / far : whole, next = c->energy;
         for (int half = 0; half < 30; half++, step /= 2) {
-            memcpy(w->y, c->kept, n * sizeof *w->y);
-            sp__dual_axpy(w, step, w->d, w->y);
-            next = sp__cra_springs(c);
-            if (next <= energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(energy)) break;
+            next = sp__cra_at(c, step);
+            if (next <= c->energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(c->energy)) break;
         }
-        energy = next;
+        c->energy = c->holds && step < whole ? sp__cra_valley(c, step, whole, down) : next;
         c->out->cost.iterations++;
-        if (!(sp__cra_extent(c, w->y) < 1000 * (1 + c->k.eta))) return 0;
+        if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
     }
-    return 1;
+    return !w->spent;
 }
 
 /* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
@@ -7152,11 +7235,12 @@ static int sp__cra_update(sp__cra *c, sp_real damp)
             const sp_real s = sp__cra_sbar(c, t);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *f = c->f + 3 * (size_t)v;
-                const sp_real room = sp__cra_reach(c, t, c->d + 3 * (size_t)v) * f[0], ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+                const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->d + 3 * (size_t)v) * fp;
+                const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
                 if (!pass) {
                     c->violation = sp__max(c->violation, (ft - room) / s);
-                    c->change = sp__max(c->change, sp__abs(f[0] - c->lam[v]) / (SP__STIFF * s));
-                    c->lam[v] = f[0];
+                    c->change = sp__max(c->change, sp__abs(fp - c->lam[v]) / (SP__STIFF * s));
+                    c->lam[v] = fp;
                 } else if (c->viscous) {
                     if (ft > 0) c->cap[v] *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->grow);
                     if (c->cap[v] > 1) c->cap[v] = 1;
@@ -7262,6 +7346,7 @@ SP__APART static int sp__cra_offer(sp__cra *c)
             if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
         }
     }
+    if (!sp__dual_count(c->w, 2 * SP__FLOPS_JUDGE, 0)) return 0;
     c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->offered = 1;
@@ -7284,19 +7369,87 @@ SP__APART static int sp__cra_polish(sp__cra *c)
     return sp__cra_lay(c) && sp__cra_offer(c);
 }
 
+/* The motion is held fast: what each vertex may carry in it.     returns 0 when it is none that the conditions allow */
+SP__APART static int sp__cra_fasten(sp__cra *c)
+{
+    for (int deep = 1, round = 0; deep && round < 5; round++) {         /* what comes to lie too deep presses, too */
+        deep = 0;
+        sp__cra_press(c);
+        for (size_t v = 0; v < (size_t)c->pb->points; v++) {
+            if (c->d[3 * v] + c->k.eps >= -SP__GIVE) continue;
+            deep = !(c->f[3 * v] > 0);
+            c->f[3 * v] = 1;
+        }
+    }
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), gap = d[0] + c->k.eps;
+            const sp_real most = c->set->coupled.box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
+            const int rubs = slip > 2 * SP__SLIP;
+            if (gap < -SP__GIVE || sp__max(d[0], most) > c->k.eta) return 0;
+            c->held[v][0] = gap > SP__GIVE ? -1 : rubs ? sp__cra_reach(c, t, d) : 0;
+            c->held[v][1] = rubs ? -d[1] / slip : 0;
+            c->held[v][2] = rubs ? -d[2] / slip : 0;
+            c->held[v][3] = rubs ? 1 / slip : 0;
+        }
+    }
+    return 1;
+}
+
+/* The best answer so far: forces, and the motion with its alpha. */
+SP__APART static void sp__cra_keep(sp__cra *c)
+{
+    const sp__dual *w = c->w;
+    const sp_real soft = 1 / c->set->gamma;
+    c->least = -c->energy;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * c->still[k];
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_size(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real fm = s * soft * sp__max(c->d[3 * v], 0), *f = c->f + 3 * v;
+            sp_real *to = c->out->penalty + 4 * v;
+            c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->unit / c->k.L) * c->held[v][3];
+            to[0] = c->held[v][0] < 0 ? 0 : w->unit * sp__max(f[0] + fm, 0);
+            to[1] = w->unit * fm;
+            to[2] = w->unit * f[1];
+            to[3] = w->unit * f[2];
+        }
+    }
+}
+
+/* The penalty form in the motion at hand, put onto dn = -eps.     returns 1 when it is the best so far */
+SP__APART static int sp__cra_hold(sp__cra *c)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp__dual *w = c->w;
+    if (!sp__cra_fasten(c)) return 0;
+    memcpy(c->still, w->y, n * sizeof *w->y);
+    memset(w->y, 0, n * sizeof *w->y);
+    c->holds = 1;
+    c->goal = SP__AGREE;
+    const int better = sp__cra_descend(c) && sp__dual_norm(w, w->r) <= SP__AGREE * w->load && -c->energy < c->least;
+    if (better) sp__cra_keep(c);
+    c->holds = 0;
+    memcpy(w->y, c->still, n * sizeof *w->y);
+    return better;
+}
+
 /* Rounds at one drag, to more digits where fewer do not do.
  *   returns 1: a triple is verified, 0: go on, -1: the motion ran away */
 SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
 {
     sp_real last = SP__HUGE;
     c->goal = SP__AGREE;
-    for (int round = 0; round < 25 && c->out->cost.flops < SP__CRA_FLOPS; round++) {
+    for (int round = 0; round < 25; round++) {
         c->out->rounds++;
         if (!sp__cra_descend(c)) return -1;
+        if (c->soft > 0 && sp__cra_hold(c)) return 1;
         c->far = 0;
         if (sp__cra_update(c, damp)) {
             c->far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
-            if (c->far) return 0;
+            if (c->far || c->soft > 0) return 0;
             if (sp__cra_polish(c)) return 1;
             memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
             c->goal /= 1000;
@@ -7323,7 +7476,7 @@ static void sp__cra_close(sp__cra *c, sp_real drag)
     }
     if (!gives) return;
     sp__cra_descend(c);
-    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = c->f[3 * v];
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = sp__max(c->f[3 * v], 0);
     sp__cra_press(c);
 }
 
@@ -7370,14 +7523,58 @@ static int sp__cra_search(sp__cra *c)
     for (int k = 0; k < 8; k++) {
         sp__cra_start(c, start[k].how, 0);
         if (sp__cra_grow(c, start[k].drag, start[k].damp)) return 1;
-        if (c->out->cost.flops >= SP__CRA_FLOPS) return 0;
+        if (c->w->spent) return 0;
     }
-    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST; q++)
+    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST && !c->w->spent; q++)
         for (int others = 0; others < 2; others++) {
             sp__cra_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
             if (sp__cra_grow(c, (sp_real)0.01, 0)) return 1;
         }
     return 0;
+}
+
+/* The best answer into the result: alpha, what each joint demands, the largest fm / the largest fp. */
+SP__APART static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
+{
+    sp_coupled *out = c->out;
+    sp_real press = 0, pull = 0;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        sp_demand *o = &demand[t->id];
+        o->tension = o->friction = 0;
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real *x = out->penalty + 4 * v, ft = SP_SQRT(x[2] * x[2] + x[3] * x[3]);
+            o->tension = sp__max(o->tension, x[1] - x[0]);
+            o->friction = sp__max(o->friction, ft - t->joint->joint.mu * sp__max(x[0] - x[1], 0));
+            press = sp__max(press, x[0]);
+            pull = sp__max(pull, x[1]);
+        }
+    }
+    out->tension_ratio = sp__ratio(pull, press);
+}
+
+/* Where help is wanted: the penalty form, joined with a motion.                                              [Kao 2022, Eq. 14]
+ *
+ *     min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2)     Aeq (fp - fm, ft) + p = 0,  |ft| <= mu fp,  fm >= 0
+ *     (fp, ft, dq, alpha) as in the coupled check
+ *
+ * Motions come from the search, with joints that stick: pulled open they give softly. Each is held fast; what is left is
+ * convex, and its dual is unconstrained as that of the penalty form. The least of them counts. */
+SP__APART static void sp__cra_help(sp__cra *c, sp_demand *demand)
+{
+    static const sp_real part[] = { 1, (sp_real)0.1, 10, 100 };
+    const int32_t rounds = c->out->rounds;
+    c->least = SP__HUGE;
+    for (int k = 0; k < 8 && (k < 2 || !(c->least < SP__HUGE)) && !c->w->spent; k++) {
+        c->soft = part[k % 4] / (SP__STIFF * c->k.eta);                 /* a joint that carries sbar opens by eta / part */
+        sp__cra_start(c, SP__START_FREE, 0);
+        memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
+        sp__cra_close(c, (sp_real)0.01);
+        if (k >= 4) sp__cra_search(c);
+        else if (sp__cra_descend(c)) sp__cra_hold(c);
+    }
+    c->out->rounds = rounds;
+    if (c->least < SP__HUGE) sp__cra_demand(c, demand);
 }
 
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
@@ -7406,6 +7603,7 @@ typedef struct sp__alt {
 /* min 1/2 x'Px + q'x over x = (y, d, beta): rows Aeq' y - d = 0, bounds of d, of beta. */
 typedef struct sp__explain {
     sp_qp qp;
+    sp_qp_settings set;
     sp_qp_result r;
     sp_triplets t;
     sp_csc A;
@@ -7657,6 +7855,25 @@ static int sp__alt_keeps(const sp__alt *m)
     return 1;
 }
 
+/* What is left for a program.     returns 0 when it is too little */
+static int sp__alt_left(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
+{
+    if (c->set->budget <= 0) return 1;
+    set->budget = c->w->limit - c->out->cost.flops;
+    if (set->budget < sp__program_least(qp)) c->w->spent = 1;
+    return !c->w->spent;
+}
+
+/* What a program cost.     returns whether it is solved; `close`: nearly will do */
+static int sp__alt_solved(const sp__cra *c, const sp_qp_result *r, int close)
+{
+    c->out->cost.flops += r->flops;
+    c->out->cost.factorisations += r->factorisations;
+    c->out->cost.iterations += r->iterations;
+    if (r->status == SP_QP_BUDGET) c->w->spent = 1;
+    return r->x && (r->status == SP_QP_SOLVED || (close && r->status == SP_QP_INACCURATE));
+}
+
 /* The same under its constraints.     returns 1, 0: no answer */
 SP__APART static int sp__alt_explain(sp__alt *m)
 {
@@ -7669,11 +7886,10 @@ SP__APART static int sp__alt_explain(sp__alt *m)
     memcpy(g->x, c->w->y, n * sizeof *g->x);
     memcpy(g->x + n, c->d, d * sizeof *g->x);
     for (size_t v = 0; v < d / 3; v++) g->x[n + d + v] = sp__max(sp__alt_beta(m, v), m->least);
-    if (solver.solve(solver.self, &g->qp, &m->seed->native, &a, g->x, NULL, &g->r)) return 0;
-    c->out->cost.flops += g->r.flops;
-    c->out->cost.factorisations += g->r.factorisations;
-    c->out->cost.iterations += g->r.iterations;
-    if (!g->r.x || (g->r.status != SP_QP_SOLVED && g->r.status != SP_QP_INACCURATE)) return 0;
+    g->set = m->seed->native;
+    if (!sp__alt_left(c, &g->qp, &g->set)) return 0;
+    if (solver.solve(solver.self, &g->qp, &g->set, &a, g->x, NULL, &g->r)) return 0;
+    if (!sp__alt_solved(c, &g->r, 1)) return 0;
     for (size_t k = 0; k < n; k++) if (!sp__finite(g->r.x[k])) return 0;
     memcpy(c->w->y, g->r.x, n * sizeof *c->w->y);
     sp__cra_rates(c, c->w->y, c->d);
@@ -7713,11 +7929,9 @@ SP__APART static int sp__alt_forces(sp__alt *m)
     for (int32_t j = 0; j < g->qp.n; j++)
         if (m->pin[j / 4] > (j % 4 < 2))
             for (int32_t k = g->at.Ap[j]; k < g->at.Ap[j + 1]; k++) g->at.Ax[k] = 0;
+    if (!sp__alt_left(c, &g->qp, &g->set)) return 0;
     if (g->solver.solve(g->solver.self, &g->qp, &g->set, &a, NULL, NULL, &g->r)) return 0;
-    c->out->cost.flops += g->r.flops;
-    c->out->cost.factorisations += g->r.factorisations;
-    c->out->cost.iterations += g->r.iterations;
-    if (!g->r.x || g->r.status != SP_QP_SOLVED) return 0;
+    if (!sp__alt_solved(c, &g->r, 0)) return 0;
     sp_real press = 0, pull = 0;
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
         const sp_real *x = g->r.x + 4 * v, by = g->unit / c->w->unit;
@@ -7846,6 +8060,24 @@ static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_aren
 static int sp__alternate(sp__cra *c, sp_arena *a) { (void)c; (void)a; return 0; }
 #endif
 
+/* The dual, for work up to `limit`. */
+static int sp__cra_open(sp__cra *c, int64_t limit, sp_arena *a)
+{
+    c->w = sp__dual_open(c->pb, c->set, SP__EXACT, &c->out->cost, a);
+    if (!c->w) return 0;
+    c->w->limit = limit;
+    c->w->given = c->D;
+    return 1;
+}
+
+/* Its scales. */
+static void sp__cra_begin(const sp__cra *c)
+{
+    sp__dual_bilateral(c->w);
+    sp__dual_sizes(c->w, c->w->y);
+    if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
+}
+
 static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     const size_t dual = sp__dual_need(pb, set, 0, 0, scratch);
@@ -7855,7 +8087,7 @@ static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *c);
     sp__triple_carve(&c->t, pb, &dry);
-    sp__cra_carve(c, pb, &dry);
+    sp__cra_carve(c, pb, set->localise, &dry);
     sp__take(&dry, 1, sp__judge_need(pb, set));
     sp_arena branch = dry;
     sp__take(&branch, 1, sp__branch_need(pb, set));
@@ -8016,17 +8248,41 @@ static void sp__cra_spread(const sp__cra *c)
     memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
 }
 
-/* Forces are known (state->f): is there a triple? f becomes its forces where one is found.
+/* Is there a triple, by search unless one is found?     returns 1: it is in the result, -1: no memory */
+SP__APART static int sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+{
+    const sp_problem *pb = c->pb;
+    const size_t turns = a->used, more = sp__alt_need(pb, c->set, *a);
+    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return -1;
+    a->used = turns;
+    if (!found) {
+        sp__cra_begin(c);
+        found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    }
+    c->out->residual = c->residual;
+    if (found > 0) {
+        c->out->verdict = SP_COUPLING_COUPLED;
+        c->out->reason = SP_COUPLING_MOTION;
+        memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
+        *omega = c->omega;
+    } else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
+    return found;
+}
+
+/* Is there a triple? Its forces become state->f. Else, where asked, what the joints would have to carry.
+ *   in     out->verdict, reason: statics, if there are no forces (state->f) to begin with
+ *          state->left: flops, ten sweeps or more
  *   out    verdict, reason, residual, rounds, dq, alpha, cost; *omega of the new forces */
 SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
-                                           sp_coupled *out, sp_real *omega)
+                                           sp_coupled *out, sp_real *omega, sp_demand *demand)
 {
     sp__cra *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
     sp__triple_carve(&c->t, pb, a);
-    sp__cra_carve(c, pb, a);
-    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    sp__cra_carve(c, pb, set->localise, a);
+    const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
+    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -8035,38 +8291,30 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     c->set = set;
     c->out = out;
     c->k = sp__coupled_lengths(pb, set);
-    for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
-    out->verdict = SP_COUPLING_NOT_FOUND;
-    out->reason = SP_COUPLING_BUDGET;
     c->statics = state->f;
+    for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
+    memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
     sp__cra_rest(c, *omega);
-    int found = c->residual <= 1 || sp__cra_hang(c, *a);
-    c->w = sp__dual_open(pb, set, SP__EXACT, &out->cost, a);
-    if (!c->w) return SP_E_MEMORY;
-    const size_t turns = a->used, more = sp__alt_need(pb, set, *a);
-    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
-    a->used = turns;
-    if (!found) {
-        memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
-        sp__dual_bilateral(c->w);
-        sp__dual_sizes(c->w, c->w->y);
-        if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
-        c->w->given = c->D;
-        found = set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    const int found = out->reason != SP_COUPLING_STATICS && (c->residual <= 1 || sp__cra_hang(c, *a));
+    out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;             /* offers pay for themselves */
+    const int64_t search = SP__CRA_FLOPS < state->left ? SP__CRA_FLOPS : state->left;
+    if (!sp__cra_open(c, search, a)) return SP_E_MEMORY;
+    sp_status status = SP_OK;
+    if (out->reason != SP_COUPLING_STATICS) {
+        if (sp__coupled_search(c, found, state, omega, a) < 0) return SP_E_MEMORY;
+        const int spent = c->w->spent && search == state->left;
+        a->used = mark;
+        if (out->verdict == SP_COUPLING_NOT_FOUND && !spent)
+            status = sp__branch_decide(pb, set, &c->j, &c->k, state->left, a, out);
     }
-    if (found < 0) return SP_E_MEMORY;
-    if (found) {
-        out->verdict = SP_COUPLING_COUPLED;
-        out->reason = SP_COUPLING_MOTION;
-        memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
-        *omega = c->omega;
+    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
+        const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
+        a->used = mark;
+        if (!sp__cra_open(c, help < state->left ? help : state->left, a)) return SP_E_MEMORY;
+        sp__cra_begin(c);
+        sp__cra_help(c, demand);
     }
-    if (out->verdict == SP_COUPLING_NOT_FOUND && c->offered && c->tiny) out->reason = SP_COUPLING_LIMIT;
-    out->residual = c->residual;
     sp__cra_spread(c);
-    a->used = mark;
-    const sp_status status = out->verdict == SP_COUPLING_NOT_FOUND ? sp__branch_decide(pb, set, &c->j, &c->k, a, out) : SP_OK;
-    out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;
     return status;
 }
 #endif /* SP_NO_CRA */
@@ -8351,7 +8599,7 @@ typedef struct sp__kept {
     sp_demand *demand;
     int32_t *island;                    /* where there is more than one */
     sp_island *part;
-    sp_real *cdq, *alpha;               /* of the coupled check, where it is asked */
+    sp_real *cdq, *alpha, *penalty;     /* of the coupled check, where it is asked */
     size_t used;                        /* of the arena so far */
     sp_proof proof;
 } sp__kept;
@@ -8373,6 +8621,7 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
     if (!set || !set->coupled.asked) return;
     r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
     r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
+    if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
     r->used = a->used;
     sp__proof_carve(&r->proof, scene, free_blocks, set, a);
 #else
@@ -8639,14 +8888,6 @@ static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
     return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
 }
 
-/* Sweeps the judge may take for the scales out of so many flops. */
-static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
-{
-    if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
-    const int64_t sweeps = flops / (SP__FLOPS_JUDGE * (int64_t)pb->points) - 8;
-    return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
-}
-
 /* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
  * Forces are judged unless a motion is claimed, and a motion unless forces are. */
 SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
@@ -8892,7 +9133,7 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
 SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
 {
     sp_real worst = -1;
-    int tension = 0;
+    int wants = 0;
     r->weakest = -1;
     for (int32_t k = 0; k < scene->count.interfaces; k++) {
         sp_interface_force f;
@@ -8907,9 +9148,10 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
         sp_interface_force f;
         if (!sp__contact_counts(scene, &scene->interface[k])) continue;
         sp_interface_resultant(scene, r, k, &f);
-        const int pulls = r->demand[k].tension > dust;
-        const sp_real score = pulls ? r->demand[k].tension : f.utilisation;
-        if (pulls > tension || (pulls == tension && score > worst)) { tension = pulls; worst = score; r->weakest = k; }
+        const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
+        const int wanted = help > dust;
+        const sp_real score = wanted ? help : f.utilisation;
+        if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; r->weakest = k; }
     }
 }
 
@@ -8946,19 +9188,21 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     const size_t mark = a->used;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     sp_status status = SP_OK;
+    c->state.left = sp__budget_left(&c->set, r);
+    c->state.f = r->f;                                  /* also on a budget */
     out->eps = k.eps > 0 ? k.L : 0;
     out->eta = k.L * k.eta;
-    out->verdict = r->verdict == SP_STABLE ? SP_COUPLING_COUPLED : r->verdict ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
-    out->reason = r->verdict == SP_STABLE ? SP_COUPLING_MOTION : SP_COUPLING_STATICS;
-    if (r->verdict != SP_STABLE) return SP_OK;
-    if (sp__budget_left(&c->set, r) <= 0) {
-        out->verdict = SP_COUPLING_NOT_FOUND;
-        out->reason = SP_COUPLING_BUDGET;
-    } else if (c->pb.blocks) status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega);
+    out->verdict = r->verdict == SP_UNSTABLE ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
+    out->reason = r->verdict == SP_STABLE ? SP_COUPLING_BUDGET : SP_COUPLING_STATICS;
+    if (!c->pb.blocks) {
+        out->verdict = SP_COUPLING_COUPLED;
+        out->reason = SP_COUPLING_MOTION;
+    } else if (c->state.left >= 10 * SP__FLOPS_JUDGE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
+        status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega, r->demand);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
-    if (out->verdict == SP_COUPLING_COUPLED) return status;
+    if (out->verdict == SP_COUPLING_COUPLED || r->verdict != SP_STABLE) return status;
     r->verdict = out->verdict == SP_COUPLING_REFUTED ? SP_UNSTABLE : SP_UNDECIDED;
     r->reason = out->verdict == SP_COUPLING_REFUTED ? SP_REASON_NO_MOTION : SP_REASON_NOT_COUPLED;
     r->verified = r->verdict == SP_UNSTABLE;
@@ -8977,7 +9221,8 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
     if (r->coupled.dq) memset(r->coupled.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->coupled.dq);
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
-    r->tension_ratio = -1;
+    r->tension_ratio = r->coupled.tension_ratio = -1;
+    if (r->coupled.penalty) memset(r->coupled.penalty, 0, 4 * (size_t)scene->count.points * sizeof *r->coupled.penalty);
     if (c->set.budget > 0) r->omega = b ? 1 : 0;        /* of no forces at all */
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
@@ -9036,6 +9281,7 @@ SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settin
     c->r.island = arrays.island; c->r.part = arrays.part;
     c->r.coupled.dq = arrays.cdq;
     c->r.coupled.alpha = arrays.alpha;
+    c->r.coupled.penalty = arrays.penalty;
     c->r.coupled.proof = arrays.proof;
     c->kept = all;
     const sp_status status = sp__settings_resolve(scene, settings, &c->set);

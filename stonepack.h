@@ -417,13 +417,13 @@ typedef struct sp_settings {
     int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
     int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
     sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
-    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted                1 */
+    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
+                                   where not coupled, joined with a motion                                             1 */
     int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
     int64_t budget;             /* flops the check may spend, never more; 0: no limit. Nothing is left out by plan then. The result
                                    is the best evidence so far: a larger budget decides what a smaller one did, and its omega
                                    is no larger (by a fifth at most, as stages bound it by measures of their own; ADMM's last
-                                   iterate may be worse). A custom stage heeds state.left by itself; a coupled check starts
-                                   where anything is left and keeps to its own limits                                  0 */
+                                   iterate may be worse). A custom stage heeds state.left by itself                        0 */
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
@@ -445,7 +445,8 @@ typedef struct sp_cost {
     int32_t interior;           /* of the iterations those of the interior-point method */
 } sp_cost;
 
-/* What was found about one interface's share of help, from the penalty form. */
+/* What was found about one interface's share of help, from the penalty form; joined with a motion where that was asked and one
+ * was found. */
 typedef struct sp_demand {
     sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
     sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
@@ -483,6 +484,11 @@ typedef struct sp_coupled {
     sp_real eps, eta;           /* in force [m] */
     sp_real *dq;                /* 6 x scene.count.blocks: virtual displacement of the centroid, rotation      [m, 1] */
     sp_real *alpha;             /* scene.count.points; the forces are result.f                                 [N/m] */
+    sp_real *penalty;           /* 4 x scene.count.points, where settings.localise and not coupled: fp, fm, ft1, ft2 of the
+                                   penalty form joined with a motion, as above with fp for fn and any fm >= 0; dq and alpha
+                                   are that motion's. The best of several motions, not of all; zero if none will do;
+                                   NULL where not localise                                                             [N] */
+    sp_real tension_ratio;      /* its max fm / max fp; -1: there is none                                               [1] */
     sp_proof proof;             /* of a refuted, unless statics refute it; behind all other arrays */
     sp_real margin;             /* of the proof, > 0: what is left of its weakest leaf when all that a triple may be
                                    out by, and rounding, are taken off                                                   [1] */
@@ -535,7 +541,7 @@ typedef struct sp_result {
     sp_real max_tension;        /* largest demanded tension [N] */
     sp_real max_utilisation;    /* largest of the interfaces' [1] */
     sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
-    int32_t weakest;            /* interface: most tension demanded, else highest utilisation; -1 if there is none */
+    int32_t weakest;            /* interface: most help demanded, else highest utilisation; -1 if there is none */
     sp_cost cost;               /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];
     sp_coupled coupled;

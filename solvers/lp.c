@@ -41,6 +41,7 @@ typedef struct sp__lp {
     int32_t low;                        /* 1: its lower bound, 0: its upper */
     int32_t since;                      /* steps since M was built */
     int64_t steps, flops;               /* in all */
+    int64_t limit;                      /* of flops: what would exceed it is not begun */
 } sp__lp;
 
 static void sp__lp_carve(sp__lp *lp, int32_t n, int32_t m, int32_t entries, sp_arena *a)
@@ -83,6 +84,7 @@ static void sp__lp_start(sp__lp *lp)
     sp__lp_unit(lp);
     for (int32_t j = 0; j < lp->n; j++) lp->w[j] = lp->x[j] = 0;
     lp->steps = lp->flops = 0;
+    lp->limit = INT64_MAX / 2;
 }
 
 /* a_i x */
@@ -255,18 +257,27 @@ static sp_real sp__lp_drift(const sp__lp *lp)
     return most;
 }
 
-/* Look for x, by at most `most` steps. SP__LP_POINT: x; SP__LP_NONE: failed, low, t. */
+/* May so many n x n sweeps more be done? */
+static int sp__lp_pays(const sp__lp *lp, int64_t sweeps)
+{
+    return lp->flops + 2 * (int64_t)lp->entries + 2 * sweeps * lp->n * lp->n <= lp->limit;
+}
+
+/* Look for x, by at most `most` steps and within the limit. SP__LP_POINT: x; SP__LP_NONE: failed, low, t. */
 static sp__lp_status sp__lp_run(sp__lp *lp, int32_t most)
 {
     const int32_t patience = 4 * lp->n + 64;
     sp_real gap;
+    if (!sp__lp_pays(lp, 1)) return SP__LP_GIVEN_UP;
     sp__lp_settle(lp);
     for (int32_t step = 0; step < most; step++) {
         const int first = step >= patience;
+        if (!sp__lp_pays(lp, lp->since >= SP__LP_STEPS ? 2 * (int64_t)lp->n + 3 : 3)) break;
         if (lp->since >= SP__LP_STEPS) sp__lp_refresh(lp);
         const int32_t i = sp__lp_violated(lp, first, &gap);
         if (i < 0) {
             if (lp->since == 0 || sp__lp_drift(lp) <= SP__LP_TOL) return SP__LP_POINT;
+            if (!sp__lp_pays(lp, 2 * (int64_t)lp->n + 3)) break;
             sp__lp_refresh(lp);
             continue;
         }
@@ -276,6 +287,7 @@ static sp__lp_status sp__lp_run(sp__lp *lp, int32_t most)
             lp->failed = i;
             lp->low = gap > 0;
             if (lp->since == 0 || sp__lp_drift(lp) <= SP__LP_TOL * (sp_real)0.01) return SP__LP_NONE;
+            if (!sp__lp_pays(lp, 2 * (int64_t)lp->n + 3)) break;
             sp__lp_refresh(lp);
             continue;
         }

@@ -132,6 +132,43 @@ TEST(the_penalty_program_keeps_to_what_is_left)
 }
 #endif
 
+/* Search, exact decision and penalty form, one after the other, and the seed's alternation with its programs. */
+TEST(a_coupled_check_keeps_to_its_budget_and_more_of_it_takes_no_answer_back)
+{
+    static const budget_case asked[] = { { "h-model", NULL, 0, 0, "x" }, { "incline", "angle", 30, 0, "x" },
+        { "arch", "t", 0.14, 0, "x" }, { "arch", "t", 0.09, 0, "x" }, { "h-model", "mu", 0.6, 0, "turns" } };
+    for (size_t k = 0; k < sizeof asked / sizeof asked[0]; k++) {
+        sp_scene s;
+        sp_settings set = settings_of(&asked[k]);
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+        if (asked[k].stages[0] == 't') set = sp_settings_seed();
+#endif
+        set.coupled.asked = 1;
+        test_arena.used = 0;
+        NEED(scene_of(&asked[k], &s));
+        const sp_result all = check(&s, &set);
+        const size_t mark = test_arena.used;
+        sp_coupling last = SP_COUPLING_NOT_FOUND;
+        sp_result r = all;
+        for (int n = 1; n <= 24; n++) {
+            set.budget = (int64_t)((double)all.cost.flops * (n < 17 ? 0.0621 * n : 1.0571 + 0.25 * (n - 16))) + 1;
+            test_arena.used = mark;
+            r = check(&s, &set);
+            CHECK(r.cost.flops <= set.budget);
+            if (last != SP_COUPLING_NOT_FOUND) CHECK_INT(r.coupled.verdict, last);
+            if (r.verdict && r.coupled.verdict == SP_COUPLING_NOT_FOUND) CHECK_INT(r.coupled.reason, SP_COUPLING_BUDGET);
+            if (r.level == SP_COUPLED) {
+                sp_evidence e;
+                CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+                CHECK_INT(e.level, SP_COUPLED);
+            }
+            last = r.coupled.verdict;
+        }
+        CHECK_INT(last, all.coupled.verdict);
+        CHECK((r.coupled.tension_ratio >= 0) == (all.coupled.tension_ratio >= 0));
+    }
+}
+
 /* Exactly what sp_memory says, also for the arrays a budget wants. */
 static void exact_memory(const budget_case *c)
 {
@@ -167,5 +204,6 @@ TEST_LIST(budget)
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     RUN(the_penalty_program_keeps_to_what_is_left)
 #endif
+    RUN(a_coupled_check_keeps_to_its_budget_and_more_of_it_takes_no_answer_back)
     RUN(memory_on_a_budget_is_exact)
 TEST_END

@@ -457,7 +457,7 @@ static void io_cost(io *s, sp_cost *c)
 }
 
 /* Counts of the arrays that not only the scene tells. */
-typedef struct extra { int32_t motion, alpha; } extra;
+typedef struct extra { int32_t motion, alpha, penalty; } extra;
 
 static void io_coupled(io *s, sp_coupled *c)
 {
@@ -467,6 +467,7 @@ static void io_coupled(io *s, sp_coupled *c)
     io_int(s, &c->rounds, INT32_MIN, INT32_MAX);
     io_real(s, &c->eps);
     io_real(s, &c->eta);
+    io_real(s, &c->tension_ratio);
     io_int(s, &c->proof.nodes, 0, INT32_MAX);
     io_int(s, &c->proof.leaves, 0, INT32_MAX);
     io_int(s, &c->proof.entries, 0, INT32_MAX);
@@ -505,6 +506,7 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, blob_cost *cost,
     io_double(s, &cost->seconds);
     io_int(s, &x->motion, 0, 1);
     io_int(s, &x->alpha, 0, 1);
+    io_int(s, &x->penalty, 0, 1);
 }
 
 static void io_part(io *s, const sp_scene *scene, sp_island *p)
@@ -529,6 +531,7 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     }
     if (x->motion) io_reals(s, r->coupled.dq, 6 * (size_t)scene->count.blocks);
     if (x->alpha) io_reals(s, r->coupled.alpha, (size_t)scene->count.points);
+    if (x->penalty) io_reals(s, r->coupled.penalty, 4 * (size_t)scene->count.points);
     for (int32_t k = 0; k < p->nodes; k++) io_int(s, &p->node[k], INT32_MIN, INT32_MAX);
     for (int32_t k = 0; p->nodes && k < p->entries; k++) p->row[k] = (uint16_t)io_bits(s, p->row[k], 2);
     if (p->nodes) io_reals(s, p->y, (size_t)p->entries);
@@ -540,7 +543,7 @@ sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *res
 {
     sp_result r = *result;
     blob_cost c = *cost;
-    extra x = { r.coupled.dq != NULL, r.coupled.alpha != NULL };
+    extra x = { r.coupled.dq != NULL, r.coupled.alpha != NULL, r.coupled.penalty != NULL };
     io s = start(b, BLOB_RESULT);
     io_head(&s, scene, &r, &c, &x);
     io_arrays(&s, scene, &r, &x);
@@ -557,7 +560,8 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     r->demand = (sp_demand *)(r->y0 + 12 * (size_t)r->free_blocks);
     r->coupled.dq = (sp_real *)(r->demand + scene->count.interfaces);
     r->coupled.alpha = r->coupled.dq + (x->motion ? 6 * (size_t)scene->count.blocks : 0);
-    p->y = r->coupled.alpha + (x->alpha ? (size_t)scene->count.points : 0);
+    r->coupled.penalty = r->coupled.alpha + (x->alpha ? (size_t)scene->count.points : 0);
+    p->y = r->coupled.penalty + (x->penalty ? 4 * (size_t)scene->count.points : 0);
     p->node = (int32_t *)(p->y + p->entries);
     r->island = p->node + p->nodes;
     r->part = (sp_island *)(r->island + (r->islands > 1 ? scene->count.blocks : 0));
@@ -565,6 +569,7 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     if (r->islands < 2) r->island = NULL, r->part = NULL;
     if (!x->motion) r->coupled.dq = NULL;
     if (!x->alpha) r->coupled.alpha = NULL;
+    if (!x->penalty) r->coupled.penalty = NULL;
     if (!p->nodes) p->y = NULL, p->node = NULL, p->row = NULL;
 }
 
@@ -572,7 +577,7 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
 {
     sp_result r;
     blob_cost c = { 0, 0 };
-    extra x = { 0, 0 };
+    extra x = { 0, 0, 0 };
     uint64_t need;
     io s;
     const sp_status status = open_body(b, BLOB_RESULT, &s);
@@ -584,7 +589,8 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
     if (s.bad || (!r.coupled.proof.nodes && r.coupled.proof.entries)) return SP_E_RANGE;
     need = REAL * (3 * (uint64_t)scene->count.points + 6 * (uint64_t)scene->count.blocks + 12 * (uint64_t)r.free_blocks
                    + 2 * (uint64_t)scene->count.interfaces + (x.motion ? 6 * (uint64_t)scene->count.blocks : 0)
-                   + (x.alpha ? (uint64_t)scene->count.points : 0) + (uint64_t)r.coupled.proof.entries)
+                   + (x.alpha ? (uint64_t)scene->count.points : 0) + (x.penalty ? 4 * (uint64_t)scene->count.points : 0)
+                   + (uint64_t)r.coupled.proof.entries)
          + 4 * (uint64_t)r.coupled.proof.nodes + 2 * (uint64_t)r.coupled.proof.entries
          + (r.islands > 1 ? 4 * (uint64_t)scene->count.blocks + sizeof *r.part * (uint64_t)r.islands : 0);
     if (need != s.left) return SP_E_RANGE;

@@ -30,7 +30,7 @@
  *     result body, sizes by the scene and the head
  *     head       the fields of sp_result, then of its sp_coupled, in their order (arrays: after the head), bytes of the check's
  *                arena, seconds it took; counts of what follows: see blob.c
- *     arrays     f dq y0 demand, coupled dq and alpha where asked for, proof node row (uint16) y
+ *     arrays     f dq y0 demand, coupled dq, alpha and penalty where asked for, proof node row (uint16) y
  *
  *     error body: i sp_status, the rest a message
  *

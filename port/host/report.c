@@ -9,7 +9,12 @@ int report_exit(sp_verdict verdict)
     return verdict == SP_STABLE ? EXIT_STABLE : verdict == SP_UNSTABLE ? EXIT_UNSTABLE : EXIT_UNDECIDED;
 }
 
-int report_virtual(const report *r) { return r->result.level == SP_COUPLED && r->result.coupled.dq != NULL; }
+int report_virtual(const report *r)
+{
+    const sp_result *x = &r->result;
+    const int helped = x->coupled.tension_ratio >= 0 && (x->verdict == SP_UNDECIDED || x->reason == SP_REASON_NO_MOTION);
+    return x->coupled.dq != NULL && (x->level == SP_COUPLED || helped);
+}
 
 const sp_real *report_dq(const report *r) { return report_virtual(r) ? r->result.coupled.dq : r->result.dq; }
 
@@ -50,7 +55,7 @@ static void json_interfaces(json_out *j, const report *r)
 static void json_mechanism(json_out *j, const report *r)
 {
     json_open(j, "mechanism", '[');
-    for (int32_t b = 0; r->result.verdict == SP_UNSTABLE && b < r->scene->scene.count.blocks; b++) {
+    for (int32_t b = 0; r->result.verdict == SP_UNSTABLE && !report_virtual(r) && b < r->scene->scene.count.blocks; b++) {
         if (!(report_motion(r, b) > 0)) continue;
         json_open(j, NULL, '{');
         json_string(j, "block", r->scene->name[b]);
@@ -163,12 +168,18 @@ static void json_coupled(json_out *j, const report *r)
     json_real(j, "eps", (double)c->eps);
     json_real(j, "eta", (double)c->eta);
     json_bool(j, "box", r->options->settings.coupled.box);
+    if (c->tension_ratio >= 0) json_real(j, "tension_ratio", (double)c->tension_ratio);
+    else json_null(j, "tension_ratio");
     if (c->proof.nodes) json_proof(j, c, r->options->forces);
     if (r->options->forces) {
         json_open(j, "motion", '[');
         for (int32_t b = 0; b < r->scene->scene.count.blocks; b++) json_reals(j, NULL, c->dq + 6 * (size_t)b, 6);
         json_close(j, ']');
         json_reals(j, "alpha", c->alpha, r->scene->scene.count.points);
+        json_open(j, "penalty", '[');
+        for (int32_t k = 0; c->tension_ratio >= 0 && k < r->scene->scene.count.points; k++)
+            json_reals(j, NULL, c->penalty + 4 * (size_t)k, 4);
+        json_close(j, ']');
     }
     json_close(j, '}');
 }
@@ -335,11 +346,16 @@ static void text_weakest(FILE *out, const report *r)
     const sp_scene *s = &r->scene->scene;
     sp_interface_force f;
     if (x->weakest < 0 || sp_interface_resultant(s, x, x->weakest, &f) != SP_OK) return;
+    const sp_demand *help = &x->demand[x->weakest];
     row(out, "weakest joint");
     fprintf(out, "%s - %s", r->scene->name[s->interface[x->weakest].a], r->scene->name[s->interface[x->weakest].b]);
-    if (x->demand[x->weakest].tension > 0) {
+    if (help->friction > help->tension) {
+        fputs(": lacks ", out);
+        scaled(out, (double)help->friction, "N");
+        fputs(" of friction\n", out);
+    } else if (help->tension > 0) {
         fputs(": asks for ", out);
-        scaled(out, (double)x->demand[x->weakest].tension, "N");
+        scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
     } else fprintf(out, ": friction used to %.0f %%\n", 100 * (double)f.utilisation);
 }
@@ -401,9 +417,12 @@ void report_text(FILE *out, const report *r)
     fputs(x->max_tension > 0 ? ", largest tension asked for " : "", out);
     if (x->max_tension > 0) scaled(out, (double)x->max_tension, "N");
     fputc('\n', out);
-    if (x->tension_ratio >= 0) {
+    for (int coupled = 0; coupled < 2; coupled++) {
+        const double ratio = (double)(coupled ? x->coupled.tension_ratio : x->tension_ratio);
+        if (!(ratio >= 0) || (coupled && !r->options->settings.coupled.asked)) continue;
         row(out, "penalty form");
-        fprintf(out, "largest tension / largest compression %.2g\n", (double)x->tension_ratio);
+        fputs(coupled ? "joined with a motion: " : "", out);
+        fprintf(out, ratio < 1e30 ? "largest tension / largest compression %.2g\n" : "nothing but tension\n", ratio);
     }
     row(out, "scene");
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)n->blocks, n->blocks == 1 ? "" : "s",

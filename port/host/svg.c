@@ -691,6 +691,7 @@ static void legend_forces(const picture *p, double x, double y)
 static void legend_weakest(const picture *p, double x, double y)
 {
     const int32_t i = p->r->result.weakest;
+    const sp_demand *help = &p->r->result.demand[i];
     sp_interface_force f;
     fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
             "stroke-width=\"2\"/>\n", x, y - 11, color_weak, color_weak);
@@ -699,10 +700,10 @@ static void legend_weakest(const picture *p, double x, double y)
     escaped(p->out, p->r->scene->name[p->s->interface[i].a], 20);
     fputs(" | ", p->out);
     escaped(p->out, p->r->scene->name[p->s->interface[i].b], 20);
-    if (p->r->result.demand[i].tension > 0) {
+    if (help->tension > 0 || help->friction > 0) {
         fputs(", lacks ", p->out);
-        quantity(p->out, (double)p->r->result.demand[i].tension, "N");
-        fputs(" of tension", p->out);
+        quantity(p->out, fmax((double)help->tension, (double)help->friction), "N");
+        fputs(help->friction > help->tension ? " of friction" : " of tension", p->out);
     } else if (sp_interface_resultant(p->s, &p->r->result, i, &f) == SP_OK)
         fprintf(p->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
     fputs("</text>\n", p->out);
@@ -713,7 +714,9 @@ static void legend_motion(const picture *p, double x, double y)
     fprintf(p->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
             "stroke-dasharray=\"5 3\"/>\n", x, y - 11, color_motion);
     label(p->out, x + 36, y);
-    fputs(report_virtual(p->r) ? "virtual motion that explains the forces, drawn to " : "how it starts to move, drawn to ", p->out);
+    fputs(!report_virtual(p->r) ? "how it starts to move" : p->r->result.level == SP_COUPLED
+          ? "virtual motion that explains the forces" : "virtual motion that would, with such help, explain forces", p->out);
+    fputs(", drawn to ", p->out);
     quantity(p->out, p->largest_shift, "m");
     fputs(" at most</text>\n", p->out);
 }
