@@ -8379,7 +8379,7 @@ static int32_t sp__islands_count(const sp_scene *scene, const sp_settings *set, 
 }
 
 /* Tables for up to `count` islands. `label` (may be NULL) lies elsewhere. */
-static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
+SP__APART static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
 {
     const size_t b = (size_t)scene->count.blocks, n = (size_t)count;
     t->count = count;

@@ -152,6 +152,15 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yie
 
 /* Largest f.u over f in K with |f| <= most, or a little more: over the polygon's rims; over the cone from the lower rim, the
  * vector to which is no longer than T + low, most times `size`, the length of u's foot on the cone |ft| <= mu fn. */
+SP__APART static sp_real sp__yield_support(const sp__yield *y, const sp_real u[3], sp_real most)
+{
+    const sp_real low = sp__max(0, y->C - y->mu * y->T), high = y->C + y->mu * y->N, a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    const sp_real size = a <= y->mu * u[0] ? sp__norm3(u) : sp__max(0, u[0] + y->mu * a) / SP_SQRT(1 + y->mu * y->mu);
+    const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low) * size;
+    const sp_real crush = y->N * u[0] + high * a, shut = foot > crush ? foot : crush;
+    return shut < open ? shut : open;
+}
+
 static sp_real sp__cone_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
 {
     if (!SP__FULL || y->plain) {
@@ -159,11 +168,7 @@ static sp_real sp__cone_support(const sp__cone *k, const sp__yield *y, const sp_
         sp__cone_project(k, y, u, g);
         return most * sp__norm3(g);
     }
-    const sp_real low = sp__max(0, y->C - y->mu * y->T), high = y->C + y->mu * y->N, a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
-    const sp_real size = a <= y->mu * u[0] ? sp__norm3(u) : sp__max(0, u[0] + y->mu * a) / SP_SQRT(1 + y->mu * y->mu);
-    const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low) * size;
-    const sp_real crush = y->N * u[0] + high * a, shut = foot > crush ? foot : crush;
-    return shut < open ? shut : open;
+    return sp__yield_support(y, u, most);
 }
 
 #endif /* SP__CONE_C */

@@ -50,7 +50,7 @@ static void sp__order_remove(sp__order *o, int32_t i)
 }
 
 /* Close the gaps in iw: the head of each live list is swapped for a mark that names its owner. */
-static void sp__order_compact(sp__order *o)
+SP__APART static void sp__order_compact(sp__order *o)
 {
     for (int32_t i = 0; i < o->n; i++)
         if (o->len[i] > 0) {
@@ -72,7 +72,7 @@ static void sp__order_compact(sp__order *o)
 }
 
 /* Collect Lp at the end of iw; w marks its members with `mark`. The elements of p die. */
-static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
+SP__APART static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
 {
     const int32_t start = o->free;
     int32_t to = start;
@@ -92,7 +92,7 @@ static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
 }
 
 /* size[e] - |Le n Lp| for every element e next to Lp, kept in degree[e] of the element, counted down from |Le|. */
-static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp, int32_t mark)
+SP__APART static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp, int32_t mark)
 {
     for (int32_t k = 0; k < o->len[p]; k++) {
         const int32_t i = o->iw[o->pe[p] + k];
