@@ -11,7 +11,7 @@
  *    8  problem                          a scene made ready: rows, arms, loads
  *    9  matrices                         Aeq, Afr [seed 1.1, 1.2, 1.4]
  *   10  certificate check                what forces and motions prove; shares nothing with the search
- *   11  the dual                         D(y), its gradient and Hessian, sizes and metric
+ *   11  the dual                         D(y), its gradient and Hessian, sizes and metric; planar and level scenes
  *   12  search constants                 and the table of the seed's
  *   13  gates                            no contact, no support, no load
  *   14  bilateral force                  least squares, sparse and dense [seed 2.1]
@@ -19,8 +19,8 @@
  *   16  exact stage: search and proof
  *   17  exact stage: rigid groups
  *   18  exact stage: steps               semismooth Newton, proximal path
- *   19  exact stage: interior point      where Newton stalls; the run of the stage
- *   20  planar and frictionless          3 rows a block where the scene lets them
+ *   19  exact stage: interior point      where Newton stalls
+ *   20  exact stage: its run             in 6 rows a block, or in 3 where the scene lets them
  *   21  penalty form                     where help is wanted [seed 1.5]
  *   22  penalty program                  the same as a quadratic program [seed 1.5, 4]
  *   23  coupled check: exact decision    branch and bound over the states of joints
@@ -2567,17 +2567,37 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
 /* Shares of the largest motion below which blocks are held. */
 static const sp_real sp__judge_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
+/* Does any block move by more than `from` and no more than `to` of the largest motion? dq as sp__judge_motion has it. */
+static int sp__judge_between(const sp__judge *j, const sp_real *dq, sp_real from, sp_real to)
+{
+    sp_real largest = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t i = 0; i < j->pb->blocks; i++) {
+            sp_real m[6];
+            for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
+            sp__release(j->pb, i, m);
+            const sp_real size = sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
+            if (!pass) largest = sp__max(largest, size);
+            else if (size > from && size <= to) return 1;
+        }
+        if (!(largest > 0)) return 0;
+    }
+    return 0;
+}
+
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
 static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
 {
-    sp_real best = -1, held = 0;
-    int32_t sure = 0;
+    sp_real best = -1, held = 0, value = -1;
+    int32_t sure = 0, last = 0;
     for (int k = 0; k < 6; k++) {
-        const sp_real value = sp__judge_motion(j, dq, sp__judge_rest[k], final);
+        if (k && !sp__judge_between(j, dq, sp__judge_rest[k - 1], sp__judge_rest[k])) continue;         /* the same motion */
+        value = sp__judge_motion(j, dq, sp__judge_rest[k], final);
         *final &= value > j->set->tol;
-        if (*final > sure || (*final == sure && value > best)) { best = value; held = sp__judge_rest[k]; sure = *final; }
+        last = *final > sure || (*final == sure && value > best);
+        if (last) { best = value; held = sp__judge_rest[k]; sure = *final; }
     }
-    return sp__judge_motion(j, dq, held, final);
+    return last ? value : sp__judge_motion(j, dq, held, final);
 }
 
 /* Units, friction cone and its directions. */
@@ -3175,6 +3195,299 @@ SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, c
 
 /* 11 ------------------------------------------------------------------------------------------------------------ the dual */
 
+/* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
+ * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
+ * at all f = 0 is the answer. */
+
+static int32_t sp__root(int32_t *up, int32_t i)
+{
+    while (up[i] != i) { up[i] = up[up[i]]; i = up[i]; }
+    return i;
+}
+
+static void sp__join(int32_t *up, int32_t i, int32_t k)
+{
+    i = sp__root(up, i); k = sp__root(up, k);
+    if (i < k) up[k] = i; else up[i] = k;               /* the lowest number stands for the group; 0 is "supported" */
+}
+
+#define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
+
+/* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
+ * budget and no fewer iterations than usual, because what they buy is then told of the stages as they are. */
+static int sp__plan_stages(const sp_settings *set)
+{
+    int exact = 0;
+    if (!set) return 1;
+    if (set->seed || set->budget > 0 || set->iterations < SP__ITERATIONS || set->stage_count > SP_STAGES_MAX) return 0;
+    for (int32_t k = 0; k < set->stage_count; k++) {
+        if (set->stage[k] == SP_STAGE_CUSTOM || set->stage[k] == SP_STAGE_ADMM) return 0;
+        exact |= set->stage[k] == SP_STAGE_EXACT;
+    }
+    return exact;
+}
+
+/* Two kinds of scenes need only 3 of a block's 6 rows.
+ *
+ *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and the
+ *                  friction cones. The mirror image of forces that balance balances, and so does the mean of both: if there
+ *                  are forces there are symmetric ones. Symmetric motions go in the plane and turn about its normal m, so of the
+ *                  dual's 6 unknowns 3 are left, corners that mirror each other have equal rates and count as one, and P_K
+ *                  keeps forces in the plane because the cone is symmetric. f0, unique, is symmetric as well, and so is the
+ *                  optimum of the penalty form, which is strictly convex. A motion that no symmetric forces resist, none do:
+ *                  their mean would.
+ *   level          all loads along e, no joint but with n = +-e or across it: of their forces only fn of the first. Rows: force
+ *                  along e, moments across it; the others are zero of themselves. Forces fn >= 0 lie in every friction cone, so
+ *                  those that balance stand; where there are none friction may still help (a diamond of five rows).
+ *   a forest       level without joints across, and the graph of supports (one node) and free blocks with one edge for all joints
+ *                  of a pair in one plane has no cycle: friction cannot help, either.
+ *     Forces: cut any edge; what hangs on it is pulled along e, and turned only about axes across e. So its friction sums to
+ *     zero with no moment about e, and none about axes across e (all of it acts in one plane): fn alone balances as well.
+ *     Motions: of one that fn does not resist let every block go sideways, from the supports upwards along the edges, so that
+ *     the plane of its edge does not slip (slip of a plane that turns about axes in it is the same all over). Loads do no work
+ *     in that, and u = (un, 0, 0) meets no more resistance in a cone than fn alone: |P_K(u)| = max(0, un).
+ *     In the same way ft = 0 in f0 (the wrench of an edge is given, and fn alone is the shortest) and in the penalty form.
+ *     It is not so with a cycle, with joints of one pair at two heights (a cycle), or with loads across: all are tested.
+ *
+ * A search in 3 rows keeps vectors of 6 in the axes e; of them the planar one uses 0, 1 and 5, the level one 2, 3 and 4. What it
+ * finds is turned back and judged in 3 dimensions as everything is. */
+
+typedef enum sp__mode { SP__PLANE, SP__PLUMB } sp__mode;
+
+typedef struct sp__flat {
+    sp__mode mode;
+    int forest;
+    sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
+    int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
+    sp_real *g;                         /* SP__FLAT_G a contact: frame and arms, see sp__flat_contact */
+    int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
+    int plain;                          /* no joint has strength */
+} sp__flat;
+
+#define SP__FLAT_G 11
+#define SP__FLOPS_FLAT_SWEEP 26         /* of fn and a slip: u 7, P_K and S about 12, sums 7; every free block of a contact adds: */
+#define SP__FLOPS_FLAT_TWIST 32         /* its twist there and back */
+#define SP__FLOPS_FLAT_HESSIAN 46       /* u 7, D about 16, q' D q 23; every free block of a contact adds: */
+#define SP__FLOPS_FLAT_BLOCKS 150       /* T, T' H T, half of what couples two */
+
+#ifndef SP_NO_PLAN
+/* Asymmetry, relative to arms, that is as good as none. */
+static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
+
+/* The mirror image of vertex v of a contact, in its plane along h = (m.t1, m.t2); -1: there is none. */
+static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real small)
+{
+    const sp_real *l = pb->local[v];
+    const sp_real out = 2 * (l[1] * h[0] + l[2] * h[1]), x = l[1] - out * h[0], y = l[2] - out * h[1];
+    for (int32_t k = t->point; k < t->point + t->points; k++) {
+        const sp_real *o = pb->local[k];
+        if (sp__abs(o[1] - x) <= small && sp__abs(o[2] - y) <= small && sp__abs(o[0] - l[0]) <= small) return k;
+    }
+    return -1;
+}
+
+/* Is m the normal of a mirror of this contact? */
+static int sp__flat_mirror(const sp_problem *pb, const sp_settings *set, const sp_contact *t, const sp_real m[3])
+{
+    const sp_real h[2] = { sp__dot3(m, t->joint->t1), sp__dot3(m, t->joint->t2) }, eps = sp__flat_small(set);
+    sp_real size = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
+    if (sp__abs(sp__dot3(m, t->joint->n)) > eps) return 0;
+    if (t->a >= 0 && sp__abs(sp__dot3(m, t->ra)) > eps * (size + sp__norm3(t->ra))) return 0;
+    if (t->b >= 0 && sp__abs(sp__dot3(m, t->rb)) > eps * (size + sp__norm3(t->rb))) return 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const int32_t image = sp__flat_image(pb, t, v, h, eps * size);
+        if (image < 0 || sp__flat_image(pb, t, image, h, eps * size) != v) return 0;
+    }
+    return 1;
+}
+
+/* Are the loads symmetric: no force along m, no couple across it; frictionless (`plumb`): the other way round? */
+static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int plumb)
+{
+    const sp_real eps = sp__flat_small(set);
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = plumb ? M : F, *across = plumb ? F : M;
+        sp_real rest[3];
+        for (int k = 0; k < 3; k++) rest[k] = across[k] - sp__dot3(across, m) * m[k];
+        if (pb->scene->block[pb->block[i]].fixed) return 0;             /* held in some directions */
+        if (sp__abs(sp__dot3(along, m)) > eps * sp__norm3(along) || sp__norm3(rest) > eps * sp__norm3(across)) return 0;
+    }
+    return 1;
+}
+
+/* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces; where
+ * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
+static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
+{
+    const sp_interface *f = pb->contact[0].joint;
+    sp_real widest = (sp_real)1e-3, size;
+    m[0] = m[1] = m[2] = 0;
+    for (int32_t k = 1; k < pb->contacts + pb->blocks; k++) {
+        sp_real x[3], u[3];
+        memcpy(u, k < pb->contacts ? pb->contact[k].joint->n : pb->p + 6 * (size_t)(k - pb->contacts), sizeof u);
+        size = sp__norm3(u);
+        sp__cross3(f->n, u, x);
+        if (size > 0 && sp__norm3(x) > widest * size) { widest = sp__norm3(x) / size; memcpy(m, x, sizeof x); }
+    }
+    if (sp__norm3(m) > 0) { sp__unit3(m, m); return edge == 1; }
+    memcpy(m, edge == 1 ? f->t1 : f->t2, 3 * sizeof *m);
+    return 1;
+}
+
+/* Does the pyramid of a contact have a mirror across direction h of its tangent plane: is h along a face or an edge? */
+static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_real m[3])
+{
+    const sp_real x = sp__dot3(m, t->joint->t1), y = sp__dot3(m, t->joint->t2);
+    sp_real c, half, plus = -1, minus = -1;
+    if (!set->faces) return 1;
+    sp__pyramid_half(set->faces, &c, &half);
+    for (int32_t k = 0; k < set->faces; k++) {
+        sp_real d[2];
+        sp__pyramid_direction(set->faces, k, d);
+        plus = sp__max(plus, d[1] * x - d[0] * y);
+        minus = sp__max(minus, d[0] * y - d[1] * x);
+    }
+    const sp_real eps = sp__max(sp__flat_small(set), 64 * (sp_real)SP_EPSILON);
+    return (plus >= 1 - eps || plus <= c + eps) && (minus >= 1 - eps || minus <= c + eps);
+}
+
+/* Is the problem planar?     m: the normal of the mirror */
+SP__APART static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
+{
+    for (int edge = 1; pb->contacts && edge <= 2; edge++) {
+        int32_t c = 0;
+        if (!sp__flat_normal(pb, edge, m) || !sp__flat_loads(pb, set, m, 0)) continue;
+        while (c < pb->contacts && sp__flat_mirror(pb, set, &pb->contact[c], m) && sp__flat_cone(set, &pb->contact[c], m)) c++;
+        if (c == pb->contacts) return 1;
+    }
+    return 0;
+}
+
+/* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
+ * upright to, no mortar, and every block rests on something. */
+SP__APART static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+{
+    const sp_real eps = sp__flat_small(set);
+    int32_t rests = 0;
+    if (sp__scene_strong(pb->scene) || !sp__flat_loads(pb, set, m, 1)) return 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real along = sp__dot3(t->joint->n, m);
+        sp_real across[3];
+        sp__cross3(t->joint->n, m, across);
+        if (sp__norm3(across) > eps && sp__abs(along) > eps) return 0;
+        rests += (along < 0 && t->b >= 0) || (along > 0 && t->a >= 0);
+    }
+    return rests >= pb->blocks;
+}
+
+/* The direction of the loads: that of the first.     returns 0 where there is none */
+static int sp__flat_down(const sp_problem *pb, sp_real m[3])
+{
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *F = pb->p + 6 * (size_t)i;
+        if (sp__norm3(F) > 0) { sp__unit3(F, m); return 1; }
+    }
+    return 0;
+}
+
+/* e0, e1 so that e is right-handed. */
+static void sp__flat_axes(sp__flat *o)
+{
+    const sp_real *m = o->e[2];
+    const int less = sp__abs(m[0]) <= sp__abs(m[1]) ? 0 : 1, least = sp__abs(m[less]) <= sp__abs(m[2]) ? less : 2;
+    sp_real x[3] = { 0, 0, 0 };
+    x[least] = 1;
+    sp__cross3(x, m, o->e[0]);
+    sp__unit3(o->e[0], o->e[0]);
+    sp__cross3(m, o->e[0], o->e[1]);
+}
+
+/* The reduction that is planned for a problem: what is planar is not tried without friction.     returns 0: none */
+static int sp__flat_choose(const sp_problem *pb, const sp_settings *set, sp__flat *o)
+{
+    const sp_choice *choice = set->effect;
+    memset(o, 0, sizeof *o);
+    if (!pb->blocks || !sp__plan_stages(set)) return 0;
+    const int planar = choice[SP_EFFECT_DEPTH] != SP_WITH && choice[SP_EFFECT_FRICTION] != SP_WITHOUT
+                    && sp__flat_planar(pb, set, o->e[2]);
+    o->mode = planar ? SP__PLANE : SP__PLUMB;
+    if (!planar && (choice[SP_EFFECT_FRICTION] == SP_WITH || !sp__flat_down(pb, o->e[2]))) return 0;
+    if (!planar && !sp__flat_plumb(pb, set, o->e[2])) return 0;
+    sp__flat_axes(o);
+    return 1;
+}
+
+/* Takes part: planar every joint, level those along the loads. */
+static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings *set)
+{
+    const sp_real eps = sp__flat_small(set);
+    o->vertices = o->sides = 0;
+    for (int32_t v = 0; v < pb->points; v++) o->mate[v] = -1;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real h[2] = { sp__dot3(o->e[2], t->joint->t1), sp__dot3(o->e[2], t->joint->t2) };
+        const int level = h[0] * h[0] + h[1] * h[1] <= eps * eps;
+        o->sides += (t->a >= 0) + (t->b >= 0);
+        sp_real size = 0;
+        for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (o->mode == SP__PLANE) o->mate[v] = sp__flat_image(pb, t, v, h, eps * size);
+            else if (level) o->mate[v] = v;
+            o->vertices += o->mate[v] >= v;
+        }
+    }
+}
+
+/* Frame and arms of contact c:
+ *   planar         n in the plane (2), t = m x n in the joint's tangents (2), what a turn about m adds to fn, ft of a (2), of b (2)
+ *   level          t1, t2 along e0 (2), along e1 (2), what turns about e0, e1 add to fn of a (2), of b (2)
+ * and the sign of n along e2; planar: the nearest face's share of friction along t and against it (2)                        */
+static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_contact *t, sp_real *g)
+{
+    const sp_interface *f = t->joint;
+    const sp_real *n = f->n;
+    const int plane = o->mode == SP__PLANE;
+    g[0] = plane ? sp__dot3(n, o->e[0]) : sp__dot3(f->t1, o->e[0]);
+    g[1] = plane ? sp__dot3(n, o->e[1]) : sp__dot3(f->t2, o->e[0]);
+    sp_real slip[3];
+    for (int k = 0; k < 3; k++) slip[k] = g[0] * o->e[1][k] - g[1] * o->e[0][k];
+    g[2] = plane ? sp__dot3(slip, f->t1) : sp__dot3(f->t1, o->e[1]);
+    g[3] = plane ? sp__dot3(slip, f->t2) : sp__dot3(f->t2, o->e[1]);
+    for (int side = 0; side < 2; side++) {
+        const sp_real x = sp__dot3(side ? t->rb : t->ra, o->e[0]), y = sp__dot3(side ? t->rb : t->ra, o->e[1]);
+        g[4 + 2 * side] = plane ? g[1] * x - g[0] * y : y;
+        g[5 + 2 * side] = plane ? g[0] * x + g[1] * y : -x;
+    }
+    g[8] = sp__dot3(n, o->e[2]) < 0 ? (sp_real)-1 : (sp_real)1;
+    g[9] = g[10] = plane && !cone->faces;
+    for (int32_t k = 0; plane && k < cone->faces; k++) {
+        const sp_real *d = cone->direction[k], along = d[0] * g[2] + d[1] * g[3];
+        g[9] = sp__max(g[9], along);
+        g[10] = sp__max(g[10], -along);
+    }
+}
+
+/* The k-th row of three among six. */
+static size_t sp__flat_row(const sp__flat *o, int k) { return (size_t)(o->mode == SP__PLUMB ? 2 + k : k < 2 ? k : 5); }
+
+/* Components of a world vector along e. */
+static void sp__flat_turn(const sp__flat *o, const sp_real x[3], sp_real out[3])
+{
+    const sp_real a = sp__dot3(x, o->e[0]), b = sp__dot3(x, o->e[1]);
+    out[2] = sp__dot3(x, o->e[2]);
+    out[0] = a; out[1] = b;
+}
+
+/* And back, in place. */
+static void sp__flat_unturn(const sp__flat *o, sp_real x[3])
+{
+    const sp_real a = x[0], b = x[1], c = x[2];
+    for (int k = 0; k < 3; k++) x[k] = a * o->e[0][k] + b * o->e[1][k] + c * o->e[2][k];
+}
+#endif
+
 /* The shortest force in the cones that balances p is f = S P_K(Aeq' y), where y minimises
  *
  *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y         gradient Aeq f + p,  Hessian Aeq S DP_K(u) Aeq'
@@ -3219,6 +3532,7 @@ typedef struct sp__dual {
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real factor;                     /* coefficient in force / mu */
+    struct sp__flat *flat;              /* of a search in 3 rows a block, else NULL */
     struct sp__ipm *inner;              /* of the interior-point method */
     sp_real *x;                         /* 3 x points: its x for the true cone */
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
@@ -3265,6 +3579,13 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->r = sp__take(a, b, 6 * sizeof *w->r);
     w->d = sp__take(a, b, 6 * sizeof *w->d);
     w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
+#ifndef SP_NO_PLAN
+    if (w->flat) {
+        w->L.rows = 3;
+        w->flat->mate = sp__take(a, (size_t)pb->points, sizeof *w->flat->mate);
+        w->flat->g = sp__take(a, c, SP__FLAT_G * sizeof *w->flat->g);
+    }
+#endif
     sp__bchol_carve_values(&w->L, nnz, a);
 #ifdef SP_REAL_MIXED
     w->diagonal = sp__take(a, b, 21 * sizeof *w->diagonal);
@@ -3339,20 +3660,57 @@ SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Bytes of the whole dual and of so many rays a vertex: the symbolic step and the factor share the space behind the graph. */
-static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
+/* Where a dual ends that begins at `from`, with so many blocks below the diagonal and rays a vertex: the symbolic step and the
+ * factor share the space behind the graph. t is used up; t->flat: in 3 rows. */
+static size_t sp__dual_end(sp__dual *t, const sp_problem *pb, const sp_settings *set, int dense, size_t rays, int32_t nnz, size_t from)
+{
+    sp_arena dry = sp__arena_dry();
+    dry.used = from;
+    sp__take(&dry, 1, sizeof *t);
+    sp__dual_carve_graph(t, pb, &dry);
+    sp_arena symbolic = dry;
+    sp__dual_carve_order(pb, &symbolic);
+    sp__dual_carve(t, pb, set->faces, nnz, dense, &dry);
+    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *t->y);
+    return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
+}
+
+/* Bytes of the whole dual; flat (may be NULL): and of one in 3 rows before it, which takes more where few blocks have many joints. */
+static size_t sp__dual_most(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp__flat *flat, sp_arena scratch)
 {
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, &scratch) : -1;
     if (nnz < 0) return SIZE_MAX;
-    sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sizeof *w);
-    sp__dual_carve_graph(w, pb, &dry);
-    sp_arena symbolic = dry;
-    sp__dual_carve_order(pb, &symbolic);
-    sp__dual_carve(w, pb, set->faces, nnz, dense, &dry);
-    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *w->y);
-    return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
+    w->flat = NULL;
+    const size_t whole = sp__dual_end(w, pb, set, dense, rays, nnz, 0);
+    w->flat = flat;
+    const size_t less = flat ? sp__dual_end(w, pb, set, dense, rays, nnz, 0) : 0;
+    return less > whole ? less : whole;
+}
+
+static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
+{
+    return sp__dual_most(pb, set, dense, rays, NULL, scratch);
+}
+
+/* The same of a search that may be in 3 rows first. */
+static size_t sp__flat_need(const sp_problem *pb, const sp_settings *set, size_t rays, sp_arena scratch)
+{
+#ifndef SP_NO_PLAN
+    sp__flat o;
+    if (sp__flat_choose(pb, set, &o)) return sp__dual_most(pb, set, 0, rays, &o, scratch);
+#endif
+    return sp__dual_need(pb, set, 0, rays, scratch);
+}
+
+/* How often vertex v counts: 0 where its mirror image does for both, or where it takes no part. */
+static sp_real sp__dual_counts(const sp__dual *w, int32_t v)
+{
+#ifndef SP_NO_PLAN
+    if (w->flat) return w->flat->mate[v] > v ? 2 : w->flat->mate[v] == v;
+#endif
+    (void)w; (void)v;
+    return 1;
 }
 
 /* S of a contact's vertices, ~ min(sbar_A, sbar_B): without it a pebble beside a cathedral is lost in rounding. */
@@ -3379,8 +3737,9 @@ static void sp__dual_weights(sp__dual *w)
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *l = pb->local[v];
                 const sp_real x = o[0] + l[0], y = o[1] + l[1], s = o[2] + l[2];
-                z[0] += S;
-                z[1] += S * (x * x + y * y + s * s) * 2 / 3;
+                const sp_real times = S * sp__dual_counts(w, v);
+                z[0] += times;
+                z[1] += times * (x * x + y * y + s * s) * 2 / 3;
             }
         }
     }
@@ -3394,10 +3753,26 @@ static void sp__dual_release(const sp__dual *w, sp_real *r)
         if (w->pb->scene->block[w->pb->block[i]].fixed) sp__release(w->pb, i, r + 6 * (size_t)i);
 }
 
+/* Force (k even) or moment of the load of block k / 2 in units, in the axes of the rows. */
+static void sp__dual_p(const sp__dual *w, size_t k, sp_real p[3])
+{
+    for (size_t q = 0; q < 3; q++) p[q] = w->pb->p[3 * k + q] / w->unit;
+#ifndef SP_NO_PLAN
+    if (!w->flat) return;
+    const int plane = w->flat->mode == SP__PLANE, along = plane == (int)(k % 2);         /* rows 2 and 5, or the others */
+    sp__flat_turn(w->flat, p, p);
+    if (along) p[0] = p[1] = 0;
+    else p[2] = 0;
+#endif
+}
+
 /* r <- the weighted load in units. */
 static void sp__dual_load(const sp__dual *w, sp_real *r)
 {
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) r[k] = w->weight[k / 3] * (w->pb->p[k] / w->unit);
+    for (size_t k = 0; k < 2 * (size_t)w->pb->blocks; k++) {
+        sp__dual_p(w, k, r + 3 * k);
+        for (size_t q = 3 * k; q < 3 * k + 3; q++) r[q] *= w->weight[k];
+    }
     sp__dual_release(w, r);
 }
 
@@ -3405,7 +3780,11 @@ static void sp__dual_load(const sp__dual *w, sp_real *r)
 static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
 {
     sp_real s = 0;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) s += w->weight[k / 3] * (w->pb->p[k] / w->unit) * y[k];
+    for (size_t k = 0; k < 2 * (size_t)w->pb->blocks; k++) {
+        sp_real p[3];
+        sp__dual_p(w, k, p);
+        for (size_t q = 0; q < 3; q++) s += w->weight[k] * p[q] * y[3 * k + q];
+    }
     return s;
 }
 
@@ -3431,9 +3810,87 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     return k;
 }
 
+#ifndef SP_NO_PLAN
+/* Motion of B seen from A at the origin of contact c: planar along n, along the slip, turn; level along n, two turns. */
+static void sp__flat_there(const sp__dual *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
+{
+    const int plane = w->flat->mode == SP__PLANE;
+    X[0] = X[1] = X[2] = 0;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        const sp_real *yi = y + 6 * (size_t)i, *arm = g + 4 + 2 * side, sign = side ? (sp_real)1 : (sp_real)-1;
+        const sp_real z = sign * w->weight[2 * (size_t)i], turn = sign * w->weight[2 * (size_t)i + 1];
+        if (plane) {
+            const sp_real x0 = z * yi[0], x1 = z * yi[1], a = turn * yi[5];
+            X[0] += g[0] * x0 + g[1] * x1 + arm[0] * a;
+            X[1] += g[0] * x1 - g[1] * x0 + arm[1] * a;
+            X[2] += a;
+        } else {
+            const sp_real a = turn * yi[3], b = turn * yi[4];
+            X[0] += g[8] * (z * yi[2] + arm[0] * a + arm[1] * b);
+            X[1] += a;
+            X[2] += b;
+        }
+    }
+}
+
+/* Its transpose, rows += of the forces Y that X meets. */
+static void sp__flat_back(const sp__dual *w, const sp_contact *t, const sp_real *g, const sp_real Y[3], sp_real *r)
+{
+    const int plane = w->flat->mode == SP__PLANE;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        const sp_real *arm = g + 4 + 2 * side, sign = side ? (sp_real)1 : (sp_real)-1;
+        const sp_real z = sign * w->weight[2 * (size_t)i], turn = sign * w->weight[2 * (size_t)i + 1];
+        sp_real *ri = r + 6 * (size_t)i;
+        if (plane) {
+            ri[0] += z * (g[0] * Y[0] - g[1] * Y[1]);
+            ri[1] += z * (g[1] * Y[0] + g[0] * Y[1]);
+            ri[5] += turn * (arm[0] * Y[0] + arm[1] * Y[1] + Y[2]);
+        } else {
+            const sp_real n = g[8] * Y[0];
+            ri[2] += z * n;
+            ri[3] += turn * (arm[0] * n + Y[1]);
+            ri[4] += turn * (arm[1] * n + Y[2]);
+        }
+    }
+}
+
+static const sp_real *sp__flat_frame(const sp__dual *w, const sp_contact *t)
+{
+    return w->flat->g + SP__FLAT_G * (size_t)(t - w->pb->contact);
+}
+
+/* V, W of sp__dual_twist from 3 rows a block. */
+SP__APART static void sp__flat_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+{
+    const sp_real *g = sp__flat_frame(w, t);
+    const int plane = w->flat->mode == SP__PLANE;
+    sp_real X[3];
+    sp__flat_there(w, t, g, y, X);
+    V[0] = X[0]; V[1] = plane ? X[1] * g[2] : 0; V[2] = plane ? X[1] * g[3] : 0;
+    W[0] = 0; W[1] = plane ? -X[2] * g[3] : X[1] * g[0] + X[2] * g[2]; W[2] = plane ? X[2] * g[2] : X[1] * g[1] + X[2] * g[3];
+}
+
+/* sp__dual_scatter into 3 rows a block. */
+SP__APART static void sp__flat_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+{
+    const sp_real *g = sp__flat_frame(w, t);
+    const int plane = w->flat->mode == SP__PLANE;
+    const sp_real Y[3] = { F[0], plane ? F[1] * g[2] + F[2] * g[3] : g[0] * M[1] + g[1] * M[2],
+                           plane ? g[2] * M[2] - g[3] * M[1] : g[2] * M[1] + g[3] * M[2] };
+    sp__flat_back(w, t, g, Y, r);
+}
+#endif
+
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
 SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_twist(w, t, y, V, W); return; }
+#endif
     sp_real v[3] = { 0, 0, 0 }, o[3] = { 0, 0, 0 };
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
@@ -3471,6 +3928,9 @@ static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield,
 /* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
 SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
 {
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_scatter(w, t, F, M, r); return; }
+#endif
     sp_real f[3], m[3];
     for (int k = 0; k < 3; k++) {
         f[k] = F[0] * t->joint->n[k] + F[1] * t->joint->t1[k] + F[2] * t->joint->t2[k];
@@ -3506,10 +3966,33 @@ static int sp__dual_pay(sp__dual *w, int64_t flops)
     return !w->spent;
 }
 
-/* The same for so many flops a vertex and a contact. */
+/* The same for so many flops a vertex and a contact; in 3 rows a fifth of that for every free block of a contact. */
 static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
 {
+#ifndef SP_NO_PLAN
+    const int32_t side = contact / (SP__FLOPS_TWIST / SP__FLOPS_FLAT_TWIST);
+    if (w->flat) return sp__dual_pay(w, vertex * w->flat->vertices + side * w->flat->sides);
+#endif
     return sp__dual_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
+}
+
+/* So many sweeps over all vertices, each with so many twists; where a vertex has fn and one slip, of those. */
+static int sp__dual_sweep(sp__dual *w, int32_t sweeps, int32_t twists)
+{
+#ifndef SP_NO_PLAN
+    if (w->flat && w->flat->plain) return sp__dual_count(w, sweeps * SP__FLOPS_FLAT_SWEEP, twists * SP__FLOPS_TWIST);
+#endif
+    return sp__dual_count(w, sweeps * SP__FLOPS_SWEEP, twists * SP__FLOPS_TWIST);
+}
+
+/* An assembly. */
+static int sp__dual_assembly(sp__dual *w, int plain)
+{
+#ifndef SP_NO_PLAN
+    if (w->flat && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN * w->flat->vertices + SP__FLOPS_FLAT_BLOCKS * w->flat->sides);
+#endif
+    (void)plain;
+    return sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
 /* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
@@ -3532,29 +4015,203 @@ SP__APART static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_r
     }
 }
 
+#ifndef SP_NO_PLAN
+/* Where no joint has strength a vertex of a search in 3 rows has fn, and planar one slip, with rates
+ *   planar         un = X0 + q0 X2,  us = X1 + q1 X2;  level un = X0 + q0 X1 + q1 X2
+ * and K is a wedge, its sides those of the cone in the plane.          *times: how often it counts */
+static sp_real sp__flat_rate(const sp__dual *w, const sp_real *g, int32_t v, const sp_real X[3], sp_real q[2], sp_real u[2])
+{
+    const sp_real *l = w->pb->local[v];
+    if (w->flat->mode == SP__PLANE) {
+        q[0] = -(l[1] * g[2] + l[2] * g[3]);
+        q[1] = l[0];
+        u[0] = X[0] + q[0] * X[2];
+        u[1] = w->slide * (X[1] + q[1] * X[2]);
+    } else {
+        q[0] = g[0] * l[2] - g[1] * l[1];
+        q[1] = g[2] * l[2] - g[3] * l[1];
+        u[0] = X[0] + q[0] * X[1] + q[1] * X[2];
+        u[1] = 0;
+    }
+    return sp__dual_counts(w, v);
+}
+
+/* f = P_K(u) with tension at its price, D its derivative (nn, ns, ss); mu: of the yield. f or D may be NULL. */
+static void sp__flat_wedge(const sp__dual *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
+{
+    const sp_real side = u[1] < 0 ? (sp_real)-1 : (sp_real)1, s = side * u[1], k = mu / g[u[1] < 0 ? 10 : 9];
+    const sp_real n = u[0] + k * s, x = n / (1 + k * k);
+    const int inside = u[0] >= 0 && s <= k * u[0], carries = inside || n > 0;
+    const sp_real soft = u[0] < 0 ? w->soft : 0, c = 1 / (1 + k * k);
+    if (f) { f[0] = (inside ? u[0] : carries ? x : 0) + soft * u[0]; f[1] = inside ? u[1] : carries ? side * k * x : 0; }
+    if (!D) return;
+    D[0] = (inside ? 1 : carries ? c : 0) + soft;
+    D[1] = inside || !carries ? 0 : side * k * c;
+    D[2] = inside ? 1 : carries ? k * k * c : 0;
+}
+
+/* f = P_K(u), or u where joints are bilateral, in the metric; D likewise. */
+static void sp__flat_law(const sp__dual *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
+{
+    const sp_real S = sp__dual_S(w, c), T = S * w->slide;
+    if (f) { f[0] = u[0]; f[1] = u[1]; }
+    if (D) { D[0] = D[2] = 1; D[1] = 0; }
+    if (law == SP__ADMISSIBLE && w->flat->mode == SP__PLANE) sp__flat_wedge(w, sp__dual_yield(w, c)->mu, g, u, f, D);
+    else if (law == SP__ADMISSIBLE && u[0] < 0) {
+        if (f) f[0] *= w->soft;
+        if (D) D[0] = w->soft;
+    }
+    if (f) { f[0] *= S; f[1] *= T; }
+    if (D) { D[0] *= S; D[1] *= T; D[2] *= T * w->slide; }
+}
+
+/* Size of a force (fn, a slip) and of its moment about an arm x + l in the contact's frame. */
+static sp_real sp__flat_moment(const sp__dual *w, const sp_contact *t, int side, int32_t v, const sp_real h[2], sp_real size[2])
+{
+    const sp_real *g = sp__flat_frame(w, t), *arm = side ? t->rb : t->ra, *l = w->pb->local[v];
+    const sp_real x[3] = { sp__dot3(arm, t->joint->n) + l[0], sp__dot3(arm, t->joint->t1) + l[1], sp__dot3(arm, t->joint->t2) + l[2] };
+    const int plane = w->flat->mode == SP__PLANE;
+    const sp_real f[3] = { h[0], plane ? h[1] * g[2] : 0, plane ? h[1] * g[3] : 0 };
+    sp_real m[3];
+    sp__cross3(x, f, m);
+    size[0] = SP_SQRT(h[0] * h[0] + h[1] * h[1]);
+    size[1] = sp__norm3(m);
+    return sp__norm3(x);
+}
+
+/* sp__dual_bear of that force. */
+static void sp__flat_bear(sp__dual *w, const sp_contact *t, int32_t v, sp_real times, const sp_real h[2])
+{
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        sp_real size[2], *sum = w->bears + 3 * (size_t)i;
+        if (i < 0) continue;
+        const sp_real far = sp__flat_moment(w, t, side, v, h, size);
+        sum[0] += times * size[0];
+        sum[1] += times * size[1];
+        sum[2] = sp__max(sum[2], far);
+    }
+}
+
+/* A contact's share of sp__dual_gradient. */
+SP__APART static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = sp__flat_frame(w, t);
+    const int plane = w->flat->mode == SP__PLANE;
+    sp_real X[3], Y[3] = { 0, 0, 0 };
+    sp__flat_there(w, t, g, y, X);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2], u[2], h[2];
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
+        if (!(times > 0)) continue;
+        sp__flat_law(w, law, c, g, u, h, NULL);
+        if (w->bears) sp__flat_bear(w, t, v, times, h);
+        if (f) {
+            f[3 * (size_t)v] = h[0];
+            f[3 * (size_t)v + 1] = plane ? h[1] * g[2] : 0;
+            f[3 * (size_t)v + 2] = plane ? h[1] * g[3] : 0;
+        }
+        const sp_real n = times * h[0], s = times * h[1];
+        Y[0] += n;
+        Y[1] += plane ? s : q[0] * n;
+        Y[2] += plane ? q[0] * n + q[1] * s : q[1] * n;
+    }
+    sp__flat_back(w, t, g, Y, r);
+}
+
+/* What its vertices can resist motion y with: sum |P_K(u)| times the cap, in the metric. */
+SP__APART static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = sp__flat_frame(w, t);
+    sp_real X[3], sum = 0;
+    sp__flat_there(w, t, g, y, X);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2], u[2], h[2];
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
+        if (!(times > 0)) continue;
+        sp__flat_law(w, SP__ADMISSIBLE, c, g, u, h, NULL);
+        sum += times * SP_SQRT(h[0] * h[0] + h[1] * h[1]);
+    }
+    return most * sum;
+}
+
+/* And of sp__dual_slope. */
+SP__APART static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = sp__flat_frame(w, t);
+    sp_real X[3], dX[3], sum = 0;
+    sp__flat_there(w, t, g, y, X);
+    sp__flat_there(w, t, g, d, dX);
+    for (int k = 0; k < 3; k++) X[k] += s * dX[k];
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2], u[2], du[2], h[2];
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
+        if (!(times > 0)) continue;
+        sp__flat_law(w, SP__ADMISSIBLE, c, g, u, h, NULL);
+        sp__flat_rate(w, g, v, dX, q, du);
+        sum += times * (h[0] * du[0] + h[1] * du[1] / w->slide);
+    }
+    return sum;
+}
+
+/* H of a contact, 3 x 3 in X. */
+SP__APART static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = sp__flat_frame(w, t);
+    const int plane = w->flat->mode == SP__PLANE;
+    sp_real X[3], h[6] = { 0, 0, 0, 0, 0, 0 };
+    sp__flat_there(w, t, g, y, X);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2], u[2], D[3];
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
+        if (!(times > 0)) continue;
+        sp__flat_law(w, law, c, g, u, NULL, D);
+        const sp_real nn = times * D[0], ns = times * D[1], ss = times * D[2];
+        const sp_real a = nn * q[0], b = plane ? ns * q[1] : nn * q[1];
+        h[0] += nn;
+        h[1] += plane ? ns : a;
+        h[2] += plane ? a + b : b;
+        h[3] += plane ? ss : a * q[0];
+        h[4] += plane ? ns * q[0] + ss * q[1] : a * q[1];
+        h[5] += plane ? (a + 2 * b) * q[0] + ss * q[1] * q[1] : b * q[1];
+    }
+    H[0] = h[0]; H[1] = H[3] = h[1]; H[2] = H[6] = h[2];
+    H[4] = h[3]; H[5] = H[7] = h[4]; H[8] = h[5];
+}
+#endif
+
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, (w->bears ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!sp__dual_sweep(w, 1, 1) || (w->bears && !sp__dual_count(w, SP__FLOPS_SWEEP, 0))) return;
     sp__dual_load(w, r);
     if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
+#ifndef SP_NO_PLAN
+        if (w->flat && yield->plain) { sp__flat_gradient(w, law, c, y, r, f); continue; }
+#endif
         sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
         sp__dual_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *l = pb->local[v];
+            const sp_real *l = pb->local[v], times = sp__dual_counts(w, v);
+            if (!(times > 0)) continue;
             sp__dual_rate(w, V, W, l, u);
             if (law == SP__ADMISSIBLE) sp__dual_force(w, c, yield, u, g);
             else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
+            if (f) memcpy(f + 3 * (size_t)v, g, 3 * sizeof *g);
+            sp__scale3(times, g, g);
             F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
             M[0] += l[1] * g[2] - l[2] * g[1];
             M[1] += l[2] * g[0] - l[0] * g[2];
             M[2] += l[0] * g[1] - l[1] * g[0];
             if (w->bears) sp__dual_bear(w, t, l, g);
-            if (f) memcpy(f + 3 * (size_t)v, g, 3 * sizeof *g);
         }
         sp__dual_scatter(w, t, F, M, r);
     }
@@ -3566,19 +4223,24 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
 {
     const sp_problem *pb = w->pb;
     sp_real sum = 0;
-    if (!sp__dual_count(w, SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return 0;
+    if (!sp__dual_sweep(w, 1, 2)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
+#ifndef SP_NO_PLAN
+        if (w->flat && yield->plain) { sum += sp__flat_slope(w, c, y, d, s); continue; }
+#endif
         sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, part = 0;
         sp__dual_twist(w, t, y, at, at + 3);
         sp__dual_twist(w, t, d, move, move + 3);
         for (int k = 0; k < 6; k++) at[k] += s * move[k];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real times = sp__dual_counts(w, v);
+            if (!(times > 0)) continue;
             sp__dual_rate(w, at, at + 3, pb->local[v], u);
             sp__dual_rate(w, move, move + 3, pb->local[v], du);
             sp__dual_force(w, c, yield, u, f);
-            part += f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide;
+            part += times * (f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide);
         }
         sum += part;
     }
@@ -3618,6 +4280,7 @@ static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     sp_real *x = w->inner->x + (size_t)(w->cone.faces ? w->cone.faces : 3) * (size_t)v;
+    const sp_real times = sp__dual_counts(w, v);
     sp_real *e = w->h + 57, *z = w->h + 60;
     for (int k = 0; k < 6; k++) D[k] = 0;
     for (int k = 0; f && k < 3; k++) f[k] = 0;
@@ -3625,7 +4288,7 @@ SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, cons
         sp__ipm_edge(w, c, k, e);
         const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
         if (!(zk > 0 && x[k] > 0)) w->inner->outside = 1;
-        w->inner->gap += x[k] * zk;
+        w->inner->gap += times * x[k] * zk;
         D[0] += s * e[0] * e[0]; D[1] += s * e[0] * e[1]; D[2] += s * e[0] * e[2];
         D[3] += s * e[1] * e[1]; D[4] += s * e[1] * e[2]; D[5] += s * e[2] * e[2];
         for (int q = 0; f && q < 3; q++) f[q] += x[k] * e[q];
@@ -3636,7 +4299,7 @@ SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, cons
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
     const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
-    w->inner->gap += sp__dot3(x, z);
+    w->inner->gap += times * sp__dot3(x, z);
     D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
     D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
     D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
@@ -3679,7 +4342,9 @@ SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t 
     sp__dual_twist(w, t, y, V, W);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        if (!sp__vertex_law(w, law, c, v, V, W, D)) continue;
+        const sp_real times = sp__dual_counts(w, v);
+        if (!(times > 0) || !sp__vertex_law(w, law, c, v, V, W, D)) continue;
+        if (times > 1) for (int k = 0; k < 6; k++) D[k] *= times;
         sp__vertex_hessian(D, w->pb->local[v], h);
         carries = 1;
     }
@@ -3890,6 +4555,100 @@ SP__APART static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_rea
 }
 #endif
 
+#ifndef SP_NO_PLAN
+/* A contact's H = h of vv, vw, ww in its own frame as 3 x 3 in X. */
+static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real *h, sp_real *H)
+{
+    const sp_real *vv = h, *vw = h + 9, *ww = h + 18, x = g[2], y = g[3];
+    if (o->mode == SP__PLANE) {
+        H[0] = vv[0];
+        H[1] = H[3] = vv[1] * x + vv[2] * y;
+        H[4] = (vv[4] * x + 2 * vv[5] * y) * x + vv[8] * y * y;
+        H[2] = H[6] = vw[2] * x - vw[1] * y;
+        H[5] = H[7] = (vw[5] * x - vw[4] * y) * x + (vw[8] * x - vw[7] * y) * y;
+        H[8] = (ww[8] * x - 2 * ww[5] * y) * x + ww[4] * y * y;
+        return;
+    }
+    const sp_real p = ww[4] * g[0] + ww[5] * g[1], q = ww[5] * g[0] + ww[8] * g[1];
+    H[0] = vv[0];
+    H[1] = H[3] = vw[1] * g[0] + vw[2] * g[1];
+    H[2] = H[6] = vw[1] * x + vw[2] * y;
+    H[4] = p * g[0] + q * g[1];
+    H[5] = H[7] = p * x + q * y;
+    H[8] = (ww[4] * x + 2 * ww[5] * y) * x + ww[8] * y * y;
+}
+
+/* T, by columns: (along n, slip, turn) at the contact's origin of the weighted rows of a block with arms g.
+ *   planar         [ nx ny arm0 ;  -ny nx arm1 ;  0 0 1 ]
+ *   level          [ +-1 +-arm0 +-arm1 ;  0 1 0 ;  0 0 1 ]                                                                  */
+static void sp__flat_T(const sp__dual *w, int32_t c, int side, sp_real T[9])
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = w->flat->g + SP__FLAT_G * (size_t)c, *arm = g + 4 + 2 * side;
+    const sp_real *weight = w->weight + 2 * (size_t)(side ? t->b : t->a), z = weight[0], turn = weight[1];
+    const int plane = w->flat->mode == SP__PLANE;
+    for (int k = 0; k < 9; k++) T[k] = 0;
+    T[0] = plane ? z * g[0] : z * g[8];
+    T[1] = plane ? -z * g[1] : 0;
+    T[3] = plane ? z * g[1] : turn * arm[0] * g[8];
+    T[4] = plane ? z * g[0] : turn;
+    T[6] = plane ? turn * arm[0] : turn * arm[1] * g[8];
+    T[7] = plane ? turn * arm[1] : 0;
+    T[8] = turn;
+}
+
+/* out = A' H B, all by columns; H symmetric. */
+static void sp__flat_triple(const sp_real A[9], const sp_real H[9], const sp_real B[9], sp_real out[9])
+{
+    for (int c = 0; c < 3; c++) {
+        sp_real x[3];
+        for (int r = 0; r < 3; r++) x[r] = sp__dot3(H + 3 * r, B + 3 * c);
+        for (int r = 0; r < 3; r++) out[3 * c + r] = sp__dot3(A + 3 * r, x);
+    }
+}
+
+/* sp__dual_assemble in 3 rows a block: T' H T. */
+SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_problem *pb = w->pb;
+    sp_real *H = w->h + 27, *T[2] = { H + 9, H + 18 }, *K = H + 27;
+    sp__bchol_zero(&w->L);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        if (law != SP__INTERIOR && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
+        else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, t), w->h, H);
+        else continue;
+        for (int side = 0; side < 2; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            sp__flat_T(w, c, side, T[side]);
+            sp__flat_triple(T[side], H, T[side], K);
+            sp_real *d = w->L.d3 + 6 * (size_t)w->L.inv[i];
+            d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
+        }
+        if (w->slot[c] == INT32_MIN) continue;
+        const int turn = w->slot[c] < 0;
+        sp_real *x = w->L.x3 + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+        sp__flat_triple(T[turn], H, T[!turn], K);
+        for (int k = 0; k < 9; k++) x[k] -= K[k];
+    }
+    for (size_t k = 0; k < (size_t)pb->blocks; k++)
+        for (int q = 0; q < 3; q++) w->L.d3[6 * k + sp__column3[q]] += shift;
+}
+
+/* Solve by the factor of 3 rows. */
+static void sp__flat_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    sp_real *t = w->L.t;
+    for (size_t k = 0; k < (size_t)w->L.n; k++)
+        for (int r = 0; r < 3; r++) t[3 * k + (size_t)r] = b[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)];
+    sp__bchol3_solve(&w->L, t);
+    memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
+    for (size_t k = 0; k < (size_t)w->L.n; k++)
+        for (int r = 0; r < 3; r++) x[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)] = t[3 * k + (size_t)r];
+}
+#endif
+
 /* The assembled blocks as one dense lower triangle, in elimination order. */
 static void sp__dual_spread(sp__dual *w)
 {
@@ -3909,12 +4668,32 @@ static void sp__dual_spread(sp__dual *w)
         }
 }
 
+#ifndef SP_NO_PLAN
+/* sp__dual_factor in 3 rows a block, in full precision. */
+static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_real floor = 4 * (sp_real)SP_EPSILON;
+    sp__flat_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->cost->factorisations++;
+#ifndef SP_NO_IPM
+    if (law == SP__INTERIOR) sp__bchol_balance(&w->L, shift);
+    sp__bchol3_factor(&w->L, floor);
+    if (law == SP__INTERIOR) sp__bchol_unbalance(&w->L);
+#else
+    sp__bchol3_factor(&w->L, floor);
+#endif
+}
+#endif
+
 /* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
 SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    if (!sp__dual_pay(w, own + (int64_t)SP__FLOPS_HESSIAN * w->pb->points + (int64_t)SP__FLOPS_BLOCKS * w->pb->contacts)) return;
+    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, w->flat && w->flat->plain && law != SP__INTERIOR)) return;
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_factor(w, law, y, shift); return; }
+#endif
     sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
     w->cost->factorisations++;
 #ifdef SP_REAL_MIXED
@@ -3946,7 +4725,7 @@ static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
 static int64_t sp__dual_solve_flops(const sp__dual *w)
 {
     const int64_t n = 6 * (int64_t)w->L.n;
-    return w->dense ? 2 * n * n : 144 * (int64_t)w->L.p[w->L.n] + 12 * n;
+    return w->dense ? 2 * n * n : (144 * (int64_t)w->L.p[w->L.n] + 12 * n) / (w->L.rows == 3 ? 4 : 1);
 }
 
 #ifdef SP_REAL_MIXED
@@ -3976,6 +4755,13 @@ static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
     const size_t n = 6 * (size_t)w->pb->blocks;
     const int64_t flops = sp__dual_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
     sp_real *p = w->cg, *q = p + n, *z = q + n, *r = z + n;
+#ifndef SP_NO_PLAN
+    if (w->flat) {
+        if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__flat_solve(w, b, x);
+        else memset(x, 0, n * sizeof *x);
+        return;
+    }
+#endif
     memcpy(r, b, n * sizeof *r);
     memset(x, 0, n * sizeof *x);
     if (!sp__dual_pay(w, flops)) return;
@@ -3997,7 +4783,13 @@ static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 /* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
 static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 {
-    if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__dual_back(w, b, x);
+    if (sp__dual_pay(w, sp__dual_solve_flops(w))) {
+#ifndef SP_NO_PLAN
+        if (w->flat) sp__flat_solve(w, b, x);
+        else
+#endif
+        sp__dual_back(w, b, x);
+    }
     else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
 }
 #endif
@@ -4027,6 +4819,16 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
     return omega;
 }
 
+/* Is the bilateral force of the rows at hand that of the scene? Else sizes are the loads alone, which are less. */
+static int sp__dual_f0(const sp__dual *w)
+{
+#ifndef SP_NO_PLAN
+    if (w->flat && w->flat->mode == SP__PLUMB) return w->flat->forest;
+#endif
+    (void)w;
+    return 1;
+}
+
 /* A contact's share in the size of a block it touches: sum |f_v| and sum |x_v x f_v|, x_v seen from the centroid. */
 SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
                                     sp_real *longest)
@@ -4035,23 +4837,48 @@ SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, cons
     const sp_real o[3] = { sp__dot3(arm, g->n), sp__dot3(arm, g->t1), sp__dot3(arm, g->t2) };
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
+        const sp_real times = sp__dual_counts(w, v);
         sp_real u[3], m[3];
         sp__dual_rate(w, twist[0], twist[1], l, u);
         sp__dual_rate(w, twist[2], twist[3], l, m);
         sp__sub3(u, m, u);
         sp__cross3(x, u, m);
-        size[0] += sp__norm3(u);
-        size[1] += sp__norm3(m);
+        size[0] += times * sp__norm3(u);
+        size[1] += times * sp__norm3(m);
         *longest = sp__max(*longest, sp__norm3(x));
     }
 }
+
+#ifndef SP_NO_PLAN
+/* The same of a contact in 3 rows, both blocks. */
+SP__APART static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
+{
+    const sp_real *g = sp__flat_frame(w, t);
+    sp_real X[3], dX[3];
+    sp__flat_there(w, t, g, y, X);
+    sp__flat_there(w, t, g, w->d, dX);
+    sp__sub3(X, dX, X);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real q[2], u[2], one[2];
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u), counts = sp__dual_f0(w) ? times : 0;
+        for (int side = 0; side < 2 && times > 0; side++) {
+            const int32_t i = side ? t->b : t->a;
+            if (i < 0) continue;
+            const sp_real far = sp__flat_moment(w, t, side, v, u, one);
+            w->size[2 * (size_t)i] += counts * one[0];
+            w->size[2 * (size_t)i + 1] += counts * one[1];
+            w->r[i] = sp__max(w->r[i], far);
+        }
+    }
+}
+#endif
 
 /* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
  * correction; w->r is used up. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
+    if (!sp__dual_sweep(w, 1, 2) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
@@ -4060,6 +4887,9 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
+#ifndef SP_NO_PLAN
+        if (w->flat && w->flat->plain) { sp__flat_size(w, t, y); continue; }
+#endif
         sp_real twist[4][3];
         sp__dual_twist(w, t, y, twist[0], twist[1]);
         sp__dual_twist(w, t, w->d, twist[2], twist[3]);
@@ -4102,13 +4932,139 @@ static void sp__dual_slots(sp__dual *w)
     }
 }
 
-/* A dual in `a`, everything but the numbers of a metric.     returns NULL when the arena is too small */
-SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
+#ifndef SP_NO_PLAN
+/* Height of contact c along e2 above the centroid of its free block of the lower number. */
+static sp_real sp__flat_height(const sp__dual *w, const sp_contact *t)
+{
+    const int a = t->a >= 0 && (t->b < 0 || t->a < t->b);
+    return sp__dot3(a ? t->ra : t->rb, w->flat->e[2]);
+}
+
+/* Are joints of one pair of nodes in one plane, none across and none warped?     L.d, L.x: a mark and the height of the first */
+SP__APART static int sp__flat_tidy(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    const sp_real eps = sp__flat_small(w->set);
+    sp__bchol_zero(&w->L);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const int32_t i = t->a >= 0 ? t->a : t->b, slot = w->slot[c];
+        sp_real *first = slot == INT32_MIN ? w->L.d3 + 6 * (size_t)i : w->L.x3 + 9 * (size_t)(slot < 0 ? -1 - slot : slot);
+        const sp_real height = sp__flat_height(w, t), size = sp__norm3(t->ra) + sp__norm3(t->rb);
+        if (first[0] > 0 && sp__abs(first[1] - height) > eps * size) return 0;
+        first[0] = 1;
+        first[1] = height;
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (w->flat->mate[v] < 0 || sp__abs(pb->local[v][0]) > eps * (size + sp__norm3(pb->local[v]))) return 0;
+    }
+    return 1;
+}
+
+/* Nodes less edges are as many as trees: a forest. Supports are one node, of edges between free blocks each is in adj twice.
+ * mark: trees without supports; parent: does a block, then a tree, touch one? */
+SP__APART static int sp__flat_forest(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    int64_t edges = w->xadj[pb->blocks] / 2, trees = 1;
+    if (!sp__flat_tidy(w)) return 0;
+    for (int32_t i = 0; i < pb->blocks; i++) { w->mark[i] = i; w->parent[i] = 0; }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        if (t->a >= 0 && t->b >= 0) sp__join(w->mark, t->a, t->b);
+        else w->parent[t->a >= 0 ? t->a : t->b] = 1;
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) edges += w->parent[i];
+    for (int32_t i = 0; i < pb->blocks; i++) w->parent[sp__root(w->mark, i)] |= w->parent[i];
+    for (int32_t i = 0; i < pb->blocks; i++) trees += sp__root(w->mark, i) == i && !w->parent[i];
+    return edges + trees == (int64_t)pb->blocks + 1;
+}
+
+/* Sideways motion of a forest, rows 0 and 1, from supports upwards so that no joint slips; m: motions in the axes e. With turns w0,
+ * w1 a block's points at arm r2 along e2 go sideways by v0 + w1 r2, v1 - w0 r2.     mark: has it been placed? */
+SP__APART static void sp__flat_place(sp__dual *w, sp_real *m)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) w->mark[i] = 0;
+    for (int more = 1, turn = 0; more; turn = !turn) {
+        more = 0;
+        w->cost->flops += 8 * (int64_t)pb->contacts;
+        for (int32_t k = 0; k < pb->contacts; k++) {
+            const sp_contact *t = &pb->contact[turn ? pb->contacts - 1 - k : k];
+            const int a = t->a < 0 || w->mark[t->a], b = t->b < 0 || w->mark[t->b];
+            if (a == b) continue;
+            const int32_t from = a ? t->a : t->b, to = a ? t->b : t->a;
+            const sp_real below = sp__dot3(a ? t->ra : t->rb, w->flat->e[2]), above = sp__dot3(a ? t->rb : t->ra, w->flat->e[2]);
+            sp_real *x = m + 6 * (size_t)to, v[2] = { 0, 0 };
+            if (from >= 0) {
+                const sp_real *y = m + 6 * (size_t)from;
+                v[0] = y[0] + y[4] * below;
+                v[1] = y[1] - y[3] * below;
+            }
+            x[0] = v[0] - x[4] * above;
+            x[1] = v[1] + x[3] * above;
+            w->mark[to] = more = 1;
+        }
+    }
+}
+
+/* Motions out of the axes e, of a forest with what goes sideways. */
+static void sp__flat_lift(sp__dual *w, sp_real *m)
+{
+    if (w->flat->forest) sp__flat_place(w, m);
+    for (int32_t i = 0; i < 2 * w->pb->blocks; i++) sp__flat_unturn(w->flat, m + 3 * (size_t)i);
+}
+
+/* What a search in 3 rows has besides: frames, images, work of a factor. */
+SP__APART static void sp__flat_open(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    sp__flat_mates(w->flat, pb, w->set);
+    w->flat->plain = !sp__scene_strong(pb->scene);
+    for (int32_t c = 0; c < pb->contacts; c++) sp__flat_contact(w->flat, &w->cone, &pb->contact[c], w->flat->g + SP__FLAT_G * (size_t)c);
+    w->L.flops = 0;
+    for (int32_t k = 0; k < w->L.n; k++) {
+        const int64_t below = w->L.p[k + 1] - w->L.p[k];
+        w->L.flops += 17 + 57 * below + 54 * (below * (below - 1) / 2);
+    }
+    w->flat->forest = w->flat->mode == SP__PLUMB && sp__flat_forest(w);
+}
+
+/* Forces of vertices that do not count: those of their images, or none. */
+static void sp__flat_spread(const sp__flat *o, int32_t points, sp_real *f)
+{
+    for (int32_t v = 0; v < points; v++) {
+        if (o->mate[v] < 0) f[3 * (size_t)v] = f[3 * (size_t)v + 1] = f[3 * (size_t)v + 2] = 0;
+        else if (o->mate[v] < v) memcpy(f + 3 * (size_t)v, f + 3 * (size_t)o->mate[v], 3 * sizeof *f);
+    }
+}
+#endif
+
+/* Room for the whole dual that begins at `from`, so that a search in 3 rows does with what the whole one takes. */
+SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, int penalty, int32_t nnz, size_t from, sp_arena *a)
+{
+    sp_arena rest = *a;
+    sp__dual *t = sp__take(&rest, 1, sizeof *t);
+    if (!t) return 0;
+    t->flat = NULL;
+#ifdef SP_NO_IPM
+    penalty = 1;
+#endif
+    const size_t end = sp__dual_end(t, pb, set, 0, penalty ? 0 : (size_t)set->faces, nnz, from);
+    if (end > a->cap) return 0;
+    if (end > a->peak) a->peak = end;
+    return 1;
+}
+
+/* A dual in `a`, everything but the numbers of a metric; flat (may be NULL): in 3 rows.     returns NULL when the arena is too small */
+SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings *set, sp__form form, sp__flat *flat, sp_cost *cost,
+                                         sp_arena *a)
 {
     const int penalty = form == SP__PENALTY;
+    const size_t start = a->used;
     sp__dual *w = sp__take(a, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, a) : -1;
-    if (nnz < 0) return NULL;
+    if (nnz < 0 || (flat && !sp__dual_reserve(pb, set, penalty, nnz, start, a))) return NULL;
+    w->flat = flat;
     sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
     if (sp__failed(a)) return NULL;
     sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
@@ -4129,7 +5085,15 @@ SP__APART static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings
     sp__dual_slots(w);
     w->unit = sp__load_unit(pb);
     w->bears = NULL;
+#ifndef SP_NO_PLAN
+    if (flat) sp__flat_open(w);
+#endif
     return w;
+}
+
+static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
+{
+    return sp__dual_make(pb, set, form, NULL, cost, a);
 }
 
 /* 12 ---------------------------------------------------------------------------------------------------- search constants */
@@ -4194,22 +5158,6 @@ static const sp_seed sp__seed = {
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
-
-/* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
- * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
- * at all f = 0 is the answer. */
-
-static int32_t sp__root(int32_t *up, int32_t i)
-{
-    while (up[i] != i) { up[i] = up[up[i]]; i = up[i]; }
-    return i;
-}
-
-static void sp__join(int32_t *up, int32_t i, int32_t k)
-{
-    i = sp__root(up, i); k = sp__root(up, k);
-    if (i < k) up[k] = i; else up[i] = k;               /* the lowest number stands for the group; 0 is "supported" */
-}
 
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
@@ -4361,13 +5309,17 @@ static void sp__dual_bilateral(sp__dual *w)
 }
 
 /* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), in two parts. */
-static void sp__dual_hint(const sp__dual *w, sp_state *state)
+static void sp__dual_hint(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
+    if (!sp__dual_f0(w)) return;
     for (size_t k = 0; k < n; k++) {
         state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
         state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
     }
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_lift(w, state->y0); sp__flat_lift(w, state->y0 + n); }
+#endif
     state->has_y0 = 1;
 }
 
@@ -4612,10 +5564,15 @@ SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const s
     const sp__yield *yield = sp__dual_yield(w, c);
     const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(t, w->size, 2) / S;
     sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
+#ifndef SP_NO_PLAN
+    if (w->flat && yield->plain) return sp__flat_resist(w, c, y, most);
+#endif
     sp__dual_twist(w, t, y, V, W);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
         sp__dual_rate(w, V, W, w->pb->local[v], u);
-        sum += sp__cone_support(&w->cone, yield, u, most);
+        sum += times * sp__cone_support(&w->cone, yield, u, most);
     }
     return S * sum;
 }
@@ -4624,7 +5581,7 @@ SP__APART static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof 
 {
     const sp_problem *pb = w->pb;
     o->work = o->resist = o->scale = 0;
-    if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!sp__dual_sweep(w, 1, 1)) return;
     o->work = -sp__dual_work(w, y);
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
@@ -4666,6 +5623,9 @@ SP__APART static void sp__rigid_groups(const sp__dual *w, const sp_real *x, sp_r
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real V[3], W[3], most = 0, size = 0;
+#ifndef SP_NO_PLAN
+        if (w->flat && w->flat->mate[t->point] < 0) continue;
+#endif
         sp__dual_twist(w, t, x, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3];
@@ -4688,6 +5648,9 @@ static int32_t sp__rigid_root(const sp__dual *w, int32_t *up, int32_t i, sp_real
     const sp_problem *pb = w->pb;
     const int32_t g = sp__root(up, i + 1) - 1;
     if (g >= 0) sp__sub3(pb->scene->block[pb->block[i]].centroid, pb->scene->block[pb->block[g]].centroid, arm);
+#ifndef SP_NO_PLAN
+    if (g >= 0 && w->flat) sp__flat_turn(w->flat, arm, arm);
+#endif
     return g;
 }
 
@@ -4724,15 +5687,16 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
 }
 
 /* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W; h from 18 on is used up. */
-SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, const sp_real *l, sp_real twist[4][3], sp_real F[3],
-                                       sp_real M[3])
+SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, sp_real twist[4][3], sp_real F[3], sp_real M[3])
 {
     const sp__yield *yield = sp__dual_yield(w, c);
+    const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
     sp_real *D = w->h + 18, *u = w->h + 24, *g = w->h + 27, *m = w->h + 30;
+    if (!(times > 0)) return;
     sp__dual_rate(w, twist[0], twist[1], l, u);
     if (sp__cone_derivative(&w->cone, yield, u, D) == SP__APEX) return;
     sp__dual_rate(w, twist[2], twist[3], l, u);
-    const sp_real S = sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
+    const sp_real S = times * sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     g[0] = D[0] * x + D[1] * y + D[2] * z;
     g[1] = D[1] * x + D[3] * y + D[4] * z;
     g[2] = D[2] * x + D[4] * y + D[5] * z;
@@ -4752,7 +5716,7 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         sp__dual_twist(w, t, y, twist[0], twist[1]);
         sp__dual_twist(w, t, x, twist[2], twist[3]);
-        for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, pb->local[v], twist, F, M);
+        for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, v, twist, F, M);
         sp__dual_scatter(w, t, F, M, out);
     }
     sp__dual_release(w, out);
@@ -5099,9 +6063,12 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
             if (counts[k]) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
         }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real times = sp__dual_counts(w, v);
+            if (!(times > 0)) continue;
             for (int k = 0; k < 3; k++)
                 if (counts[k]) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
+            sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, a);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
         }
@@ -5139,6 +6106,8 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
+            const sp_real times = sp__dual_counts(w, v);
+            if (!(times > 0)) continue;
             sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
             sp__ipm_derivative(w, c, v, u, D, g);
             if (first) sp__scale3(1 / m->tau, g, f);
@@ -5146,6 +6115,7 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
             sp__ipm_change(w, yield, D, u, f, f);
             sp__dual_rate(w, twist + 12, twist + 15, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, g);
+            sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
             sp__dual_bear(w, t, pb->local[v], g);
@@ -5291,20 +6261,26 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_sta
 }
 #endif
 
+/* 20 ----------------------------------------------------------------------------------------------------- exact stage: its run */
+
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
 #ifdef SP_NO_IPM
-    return sp__dual_need(pb, set, 0, 0, scratch);
+    return sp__flat_need(pb, set, 0, scratch);
 #else
-    return sp__dual_need(pb, set, 0, (size_t)set->faces, scratch);
+    return sp__flat_need(pb, set, (size_t)set->faces, scratch);
 #endif
 }
 
-static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+/* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
+ * the least force is all that is tried: it says what stands, and where it does not little is lost. */
+SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
+                                            sp_arena *arena, sp_verdict *claim)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
-    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, arena);
+    sp__dual *w = sp__dual_make(pb, set, SP__EXACT, flat, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+    const int whole = sp__dual_f0(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->limit = state->left - tail;
     state->reason = SP_REASON_BUDGET;
@@ -5312,18 +6288,19 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     if (w->spent) return SP_OK;
     sp__dual_hint(w, state);
     sp__dual_sizes(w, w->y);
+    if (!whole && w->singular) return SP_OK;
     if (w->singular) sp__newton_loose(w, &n, state);
     if (sp__dual_metric(w)) sp__dual_bilateral(w);
-    sp__newton_try(w, &n, w->y, state);
+    if (whole) sp__newton_try(w, &n, w->y, state);
     sp__newton_look(w, &n, state);
-    sp__newton_plain(w, &n, state);
+    if (whole) sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
     w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
     if (!w->inner->x) return SP_E_MEMORY;
-    if (sp__newton_open(&n) && !sp__scene_strong(pb->scene)) sp__ipm_run(w, w->inner, &n, state);    /* strength: no longer cones */
+    if (sp__newton_open(&n) && whole && !sp__scene_strong(pb->scene)) sp__ipm_run(w, w->inner, &n, state);    /* strength: no longer cones */
 #endif
-    if (sp__newton_open(&n)) {
+    if (sp__newton_open(&n) && whole) {
         sp__newton_path(w, &n, state);
         sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, &n, state);
@@ -5336,768 +6313,19 @@ static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_
     if (SP__FULL && n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
+#ifndef SP_NO_PLAN
+    if (flat) { sp__flat_lift(w, state->dq); sp__flat_spread(flat, pb->points, state->f); }
+#endif
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
                   : n.left > 0 && !spent && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
     return SP_OK;
 }
 
-/* 20 ------------------------------------------------------------------------------------------------ planar and frictionless */
-
-#ifndef SP_NO_PLAN
-/* Two kinds of scenes need only 3 of a block's 6 rows.
- *
- *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and the
- *                  friction cones. The mirror image of forces that balance balances, and so does the mean of both: if there
- *                  are forces there are symmetric ones. Symmetric motions go in the plane and turn about its normal m, so of the
- *                  dual's 6 unknowns 3 are left, corners that mirror each other have equal rates and count as one, and P_K
- *                  keeps forces in the plane because the cone is symmetric. f0, unique, is symmetric as well.
- *   frictionless   all loads along e: only joints with n = +-e, and of their forces only fn. Rows: force along e, moments
- *                  across it; the others are zero of themselves. Forces fn >= 0 lie in every friction cone, so those that
- *                  balance stand; where there are none friction may still help, and the search begins anew with it.
- *
- * Both only propose: what they find is lifted to 3 dimensions and judged there as everything is. Newton's method as in section
- * 18, without its ways out of a stall: then all 6 rows do it. */
-
-typedef enum sp__mode { SP__PLANE, SP__PLUMB } sp__mode;
-
-typedef struct sp__flat {
-    sp__dual w;                         /* pattern of L, sizes, metric, units; y, r, d have 3 numbers a block */
-    sp__mode mode;
-    sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; frictionless: e2 along the loads, e0, e1 across */
-    int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
-    sp_real *g;                         /* SP__FLAT_G a contact: frame and arms, see sp__flat_contact */
-    sp_real *diag, *off, *t;            /* factor: 3 x 3 blocks, lower triangles by columns (6), by columns (9); 3 a block */
-    sp_real *keep;                      /* 3 a block: best y */
-    int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
-    sp_real omega, goal;
-} sp__flat;
-
-#define SP__FLAT_G 9
-#define SP__FLAT_H 54
-#define SP__FLAT_STEPS 12
-#define SP__FLOPS_FLAT_SWEEP 42         /* a vertex that counts: u 9, P_K and S about 18, sums 15; every block of a contact adds: */
-#define SP__FLOPS_FLAT_TWIST 36         /* its twist there and back */
-#define SP__FLOPS_FLAT_HESSIAN 72       /* a vertex of the assembly: u 9, D about 30, q' D q 33; every block of a contact adds: */
-#define SP__FLOPS_FLAT_BLOCKS 115       /* its twist, T' H T; two that are free besides as much as one for what couples them */
-
-/* Asymmetry, relative to arms, that is as good as none. */
-static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
-
-/* ------------------------------------------------------------------------------------------------------------- looking */
-
-/* The mirror image of vertex v of a contact, in its plane along h = (m.t1, m.t2); -1: there is none. */
-static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real small)
+static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    const sp_real *l = pb->local[v];
-    const sp_real out = 2 * (l[1] * h[0] + l[2] * h[1]), x = l[1] - out * h[0], y = l[2] - out * h[1];
-    for (int32_t k = t->point; k < t->point + t->points; k++) {
-        const sp_real *o = pb->local[k];
-        if (sp__abs(o[1] - x) <= small && sp__abs(o[2] - y) <= small && sp__abs(o[0] - l[0]) <= small) return k;
-    }
-    return -1;
+    return sp__exact_search(pb, set, NULL, state, arena, claim);
 }
-
-/* Is m the normal of a mirror of this contact? */
-static int sp__flat_mirror(const sp_problem *pb, const sp_settings *set, const sp_contact *t, const sp_real m[3])
-{
-    const sp_real h[2] = { sp__dot3(m, t->joint->t1), sp__dot3(m, t->joint->t2) }, eps = sp__flat_small(set);
-    sp_real size = 0;
-    for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
-    if (sp__abs(sp__dot3(m, t->joint->n)) > eps) return 0;
-    if (t->a >= 0 && sp__abs(sp__dot3(m, t->ra)) > eps * (size + sp__norm3(t->ra))) return 0;
-    if (t->b >= 0 && sp__abs(sp__dot3(m, t->rb)) > eps * (size + sp__norm3(t->rb))) return 0;
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const int32_t image = sp__flat_image(pb, t, v, h, eps * size);
-        if (image < 0 || sp__flat_image(pb, t, image, h, eps * size) != v) return 0;
-    }
-    return 1;
-}
-
-/* Are the loads symmetric: no force along m, no couple across it; frictionless (`plumb`): the other way round? */
-static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int plumb)
-{
-    const sp_real eps = sp__flat_small(set);
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = plumb ? M : F, *across = plumb ? F : M;
-        sp_real rest[3];
-        for (int k = 0; k < 3; k++) rest[k] = across[k] - sp__dot3(across, m) * m[k];
-        if (pb->scene->block[pb->block[i]].fixed) return 0;             /* held in some directions */
-        if (sp__abs(sp__dot3(along, m)) > eps * sp__norm3(along) || sp__norm3(rest) > eps * sp__norm3(across)) return 0;
-    }
-    return 1;
-}
-
-/* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces; where
- * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
-static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
-{
-    const sp_interface *f = pb->contact[0].joint;
-    sp_real widest = (sp_real)1e-3, size;
-    m[0] = m[1] = m[2] = 0;
-    for (int32_t k = 1; k < pb->contacts + pb->blocks; k++) {
-        sp_real x[3], u[3];
-        memcpy(u, k < pb->contacts ? pb->contact[k].joint->n : pb->p + 6 * (size_t)(k - pb->contacts), sizeof u);
-        size = sp__norm3(u);
-        sp__cross3(f->n, u, x);
-        if (size > 0 && sp__norm3(x) > widest * size) { widest = sp__norm3(x) / size; memcpy(m, x, sizeof x); }
-    }
-    if (sp__norm3(m) > 0) { sp__unit3(m, m); return edge == 1; }
-    memcpy(m, edge == 1 ? f->t1 : f->t2, 3 * sizeof *m);
-    return 1;
-}
-
-/* Does the pyramid of a contact have a mirror across direction h of its tangent plane: is h along a face or an edge? */
-static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_real m[3])
-{
-    const sp_real x = sp__dot3(m, t->joint->t1), y = sp__dot3(m, t->joint->t2);
-    sp_real c, half, plus = -1, minus = -1;
-    if (!set->faces) return 1;
-    sp__pyramid_half(set->faces, &c, &half);
-    for (int32_t k = 0; k < set->faces; k++) {
-        sp_real d[2];
-        sp__pyramid_direction(set->faces, k, d);
-        plus = sp__max(plus, d[1] * x - d[0] * y);
-        minus = sp__max(minus, d[0] * y - d[1] * x);
-    }
-    const sp_real eps = sp__max(sp__flat_small(set), 64 * (sp_real)SP_EPSILON);
-    return (plus >= 1 - eps || plus <= c + eps) && (minus >= 1 - eps || minus <= c + eps);
-}
-
-/* Is the problem planar?     m: the normal of the mirror */
-SP__APART static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
-{
-    for (int edge = 1; pb->contacts && edge <= 2; edge++) {
-        int32_t c = 0;
-        if (!sp__flat_normal(pb, edge, m) || !sp__flat_loads(pb, set, m, 0)) continue;
-        while (c < pb->contacts && sp__flat_mirror(pb, set, &pb->contact[c], m) && sp__flat_cone(set, &pb->contact[c], m)) c++;
-        if (c == pb->contacts) return 1;
-    }
-    return 0;
-}
-
-/* ---------------------------------------------------------------------------------------------------------- the dual */
-
-/* Frame and arms of contact c:
- *   planar         n in the plane (2), t = m x n in the joint's tangents (2), what a turn about m adds to fn, ft of a (2), of b (2)
- *   frictionless   t1, t2 along e0 (2), along e1 (2), what turns about e0, e1 add to fn of a (2), of b (2); sign of n       */
-static void sp__flat_contact(const sp__flat *o, int32_t c, sp_real *g)
-{
-    const sp_contact *t = &o->w.pb->contact[c];
-    const sp_interface *f = t->joint;
-    const sp_real *n = f->n;
-    g[0] = o->mode == SP__PLANE ? sp__dot3(n, o->e[0]) : sp__dot3(f->t1, o->e[0]);
-    g[1] = o->mode == SP__PLANE ? sp__dot3(n, o->e[1]) : sp__dot3(f->t2, o->e[0]);
-    sp_real slip[3];
-    for (int k = 0; k < 3; k++) slip[k] = g[0] * o->e[1][k] - g[1] * o->e[0][k];
-    g[2] = o->mode == SP__PLANE ? sp__dot3(slip, f->t1) : sp__dot3(f->t1, o->e[1]);
-    g[3] = o->mode == SP__PLANE ? sp__dot3(slip, f->t2) : sp__dot3(f->t2, o->e[1]);
-    for (int side = 0; side < 2; side++) {
-        const sp_real x = sp__dot3(side ? t->rb : t->ra, o->e[0]), y = sp__dot3(side ? t->rb : t->ra, o->e[1]);
-        g[4 + 2 * side] = o->mode == SP__PLANE ? g[1] * x - g[0] * y : y;
-        g[5 + 2 * side] = o->mode == SP__PLANE ? g[0] * x + g[1] * y : -x;
-    }
-    g[8] = sp__dot3(n, o->e[2]) < 0 ? (sp_real)-1 : (sp_real)1;
-}
-
-/* Column weights of a block's rows. */
-static void sp__flat_weight(const sp__flat *o, int32_t i, sp_real z[3])
-{
-    z[0] = o->w.weight[2 * (size_t)i];
-    z[2] = o->w.weight[2 * (size_t)i + 1];
-    z[1] = o->mode == SP__PLANE ? z[0] : z[2];
-}
-
-/* T, by columns: twist at the contact's origin, in its frame, of the weighted motion of a block with arm (ax, ay).
- *   planar         [ nx ny  ny ax - nx ay ;  -ny nx  nx ax + ny ay ;  0 0 1 ]
- *   frictionless   [ 1 ay -ax ;  0 1 0 ;  0 0 1 ]                                                                          */
-static void sp__flat_T(const sp__flat *o, int32_t c, int side, sp_real T[9])
-{
-    const sp_contact *t = &o->w.pb->contact[c];
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4);
-    sp_real z[3];
-    sp__flat_weight(o, side ? t->b : t->a, z);
-    for (int k = 0; k < 9; k++) T[k] = k == 8 ? z[2] : 0;
-    if (o->mode == SP__PLANE) {
-        T[0] = z[0] * g[0]; T[1] = -z[0] * g[1];
-        T[3] = z[1] * g[1]; T[4] = z[1] * g[0];
-        T[6] = z[2] * arm[0]; T[7] = z[2] * arm[1];
-    } else {
-        T[0] = z[0];
-        T[3] = z[1] * arm[0]; T[4] = z[1];
-        T[6] = z[2] * arm[1];
-    }
-}
-
-/* How fn and ft go with the twist at vertex v: u = q . twist. */
-static void sp__flat_q(const sp__flat *o, int32_t c, int32_t v, sp_real q[2][3])
-{
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *l = o->w.pb->local[v];
-    if (o->mode == SP__PLANE) {
-        const sp_real along = l[1] * g[2] + l[2] * g[3];
-        q[0][0] = 1; q[0][1] = 0; q[0][2] = -along;
-        q[1][0] = 0; q[1][1] = 1; q[1][2] = l[0];
-    } else {
-        q[0][0] = g[8];
-        q[0][1] = g[8] * (l[1] * g[2] + l[2] * g[3]);
-        q[0][2] = -g[8] * (l[1] * g[0] + l[2] * g[1]);
-        q[1][0] = q[1][1] = q[1][2] = 0;
-    }
-}
-
-/* V += T x for one block of contact c, x its weighted motion, `sign` its side. */
-static void sp__flat_there(const sp__flat *o, int32_t c, int side, const sp_real *y, sp_real V[3])
-{
-    const sp_contact *t = &o->w.pb->contact[c];
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4), sign = side ? (sp_real)1 : (sp_real)-1;
-    const int32_t i = side ? t->b : t->a;
-    sp_real x[3];
-    if (i < 0) return;
-    sp__flat_weight(o, i, x);
-    for (size_t k = 0; k < 3; k++) x[k] *= sign * y[3 * (size_t)i + k];
-    if (o->mode == SP__PLANE) {
-        V[0] += g[0] * x[0] + g[1] * x[1] + arm[0] * x[2];
-        V[1] += g[0] * x[1] - g[1] * x[0] + arm[1] * x[2];
-    } else {
-        V[0] += x[0] + arm[0] * x[1] + arm[1] * x[2];
-        V[1] += x[1];
-    }
-    V[2] += x[2];
-}
-
-/* Its transpose: rows of that block += T' F. */
-static void sp__flat_back(const sp__flat *o, int32_t c, int side, const sp_real F[3], sp_real *r)
-{
-    const sp_contact *t = &o->w.pb->contact[c];
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, *arm = g + (side ? 6 : 4), sign = side ? (sp_real)1 : (sp_real)-1;
-    const int32_t i = side ? t->b : t->a;
-    sp_real x[3];
-    if (i < 0) return;
-    sp_real f[3] = { F[0], arm[0] * F[0] + F[1], arm[1] * F[0] + F[2] };
-    if (o->mode == SP__PLANE) {
-        f[0] = g[0] * F[0] - g[1] * F[1];
-        f[1] = g[1] * F[0] + g[0] * F[1];
-        f[2] = arm[0] * F[0] + arm[1] * F[1] + F[2];
-    }
-    sp__flat_weight(o, i, x);
-    for (size_t k = 0; k < 3; k++) r[3 * (size_t)i + k] += sign * x[k] * f[k];
-}
-
-/* Twist of B seen from A. */
-static void sp__flat_twist(const sp__flat *o, int32_t c, const sp_real *y, sp_real V[3])
-{
-    V[0] = V[1] = V[2] = 0;
-    for (int side = 0; side < 2; side++) sp__flat_there(o, c, side, y, V);
-}
-
-/* Rate u at a vertex, in the joint's frame. */
-static void sp__flat_rate(const sp__flat *o, int32_t c, sp_real q[2][3], const sp_real V[3], sp_real u[3])
-{
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, slip = sp__dot3(q[1], V);
-    u[0] = sp__dot3(q[0], V);
-    u[1] = o->mode == SP__PLANE ? slip * g[2] : 0;
-    u[2] = o->mode == SP__PLANE ? slip * g[3] : 0;
-}
-
-/* f of rate u, in units. */
-static void sp__flat_force(const sp__flat *o, sp__law law, int32_t c, const sp_real u[3], sp_real f[3])
-{
-    const sp_real S = sp__dual_S(&o->w, c);
-    if (law == SP__BILATERAL) { sp__scale3(S, u, f); return; }
-    if (o->mode == SP__PLANE) sp__cone_project(&o->w.cone, sp__dual_yield(&o->w, c), u, f);
-    else { f[0] = sp__max(0, u[0]); f[1] = f[2] = 0; }
-    sp__scale3(S, f, f);
-}
-
-/* So many flops a vertex that counts and a free block of a contact. */
-static void sp__flat_count(sp__flat *o, int32_t vertex, int32_t side)
-{
-    o->w.cost->flops += vertex * o->vertices + side * o->sides;
-}
-
-/* The loads' rows, weighted. */
-static void sp__flat_load(const sp__flat *o, sp_real *r)
-{
-    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
-        const sp_real *F = o->w.pb->p + 6 * (size_t)i, *M = F + 3;
-        sp_real z[3], *x = r + 3 * (size_t)i;
-        sp__flat_weight(o, i, z);
-        x[0] = z[0] * sp__dot3(F, o->e[o->mode == SP__PLANE ? 0 : 2]) / o->w.unit;
-        x[1] = z[1] * (o->mode == SP__PLANE ? sp__dot3(F, o->e[1]) : sp__dot3(M, o->e[0])) / o->w.unit;
-        x[2] = z[2] * sp__dot3(M, o->e[o->mode == SP__PLANE ? 2 : 1]) / o->w.unit;
-    }
-}
-
-/* r = Aeq f(y) + p; f (may be NULL): the forces, 3 x points, in newtons. */
-SP__APART static void sp__flat_gradient(sp__flat *o, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
-{
-    const sp_problem *pb = o->w.pb;
-    sp__flat_load(o, r);
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        sp_real *V = o->w.h, *u = V + 3, *h = V + 6, (*q)[3] = (sp_real (*)[3])(V + 9), F[3] = { 0, 0, 0 };
-        sp__flat_twist(o, c, y, V);
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (o->mate[v] < v) continue;
-            sp__flat_q(o, c, v, q);
-            sp__flat_rate(o, c, q, V, u);
-            sp__flat_force(o, law, c, u, h);
-            if (f) sp__scale3(o->w.unit, h, f + 3 * (size_t)v);
-            if (f && o->mate[v] > v) memcpy(f + 3 * (size_t)o->mate[v], f + 3 * (size_t)v, 3 * sizeof *f);
-            const sp_real *g = o->g + SP__FLAT_G * (size_t)c, twice = o->mate[v] > v ? 2 : 1;
-            const sp_real slip = o->mode == SP__PLANE ? h[1] * g[2] + h[2] * g[3] : 0;
-            for (int k = 0; k < 3; k++) F[k] += twice * (q[0][k] * h[0] + q[1][k] * slip);
-        }
-        for (int side = 0; side < 2; side++) sp__flat_back(o, c, side, F, r);
-    }
-    sp__flat_count(o, SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
-}
-
-/* H = sum q' D q of a contact, full 3 x 3. */
-SP__APART static void sp__flat_hessian(sp__flat *o, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
-{
-    const sp_contact *t = &o->w.pb->contact[c];
-    const sp_real *g = o->g + SP__FLAT_G * (size_t)c, S = sp__dual_S(&o->w, c);
-    sp_real *V = o->w.h + 36, *u = o->w.h + 39, *D = o->w.h + 42, (*q)[3] = (sp_real (*)[3])(o->w.h + 48);
-    sp__flat_twist(o, c, y, V);
-    for (int k = 0; k < 9; k++) H[k] = 0;
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        if (o->mate[v] < v) continue;
-        D[0] = D[3] = D[5] = 1;
-        D[1] = D[2] = D[4] = 0;
-        sp__flat_q(o, c, v, q);
-        sp__flat_rate(o, c, q, V, u);
-        if (law != SP__BILATERAL && o->mode == SP__PLUMB) D[0] = u[0] > 0;
-        else if (law != SP__BILATERAL) sp__cone_derivative(&o->w.cone, sp__dual_yield(&o->w, c), u, D);
-        const sp_real m = S * (o->mate[v] > v ? 2 : 1), nn = m * D[0], nt = m * (D[1] * g[2] + D[2] * g[3]);
-        const sp_real tt = m * (D[3] * g[2] * g[2] + 2 * D[4] * g[2] * g[3] + D[5] * g[3] * g[3]);
-        for (int i = 0; i < 3; i++) {
-            const sp_real a = nn * q[0][i] + nt * q[1][i], b = nt * q[0][i] + tt * q[1][i];
-            for (int k = 0; k < 3; k++) H[3 * i + k] += a * q[0][k] + b * q[1][k];
-        }
-    }
-}
-
-/* out = A' H B, all by columns; H symmetric. */
-static void sp__flat_triple(const sp_real A[9], const sp_real H[9], const sp_real B[9], sp_real out[9])
-{
-    for (int c = 0; c < 3; c++) {
-        sp_real x[3];
-        for (int r = 0; r < 3; r++) x[r] = sp__dot3(H + 3 * r, B + 3 * c);
-        for (int r = 0; r < 3; r++) out[3 * c + r] = sp__dot3(A + 3 * r, x);
-    }
-}
-
-/* Aeq S D Aeq' + shift: diagonal blocks as lower triangles. */
-SP__APART static void sp__flat_assemble(sp__flat *o, sp__law law, const sp_real *y, sp_real shift)
-{
-    const sp_problem *pb = o->w.pb;
-    const sp__bchol *L = &o->w.L;
-    sp_real *H = o->w.h, *T[2] = { H + 9, H + 18 }, *K = H + 27;
-    memset(o->diag, 0, 6 * (size_t)L->n * sizeof *o->diag);
-    memset(o->off, 0, 9 * (size_t)L->p[L->n] * sizeof *o->off);
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        sp__flat_hessian(o, law, c, y, H);
-        for (int side = 0; side < 2; side++) {
-            const int32_t i = side ? t->b : t->a;
-            if (i < 0) continue;
-            sp__flat_T(o, c, side, T[side]);
-            sp__flat_triple(T[side], H, T[side], K);
-            sp_real *d = o->diag + 6 * (size_t)L->inv[i];
-            d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
-        }
-        if (o->w.slot[c] == INT32_MIN) continue;
-        const int turn = o->w.slot[c] < 0;
-        sp_real *x = o->off + 9 * (size_t)(turn ? -1 - o->w.slot[c] : o->w.slot[c]);
-        o->w.cost->flops += SP__FLOPS_FLAT_BLOCKS;
-        if (turn) sp__flat_triple(T[1], H, T[0], K); else sp__flat_triple(T[0], H, T[1], K);
-        for (int k = 0; k < 9; k++) x[k] -= K[k];
-    }
-    for (size_t k = 0; k < (size_t)L->n; k++) { o->diag[6 * k] += shift; o->diag[6 * k + 3] += shift; o->diag[6 * k + 5] += shift; }
-    sp__flat_count(o, SP__FLOPS_FLAT_HESSIAN, SP__FLOPS_FLAT_BLOCKS);
-}
-
-/* L L' of a lower triangle in place, reciprocals on the diagonal; pivots below the floor carry nothing, as in solvers/bchol.c. */
-static void sp__flat_block(sp_real *d, sp_real floor)
-{
-    static const unsigned char at[3] = { 0, 3, 5 };
-    for (int c = 0; c < 3; c++) {
-        sp_real *x = d + at[c];
-        const int carries = *x > floor;
-        const sp_real s = 1 / SP_SQRT(carries ? *x : floor);
-        for (int r = c + 1; r < 3; r++) x[r - c] *= carries ? s : 0;
-        *x = carries ? s : -s;
-        for (int k = c + 1; k < 3; k++)
-            for (int r = k; r < 3; r++) d[at[k] + r - k] -= x[r - c] * x[k - c];
-    }
-}
-
-/* As sp__bchol_factor, blocks of 3 x 3. */
-SP__APART static void sp__flat_factor(sp__flat *o, sp__law law, const sp_real *y, sp_real shift)
-{
-    const sp__bchol *L = &o->w.L;
-    sp__flat_assemble(o, law, y, shift);
-    o->w.cost->factorisations++;
-    for (int32_t k = 0; k < L->n; k++) {
-        sp_real *d = o->diag + 6 * (size_t)k;
-        const int64_t below = L->p[k + 1] - L->p[k];
-        o->w.cost->flops += 17 + 57 * below + 54 * (below * (below - 1) / 2);
-        sp__flat_block(d, 4 * (sp_real)SP_EPSILON);
-        const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
-        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++) {               /* X <- X L'^-1 */
-            sp_real *x = o->off + 9 * (size_t)q;
-            for (int r = 0; r < 3; r++) {
-                x[r] *= s0;
-                x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
-                x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
-            }
-        }
-        for (int32_t b = L->p[k]; b < L->p[k + 1]; b++) {
-            const int32_t j = L->i[b];
-            const sp_real *xb = o->off + 9 * (size_t)b;
-            sp_real *e = o->diag + 6 * (size_t)j;
-            for (int c = 0, at = 0; c < 3; c++)
-                for (int r = c; r < 3; r++, at++) e[at] -= xb[r] * xb[c] + xb[3 + r] * xb[3 + c] + xb[6 + r] * xb[6 + c];
-            int32_t to = L->p[j];
-            for (int32_t a = b + 1; a < L->p[k + 1]; a++) {
-                while (L->i[to] < L->i[a]) to++;
-                const sp_real *xa = o->off + 9 * (size_t)a;
-                sp_real *x = o->off + 9 * (size_t)to;
-                for (int c = 0; c < 3; c++)
-                    for (int r = 0; r < 3; r++) x[3 * c + r] -= xa[r] * xb[c] + xa[3 + r] * xb[3 + c] + xa[6 + r] * xb[6 + c];
-            }
-        }
-    }
-}
-
-/* x <- (L L')^-1 b; x may be b. */
-SP__APART static void sp__flat_solve(sp__flat *o, const sp_real *b, sp_real *x)
-{
-    const sp__bchol *L = &o->w.L;
-    sp_real *t = o->t;
-    o->w.cost->flops += 36 * (int64_t)L->p[L->n] + 18 * (int64_t)L->n;
-    for (size_t k = 0; k < (size_t)L->n; k++) memcpy(t + 3 * k, b + 3 * (size_t)L->perm[k], 3 * sizeof *t);
-    for (int32_t k = 0; k < L->n; k++) {                                /* L z = b */
-        sp_real *v = t + 3 * (size_t)k;
-        const sp_real *d = o->diag + 6 * (size_t)k;
-        v[0] *= sp__abs(d[0]);
-        v[1] = (v[1] - d[1] * v[0]) * sp__abs(d[3]);
-        v[2] = (v[2] - d[2] * v[0] - d[4] * v[1]) * sp__abs(d[5]);
-        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++) {
-            sp_real *z = t + 3 * (size_t)L->i[q];
-            const sp_real *l = o->off + 9 * (size_t)q;
-            for (int r = 0; r < 3; r++) z[r] -= l[r] * v[0] + l[3 + r] * v[1] + l[6 + r] * v[2];
-        }
-    }
-    for (int32_t k = L->n - 1; k >= 0; k--) {                           /* L' x = z */
-        sp_real *v = t + 3 * (size_t)k;
-        const sp_real *d = o->diag + 6 * (size_t)k;
-        for (int32_t q = L->p[k]; q < L->p[k + 1]; q++)
-            for (int c = 0; c < 3; c++) v[c] -= sp__dot3(o->off + 9 * (size_t)q + 3 * c, t + 3 * (size_t)L->i[q]);
-        v[2] *= sp__abs(d[5]);
-        v[1] = (v[1] - d[4] * v[2]) * sp__abs(d[3]);
-        v[0] = (v[0] - d[1] * v[1] - d[2] * v[2]) * sp__abs(d[0]);
-    }
-    for (size_t k = 0; k < (size_t)L->n; k++) memcpy(x + 3 * (size_t)L->perm[k], t + 3 * k, 3 * sizeof *x);
-}
-
-/* ------------------------------------------------------------------------------------------------------------ search */
-
-/* Takes part: planar every joint, frictionless those along the loads. */
-static void sp__flat_mates(sp__flat *o)
-{
-    const sp_problem *pb = o->w.pb;
-    const sp_real eps = sp__flat_small(o->w.set);
-    o->vertices = o->sides = 0;
-    for (int32_t v = 0; v < pb->points; v++) o->mate[v] = -1;
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp_real h[2] = { sp__dot3(o->e[2], t->joint->t1), sp__dot3(o->e[2], t->joint->t2) };
-        const int level = h[0] * h[0] + h[1] * h[1] <= eps * eps;
-        o->sides += (t->a >= 0) + (t->b >= 0);
-        sp_real size = 0;
-        for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (o->mode == SP__PLANE) o->mate[v] = sp__flat_image(pb, t, v, h, eps * size);
-            else if (level) o->mate[v] = v;
-            o->vertices += o->mate[v] >= v;
-        }
-    }
-}
-
-/* e0, e1 so that e is right-handed. */
-static void sp__flat_axes(sp__flat *o)
-{
-    const sp_real *m = o->e[2];
-    const int less = sp__abs(m[0]) <= sp__abs(m[1]) ? 0 : 1, least = sp__abs(m[less]) <= sp__abs(m[2]) ? less : 2;
-    sp_real x[3] = { 0, 0, 0 };
-    x[least] = 1;
-    sp__cross3(x, m, o->e[0]);
-    sp__unit3(o->e[0], o->e[0]);
-    sp__cross3(m, o->e[0], o->e[1]);
-}
-
-/* In `a`, which has room for the whole dual of 6 rows, or it fails.       *fits: this one wants no more than that */
-SP__APART static sp__flat *sp__flat_open(const sp_problem *pb, const sp_settings *set, sp__mode mode, const sp_real m[3],
-                                         sp_cost *cost, sp_arena *a)
-{
-    sp__flat *o = sp__take(a, 1, sizeof *o);
-    if (!o) return NULL;
-    memset(o, 0, sizeof *o);
-    sp__dual *w = &o->w;
-    const int32_t nnz = sp__dual_analyse(w, pb, a);
-    const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
-    if (nnz < 0) return NULL;
-    sp__cone_carve(&w->cone, set->faces, a);
-    w->yield = sp__take(a, 1, sizeof *w->yield);
-    w->slot = sp__take(a, c, sizeof *w->slot);
-    w->weight = sp__take(a, b, 2 * sizeof *w->weight);
-    w->size = sp__take(a, b, 2 * sizeof *w->size);
-    w->y = sp__take(a, b, 3 * sizeof *w->y);
-    w->r = sp__take(a, b, 3 * sizeof *w->r);
-    w->d = sp__take(a, b, 3 * sizeof *w->d);
-    w->h = sp__take(a, SP__FLAT_H, sizeof *w->h);
-    o->keep = sp__take(a, b, 3 * sizeof *o->keep);
-    o->t = sp__take(a, b, 3 * sizeof *o->t);
-    o->mate = sp__take(a, (size_t)pb->points, sizeof *o->mate);
-    o->g = sp__take(a, c, SP__FLAT_G * sizeof *o->g);
-    w->L.i = sp__take(a, (size_t)nnz, sizeof *w->L.i);
-    o->diag = sp__take(a, b, 6 * sizeof *o->diag);
-    o->off = sp__take(a, (size_t)nnz, 9 * sizeof *o->off);
-    if (sp__failed(a)) return NULL;
-    sp__bchol_pattern(&w->L, w->xadj, w->adj, w->parent, w->mark);
-    o->mode = mode;
-    memcpy(o->e[2], m, sizeof o->e[2]);
-    sp__flat_axes(o);
-    w->set = set;
-    w->cost = cost;
-    w->slide = w->factor = 1;
-    w->unit = sp__load_unit(pb);
-    o->goal = set->tol / 4;
-    sp__cone_make(&w->cone);
-    sp_real half;
-    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
-    sp__dual_slots(w);
-    sp__flat_mates(o);
-    for (int32_t k = 0; k < pb->contacts; k++) sp__flat_contact(o, k, o->g + SP__FLAT_G * (size_t)k);
-    return o;
-}
-
-static sp_real sp__flat_norm(const sp__flat *o, const sp_real *x) { return SP_SQRT(sp__dot(x, x, 3 * (size_t)o->w.pb->blocks)); }
-
-/* w.y: the potential of the bilateral force, w.d: its correction.     returns 0 where the joints alone don't balance the load */
-SP__APART static int sp__flat_bilateral(sp__flat *o)
-{
-    const size_t n = 3 * (size_t)o->w.pb->blocks;
-    sp_real *y = o->w.y, *r = o->w.r, last = SP__HUGE;
-    sp__dual_weights(&o->w);
-    memset(y, 0, n * sizeof *y);
-    sp__flat_factor(o, SP__BILATERAL, y, SP__SHIFT);
-    sp__flat_load(o, r);
-    o->w.load = sp__flat_norm(o, r);
-    for (int it = 0; it < 6; it++) {
-        sp__flat_solve(o, r, r);
-        for (size_t k = 0; k < n; k++) y[k] -= r[k];
-        sp__flat_gradient(o, SP__BILATERAL, y, r, NULL);
-        const sp_real now = sp__flat_norm(o, r);
-        if (now > SP__SCALE_TOL * o->w.load && it) return 0;
-        if (now <= 64 * (sp_real)SP_EPSILON * o->w.load || now > last / 4) break;
-        last = now;
-    }
-    sp__flat_solve(o, r, o->w.d);
-    return 1;
-}
-
-/* Weighted motion of 3 rows in 6, times `sign`. */
-static void sp__flat_lift(const sp__flat *o, const sp_real *y, sp_real sign, sp_real *to)
-{
-    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
-        const sp_real *x = y + 3 * (size_t)i;
-        sp_real z[3], *m = to + 6 * (size_t)i;
-        sp__flat_weight(o, i, z);
-        for (int k = 0; k < 3; k++) z[k] *= sign * x[k];
-        for (int k = 0; k < 3; k++) {
-            m[k] = o->mode == SP__PLANE ? z[0] * o->e[0][k] + z[1] * o->e[1][k] : z[0] * o->e[2][k];
-            m[3 + k] = o->mode == SP__PLANE ? z[2] * o->e[2][k] : z[1] * o->e[0][k] + z[2] * o->e[1][k];
-        }
-    }
-}
-
-/* Sizes of the blocks by the bilateral force y - d; frictionless: by their loads alone, which are less. */
-SP__APART static void sp__flat_sizes(sp__flat *o)
-{
-    const sp_problem *pb = o->w.pb;
-    sp_real *size = o->w.size;
-    for (size_t k = 0; k < 3 * (size_t)pb->blocks; k++) { o->keep[k] = 0; o->t[k] = o->w.y[k] - o->w.d[k]; }
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        size[2 * (size_t)i] = sp__norm3(pb->p + 6 * (size_t)i) / o->w.unit;
-        size[2 * (size_t)i + 1] = sp__norm3(pb->p + 6 * (size_t)i + 3) / o->w.unit;
-    }
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        sp_real V[3];
-        sp__flat_twist(o, c, o->t, V);
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real q[2][3], u[3], x[3], m[3];
-            if (o->mate[v] < v) continue;
-            const sp_real twice = o->mate[v] > v ? 2 : 1;
-            sp__flat_q(o, c, v, q);
-            sp__flat_rate(o, c, q, V, u);
-            for (int side = 0; side < 2; side++) {
-                const int32_t i = side ? t->b : t->a;
-                const sp_real *arm = side ? t->rb : t->ra, *l = pb->local[v];
-                if (i < 0) continue;
-                x[0] = sp__dot3(arm, t->joint->n) + l[0]; x[1] = sp__dot3(arm, t->joint->t1) + l[1];
-                x[2] = sp__dot3(arm, t->joint->t2) + l[2];
-                sp__cross3(x, u, m);
-                o->keep[3 * (size_t)i] = sp__max(o->keep[3 * (size_t)i], sp__norm3(x));
-                if (o->mode == SP__PLUMB) continue;
-                size[2 * (size_t)i] += twice * sp__norm3(u);
-                size[2 * (size_t)i + 1] += twice * sp__norm3(m);
-            }
-        }
-    }
-    for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * size[2 * i] * o->keep[3 * i] / o->w.set->tol;
-    sp__flat_count(o, 2 * SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
-}
-
-/* Gradient, imbalance, best y. */
-static void sp__flat_look(sp__flat *o, sp_real *best)
-{
-    sp_real omega = 0;
-    sp__flat_gradient(o, SP__ADMISSIBLE, o->w.y, o->w.r, NULL);
-    for (int32_t i = 0; i < o->w.pb->blocks; i++) {
-        const sp_real *r = o->w.r + 3 * (size_t)i, *s = o->w.size + 2 * (size_t)i, *z = o->w.weight + 2 * (size_t)i;
-        const int plane = o->mode == SP__PLANE;
-        const sp_real F = plane ? SP_SQRT(r[0] * r[0] + r[1] * r[1]) : sp__abs(r[0]);
-        const sp_real M = plane ? sp__abs(r[2]) : SP_SQRT(r[1] * r[1] + r[2] * r[2]);
-        omega = sp__max(omega, sp__max(sp__ratio(F, z[0] * s[0]), sp__ratio(M, z[1] * s[1])));
-    }
-    o->omega = omega;
-    if (omega >= *best) return;
-    *best = omega;
-    memcpy(o->keep, o->w.y, 3 * (size_t)o->w.pb->blocks * sizeof *o->keep);
-}
-
-/* y += s d with a slope of at most a fifth of the first, as in sp__newton_move. */
-SP__APART static sp_real sp__flat_move(sp__flat *o, sp_real *best)
-{
-    const size_t n = 3 * (size_t)o->w.pb->blocks;
-    const sp_real *d = o->w.d, start = sp__dot(o->w.r, d, n);
-    const sp_real noise = 64 * (sp_real)SP_EPSILON * o->w.load * sp__flat_norm(o, d), enough = sp__max(sp__abs(start) / 5, noise);
-    sp_real lo = 0, flo = start, hi = 0, fhi = 0, s = 1, at = 0;
-    for (int it = 0; it < 14; it++) {
-        for (size_t k = 0; k < n; k++) o->w.y[k] += (s - at) * d[k];
-        at = s;
-        sp__flat_look(o, best);
-        const sp_real f = sp__dot(o->w.r, d, n);
-        if (sp__abs(f) <= enough || start >= -noise) break;
-        if (f < 0) { lo = s; flo = f; } else { hi = s; fhi = f; }
-        if (!(hi > 0)) {
-            if (s > 1000) break;
-            s *= 4;
-            continue;
-        }
-        const sp_real edge = (sp_real)0.1 * (hi - lo);
-        s = lo + (hi - lo) * (-flo / (fhi - flo));
-        if (s < lo + edge) s = lo + edge;
-        if (s > hi - edge) s = hi - edge;
-    }
-    return at;
-}
-
-/* Is dq = -y a proof? As sp__newton_proof. */
-SP__APART static int sp__flat_proof(sp__flat *o, const sp_real *y)
-{
-    const sp_problem *pb = o->w.pb;
-    sp_real work, resist = 0, scale = 0;
-    sp__flat_load(o, o->t);
-    work = -sp__dot(o->t, y, 3 * (size_t)pb->blocks);
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *x = y + 3 * (size_t)i, *s = o->w.size + 2 * (size_t)i, *z = o->w.weight + 2 * (size_t)i;
-        scale += s[0] * z[0] * SP_SQRT(x[0] * x[0] + x[1] * x[1]) + s[1] * z[1] * sp__abs(x[2]);
-    }
-    for (int32_t c = 0; c < pb->contacts && resist < work; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp_real S = sp__dual_S(&o->w, c), most = o->w.set->force_bound * sp__lesser(t, o->w.size, 2) / S;
-        sp_real V[3], u[3], q[2][3];
-        sp__flat_twist(o, c, y, V);
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (o->mate[v] < v) continue;
-            sp__flat_q(o, c, v, q);
-            sp__flat_rate(o, c, q, V, u);
-            resist += S * (o->mate[v] > v ? 2 : 1) * sp__cone_support(&o->w.cone, sp__dual_yield(&o->w, c), u, most);
-        }
-    }
-    sp__flat_count(o, SP__FLOPS_FLAT_SWEEP, SP__FLOPS_FLAT_TWIST);
-    return work - resist > (sp_real)1.1 * o->w.set->tol * scale;
-}
-
-/* Newton steps. Planar a mechanism is looked for on the way, in y and what inverse iteration makes of it; it ends in w.d.
- *     returns what is claimed */
-SP__APART static sp_verdict sp__flat_newton(sp__flat *o)
-{
-    const size_t n = 3 * (size_t)o->w.pb->blocks;
-    sp_real best = SP__HUGE, shift = SP__SHIFT;
-    int tiny = 0;
-    sp__flat_look(o, &best);
-    for (int it = 0; it < SP__FLAT_STEPS && best > o->goal && tiny < 2; it++) {
-        sp__flat_factor(o, SP__ADMISSIBLE, o->w.y, shift);
-        for (size_t k = 0; k < n; k++) o->w.d[k] = -o->w.r[k];
-        sp__flat_solve(o, o->w.d, o->w.d);
-        o->w.cost->iterations++;
-        const sp_real last = best, s = sp__flat_move(o, &best);
-        if (o->mode == SP__PLUMB && best > last / 2) break;             /* as good as rounding lets it, or no way */
-        if (s < (sp_real)0.03) { tiny++; shift = shift * 1000 < 1 ? shift * 1000 : 1; }
-        if (s > (sp_real)0.5) shift = sp__max(SP__SHIFT, shift / 100);
-        if (o->mode != SP__PLANE || best <= o->goal || s <= 10) continue;
-        for (int k = 0; k < 3; k++) {                                   /* something moves */
-            sp__flat_solve(o, o->w.d, o->w.d);
-            const sp_real size = sp__flat_norm(o, o->w.d);
-            if (!(size > 0)) break;
-            for (size_t q = 0; q < n; q++) o->w.d[q] /= size;
-            if (k == 2 && sp__flat_proof(o, o->w.d)) return SP_UNSTABLE;
-        }
-    }
-    for (int it = 0; it < 4 && best <= o->goal && best > 256 * (sp_real)SP_EPSILON; it++) {        /* while a step gains a digit */
-        const sp_real last = best;
-        memcpy(o->w.d, o->w.r, n * sizeof *o->w.d);
-        sp__flat_solve(o, o->w.d, o->w.d);
-        for (size_t k = 0; k < n; k++) o->w.y[k] -= o->w.d[k];
-        sp__flat_look(o, &best);
-        if (best > last / 10) break;
-    }
-    return best <= o->w.set->tol ? SP_STABLE : SP_UNDECIDED;
-}
-
-/* Forces in state->f, or a motion in state->dq; planar f0's potential in state->y0, frictionless none.
- *     *claim: UNDECIDED where it finds neither; then the state is as it was but for these */
-SP__APART static sp_status sp__flat_run(const sp_problem *pb, const sp_settings *set, sp__mode mode, const sp_real m[3],
-                                        sp_state *state, sp_arena *a, sp_verdict *claim)
-{
-    const size_t n = 6 * (size_t)pb->blocks;
-    sp__flat *o = sp__flat_open(pb, set, mode, m, &state->cost, a);
-    *claim = SP_UNDECIDED;
-    if (!o) return SP_E_MEMORY;
-    if (!sp__flat_bilateral(o)) return SP_OK;
-    sp__flat_sizes(o);
-    if (mode == SP__PLANE) {
-        sp__flat_lift(o, o->w.y, o->w.unit, state->y0);
-        sp__flat_lift(o, o->w.d, -o->w.unit, state->y0 + n);
-        state->has_y0 = 1;
-    }
-    if (sp__dual_metric(&o->w) && !sp__flat_bilateral(o)) return SP_OK;
-    *claim = sp__flat_newton(o);
-    if (*claim == SP_UNSTABLE) sp__flat_lift(o, o->w.d, -1, state->dq);
-    if (*claim != SP_STABLE) return SP_OK;
-    memset(state->f, 0, 3 * (size_t)pb->points * sizeof *state->f);
-    sp__flat_gradient(o, SP__ADMISSIBLE, o->keep, o->w.r, state->f);
-    return SP_OK;
-}
-
-#endif /* SP_NO_PLAN */
 
 /* 21 -------------------------------------------------------------------------------------------------------- penalty form */
 
@@ -6117,6 +6345,7 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
         sp__dual_twist(w, t, w->y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3], f[3];
+            if (!(sp__dual_counts(w, v) > 0)) continue;
             sp__dual_rate(w, V, W, w->pb->local[v], u);
             sp__dual_force(w, c, yield, u, f);
             const sp_real held = k.C + t->joint->joint.mu * sp__max(-k.T, f[0] * w->unit);
@@ -6130,7 +6359,17 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
                                            sp_demand *demand)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
-    sp__dual *w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
+    sp__dual *w = NULL;
+#ifndef SP_NO_PLAN
+    sp__flat flat;
+    const sp_arena start = *arena;
+    if (sp__flat_choose(pb, set, &flat)) {
+        w = sp__dual_make(pb, set, SP__PENALTY, &flat, &state->cost, arena);
+        if (!w) return SP_E_MEMORY;
+        if (!sp__dual_f0(w)) { *arena = start; w = NULL; }              /* level, but friction may help */
+    }
+#endif
+    if (!w) w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     w->limit = state->left;
     sp__dual_bilateral(w);
@@ -8335,20 +8574,6 @@ typedef struct sp__islands {
     int32_t *next, *link, *hook;        /* the next block, interface, load of the same island, -1: none */
 } sp__islands;
 
-/* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
- * budget and no fewer iterations than usual, because what they buy is then told of the stages as they are. */
-static int sp__plan_stages(const sp_settings *set)
-{
-    int exact = 0;
-    if (!set) return 1;
-    if (set->seed || set->budget > 0 || set->iterations < SP__ITERATIONS || set->stage_count > SP_STAGES_MAX) return 0;
-    for (int32_t k = 0; k < set->stage_count; k++) {
-        if (set->stage[k] == SP_STAGE_CUSTOM || set->stage[k] == SP_STAGE_ADMM) return 0;
-        exact |= set->stage[k] == SP_STAGE_EXACT;
-    }
-    return exact;
-}
-
 /* May islands be solved apart? */
 static int sp__islands_apart(const sp_settings *set)
 {
@@ -8710,7 +8935,7 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
         if (k == set->stage_count && (!SP__FULL || !set->localise)) break;
         const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
-                                                 : sp__sparse_need(pb, set, scratch);
+                                                 : sp__flat_need(pb, set, 0, scratch);
         if (need > work) work = need;
     }
     if (!set->work) return most > work ? most : work;
@@ -8809,7 +9034,7 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
 }
 
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
-typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 368 && sizeof(sp__yield) <= 64
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
 #ifndef SP_NO_IPM
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
@@ -8945,67 +9170,26 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
 }
 
 #ifndef SP_NO_PLAN
-/* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
- * upright to, no mortar, and every block rests on something. */
-SP__APART static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+/* The search in 3 rows, where one is planned, judged in full: in the memory of the whole search, before it. Forces by least scales
+ * where the bilateral force is not known. */
+SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r,
+                                          int *done)
 {
-    const sp_real eps = sp__flat_small(set);
-    int32_t rests = 0;
-    if (sp__scene_strong(pb->scene) || !sp__flat_loads(pb, set, m, 1)) return 0;
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp_real along = sp__dot3(t->joint->n, m);
-        sp_real across[3];
-        sp__cross3(t->joint->n, m, across);
-        if (sp__norm3(across) > eps && sp__abs(along) > eps) return 0;
-        rests += (along < 0 && t->b >= 0) || (along > 0 && t->a >= 0);
-    }
-    return rests >= pb->blocks;
-}
-
-/* The direction of the loads: that of the first.     returns 0 where there is none */
-static int sp__flat_down(const sp_problem *pb, sp_real m[3])
-{
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *F = pb->p + 6 * (size_t)i;
-        if (sp__norm3(F) > 0) { sp__unit3(F, m); return 1; }
-    }
-    return 0;
-}
-
-/* Is a reduction planned for this problem?      m: the normal of the mirror, or the direction of the loads */
-static int sp__plan_reduces(const sp_problem *pb, const sp_settings *set, sp__mode mode, sp_real m[3])
-{
-    const sp_choice choice = set->effect[mode == SP__PLANE ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION];
-    if (!sp__plan_stages(set) || choice == SP_WITH) return 0;
-    if (mode == SP__PLANE) return set->effect[SP_EFFECT_FRICTION] != SP_WITHOUT && sp__flat_planar(pb, set, m);
-    if (set->effect[SP_EFFECT_DEPTH] != SP_WITH && sp__flat_planar(pb, set, m)) return 0;
-    return sp__flat_down(pb, m) && sp__flat_plumb(pb, set, m);
-}
-
-/* One reduction in the memory of the whole search, judged in full. Forces of the frictionless one by least scales, for which no
- * bilateral force is needed; a planar motion only if it is final, for the whole search has ways to make it so. */
-SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp__mode mode, sp_state *state, sp_arena *a,
-                                          sp_result *r, int *done)
-{
-    sp_real m[3];
+    sp__flat o;
     sp_verdict claim = SP_UNDECIDED;
-    if (!sp__plan_reduces(pb, set, mode, m)) return SP_OK;
+    if (!sp__flat_choose(pb, set, &o)) return SP_OK;
+    state->left = INT64_MAX / 4;
     sp_arena room = sp__work_open(set, a);
-    const size_t mark = room.used, need = sp__exact_need(pb, set, room);
-    if (need == SIZE_MAX || !sp__take(&room, 1, need)) return SP_E_MEMORY;
+    const sp_status status = sp__exact_search(pb, set, &o, state, &room, &claim);
     sp__work_close(set, a, &room);
-    room.cap = room.used;
-    room.used = mark;
-    if (sp__flat_run(pb, set, mode, m, state, &room, &claim) || !claim) return SP_OK;
-    const int plane = mode == SP__PLANE;
-    if (sp__check_claim(pb, set, plane ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
-    *done = r->verdict == SP_STABLE
-         || (r->verdict == SP_UNSTABLE && (r->final || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT));
-    if (!*done) { r->verdict = SP_UNDECIDED; r->final = 0; r->least_imbalance = 0; return SP_OK; }
+    if (status || !claim) return status;
+    if (sp__check_claim(pb, set, o.mode == SP__PLANE || o.forest ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
+    *done = r->verdict != SP_UNDECIDED;
+    if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
     r->verified = 1;
     r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
-    r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    if (o.mode == SP__PLANE) r->effect[SP_EFFECT_DEPTH] = SP_WHY_MIRROR;
+    else r->effect[SP_EFFECT_FRICTION] = SP_WHY_PRESSURE;
     return SP_OK;
 }
 
@@ -9015,8 +9199,7 @@ SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_sett
                                              sp_arena *a, sp_result *r, int *done)
 {
     memset(&state->cost, 0, sizeof state->cost);
-    sp_status status = sp__check_flat(pb, set, SP__PLANE, state, a, r, done);
-    if (!status && !*done) status = sp__check_flat(pb, set, SP__PLUMB, state, a, r, done);
+    const sp_status status = sp__check_flat(pb, set, state, a, r, done);
     if (!*done && set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
         r->reason = SP_REASON_EFFECT;
         r->missing = SP_EFFECT_DEPTH;
@@ -9539,13 +9722,12 @@ static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena
 #endif
 }
 
-/* What a reduction saves, a planar one with corners in pairs; the frictionless one takes a step or two. */
+/* What a reduction saves, a planar one with corners in pairs. */
 static void sp__plan_flat(const sp_problem *pb, sp__mode mode, int64_t full, int64_t factor, sp__work *o)
 {
-    const int64_t v = pb->points / (mode == SP__PLANE ? 2 : 1), c = pb->contacts, steps = mode == SP__PLANE ? SP__PLAN_STEPS : 2;
-    const int64_t assembly = SP__FLOPS_FLAT_HESSIAN * v + 3 * SP__FLOPS_FLAT_BLOCKS * c;
-    const int64_t sweep = SP__FLOPS_FLAT_SWEEP * v + 2 * SP__FLOPS_FLAT_TWIST * c;
-    o->less[mode] += full - steps * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
+    const int64_t v = pb->points / (mode == SP__PLANE ? 2 : 1), c = pb->contacts;
+    const int64_t assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS / 2 * c, sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST / 2 * c;
+    o->less[mode] += full - SP__PLAN_STEPS * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
     o->fewer[mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
     o->reduced[mode]++;
 }
@@ -9563,14 +9745,13 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
     const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
     const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
     const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
-    sp_real m[3];
+    sp__flat flat;
     o->unknowns += 6 * b + 3 * v;
     o->flops += full;
     o->problems++;
     o->forests += hangs;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
-    for (int mode = 0; mode < 2; mode++)
-        if (b && sp__plan_reduces(&pb, set, (sp__mode)mode, m)) sp__plan_flat(&pb, (sp__mode)mode, full, w->L.flops, o);
+    if (sp__flat_choose(&pb, set, &flat)) sp__plan_flat(&pb, flat.mode, full, w->L.flops, o);
     return SP_OK;
 }
 

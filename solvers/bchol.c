@@ -13,12 +13,14 @@
 #include "order.c"
 
 static const unsigned char sp__column[6] = { 0, 6, 11, 15, 18, 20 };    /* where the columns of a lower triangle start */
+static const unsigned char sp__column3[3] = { 0, 3, 5 };                /* of one of 3 x 3 */
 
 typedef struct sp__bchol {
-    int32_t n;
+    int32_t n, rows;                    /* rows: 6, or 3 with blocks of 6 numbers in d and 9 in x */
     int32_t *perm, *inv;                /* k-th eliminated row, and back */
     int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
     sp__low *d, *x;                     /* 21 n, 36 p[n] */
+    sp_real *d3, *x3;                   /* 6 n, 9 p[n], where rows = 3 */
     sp_real *t;                         /* 6 n: right-hand side in elimination order, free between solves */
     sp__low *z;                         /* the same in the factor's precision: t, where that is the only one */
     int64_t flops;                      /* of one factorisation */
@@ -27,6 +29,7 @@ typedef struct sp__bchol {
 static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
 {
     f->n = n;
+    f->rows = 6;
     f->perm = sp__take(a, (size_t)n, sizeof *f->perm);
     f->inv = sp__take(a, (size_t)n, sizeof *f->inv);
     f->p = sp__take(a, (size_t)n + 1, sizeof *f->p);
@@ -35,8 +38,11 @@ static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
 static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
 {
     f->i = sp__take(a, (size_t)nnz, sizeof *f->i);
-    f->d = sp__take(a, (size_t)f->n, 21 * sizeof *f->d);
-    f->x = sp__take(a, (size_t)nnz, 36 * sizeof *f->x);
+    const size_t d3 = f->rows == 3 ? 6 : 0, x3 = f->rows == 3 ? 9 : 0;
+    f->d3 = sp__take(a, (size_t)f->n, d3 * sizeof *f->d3);
+    f->x3 = sp__take(a, (size_t)nnz, x3 * sizeof *f->x3);
+    f->d = sp__take(a, (size_t)f->n, (d3 ? 0 : 21) * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, (x3 ? 0 : 36) * sizeof *f->x);
     f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
 #ifdef SP_REAL_MIXED
     f->z = sp__take(a, (size_t)f->n, 6 * sizeof *f->z);
@@ -220,42 +226,154 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
     }
 }
 
-#if !defined SP_NO_IPM && !defined SP_REAL_MIXED
+#if !defined SP_NO_PLAN || !defined SP_NO_IPM
+/* Numbers of blocks in full precision: where it is mixed only those of 3 x 3 are. */
+static sp_real *sp__bchol_d(const sp__bchol *f)
+{
+#ifndef SP_REAL_MIXED
+    if (f->rows == 6) return f->d;
+#endif
+    return f->d3;
+}
+
+static sp_real *sp__bchol_x(const sp__bchol *f)
+{
+#ifndef SP_REAL_MIXED
+    if (f->rows == 6) return f->x;
+#endif
+    return f->x3;
+}
+#endif
+
+#ifndef SP_NO_PLAN
+/* The same with blocks of 3 x 3: 6 numbers a diagonal block, 9 below. */
+static void sp__bchol3_block(sp_real *d, sp_real floor)
+{
+    for (int c = 0; c < 3; c++) {
+        sp_real *x = d + sp__column3[c];
+        const int carries = *x > floor;
+        const sp_real s = 1 / SP_SQRT(carries ? *x : floor);
+        for (int r = c + 1; r < 3; r++) x[r - c] *= carries ? s : 0;
+        *x = carries ? s : -s;
+        for (int k = c + 1; k < 3; k++)
+            for (int r = k; r < 3; r++) d[sp__column3[k] + r - k] -= x[r - c] * x[k - c];
+    }
+}
+
+SP__APART static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        sp__bchol3_block(d, floor);
+        const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {               /* X <- X L'^-1 */
+            sp_real *x = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) {
+                x[r] *= s0;
+                x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
+                x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
+            }
+        }
+        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
+            const int32_t j = f->i[b];
+            const sp_real *xb = sp__bchol_x(f) + 9 * (size_t)b;
+            sp_real *e = sp__bchol_d(f) + 6 * (size_t)j;
+            for (int c = 0, at = 0; c < 3; c++)
+                for (int r = c; r < 3; r++, at++) e[at] -= xb[r] * xb[c] + xb[3 + r] * xb[3 + c] + xb[6 + r] * xb[6 + c];
+            int32_t to = f->p[j];
+            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
+                while (f->i[to] < f->i[a]) to++;
+                const sp_real *xa = sp__bchol_x(f) + 9 * (size_t)a;
+                sp_real *x = sp__bchol_x(f) + 9 * (size_t)to;
+                for (int c = 0; c < 3; c++)
+                    for (int r = 0; r < 3; r++) x[3 * c + r] -= xa[r] * xb[c] + xa[3 + r] * xb[3 + c] + xa[6 + r] * xb[6 + c];
+            }
+        }
+    }
+}
+
+/* t <- (L L')^-1 t, 3 n in elimination order. */
+SP__APART static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
+{
+    for (int32_t k = 0; k < f->n; k++) {                                /* L z = b */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        v[0] *= sp__abs(d[0]);
+        v[1] = (v[1] - d[1] * v[0]) * sp__abs(d[3]);
+        v[2] = (v[2] - d[2] * v[0] - d[4] * v[1]) * sp__abs(d[5]);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            sp_real *z = t + 3 * (size_t)f->i[q];
+            const sp_real *l = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) z[r] -= l[r] * v[0] + l[3 + r] * v[1] + l[6 + r] * v[2];
+        }
+    }
+    for (int32_t k = f->n - 1; k >= 0; k--) {                           /* L' x = z */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp_real *z = t + 3 * (size_t)f->i[q], *l = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int c = 0; c < 3; c++, l += 3) v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2];
+        }
+        v[2] *= sp__abs(d[5]);
+        v[1] = (v[1] - d[4] * v[2]) * sp__abs(d[3]);
+        v[0] = (v[0] - d[1] * v[1] - d[2] * v[2]) * sp__abs(d[0]);
+    }
+}
+#endif
+
+#ifndef SP_NO_IPM
+/* Numbers of a diagonal block, of one below; where column c of the former starts. */
+static size_t sp__bchol_triangle(const sp__bchol *f) { return f->rows == 3 ? 6 : 21; }
+static size_t sp__bchol_whole(const sp__bchol *f) { return f->rows == 3 ? 9 : 36; }
+static size_t sp__bchol_at(const sp__bchol *f, int c) { return f->rows == 3 ? sp__column3[c] : sp__column[c]; }
+
 /* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
 SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 {
+    const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
     for (size_t k = 0; k < (size_t)f->n; k++) {
-        sp_real *d = f->d + 21 * k, *t = f->t + 6 * k;
-        for (int c = 0; c < 6; c++) t[c] = d[sp__column[c]] > 0 ? 1 / SP_SQRT(d[sp__column[c]]) : 1;
-        for (int c = 0; c < 6; c++) {
-            for (int r = c; r < 6; r++) d[sp__column[c] + r - c] *= t[c] * t[r];
-            d[sp__column[c]] += shift;
+        sp_real *d = sp__bchol_d(f) + sp__bchol_triangle(f) * k, *t = f->t + n * k;
+        for (int c = 0; c < f->rows; c++) {
+            const sp_real x = d[sp__bchol_at(f, c)];
+            t[c] = x > 0 ? 1 / SP_SQRT(x) : 1;
+        }
+        for (int c = 0; c < f->rows; c++) {
+            sp_real *x = d + sp__bchol_at(f, c);
+            for (int r = c; r < f->rows; r++) x[r - c] *= t[c] * t[r];
+            *x += shift;
         }
     }
     for (int32_t k = 0; k < f->n; k++)
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
-            const sp_real *s = f->t + 6 * (size_t)k, *t = f->t + 6 * (size_t)f->i[q];
-            for (size_t c = 0; c < 36; c++) f->x[36 * (size_t)q + c] *= s[c / 6] * t[c % 6];
+            const sp_real *s = f->t + n * (size_t)k, *t = f->t + n * (size_t)f->i[q];
+            for (size_t c = 0; c < whole; c++) sp__bchol_x(f)[whole * (size_t)q + c] *= s[c / n] * t[c % n];
         }
 }
 
 /* L <- T^-1 L: the factor of A, not of T A T. */
 SP__APART static void sp__bchol_unbalance(sp__bchol *f)
 {
+    const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
     for (int32_t k = 0; k < f->n; k++) {
-        sp_real *d = f->d + 21 * (size_t)k, *t = f->t + 6 * (size_t)k;
-        for (int c = 0; c < 6; c++) {
-            d[sp__column[c]] *= t[c];
-            for (int r = c + 1; r < 6; r++) d[sp__column[c] + r - c] /= t[r];
+        sp_real *d = sp__bchol_d(f) + sp__bchol_triangle(f) * (size_t)k, *t = f->t + n * (size_t)k;
+        for (int c = 0; c < f->rows; c++) {
+            sp_real *x = d + sp__bchol_at(f, c);
+            *x *= t[c];
+            for (int r = c + 1; r < f->rows; r++) x[r - c] /= t[r];
         }
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++)
-            for (size_t c = 0; c < 36; c++) f->x[36 * (size_t)q + c] /= f->t[6 * (size_t)f->i[q] + c % 6];
+            for (size_t c = 0; c < whole; c++) sp__bchol_x(f)[whole * (size_t)q + c] /= f->t[n * (size_t)f->i[q] + c % n];
     }
 }
 #endif
 
 static void sp__bchol_zero(sp__bchol *f)
 {
+    if (f->rows == 3) {
+        memset(f->d3, 0, (size_t)f->n * 6 * sizeof *f->d3);
+        memset(f->x3, 0, (size_t)f->p[f->n] * 9 * sizeof *f->x3);
+        return;
+    }
     memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);
     memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
 }
