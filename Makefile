@@ -13,6 +13,7 @@ ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
 PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
+READ     = port/host/scene.c port/host/obj_read.c port/host/text.c
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
 HOST_H   = stonepack.h $(wildcard port/*/*.h settle/*.h) tests/scenes/gen.h
@@ -54,7 +55,7 @@ SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
 TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
-.PHONY: always all lib demo test deps test-boards robot footprint pair package install bench figures coupled-table check help clean
+.PHONY: bench-plan always all lib demo test deps test-boards robot footprint pair package install bench figures coupled-table check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -72,6 +73,7 @@ help:
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
 	@echo "make install   library, header, program into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
+	@echo "make bench-plan  what leaving out effects saves, as a table; SCENES='FILE ...' of these"
 	@echo "make figures   the pictures of the README"
 	@echo "make coupled-table  the README's table of the coupled check, on CASES (../shared/cases)"
 	@echo "make clean     removes build/"
@@ -191,6 +193,13 @@ bench: build/bench
 	@sh tests/bench/bench.sh
 
 figures: build/stonepack build/stonepack_mixed build/stonepack_float
+build/bench-plan: tests/bench/plan.c tests/scenes/kinds.h $(GEN) $(READ) build/libstonepack.a
+	$(CC) $(ALL_C) $(filter %.c %.a,$^) -lm -o $@
+
+bench-plan: build/bench-plan
+	@build/bench-plan $(SCENES)
+
+figures: build/stonepack build/stonepack_float
 	@sh tests/bench/figures.sh
 
 # compas_cra's own assemblies against the times of Ipopt that come with them.

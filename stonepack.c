@@ -9441,6 +9441,7 @@ static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, in
     if (effect == SP_EFFECT_TOGETHER && !sp__plan_stages(set)) return SP_WHY_STAGES;
     if (effect == SP_EFFECT_TOGETHER) return present ? SP_WHY_CALLED : SP_WHY_APART;
     if (choice == SP_WITHOUT) return SP_WHY_LEFT_OUT;
+    if (effect < SP_EFFECTS_FORCED && present && !sp__plan_stages(set)) return SP_WHY_STAGES;
     if (effect == SP_EFFECT_DYNAMICS) return SP_WHY_STATICS;
     return present ? SP_WHY_CALLED : effect == SP_EFFECT_COUPLED ? SP_WHY_NOT_ASKED : SP_WHY_ABSENT;
 }

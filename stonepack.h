@@ -40,7 +40,7 @@ extern "C" {
  *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
- *   SP_NO_PLAN      defined: no sp_plan, no planar and frictionless search; leaving out the depth: SP_E_UNSUPPORTED
+ *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
@@ -506,7 +506,7 @@ typedef enum sp_effect_why {
     SP_WHY_APART,               /* off: islands */
     SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
     SP_WHY_MIRROR,              /* off: one mirror plane for everything */
-    SP_WHY_PRESSURE,            /* off: what presses on level joints stands without */
+    SP_WHY_PRESSURE,            /* off: what presses on level joints decides without */
     SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
 } sp_effect_why;
 
@@ -593,7 +593,8 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
      + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
      + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_interface)) * (size_t)(interfaces) \
      + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
-     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1680)
+     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776 \
+     + 11 * sizeof(sp_real) * (size_t)(interfaces) + 4 * (size_t)(vertices))
 
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later
@@ -624,8 +625,8 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 
 typedef struct sp_planned {
     sp_effect_why why;
-    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes,
-                                           bytes: exact */
+    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
+                                           what stands within a factor of 5, for what falls often less than it takes; bytes: exact */
 } sp_planned;
 
 /* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */

@@ -1,6 +1,6 @@
 /* plan: what leaving out effects saves, as a table in Markdown per kind of scene and per reason.
  *
- *     bench-plan [SCENE.obj ...]           without scenes: 300 random ones of every kind, tests/scenes/kinds.h
+ *     make bench-plan [SCENES='FILE ...']      without scenes: 300 random ones of every kind, tests/scenes/kinds.h
  *
  * Every scene is checked as planned and with all effects. Flops and bytes are counted, so they are the same everywhere; times are
  * the processor's, the best of three in turns. Ratios of sums: what the full simulation of all scenes takes over what the
