@@ -192,14 +192,13 @@ build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
 bench: build/bench
 	@sh tests/bench/bench.sh
 
-figures: build/stonepack build/stonepack_mixed build/stonepack_float
 build/bench-plan: tests/bench/plan.c tests/scenes/kinds.h $(GEN) $(READ) build/libstonepack.a
 	$(CC) $(ALL_C) $(filter %.c %.a,$^) -lm -o $@
 
 bench-plan: build/bench-plan
 	@build/bench-plan $(SCENES)
 
-figures: build/stonepack build/stonepack_float
+figures: build/stonepack build/stonepack_mixed build/stonepack_float
 	@sh tests/bench/figures.sh
 
 # compas_cra's own assemblies against the times of Ipopt that come with them.
