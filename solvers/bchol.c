@@ -226,7 +226,7 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
     }
 }
 
-#if !defined SP_NO_PLAN || !defined SP_NO_IPM
+#if !defined SP_NO_PLAN || (!defined SP_NO_IPM && !defined SP_REAL_MIXED)
 /* Numbers of blocks in full precision: where it is mixed only those of 3 x 3 are. */
 static sp_real *sp__bchol_d(const sp__bchol *f)
 {
@@ -321,7 +321,7 @@ SP__APART static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
 }
 #endif
 
-#ifndef SP_NO_IPM
+#if !defined SP_NO_IPM && !(defined SP_REAL_MIXED && defined SP_NO_PLAN)
 /* Numbers of a diagonal block, of one below; where column c of the former starts. */
 static size_t sp__bchol_triangle(const sp__bchol *f) { return f->rows == 3 ? 6 : 21; }
 static size_t sp__bchol_whole(const sp__bchol *f) { return f->rows == 3 ? 9 : 36; }
