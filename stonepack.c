@@ -3654,6 +3654,7 @@ SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
 {
     sp__dual w;
     sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__flat));
     sp__take(&dry, 1, sizeof w);
     sp__dual_carve_graph(&w, pb, &dry);
     sp__dual_carve_order(pb, &dry);
@@ -3697,8 +3698,14 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
 static size_t sp__flat_need(const sp_problem *pb, const sp_settings *set, size_t rays, sp_arena scratch)
 {
 #ifndef SP_NO_PLAN
-    sp__flat o;
-    if (sp__flat_choose(pb, set, &o)) return sp__dual_most(pb, set, 0, rays, &o, scratch);
+    sp__flat *o = sp__take(&scratch, 1, sizeof *o);
+    if (!o) return SIZE_MAX;
+    if (sp__flat_choose(pb, set, o)) {
+        sp_arena dry = sp__arena_dry();
+        sp__take(&dry, 1, sizeof *o);
+        sp__take(&dry, 1, sp__dual_most(pb, set, 0, rays, o, scratch));
+        return sp__failed(&dry) ? SIZE_MAX : dry.used;
+    }
 #endif
     return sp__dual_need(pb, set, 0, rays, scratch);
 }
@@ -3885,12 +3892,9 @@ SP__APART static void sp__flat_scatter(const sp__dual *w, const sp_contact *t, c
 }
 #endif
 
-/* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
-SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+/* sp__dual_twist from 6 rows a block. */
+SP__APART static void sp__space_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_twist(w, t, y, V, W); return; }
-#endif
     sp_real v[3] = { 0, 0, 0 }, o[3] = { 0, 0, 0 };
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
@@ -3906,6 +3910,15 @@ SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, con
     }
     V[0] = sp__dot3(v, t->joint->n); V[1] = sp__dot3(v, t->joint->t1); V[2] = sp__dot3(v, t->joint->t2);
     W[0] = sp__dot3(o, t->joint->n); W[1] = sp__dot3(o, t->joint->t1); W[2] = sp__dot3(o, t->joint->t2);
+}
+
+/* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
+SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+{
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_twist(w, t, y, V, W); return; }
+#endif
+    sp__space_twist(w, t, y, V, W);
 }
 
 /* u = V + W x l, friction weighed. */
@@ -4099,10 +4112,10 @@ SP__APART static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, con
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
-    sp_real X[3], Y[3] = { 0, 0, 0 };
+    sp_real *X = w->h, *Y = X + 3, *q = X + 6, *u = X + 8, *h = X + 10;
+    Y[0] = Y[1] = Y[2] = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2], u[2], h[2];
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         if (!(times > 0)) continue;
         sp__flat_law(w, law, c, g, u, h, NULL);
@@ -4125,10 +4138,9 @@ SP__APART static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const sp_
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
-    sp_real X[3], sum = 0;
+    sp_real *X = w->h, *q = X + 3, *u = X + 5, *h = X + 7, sum = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2], u[2], h[2];
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         if (!(times > 0)) continue;
         sp__flat_law(w, SP__ADMISSIBLE, c, g, u, h, NULL);
@@ -4142,12 +4154,11 @@ SP__APART static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real *y
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
-    sp_real X[3], dX[3], sum = 0;
+    sp_real *X = w->h, *dX = X + 3, *q = X + 6, *u = X + 8, *du = X + 10, *h = X + 12, sum = 0;
     sp__flat_there(w, t, g, y, X);
     sp__flat_there(w, t, g, d, dX);
     for (int k = 0; k < 3; k++) X[k] += s * dX[k];
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2], u[2], du[2], h[2];
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         if (!(times > 0)) continue;
         sp__flat_law(w, SP__ADMISSIBLE, c, g, u, h, NULL);
@@ -4163,10 +4174,10 @@ SP__APART static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, cons
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
-    sp_real X[3], h[6] = { 0, 0, 0, 0, 0, 0 };
+    sp_real *X = w->h, *h = X + 3, *q = X + 9, *u = X + 11, *D = X + 13;
+    for (int k = 0; k < 6; k++) h[k] = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2], u[2], D[3];
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         if (!(times > 0)) continue;
         sp__flat_law(w, law, c, g, u, NULL, D);
@@ -4455,7 +4466,7 @@ static void sp__dual_hold(sp__dual *w)
 /* Aeq S DP Aeq' + shift into L: every contact's H moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
-static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__APART static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
@@ -6361,13 +6372,14 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = NULL;
 #ifndef SP_NO_PLAN
-    sp__flat flat;
-    const sp_arena start = *arena;
-    if (sp__flat_choose(pb, set, &flat)) {
-        w = sp__dual_make(pb, set, SP__PENALTY, &flat, &state->cost, arena);
+    const size_t start = arena->used;
+    sp__flat *flat = sp__take(arena, 1, sizeof *flat);
+    if (!flat) return SP_E_MEMORY;
+    if (sp__flat_choose(pb, set, flat)) {
+        w = sp__dual_make(pb, set, SP__PENALTY, flat, &state->cost, arena);
         if (!w) return SP_E_MEMORY;
-        if (!sp__dual_f0(w)) { *arena = start; w = NULL; }              /* level, but friction may help */
     }
+    if (!w || !sp__dual_f0(w)) { arena->used = start; w = NULL; }       /* level, but friction may help */
 #endif
     if (!w) w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
@@ -9248,21 +9260,22 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
 SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r,
                                           int *done)
 {
-    sp__flat o;
     sp_verdict claim = SP_UNDECIDED;
-    if (!sp__flat_choose(pb, set, &o)) return SP_OK;
-    state->left = INT64_MAX / 4;
     sp_arena room = sp__work_open(set, a);
-    const sp_status status = sp__exact_search(pb, set, &o, state, &room, &claim);
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (!o) return SP_E_MEMORY;
+    if (!sp__flat_choose(pb, set, o)) return SP_OK;
+    state->left = INT64_MAX / 4;
+    const sp_status status = sp__exact_search(pb, set, o, state, &room, &claim);
     sp__work_close(set, a, &room);
     if (status || !claim) return status;
-    if (sp__check_claim(pb, set, o.mode == SP__PLANE || o.forest ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
+    const int plane = o->mode == SP__PLANE;
+    if (sp__check_claim(pb, set, plane || o->forest ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
     *done = r->verdict != SP_UNDECIDED;
     if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
     r->verified = 1;
     r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
-    if (o.mode == SP__PLANE) r->effect[SP_EFFECT_DEPTH] = SP_WHY_MIRROR;
-    else r->effect[SP_EFFECT_FRICTION] = SP_WHY_PRESSURE;
+    r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
     return SP_OK;
 }
 
@@ -9817,13 +9830,14 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
     const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
     const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
     const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
-    sp__flat flat;
+    sp__flat *flat = sp__take(&scratch, 1, sizeof *flat);
+    if (!flat) return SP_E_MEMORY;
     o->unknowns += 6 * b + 3 * v;
     o->flops += full;
     o->problems++;
     o->forests += hangs;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
-    if (sp__flat_choose(&pb, set, &flat)) sp__plan_flat(&pb, flat.mode, full, w->L.flops, o);
+    if (sp__flat_choose(&pb, set, flat)) sp__plan_flat(&pb, flat->mode, full, w->L.flops, o);
     return SP_OK;
 }
 
