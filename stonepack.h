@@ -422,8 +422,8 @@ typedef struct sp_settings {
     int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
     int64_t budget;             /* flops the check may spend, never more; 0: no limit. Nothing is left out by plan then. The result
                                    is the best evidence so far: a larger budget decides what a smaller one did, and its omega
-                                   is no larger (by a fifth at most, as stages bound it by measures of their own; ADMM's last
-                                   iterate may be worse). A custom stage heeds state.left by itself                        0 */
+                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
+                                   at most). A custom stage heeds state.left by itself                        0 */
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */

@@ -423,8 +423,10 @@ TEST(no_block_of_a_large_held_set_can_be_let_go)
         NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
         NEED(held.count > 0);
         asked++;
+#if !defined SP_NO_IPM || !defined SP_REAL_FLOAT        /* there some falls stay undecided, so nothing is said of smaller sets */
         CHECK(held.proof == SP_HELD_IRREDUCIBLE || held.proof == SP_HELD_MINIMAL);
         CHECK(held.count > 2 || held.proof == SP_HELD_MINIMAL);
+#endif
         const int32_t count = held.count;
         memcpy(list, held.block, (size_t)count * sizeof *list);
         for (int32_t k = 0; k < count; k++) presence[list[k]] = SP_HELD;
