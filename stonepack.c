@@ -4634,17 +4634,17 @@ SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real 
             if (i < 0) continue;
             sp__flat_T(w, c, side, T[side]);
             sp__flat_triple(T[side], H, T[side], K);
-            sp_real *d = w->L.d3 + 6 * (size_t)w->L.inv[i];
+            sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
             d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
         }
         if (w->slot[c] == INT32_MIN) continue;
         const int turn = w->slot[c] < 0;
-        sp_real *x = w->L.x3 + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+        sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
         sp__flat_triple(T[turn], H, T[!turn], K);
         for (int k = 0; k < 9; k++) x[k] -= K[k];
     }
     for (size_t k = 0; k < (size_t)pb->blocks; k++)
-        for (int q = 0; q < 3; q++) w->L.d3[6 * k + sp__column3[q]] += shift;
+        for (int q = 0; q < 3; q++) sp__bchol_d(&w->L)[6 * k + sp__column3[q]] += shift;
 }
 
 /* Solve by the factor of 3 rows. */
@@ -4960,7 +4960,7 @@ SP__APART static int sp__flat_tidy(sp__dual *w)
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const int32_t i = t->a >= 0 ? t->a : t->b, slot = w->slot[c];
-        sp_real *first = slot == INT32_MIN ? w->L.d3 + 6 * (size_t)i : w->L.x3 + 9 * (size_t)(slot < 0 ? -1 - slot : slot);
+        sp_real *first = slot == INT32_MIN ? sp__bchol_d(&w->L) + 6 * (size_t)i : sp__bchol_x(&w->L) + 9 * (size_t)(slot < 0 ? -1 - slot : slot);
         const sp_real height = sp__flat_height(w, t), size = sp__norm3(t->ra) + sp__norm3(t->rb);
         if (first[0] > 0 && sp__abs(first[1] - height) > eps * size) return 0;
         first[0] = 1;

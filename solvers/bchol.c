@@ -20,7 +20,9 @@ typedef struct sp__bchol {
     int32_t *perm, *inv;                /* k-th eliminated row, and back */
     int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
     sp__low *d, *x;                     /* 21 n, 36 p[n] */
-    sp_real *d3, *x3;                   /* 6 n, 9 p[n], where rows = 3 */
+#ifdef SP_REAL_MIXED
+    sp_real *d3, *x3;                   /* in place of them where rows = 3 */
+#endif
     sp_real *t;                         /* 6 n: right-hand side in elimination order, free between solves */
     sp__low *z;                         /* the same in the factor's precision: t, where that is the only one */
     int64_t flops;                      /* of one factorisation */
@@ -38,11 +40,16 @@ static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
 static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
 {
     f->i = sp__take(a, (size_t)nnz, sizeof *f->i);
-    const size_t d3 = f->rows == 3 ? 6 : 0, x3 = f->rows == 3 ? 9 : 0;
-    f->d3 = sp__take(a, (size_t)f->n, d3 * sizeof *f->d3);
-    f->x3 = sp__take(a, (size_t)nnz, x3 * sizeof *f->x3);
-    f->d = sp__take(a, (size_t)f->n, (d3 ? 0 : 21) * sizeof *f->d);
-    f->x = sp__take(a, (size_t)nnz, (x3 ? 0 : 36) * sizeof *f->x);
+    const int flat = f->rows == 3;
+#ifdef SP_REAL_MIXED
+    f->d3 = sp__take(a, (size_t)f->n, (flat ? 6 : 0) * sizeof *f->d3);
+    f->x3 = sp__take(a, (size_t)nnz, (flat ? 9 : 0) * sizeof *f->x3);
+    f->d = sp__take(a, (size_t)f->n, (flat ? 0 : 21) * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, (flat ? 0 : 36) * sizeof *f->x);
+#else
+    f->d = sp__take(a, (size_t)f->n, (flat ? 6 : 21) * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, (flat ? 9 : 36) * sizeof *f->x);
+#endif
     f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
 #ifdef SP_REAL_MIXED
     f->z = sp__take(a, (size_t)f->n, 6 * sizeof *f->z);
@@ -228,21 +235,13 @@ SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 
 #if !defined SP_NO_PLAN || (!defined SP_NO_IPM && !defined SP_REAL_MIXED)
 /* Numbers of blocks in full precision: where it is mixed only those of 3 x 3 are. */
-static sp_real *sp__bchol_d(const sp__bchol *f)
-{
-#ifndef SP_REAL_MIXED
-    if (f->rows == 6) return f->d;
+#ifdef SP_REAL_MIXED
+static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d3; }
+static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x3; }
+#else
+static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d; }
+static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x; }
 #endif
-    return f->d3;
-}
-
-static sp_real *sp__bchol_x(const sp__bchol *f)
-{
-#ifndef SP_REAL_MIXED
-    if (f->rows == 6) return f->x;
-#endif
-    return f->x3;
-}
 #endif
 
 #ifndef SP_NO_PLAN
@@ -369,11 +368,13 @@ SP__APART static void sp__bchol_unbalance(sp__bchol *f)
 
 static void sp__bchol_zero(sp__bchol *f)
 {
+#ifndef SP_NO_PLAN
     if (f->rows == 3) {
-        memset(f->d3, 0, (size_t)f->n * 6 * sizeof *f->d3);
-        memset(f->x3, 0, (size_t)f->p[f->n] * 9 * sizeof *f->x3);
+        memset(sp__bchol_d(f), 0, (size_t)f->n * 6 * sizeof(sp_real));
+        memset(sp__bchol_x(f), 0, (size_t)f->p[f->n] * 9 * sizeof(sp_real));
         return;
     }
+#endif
     memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);
     memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
 }
