@@ -668,6 +668,7 @@ static void title(const picture *p)
     fprintf(p->out, "<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", MARGIN);
     if (x->verdict == SP_STABLE) fprintf(p->out, "largest imbalance of a block %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
     else if (x->verdict == SP_UNSTABLE && x->final) fputs("no joint forces of any size balance it", p->out);
+    else if (x->reason == SP_REASON_NO_MOTION) fputs("forces exist, but no virtual motion explains any of them", p->out);
     else if (x->verdict == SP_UNSTABLE) fprintf(p->out, "at best a block stays unbalanced by %.2g of its forces", (double)x->least_imbalance);
     else fprintf(p->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fputs(x->verified ? ", verified" : ", not verified", p->out);
