@@ -50,7 +50,7 @@ static void sp__order_remove(sp__order *o, int32_t i)
 }
 
 /* Close the gaps in iw: the head of each live list is swapped for a mark that names its owner. */
-SP__APART static void sp__order_compact(sp__order *o)
+static void sp__order_compact(sp__order *o)
 {
     for (int32_t i = 0; i < o->n; i++)
         if (o->len[i] > 0) {
@@ -72,7 +72,7 @@ SP__APART static void sp__order_compact(sp__order *o)
 }
 
 /* Collect Lp at the end of iw; w marks its members with `mark`. The elements of p die. */
-SP__APART static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
+static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
 {
     const int32_t start = o->free;
     int32_t to = start;
@@ -92,7 +92,7 @@ SP__APART static void sp__order_pivot(sp__order *o, int32_t p, int32_t mark)
 }
 
 /* size[e] - |Le n Lp| for every element e next to Lp, kept in degree[e] of the element, counted down from |Le|. */
-SP__APART static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp, int32_t mark)
+static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp, int32_t mark)
 {
     for (int32_t k = 0; k < o->len[p]; k++) {
         const int32_t i = o->iw[o->pe[p] + k];
@@ -106,7 +106,7 @@ SP__APART static void sp__order_outside(sp__order *o, int32_t p, int32_t *stamp,
 }
 
 /* Rewrite the list of i, a member of Lp: live elements that reach outside Lp, then neighbours outside Lp, p in front. */
-SP__APART static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32_t mark, int32_t left)
+static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32_t mark, int32_t left)
 {
     int32_t *list = o->iw + o->pe[i];
     const int32_t elements = o->elen[i], length = o->len[i];
@@ -139,7 +139,7 @@ SP__APART static void sp__order_update(sp__order *o, int32_t i, int32_t p, int32
 
 /* perm[k]: the node eliminated k-th. Graph by rows: neighbours of i are adj[xadj[i] .. xadj[i+1]), symmetric, no loops.
  * Takes its memory from `a`; the caller counted it by sp__order_carve. */
-SP__APART static void sp__order_run(int32_t n, const int32_t *xadj, const int32_t *adj, sp_arena a, int32_t *stamp, int32_t *perm)
+static void sp__order_run(int32_t n, const int32_t *xadj, const int32_t *adj, sp_arena a, int32_t *stamp, int32_t *perm)
 {
     sp__order o;
     sp__order_carve(&o, n, xadj[n], &a);
