@@ -73,11 +73,18 @@ static void sp__soc_aim(const sp__nt *W, const sp_real x[3], const sp_real z[3],
 }
 
 /* Largest s <= most with x + s d in the cone, x inside: the first root of det (x + s d) = a s^2 + 2 b s + c. There is none when
- * d is in the cone too; else b^2 >= a c, whatever rounding says. */
+ * d is in the cone too; else b^2 >= a c, whatever rounding says. Squares of what is large would leave the range of a float: a,
+ * b, c by 2^-64 have the same root. */
 static sp_real sp__soc_step(const sp_real x[3], const sp_real d[3], sp_real most)
 {
-    const sp_real a = sp__soc_det(d), b = x[0] * d[0] - x[1] * d[1] - x[2] * d[2], c = sp__soc_det(x);
+    sp_real a = sp__soc_det(d), b = x[0] * d[0] - x[1] * d[1] - x[2] * d[2], c = sp__soc_det(x);
     if (a >= 0 && d[0] >= 0) return most;
+    if (sp__abs(a) + sp__abs(b) + c > (sp_real)1e15) {
+        const sp_real far = (sp_real)5.4210108624275222e-20;
+        a *= far;
+        b *= far;
+        c *= far;
+    }
     const sp_real root = SP_SQRT(sp__max(0, b * b - a * c)), t = b < 0 ? root - b : b + root;
     if (b < 0) return c < most * t ? c / t : most;
     return t < most * -a ? t / -a : most;
