@@ -392,18 +392,23 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
 static const sp_qp_settings sp__qp_usual = {
     .backend = SP_QP_SPARSE,
 #ifdef SP_REAL_FLOAT
-    .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .radius = (sp_real)1e3,
-    .sigma = (sp_real)1e-3,                             /* below 64 u x the largest penalty pivots drown */
-    .rho_equal = (sp_real)1e2, .cg_tol = (sp_real)1e-6,
+    .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .radius = (sp_real)1e3,
 #else
-    .eps_abs = 1e-6, .eps_rel = 1e-5, .radius = 1e6, .sigma = 1e-6, .rho_equal = 1e3, .cg_tol = 1e-10,
+    .eps_abs = 1e-6, .eps_rel = 1e-5, .eps_pinf = 1e-4, .eps_dinf = 1e-4, .radius = 1e6,
 #endif
-    .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .strict = 1,
+    .strict = 1,
 #ifndef SP_QP_NO_POLISH
     .polish = 1,
 #endif
-    .iterations = 8000, .check = 10, .passes = 10, .relax = (sp_real)1.6, .rho = (sp_real)0.1,
-    .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5, .cg_steps = 250
+    .iterations = 8000, .check = 10, .passes = 10,
+#ifdef SP_REAL_FLOAT
+    .sigma = (sp_real)1e-3,                             /* below 64 u x the largest penalty pivots drown */
+    .relax = (sp_real)1.6, .rho = (sp_real)0.1, .rho_equal = (sp_real)1e2,
+#else
+    .sigma = 1e-6, .relax = 1.6, .rho = 0.1, .rho_equal = 1e3,
+#endif
+    .adapt = 100, .adapt_most = 10, .adapt_factor = (sp_real)5, .cg_steps = 250,
+    .cg_tol = sizeof(sp_real) == 4 ? (sp_real)1e-6 : (sp_real)1e-10
 };
 
 SP_API sp_qp_settings sp_qp_default(void) { return sp__qp_usual; }
