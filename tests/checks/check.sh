@@ -444,7 +444,7 @@ pictures() {
     sh tests/checks/demo.sh && for pi in build/demo/*.svg; do rsvg-convert -w 900 "$pi" -o "${pi%.svg}.png" || return 1; done
 }
 coupled() {                                             # coupled SCENES: its answers, judged in 113 bits from the written results
-    cli_build "$CC" $out/quad -O2 -w -DSP_REAL_QUAD -D_XOPEN_SOURCE=700 -D_DEFAULT_SOURCE -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' -lquadmath &&
+    cli_build "$CC" $out/quad -O2 -w -DSP_REAL_QUAD -D_XOPEN_SOURCE=700 -D_DEFAULT_SOURCE -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' -Wl,--no-as-needed -lquadmath &&
     python3 -B tests/checks/coupled_cases.py build/stonepack "$1" --quad $out/quad
 }
 check_cases() {
