@@ -3676,7 +3676,8 @@ static size_t sp__dual_end(sp__dual *t, const sp_problem *pb, const sp_settings 
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
-/* Bytes of the whole dual; flat (may be NULL): and of one in 3 rows before it, which takes more where few blocks have many joints. */
+/* Bytes of the whole dual; flat (may be NULL): and of one in 3 rows before it, behind *flat, which takes more where few blocks
+ * have many joints. */
 static size_t sp__dual_most(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp__flat *flat, sp_arena scratch)
 {
     sp__dual *w = sp__take(&scratch, 1, sizeof *w);
@@ -3685,7 +3686,7 @@ static size_t sp__dual_most(const sp_problem *pb, const sp_settings *set, int de
     w->flat = NULL;
     const size_t whole = sp__dual_end(w, pb, set, dense, rays, nnz, 0);
     w->flat = flat;
-    const size_t less = flat ? sp__dual_end(w, pb, set, dense, rays, nnz, 0) : 0;
+    const size_t less = flat ? sp__dual_end(w, pb, set, dense, rays, nnz, sizeof *flat) : 0;
     return less > whole ? less : whole;
 }
 
@@ -3700,12 +3701,7 @@ static size_t sp__flat_need(const sp_problem *pb, const sp_settings *set, size_t
 #ifndef SP_NO_PLAN
     sp__flat *o = sp__take(&scratch, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    if (sp__flat_choose(pb, set, o)) {
-        sp_arena dry = sp__arena_dry();
-        sp__take(&dry, 1, sizeof *o);
-        sp__take(&dry, 1, sp__dual_most(pb, set, 0, rays, o, scratch));
-        return sp__failed(&dry) ? SIZE_MAX : dry.used;
-    }
+    if (sp__flat_choose(pb, set, o)) return sp__dual_most(pb, set, 0, rays, o, scratch);
 #endif
     return sp__dual_need(pb, set, 0, rays, scratch);
 }
@@ -5050,9 +5046,11 @@ static void sp__flat_spread(const sp__flat *o, int32_t points, sp_real *f)
 }
 #endif
 
-/* Room for the whole dual that begins at `from`, so that a search in 3 rows does with what the whole one takes. */
-SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, int penalty, int32_t nnz, size_t from, sp_arena *a)
+/* Room for the whole dual in place of *flat, which begins in `a`, so that a search in 3 rows does with what the whole one takes. */
+SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, int penalty, int32_t nnz, const sp__flat *flat,
+                                      sp_arena *a)
 {
+    const size_t from = (size_t)((const unsigned char *)flat - a->base);
     sp_arena rest = *a;
     sp__dual *t = sp__take(&rest, 1, sizeof *t);
     if (!t) return 0;
@@ -5066,15 +5064,15 @@ SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *s
     return 1;
 }
 
-/* A dual in `a`, everything but the numbers of a metric; flat (may be NULL): in 3 rows.     returns NULL when the arena is too small */
-SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings *set, sp__form form, sp__flat *flat, sp_cost *cost,
-                                         sp_arena *a)
+/* A dual in `a`, everything but the numbers of a metric; flat (may be NULL): in 3 rows, *flat the last thing taken from `a`.
+ *     returns NULL when the arena is too small */
+SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings *set, sp__form form, sp__flat *flat,
+                                         sp_cost *cost, sp_arena *a)
 {
     const int penalty = form == SP__PENALTY;
-    const size_t start = a->used;
     sp__dual *w = sp__take(a, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, a) : -1;
-    if (nnz < 0 || (flat && !sp__dual_reserve(pb, set, penalty, nnz, start, a))) return NULL;
+    if (nnz < 0 || (flat && !sp__dual_reserve(pb, set, penalty, nnz, flat, a))) return NULL;
     w->flat = flat;
     sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
     if (sp__failed(a)) return NULL;
@@ -6309,7 +6307,8 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
 #ifndef SP_NO_IPM
     w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
     if (!w->inner->x) return SP_E_MEMORY;
-    if (sp__newton_open(&n) && whole && !sp__scene_strong(pb->scene)) sp__ipm_run(w, w->inner, &n, state);    /* strength: no longer cones */
+    const int cones = !sp__scene_strong(pb->scene);         /* with strength K is none */
+    if (sp__newton_open(&n) && whole && cones) sp__ipm_run(w, w->inner, &n, state);
 #endif
     if (sp__newton_open(&n) && whole) {
         sp__newton_path(w, &n, state);

@@ -432,8 +432,9 @@ typedef struct sp_settings {
     const struct sp_seed *seed;                 /* constants and gates of the seed (section 12); NULL: only its constants where
                                                    a stage has no other, gates by tol                                NULL */
     sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
-    struct sp_arena *work;      /* another arena, where stages work: their factors are most of what a check takes. Given back
-                                   behind each; not the arena of the check itself. For sp_check; plan, sequence, limit do without    NULL */
+    struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
+                                   `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
+                                   memory. For sp_check; plan, sequence, limit do without                           NULL */
 } sp_settings;
 
 SP_API sp_settings sp_settings_default(void);

@@ -392,7 +392,8 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
 static const sp_qp_settings sp__qp_usual = {
     .backend = SP_QP_SPARSE,
 #ifdef SP_REAL_FLOAT
-    .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4, .radius = (sp_real)1e3,
+    .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4,
+    .radius = (sp_real)1e3,
 #else
     .eps_abs = 1e-6, .eps_rel = 1e-5, .eps_pinf = 1e-4, .eps_dinf = 1e-4, .radius = 1e6,
 #endif
