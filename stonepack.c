@@ -2465,7 +2465,7 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
 }
 
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
-static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
+SP__APART static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = SP__FULL ? j->set->faces : 0;
@@ -2514,16 +2514,12 @@ static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
     return sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
 }
 
-/* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
- * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
- * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
- * The held motion is left in j->x. */
-SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
+/* j->x <- dq scaled so that no point of a block moves farther than 1, whatever its unit; what moves no farther than `rest` is held
+ * still.     returns 0 where nothing moves, or not by a number */
+SP__APART static int sp__judge_scaled(sp__judge *j, const sp_real *dq, sp_real rest)
 {
     const sp_problem *pb = j->pb;
-    *final = 0;
-    j->resist = 0;
-    sp_real largest = 0;                                /* displacement; the motion is scaled to it, whatever its unit */
+    sp_real largest = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (int32_t i = 0; i < pb->blocks; i++) {
             sp_real *m = j->x + 6 * (size_t)i;
@@ -2535,14 +2531,35 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
         }
         if (!(largest > 0) || !sp__finite(largest)) return 0;
     }
-    sp_real work = 0, scale = 0, resist = 0;
-    for (int32_t i = 0; i < pb->blocks; i++) {
+    return 1;
+}
+
+/* load . x, and the same of the scales. */
+SP__APART static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
+{
+    sp_real work = 0, p[6];
+    *scale = 0;
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
-        sp_real p[6];
         sp__judge_load(j, i, p);
         work += sp__dot(p, m, 6);
-        scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
+        *scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
     }
+    return work;
+}
+
+/* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
+ * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
+ * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
+ * The held motion is left in j->x. */
+SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
+{
+    const sp_problem *pb = j->pb;
+    *final = 0;
+    j->resist = 0;
+    if (!sp__judge_scaled(j, dq, rest)) return 0;
+    sp_real scale, resist = 0;
+    const sp_real work = sp__judge_work(j, &scale);
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -2568,7 +2585,7 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
 static const sp_real sp__judge_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
 /* Does any block move by more than `from` and no more than `to` of the largest motion? dq as sp__judge_motion has it. */
-static int sp__judge_between(const sp__judge *j, const sp_real *dq, sp_real from, sp_real to)
+SP__APART static int sp__judge_between(const sp__judge *j, const sp_real *dq, sp_real from, sp_real to)
 {
     sp_real largest = 0;
     for (int pass = 0; pass < 2; pass++) {
@@ -3934,12 +3951,9 @@ static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield,
     f[0] *= S; f[1] *= slip; f[2] *= slip;
 }
 
-/* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
-SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+/* sp__dual_scatter into 6 rows a block. */
+SP__APART static void sp__space_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
 {
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_scatter(w, t, F, M, r); return; }
-#endif
     sp_real f[3], m[3];
     for (int k = 0; k < 3; k++) {
         f[k] = F[0] * t->joint->n[k] + F[1] * t->joint->t1[k] + F[2] * t->joint->t2[k];
@@ -3959,6 +3973,15 @@ SP__APART static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, c
         ri[4] += s * (arm[2] * f[0] - arm[0] * f[2] + m[1]);
         ri[5] += s * (arm[0] * f[1] - arm[1] * f[0] + m[2]);
     }
+}
+
+/* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
+static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+{
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_scatter(w, t, F, M, r); return; }
+#endif
+    sp__space_scatter(w, t, F, M, r);
 }
 
 #define SP__FLOPS_SWEEP 48              /* a vertex: u 15, P_K about 15, sums 18; a contact adds SP__FLOPS_TWIST */
@@ -4065,7 +4088,7 @@ static void sp__flat_law(const sp__dual *w, sp__law law, int32_t c, const sp_rea
     const sp_real S = sp__dual_S(w, c), T = S * w->slide;
     if (f) { f[0] = u[0]; f[1] = u[1]; }
     if (D) { D[0] = D[2] = 1; D[1] = 0; }
-    if (law == SP__ADMISSIBLE && w->flat->mode == SP__PLANE) sp__flat_wedge(w, sp__dual_yield(w, c)->mu, g, u, f, D);
+    if (law == SP__ADMISSIBLE && w->flat->mode == SP__PLANE) sp__flat_wedge(w, sp__dual_mu(w, c), g, u, f, D);
     else if (law == SP__ADMISSIBLE && u[0] < 0) {
         if (f) f[0] *= w->soft;
         if (D) D[0] = w->soft;
@@ -4191,6 +4214,30 @@ SP__APART static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, cons
 }
 #endif
 
+/* And in 6 rows. */
+SP__APART static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, *F = V + 12, *M = V + 15;
+    for (int k = 0; k < 6; k++) F[k] = 0;
+    sp__dual_twist(w, t, y, V, W);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
+        sp__dual_rate(w, V, W, l, u);
+        if (law == SP__ADMISSIBLE) sp__dual_force(w, c, w->yield, u, g);
+        else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
+        if (f) memcpy(f + 3 * (size_t)v, g, 3 * sizeof *g);
+        sp__scale3(times, g, g);
+        F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
+        M[0] += l[1] * g[2] - l[2] * g[1];
+        M[1] += l[2] * g[0] - l[0] * g[2];
+        M[2] += l[0] * g[1] - l[1] * g[0];
+        if (w->bears) sp__dual_bear(w, t, l, g);
+    }
+    sp__dual_scatter(w, t, F, M, r);
+}
+
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
@@ -4199,57 +4246,49 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     sp__dual_load(w, r);
     if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp__yield *yield = sp__dual_yield(w, c);
+        const int plain = sp__dual_yield(w, c)->plain;
 #ifndef SP_NO_PLAN
-        if (w->flat && yield->plain) { sp__flat_gradient(w, law, c, y, r, f); continue; }
+        if (w->flat && plain) { sp__flat_gradient(w, law, c, y, r, f); continue; }
+#else
+        (void)plain;
 #endif
-        sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
-        sp__dual_twist(w, t, y, V, W);
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *l = pb->local[v], times = sp__dual_counts(w, v);
-            if (!(times > 0)) continue;
-            sp__dual_rate(w, V, W, l, u);
-            if (law == SP__ADMISSIBLE) sp__dual_force(w, c, yield, u, g);
-            else for (int k = 0; k < 3; k++) g[k] = sp__dual_S(w, c) * (k ? w->slide * u[k] : u[k]);
-            if (f) memcpy(f + 3 * (size_t)v, g, 3 * sizeof *g);
-            sp__scale3(times, g, g);
-            F[0] += g[0]; F[1] += g[1]; F[2] += g[2];
-            M[0] += l[1] * g[2] - l[2] * g[1];
-            M[1] += l[2] * g[0] - l[0] * g[2];
-            M[2] += l[0] * g[1] - l[1] * g[0];
-            if (w->bears) sp__dual_bear(w, t, l, g);
-        }
-        sp__dual_scatter(w, t, F, M, r);
+        sp__space_gradient(w, law, c, y, r, f);
     }
     sp__dual_release(w, r);
+}
+
+/* A contact's share of sp__dual_slope. */
+SP__APART static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, *part = at + 21;
+    *part = 0;
+    sp__dual_twist(w, t, y, at, at + 3);
+    sp__dual_twist(w, t, d, move, move + 3);
+    for (int k = 0; k < 6; k++) at[k] += s * move[k];
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        if (!(sp__dual_counts(w, v) > 0)) continue;
+        sp__dual_rate(w, at, at + 3, w->pb->local[v], u);
+        sp__dual_rate(w, move, move + 3, w->pb->local[v], du);
+        sp__dual_force(w, c, w->yield, u, f);
+        *part += sp__dual_counts(w, v) * (f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide);
+    }
+    return *part;
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */
 SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, sp_real s)
 {
-    const sp_problem *pb = w->pb;
     sp_real sum = 0;
     if (!sp__dual_sweep(w, 1, 2)) return 0;
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp__yield *yield = sp__dual_yield(w, c);
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const int plain = sp__dual_yield(w, c)->plain;
 #ifndef SP_NO_PLAN
-        if (w->flat && yield->plain) { sum += sp__flat_slope(w, c, y, d, s); continue; }
+        if (w->flat && plain) { sum += sp__flat_slope(w, c, y, d, s); continue; }
+#else
+        (void)plain;
 #endif
-        sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, part = 0;
-        sp__dual_twist(w, t, y, at, at + 3);
-        sp__dual_twist(w, t, d, move, move + 3);
-        for (int k = 0; k < 6; k++) at[k] += s * move[k];
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real times = sp__dual_counts(w, v);
-            if (!(times > 0)) continue;
-            sp__dual_rate(w, at, at + 3, pb->local[v], u);
-            sp__dual_rate(w, move, move + 3, pb->local[v], du);
-            sp__dual_force(w, c, yield, u, f);
-            part += times * (f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide);
-        }
-        sum += part;
+        sum += sp__space_slope(w, c, y, d, s);
     }
     return sum + sp__dual_work(w, d);
 }
@@ -4283,14 +4322,11 @@ static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
     e[2] = e[0] * (mu * d[1] + h * d[0]);
 }
 
-/* D = E W^2 E' for rates u = Aeq' y, z = theta e - E'u; f (may be NULL) = E x. Adds x.z to the gap. */
-SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+/* A pyramid's share of sp__ipm_derivative. */
+SP__APART static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
-    sp_real *x = w->inner->x + (size_t)(w->cone.faces ? w->cone.faces : 3) * (size_t)v;
-    const sp_real times = sp__dual_counts(w, v);
-    sp_real *e = w->h + 57, *z = w->h + 60;
-    for (int k = 0; k < 6; k++) D[k] = 0;
-    for (int k = 0; f && k < 3; k++) f[k] = 0;
+    const sp_real *x = w->inner->x + (size_t)w->cone.faces * (size_t)v, times = sp__dual_counts(w, v);
+    sp_real *e = w->h + 57;
     for (int32_t k = 0; k < w->cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
@@ -4300,41 +4336,54 @@ SP__APART static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, cons
         D[3] += s * e[1] * e[1]; D[4] += s * e[1] * e[2]; D[5] += s * e[2] * e[2];
         for (int q = 0; f && q < 3; q++) f[q] += x[k] * e[q];
     }
-    if (w->cone.faces) return;
+}
+
+/* The true cone's. */
+SP__APART static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    const sp_real *x = w->inner->x + 3 * (size_t)v;
     const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    sp_real *z = w->h + 60;
     z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
     const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
-    w->inner->gap += times * sp__dot3(x, z);
+    w->inner->gap += sp__dual_counts(w, v) * sp__dot3(x, z);
     D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
     D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
     D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
     if (f) { f[0] = S * x[0]; f[1] = T * x[1]; f[2] = T * x[2]; }
 }
+
+/* D = E W^2 E' for rates u = Aeq' y, z = theta e - E'u; f (may be NULL) = E x. Adds x.z to the gap. */
+static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    for (int k = 0; k < 6; k++) D[k] = 0;
+    for (int k = 0; f && k < 3; k++) f[k] = 0;
+    if (w->cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
+    else sp__ipm_by_cone(w, c, v, u, D, f);
+}
 #endif
 
-/* D of a vertex, df = D du for rates u = V + W x l.     returns 0 when it is zero: the vertex is open */
-static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real V[3], const sp_real W[3],
-                                    sp_real D[6])
+/* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */
+static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
 {
-    const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
-    sp_real u[3];
     if (law == SP__GIVEN) { memcpy(D, w->given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
-    D[0] = D[3] = D[5] = 1;
-    D[1] = D[2] = D[4] = 0;
-    sp__dual_rate(w, V, W, w->pb->local[v], u);
+    sp__dual_rate(w, twist, twist + 3, w->pb->local[v], u);
 #ifndef SP_NO_IPM
     if (law == SP__INTERIOR) {
         sp__ipm_derivative(w, c, v, u, D, NULL);
         return 1;
     }
 #endif
+    D[0] = D[3] = D[5] = 1;
+    D[1] = D[2] = D[4] = 0;
     if (law == SP__ADMISSIBLE) {
         const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
         if (SP__FULL && w->soft > 0 && u[0] < 0) D[0] += w->soft;
         else if (region == SP__APEX) return 0;
     }
+    const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
     D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
     return 1;
 }
@@ -4344,14 +4393,13 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
 SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *V = h + 90, *W = h + 93, *D = h + 96;
+    sp_real *twist = h + 87, *u = h + 93, *D = h + 96;
     int carries = 0;
-    sp__dual_twist(w, t, y, V, W);
+    sp__dual_twist(w, t, y, twist, twist + 3);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real times = sp__dual_counts(w, v);
-        if (!(times > 0) || !sp__vertex_law(w, law, c, v, V, W, D)) continue;
-        if (times > 1) for (int k = 0; k < 6; k++) D[k] *= times;
+        if (!(sp__dual_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, u, D)) continue;
+        for (int k = 0; k < 6; k++) D[k] *= sp__dual_counts(w, v);
         sp__vertex_hessian(D, w->pb->local[v], h);
         carries = 1;
     }
@@ -4459,13 +4507,39 @@ static void sp__dual_hold(sp__dual *w)
         }
 }
 
-/* Aeq S DP Aeq' + shift into L: every contact's H moved to the centroids of its blocks,
+/* Contact c's H, in w->h, moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
+SP__APART static void sp__dual_add(sp__dual *w, int32_t c)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
+    sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
+    sp__rotate(t, h, vv);
+    sp__rotate(t, h + 9, vw);
+    sp__rotate(t, h + 18, ww);
+    if (t->a >= 0) {
+        sp__cross_right(t->ra, vv, 0, vw, qa);                              /* K_vw = vw - vv [arm]x */
+        sp__cross_right(t->ra, vw, 1, ww, nb);                              /* ww - vw' [arm]x */
+        sp__cross_left(t->ra, qa, nb, k);                                   /* K_ww */
+        sp__add_diagonal(sp__dual_diagonal(w, t->a), za, vv, qa, k);
+    }
+    if (t->b >= 0) {
+        sp__cross_right(t->rb, vv, 0, vw, qb);
+        sp__cross_right(t->rb, vw, 1, ww, nb);
+        sp__cross_left(t->rb, qb, nb, k);
+        sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, vv, qb, k);
+    }
+    if (w->slot[c] != INT32_MIN) {
+        sp__cross_left(t->ra, qb, nb, k);
+        sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, vv, qa, qb, k);
+    }
+}
+
+/* Aeq S DP Aeq' + shift into L. */
 SP__APART static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
-    sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
     int held = 0;
 #ifdef SP_REAL_MIXED
     memset(w->diagonal, 0, 21 * (size_t)pb->blocks * sizeof *w->diagonal);
@@ -4473,30 +4547,7 @@ SP__APART static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real 
 #else
     sp__bchol_zero(&w->L);
 #endif
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
-        if (!sp__dual_contact_hessian(w, law, c, y, h)) continue;
-        sp__rotate(t, h, vv);
-        sp__rotate(t, h + 9, vw);
-        sp__rotate(t, h + 18, ww);
-        if (t->a >= 0) {
-            sp__cross_right(t->ra, vv, 0, vw, qa);                          /* K_vw = vw - vv [arm]x */
-            sp__cross_right(t->ra, vw, 1, ww, nb);                          /* ww - vw' [arm]x */
-            sp__cross_left(t->ra, qa, nb, k);                               /* K_ww */
-            sp__add_diagonal(sp__dual_diagonal(w, t->a), za, vv, qa, k);
-        }
-        if (t->b >= 0) {
-            sp__cross_right(t->rb, vv, 0, vw, qb);
-            sp__cross_right(t->rb, vw, 1, ww, nb);
-            sp__cross_left(t->rb, qb, nb, k);
-            sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, vv, qb, k);
-        }
-        if (w->slot[c] != INT32_MIN) {
-            sp__cross_left(t->ra, qb, nb, k);
-            sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, vv, qa, qb, k);
-        }
-    }
+    for (int32_t c = 0; c < pb->contacts; c++) if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__dual_add(w, c);
     for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
     if (held) sp__dual_hold(w);
     for (int32_t i = 0; i < pb->blocks; i++)
@@ -4614,30 +4665,37 @@ static void sp__flat_triple(const sp_real A[9], const sp_real H[9], const sp_rea
     }
 }
 
-/* sp__dual_assemble in 3 rows a block: T' H T. */
+/* Contact c's H into L: T' H T. */
+SP__APART static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
+{
+    const sp_contact *t = &w->pb->contact[c];
+    sp_real *T[2] = { w->h + 36, w->h + 45 }, *K = w->h + 54;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        sp__flat_T(w, c, side, T[side]);
+        sp__flat_triple(T[side], H, T[side], K);
+        sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
+        d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
+    }
+    if (w->slot[c] == INT32_MIN) return;
+    const int turn = w->slot[c] < 0;
+    sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+    sp__flat_triple(T[turn], H, T[!turn], K);
+    for (int k = 0; k < 9; k++) x[k] -= K[k];
+}
+
+/* sp__dual_assemble in 3 rows a block. */
 SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
-    sp_real *H = w->h + 27, *T[2] = { H + 9, H + 18 }, *K = H + 27;
+    sp_real *H = w->h + 27;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
         if (law != SP__INTERIOR && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
-        else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, t), w->h, H);
+        else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->h, H);
         else continue;
-        for (int side = 0; side < 2; side++) {
-            const int32_t i = side ? t->b : t->a;
-            if (i < 0) continue;
-            sp__flat_T(w, c, side, T[side]);
-            sp__flat_triple(T[side], H, T[side], K);
-            sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
-            d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
-        }
-        if (w->slot[c] == INT32_MIN) continue;
-        const int turn = w->slot[c] < 0;
-        sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
-        sp__flat_triple(T[turn], H, T[!turn], K);
-        for (int k = 0; k < 9; k++) x[k] -= K[k];
+        sp__flat_add(w, c, H);
     }
     for (size_t k = 0; k < (size_t)pb->blocks; k++)
         for (int q = 0; q < 3; q++) sp__bchol_d(&w->L)[6 * k + sp__column3[q]] += shift;
@@ -5541,11 +5599,10 @@ static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 
 /* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
 SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
 {
-    const sp_real enough = sp__line_enough(l);
     sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
     for (int it = 0; it < 14; it++) {
         if (it) f = sp__dual_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
-        if (sp__abs(f) <= enough) return s;
+        if (sp__abs(f) <= sp__line_enough(l)) return s;
         if (f < 0) { lo = s; flo = f; }
         else { hi = s; fhi = f; }
         if (!(hi > 0)) {
@@ -5566,24 +5623,32 @@ SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_re
  * sum (sbar |v| + Sbar |w|). */
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 
-/* What the vertices of contact c can resist a motion with. */
-SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+/* sp__flat_resist in 6 rows a block. */
+SP__APART static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp__yield *yield = sp__dual_yield(w, c);
-    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(t, w->size, 2) / S;
     sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
-#ifndef SP_NO_PLAN
-    if (w->flat && yield->plain) return sp__flat_resist(w, c, y, most);
-#endif
     sp__dual_twist(w, t, y, V, W);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real times = sp__dual_counts(w, v);
         if (!(times > 0)) continue;
         sp__dual_rate(w, V, W, w->pb->local[v], u);
-        sum += times * sp__cone_support(&w->cone, yield, u, most);
+        sum += times * sp__cone_support(&w->cone, w->yield, u, most);
     }
-    return S * sum;
+    return sum;
+}
+
+/* What the vertices of contact c can resist a motion with. */
+SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+{
+    const int plain = sp__dual_yield(w, c)->plain;
+    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(&w->pb->contact[c], w->size, 2) / S;
+#ifndef SP_NO_PLAN
+    if (w->flat && plain) return sp__flat_resist(w, c, y, most);
+#else
+    (void)plain;
+#endif
+    return S * sp__space_resist(w, c, y, most);
 }
 
 SP__APART static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
@@ -5778,14 +5843,22 @@ static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
     sp__newton_keep(w, n, state);
 }
 
+SP__APART static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__line *l)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    l->yd = n->prox * sp__dot(w->y, w->d, size);
+    l->dd = n->prox * sp__dot(w->d, w->d, size);
+    l->start = sp__dot(w->r, w->d, size) + l->yd;
+    l->noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+}
+
 /* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
 SP__APART static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    sp__line l = { n->prox * sp__dot(w->y, w->d, size), n->prox * sp__dot(w->d, w->d, size), 0, 0 };
-    l.start = sp__dot(w->r, w->d, size) + l.yd;
-    l.noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+    sp__line l;
     sp_real s = 1;
+    sp__line_open(w, n, &l);
     memcpy(w->L.t, w->y, size * sizeof *w->y);
     sp__dual_axpy(w, 1, w->d, w->y);
     sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
@@ -5880,6 +5953,15 @@ SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *st
     w->bears = NULL;
 }
 
+/* After a step of length s, more or less on the diagonal.     returns whether the step was tiny */
+SP__APART static int sp__newton_damp(sp__newton *n, sp_real s)
+{
+    const int tiny = s < (sp_real)0.03;
+    if (tiny) n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1;
+    if (s > (sp_real)0.5) n->shift = sp__max(SP__SHIFT, n->shift / 100);
+    return tiny;
+}
+
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
 SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
 {
@@ -5887,11 +5969,8 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
     n->prox = 0;
     n->stalled = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved && tiny < 2; it++) {
-        const sp_real s = sp__newton_step(w, n, state);
-        if (s < (sp_real)0.03) { tiny++; n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1; }
-        if (s > (sp_real)0.5) n->shift = sp__max(SP__SHIFT, n->shift / 100);
-    }
+    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved && tiny < 2; it++)
+        tiny += sp__newton_damp(n, sp__newton_step(w, n, state));
 }
 
 /* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
@@ -5915,11 +5994,22 @@ SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *s
     if (!n->proved) sp__newton_tie(w, n, state);
 }
 
+/* Is y near enough to the minimum for this prox?     n->stalled: does the imbalance no longer fall with it? */
+SP__APART static int sp__newton_level(sp__dual *w, sp__newton *n)
+{
+    const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
+    const sp_real inner = sp__dual_norm(w, w->d);
+    if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) return 0;
+    n->stalled = r > (sp_real)0.1 * n->level && n->prox < (sp_real)1e-4;
+    n->level = r;
+    return 1;
+}
+
 /* Proximal path from y = 0. */
 SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
 {
-    const size_t size = 6 * (size_t)w->pb->blocks;
-    for (size_t k = 0; k < size; k++) w->y[k] = 0;
+    memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     n->prox = (sp_real)0.1;
     n->shift = 0;
     n->level = SP__HUGE;
@@ -5930,12 +6020,7 @@ SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *stat
             if (extra-- == 8) sp__newton_restore(w, n, state);
             continue;
         }
-        const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
-        for (size_t k = 0; k < size; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
-        const sp_real inner = sp__dual_norm(w, w->d);
-        if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) continue;
-        n->stalled = r > (sp_real)0.1 * n->level && n->prox < (sp_real)1e-4;
-        n->level = r;
+        if (!sp__newton_level(w, n)) continue;
         if (n->stalled && !n->proved) sp__newton_restore(w, n, state);
         n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
         n->stalled |= n->prox <= SP__DEEP;
@@ -6034,23 +6119,26 @@ static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
     return -(keep * *x + dx);
 }
 
-/* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+/* The edges of a vertex's pyramid. */
+SP__APART static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
-    const int32_t faces = w->cone.faces;
-    sp_real *x = m->x + (size_t)(faces ? faces : 3) * (size_t)v;
-    g[0] = g[1] = g[2] = 0;
-    for (int32_t k = 0; k < faces; k++) {
-        sp_real *e = w->h + 42, *rate = w->h + 45;
+    sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = w->h + 42, *rate = w->h + 45;
+    for (int32_t k = 0; k < w->cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
         const sp_real a = sp__ipm_ray(m, x + k, rate);
         for (int q = 0; q < 3; q++) g[q] += a * e[q];
     }
-    if (faces) return;
+}
+
+/* One vertex: its cone or the edges of its pyramid. g is a force. */
+SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    g[0] = g[1] = g[2] = 0;
+    if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
-    sp__ipm_cone(m, x, u, g, w->h + 42);
+    sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, w->h + 42);
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
@@ -6072,12 +6160,11 @@ SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_r
             if (counts[k]) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
         }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real times = sp__dual_counts(w, v);
-            if (!(times > 0)) continue;
+            if (!(sp__dual_counts(w, v) > 0)) continue;
             for (int k = 0; k < 3; k++)
                 if (counts[k]) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
-            sp__scale3(times, g, g);
+            sp__scale3(sp__dual_counts(w, v), g, g);
             sp__cross3(pb->local[v], g, a);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
         }
@@ -6643,6 +6730,7 @@ static size_t sp__admm_need(const sp_problem *pb, const sp_settings *set, sp_are
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *g);
     sp__program_carve(&g->at, &g->qp, pb->blocks, g->at.Ap[g->qp.n], &dry);     /* g->qp keeps the arrays */
+    if (!pb->points) return dry.peak;                   /* without unknowns it is no program, and is not solved */
     if (g->solver.need && g->solver.need(g->solver.self, &g->qp, &g->set, scratch, &bytes)) return SIZE_MAX;
     sp__take(&dry, 1, bytes);
     if (g->solver.need) return dry.peak;
@@ -7476,7 +7564,7 @@ SP__APART static int sp__cra_descend(sp__cra *c)
 }
 
 /* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
-static int sp__cra_update(sp__cra *c, sp_real damp)
+SP__APART static int sp__cra_update(sp__cra *c, sp_real damp)
 {
     c->violation = c->change = 0;
     for (int pass = 0; pass < 2; pass++)
@@ -9039,12 +9127,12 @@ static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, siz
 }
 
 /* That of every stage on the whole of a scene. */
-SP__APART static sp_status sp__whole_need(const sp_scene *scene, const sp_settings *set, sp_arena scratch, size_t *bytes)
+SP__APART static sp_status sp__whole_need(const sp_scene *scene, const sp_settings *set, sp_arena *scratch, size_t *bytes)
 {
     sp_problem pb;
-    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    const sp_status status = sp_problem_build(scene, scratch, &pb);
     if (status) return status;
-    *bytes = sp__problem_need(&pb, set, sp__stages_need(&pb, set, scratch));
+    *bytes = sp__problem_need(&pb, set, sp__stages_need(&pb, set, *scratch));
     return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
 }
 
@@ -9067,10 +9155,11 @@ SP__APART static sp_status sp__common_need(const sp_scene *scene, const sp_setti
 
 /* Bytes that island k takes behind the tables. */
 SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, const sp_settings *set,
-                                           sp_arena scratch, size_t *bytes)
+                                           const sp_arena *scratch, size_t *bytes)
 {
-    const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
-    const sp_status status = s ? sp__whole_need(s, set, scratch, bytes) : SP_E_MEMORY;
+    sp_arena room = *scratch;
+    const sp_scene *s = sp__island_scene(scene, t, k, &room);
+    const sp_status status = s ? sp__whole_need(s, set, &room, bytes) : SP_E_MEMORY;
     if (status) return status;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *s);
@@ -9083,7 +9172,7 @@ SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__isla
 }
 
 /* Bytes of the tables and the island that wants most. */
-SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena *scratch,
                                             size_t *bytes)
 {
     sp__islands t;
@@ -9091,8 +9180,8 @@ SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count
     size_t most = 0;
     sp_arena dry = sp__arena_dry();
     sp__islands_carve(&t, scene, count, &label, &dry);
-    sp__islands_carve(&t, scene, count, NULL, &scratch);
-    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_carve(&t, scene, count, NULL, scratch);
+    if (sp__failed(scratch)) return SP_E_MEMORY;
     sp__islands_fill(scene, &t);
     for (int32_t k = 0; k < count; k++) {
         size_t need = 0;
@@ -9106,11 +9195,11 @@ SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count
 }
 
 /* Bytes behind what a check keeps: apart and on the whole, one after the other. */
-SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, const sp_settings *set, sp_arena scratch,
+SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, const sp_settings *set, sp_arena *scratch,
                                          size_t *bytes)
 {
     size_t apart = 0;
-    sp_status status = sp__common_need(scene, set, scratch, bytes);
+    sp_status status = sp__common_need(scene, set, *scratch, bytes);
     if (!status) status = islands > 1 ? sp__islands_need(scene, islands, set, scratch, &apart)
                                       : sp__whole_need(scene, set, scratch, &apart);
     if (apart > *bytes) *bytes = apart;
@@ -9124,6 +9213,14 @@ typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 #endif
 
+#ifndef SP_NO_CRA
+typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__cra) <= 448 && sizeof(sp__branch) <= 448
+                                            && sizeof(sp__refute) <= 448 && SP__ROWS <= 21 && SP__PROOF_DEPTH <= 32) ? 1 : -1];
+#endif
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+typedef char sp__memory_bytes_holds_program[sizeof(sp_real) > 8 || sizeof(sp__program) + sizeof(sp__qp) <= 1280 ? 1 : -1];
+#endif
+
 /* As sp_memory; work: where not NULL, an arena that only counts in place of settings.work. */
 static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, sp_arena *work, sp_arena scratch, size_t *bytes)
 {
@@ -9135,7 +9232,7 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     size_t behind = 0;
     if (work) c->set.work = work;
-    if (!status) status = sp__work_need(scene, islands, &c->set, scratch, &behind);
+    if (!status) status = sp__work_need(scene, islands, &c->set, &scratch, &behind);
     if (status) return status;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &c->pb);
@@ -9425,6 +9522,18 @@ SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
 
 /* 28 --------------------------------------------------------------------------------------------------------------- check */
 
+/* Where tension is wanted, of what did not turn out stable. */
+SP__APART static sp_status sp__check_demand(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+{
+    memset(&state->cost, 0, sizeof state->cost);
+    state->left = sp__budget_left(set, r);
+    sp_arena room = sp__work_open(set, a);
+    const sp_status status = sp__penalty_run(pb, set, state, &room, r->demand);
+    sp__cost_add(&r->cost, &state->cost);
+    sp__work_close(set, a, &room);
+    return status;
+}
+
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
@@ -9438,13 +9547,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
         if (status) return status;
     }
     if (!SP__FULL || r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
-    memset(&state->cost, 0, sizeof state->cost);
-    state->left = sp__budget_left(set, r);
-    sp_arena room = sp__work_open(set, a);
-    const sp_status status = sp__penalty_run(pb, set, state, &room, r->demand);
-    sp__cost_add(&r->cost, &state->cost);
-    sp__work_close(set, a, &room);
-    return status;
+    return sp__check_demand(pb, set, state, a, r);
 }
 
 #ifndef SP_NO_CRA
@@ -9902,11 +10005,11 @@ SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
 SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, sp_arena scratch)
 {
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
-    sp_status status = sp_memory(scene, &p->set, scratch, &p->o.bytes);
+    sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
     p->o.islands = sp__islands_count(scene, &p->set, scratch);
     if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, &p->set, scratch, &p->apart);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
-    if (!status) status = sp_memory(scene, &p->set, scratch, &p->o.full_bytes);
+    if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);
     if (!status) status = sp__plan_whole(scene, &p->set, scratch, &p->whole);
     p->set.effect[SP_EFFECT_TOGETHER] = together;
     if (p->o.islands < 2) p->apart = p->whole;
@@ -10305,7 +10408,7 @@ SP__APART static sp_status sp__sequence_work(const sp_scene *scene, const sp_set
     sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
     if (!q) return SP_E_MEMORY;
     sp_status status = sp__sequence_settings(scene, settings, &q->set);
-    if (!status) status = sp_memory(scene, &q->set, scratch, work);
+    if (!status) status = sp__memory(scene, &q->set, NULL, scratch, work);
     if (status) return status;
     const size_t symbolic = sp_memory_scratch(scene, &q->set);
     if (symbolic > *work) *work = symbolic;

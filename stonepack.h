@@ -572,9 +572,14 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
  *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices,
  *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
  *                     for the default ones; each load takes 4 + sizeof(sp_load) more. The factor is taken as full, 36
- *                     numbers for each two blocks: near the truth up to some thirty blocks. What counts alone do not tell
- *                     (ADMM, a custom stage, the coupled check) it does not cover: for SP_STAGE_ADMM and SP_STAGE_CUSTOM
- *                     it is SIZE_MAX, which no array has. */
+ *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
+ *                     need it cannot know, it is SIZE_MAX, which no array has.
+ *   SP_PYRAMID_BYTES  what settings.faces takes besides
+ *   SP_COUPLED_BYTES  what settings.coupled.asked takes besides, with room for coupled.nodes (0 or more) in a proof; without
+ *                     coupled.rounds
+ *   SP_ADMM_BYTES     in SP_MEMORY_BYTES where the mask has SP_STAGE_ADMM, for a pyramid of up to 8 faces, the seed's own; of
+ *                     more: SP_MEMORY_BYTES without that bit plus this. It takes the factor as full, too, which it never is:
+ *                     some ten times the truth for a few stones, and more for more, where only sp_memory tells. */
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
     ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
      + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
@@ -587,8 +592,9 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 #define SP_MIXED_BYTES(blocks, interfaces) 0
 #endif
 #define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
-    ((stages) & ~62 ? SIZE_MAX \
-     : sizeof(sp_real) * (12 * (size_t)(vertices) + (18 * ((size_t)(blocks) + 1) + 85) * ((size_t)(blocks) + 1) + 102 \
+    ((stages) & ~126 ? SIZE_MAX \
+     : ((stages) & 1 << SP_STAGE_ADMM ? SP_ADMM_BYTES(blocks, vertices, 8) : 0) \
+     + sizeof(sp_real) * (12 * (size_t)(vertices) + (18 * ((size_t)(blocks) + 1) + 85) * ((size_t)(blocks) + 1) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
      + SP_MIXED_BYTES(blocks, interfaces) \
      + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
@@ -596,6 +602,20 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
      + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
      + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776 \
      + 11 * sizeof(sp_real) * (size_t)(interfaces) + 4 * (size_t)(vertices))
+#define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (size_t)(faces) * ((size_t)(vertices) + 4) + 64)
+#define SP_COUPLED_BYTES(blocks, vertices, nodes) \
+    (sizeof(sp_real) * (27 * (size_t)(vertices) + 73 * (size_t)(blocks)) + 1000 \
+     + ((nodes) ? SP_PROOF_BYTES(SP_EXACT_MOST(blocks), SP_EXACT_MOST(vertices), nodes) : 0))
+#define SP_EXACT_MOST(count) ((size_t)(count) < SP_EXACT_POINTS ? (size_t)(count) : (size_t)SP_EXACT_POINTS)
+#define SP_PROOF_BYTES(b, v, nodes) \
+    ((sizeof(sp_real) + 2) * (20 * (size_t)(nodes) + 3 * (v) + 6 * (b) + 1) + (sizeof(sp_real) + 4) * (229 * (v) + 48 * (b) + 3) \
+     + sizeof(sp_real) * ((3 * (v) + 6 * (b)) * (3 * (v) + 6 * (b)) + 38 * (v) + 2 * (b)) + 4 * (size_t)(nodes) + 400 * (v) + 1000)
+#define SP_ADMM_BYTES(blocks, vertices, faces) \
+    SP_PROGRAM_BYTES((size_t)(blocks), (size_t)(vertices), (size_t)(faces), \
+                     6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices))
+#define SP_PROGRAM_BYTES(b, v, k, both) \
+    ((sizeof(sp_real) + 4) * ((both) * (both) / 2 + 2 * (v) * (4 * (k) + 50)) + (15 * sizeof(sp_real) + 88) * (both) \
+     + sizeof(sp_real) * (b) + 2200)
 
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later

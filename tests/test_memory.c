@@ -305,7 +305,65 @@ TEST(memory_by_counts_bounds_what_is_taken)
         CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES) + loads);
     }
     CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
-    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_ADMM) == SIZE_MAX);
+    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SIZE_MAX);
+}
+
+/* Bounds by counts over the truth, smallest and largest, of scenes with some vertices. */
+typedef struct spread { const char *what; double least, most; } spread;
+
+static void within(spread *s, const sp_scene *scene, const sp_settings *set, size_t bound)
+{
+    size_t bytes = 0;
+    NEED(sp_memory(scene, set, test_arena, &bytes) == SP_OK);
+    bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
+    if (!CHECK(bytes <= bound)) TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
+        (int)scene->count.interfaces, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
+    if (scene->count.points < 4) return;
+    const double ratio = (double)bound / (double)bytes;
+    if (ratio < s->least || s->least <= 0) s->least = ratio;
+    if (ratio > s->most) s->most = ratio;
+}
+
+TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
+{
+    enum { PYRAMID, COUPLED, PROOF, ADMM, ALL };
+    spread s[ALL] = { { "pyramids", 0, 0 }, { "coupled", 0, 0 }, { "coupled, with proofs", 0, 0 }, { "ADMM", 0, 0 } };
+    for (int k = 0; k < 120; k++) {
+        const int32_t blocks = test_random_int(1, k % 10 ? 8 : 20), interfaces = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
+        sp_scene scene;
+        test_arena.used = 0;
+        random_scene(&scene, blocks, interfaces);
+        const int32_t v = scene.count.points, faces = test_random_int(3, k % 2 ? 8 : 64);
+        const int32_t nodes = test_random_int(0, 3) ? test_random_int(0, 300) : 0;
+        const size_t plain = SP_MEMORY_BYTES(blocks, interfaces, v, 0), pyramid = SP_PYRAMID_BYTES(v, faces);
+        sp_settings set = sp_settings_default();
+        if (k % 3) { set.faces = faces; set.inscribed = k % 2; }
+        const size_t base = plain + (k % 3 ? pyramid : 0);
+        set.localise = k % 5 > 1;
+        within(&s[PYRAMID], &scene, &set, base);
+#ifndef SP_NO_CRA
+        set.coupled.asked = 1;
+        set.coupled.nodes = nodes;
+        within(&s[nodes && v <= SP_EXACT_POINTS ? PROOF : COUPLED], &scene, &set, base + SP_COUPLED_BYTES(blocks, v, nodes));
+        set.coupled.asked = 0;
+#endif
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+        set.stage[set.stage_count++] = SP_STAGE_ADMM;
+        within(&s[ADMM], &scene, &set, k % 3 == 0 || faces <= 8 ? base - plain + SP_MEMORY_BYTES(blocks, interfaces, v, ALL_STAGES
+                               | 1 << SP_STAGE_ADMM) : base + SP_ADMM_BYTES(blocks, v, faces));
+        if (!v) {                                       /* there is no program then */
+            size_t bytes = 0;
+            sp_arena a = test_arena;
+            sp_result r;
+            NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+            a.cap = a.used + bytes;
+            CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
+        }
+#endif
+    }
+    for (int q = 0; q < ALL; q++)
+        TEST_PRINT("    %-21s bound / need  %.2f .. %.2f\n", s[q].what, s[q].least, s[q].most);
+    for (int q = 0; q < ADMM; q++) CHECK(s[q].least < 2);       /* of one island; where there are several none takes much */
 }
 
 TEST(scene_memory_by_counts_is_exact)
@@ -346,6 +404,7 @@ TEST_LIST(memory)
     RUN(problem_memory_is_exact)
     RUN(contacts_memory_is_enough_and_less_is_refused)
     RUN(memory_by_counts_bounds_what_is_taken)
+    RUN(pyramids_coupling_and_admm_by_counts_are_bounded)
     RUN(scene_memory_by_counts_is_exact)
     RUN(a_static_array_sized_by_counts_is_enough)
 TEST_END
