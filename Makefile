@@ -55,7 +55,7 @@ SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
 TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
-.PHONY: bench-plan always all lib demo test deps test-boards robot footprint pair package install bench figures coupled-table check help clean
+.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures coupled-table check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -67,6 +67,7 @@ help:
 	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack)"
 	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
+	@echo "make regions   a check whose factor lies in another memory than scene and answer, on the same two"
 	@echo "make footprint measures code, stack, memory and instructions on Cortex-M anew, into port/board/footprint.csv"
 	@echo "make deps      installs what check can use (Debian, needs root)"
 	@echo "make pair      the library as two files, in build/pair/"
@@ -151,6 +152,10 @@ test-boards: build/corpus-double.txt build/corpus-float.txt
 robot:
 	@$(MAKE) --no-print-directory -s -f port/board/board.mk BOARD=m4f REAL=float robot
 	@$(MAKE) --no-print-directory -s -f port/board/board.mk BOARD=m7 REAL=double robot
+
+regions:
+	@$(MAKE) --no-print-directory -s -f port/board/board.mk BOARD=m4f REAL=float regions
+	@$(MAKE) --no-print-directory -s -f port/board/board.mk BOARD=m7 REAL=double regions
 
 footprint:
 	@mkdir -p build

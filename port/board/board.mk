@@ -1,11 +1,12 @@
 # board: one target, one precision.
 #
-#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost | robot
+#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost | robot | regions
 #
 #     tests      the suites of tests/, less those too large for it (named, with the reason)
 #     corpus     the number over the bundled scenes, compared with that of build/corpus; bytes too where pointers have 64 bits
 #     cost       a few scenes: their verdicts, and memory, stack and instructions they took
 #     robot      a gripper that asks whether it may let go of a stone; its answers to robot.txt, compared with those there
+#     regions    a check with its factor in another memory than scene and answer
 #
 # A bare board is simulated by qemu-system, has its own start-up code and no C library; the others are Linux programs run by
 # qemu-user. Run from the top folder.
@@ -119,6 +120,8 @@ flags   = -std=c99 $(OPT) -ffp-contract=off -fno-math-errno -Wall -Wextra -Wno-u
           $(if $(filter float,$(REAL)),-DSP_REAL_FLOAT) '-DTEST_ARENA_BYTES=((size_t)$(arena))' \
           -DTEST_SUITES='$(foreach s,$(suites),X($(s)))' \
           -DTEST_LEAVE_OUT='"../$(out)/left_out.h"'
+# What hangs ends by its own work, not by how busy the machine is.
+within  = ulimit -t $(or $(SECONDS_OF_CPU),1800); timeout 7200
 ifneq ($(bare),)
 flags  += -ffreestanding -ffunction-sections -fdata-sections -Iport/board/include -include port/board/board.h \
           -DTEST_PRINT=board_print \
@@ -128,18 +131,18 @@ comma  := ,
 link    = -nostdlib -nostartfiles -Wl,--gc-sections -Lport/board -T port/board/$($(BOARD).map).ld
 libs    = -lgcc
 own     = $(patsubst %,$(out)/port/board/%.o,$($(BOARD).start) board libc)
-run     = timeout $(or $(TIMEOUT),900) $($(BOARD).qemu) -display none -monitor none -serial none -chardev stdio,id=c0 $(1) \
+run     = $(within) $($(BOARD).qemu) -display none -monitor none -serial none -chardev stdio,id=c0 $(1) \
           -semihosting-config enable=on,target=native,chardev=c0,arg=program$(if $(2),$(comma)arg=$(2)) -kernel
 else
 link    = -static
 libs    = -lm
 own     =
-run     = timeout $(or $(TIMEOUT),900) $($(BOARD).qemu)
+run     = $(within) $($(BOARD).qemu)
 endif
 
 core    = $(own) $(out)/stonepack.o $(out)/tests/scenes/gen.o
 
-.PHONY: tests corpus cost robot compiler needs
+.PHONY: tests corpus cost robot regions compiler needs
 
 needs: $(needs)
 
@@ -166,6 +169,9 @@ $(out)/corpus: $(core) $(out)/tests/corpus/corpus.o
 $(out)/cost: $(core) $(out)/port/board/cost.o
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
+$(out)/regions: $(core) $(out)/port/board/regions.o
+	@$(CC) $(flags) $(link) $^ $(libs) -o $@
+
 $(out)/robot: $(filter-out %/gen.o,$(core)) $(out)/port/board/robot.o
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
@@ -188,6 +194,9 @@ robot: $(out)/robot
 	    sed 's/ \[.*//' $(out)/robot.out > $(out)/robot.said; \
 	    sed -n 's/^#= //p' port/board/robot.txt | diff - $(out)/robot.said && [ $$status -eq 0 ]
 
+regions: $(out)/regions
+	@$(call run,,) $<
+
 tests: $(out)/run
 	@$(call run,,) $<
 
@@ -205,7 +214,7 @@ counted = -std=c99 -O1 -ffp-contract=off -fno-math-errno -fno-builtin -Wno-unuse
           -include stdio.h -include port/board/work.h -DTEST_PRINT=printf '-DTEST_WORK()=work_steps' \
           '-DTEST_TOO_MUCH()=WORK_START()' '-DTEST_ARENA_BYTES=((size_t)24<<20)' -DSP_SQRT=__builtin_sqrt \
           -DTEST_SUITES='$(foreach s,$(suites),X($(s)))'
-$(needs): tests/run.c $(suites:%=tests/test_%.c) $(wildcard port/board/work.*) stonepack.c $(wildcard solvers/*.c)
+$(needs): tests/run.c tests/test.h $(suites:%=tests/test_%.c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*.c)
 	@mkdir -p $(@D)
 	@gcc $(counted) -c port/board/work.c -o build/board/work.o
 	@gcc $(counted) -c tests/run.c -o build/board/run.o

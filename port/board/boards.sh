@@ -3,6 +3,7 @@
 #
 #     ONLY=text    only boards whose names contain the text
 #     STRICT=1     what could not be run counts as a failure
+#     WHOLE="m4f-float m7-double"    the tests on these only, the corpus everywhere; else the tests, too, on all of the table
 #
 # `boards.sh NAME` runs that board alone, in place.
 . tests/checks/tally.sh
@@ -27,7 +28,7 @@ s390x    qemu-s390x          gcc-s390x-linux-gnu,qemu-user            double
 i686     true                gcc-i686-linux-gnu                       float
 '
 
-on() { make --no-print-directory -s -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
+on() { MAKEFLAGS='' make --no-print-directory -s -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
 
 # What was not run here, each with its reason.
 left_out() {
@@ -38,6 +39,7 @@ one() {                                                 # one BOARD SIMULATOR PA
     compiler=$(make -s -f port/board/board.mk BOARD="$1" compiler)
     if ! have "$compiler" || ! have "$2"; then skip "$1" "$3"; return; fi
     for real in $(echo "$4" | tr , ' '); do
+        case " ${WHOLE:-$1-$real} " in *" $1-$real "*) ;; *) continue ;; esac
         count "$1 $real" on "$1" "$real" tests
         left_out "$1" "$real"
     done

@@ -232,6 +232,7 @@ check_arm() {
 check_robot() {
     if have arm-none-eabi-gcc && have qemu-system-arm; then
         part "a robot is told when to let go: Cortex-M4F in float, Cortex-M7 in double" make robot
+        part "the factor in another memory: Cortex-M4F in float, Cortex-M7 in double" make regions
     else
         skip "a robot on Cortex-M" gcc-arm-none-eabi,qemu-system-arm
     fi
