@@ -6036,7 +6036,8 @@ static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
 }
 
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
- * take what the contacts resist least. state->y is used up. */
+ * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts as
+ * tied: where that ties all, every block goes alone. state->y is used up. */
 SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -6048,7 +6049,11 @@ SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
         if (pass) sp__dual_solve(w, w->d, w->d);
         if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
         sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
-        if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
+        if (!sp__rigid_sharpen(w, w->xadj, state)) {
+            memcpy(w->d, state->y, n * sizeof *w->d);
+            sp__rigid_groups(w, w->d, -1, w->xadj);
+            if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
+        }
         sp__newton_weigh(w, w->d, &now);
         if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;
         best = now;

@@ -51,7 +51,6 @@ TEST(hard_scenes_are_decided_as_they_are)
 TEST(forces_of_hard_scenes_balance_to_a_few_roundings)
 {
     sp_settings set = sp_settings_default();
-    set.effect[SP_EFFECT_FRICTION] = SP_WITH;               /* pressure alone is judged by the loads, a bound that tells less */
     for (int k = 0; k < HARD_CASES; k++) {
         const hard_case *c = &hard_cases[k];
         sp_result r;
