@@ -482,7 +482,12 @@ check_instruments() {                                   # the battery of hard sc
     if [ -d ../shared/cases ] && have python3; then
         SHOW=1
         part "cases of known truth in other arithmetic" sh tests/instruments/instruments.sh cases
+        part "cases: quad; each one's omega, growth of rounding, time" sh tests/instruments/instruments.sh cases-quad
         SHOW=
+        cases_in='mixed'
+        if have g++; then cases_in="$cases_in chance"; fi
+        if have clang-19; then cases_in="$cases_in shadows"; fi
+        for in_name in $cases_in; do part "cases: $in_name" sh tests/instruments/instruments.sh cases-$in_name; done
     fi
     if have clang-19; then part "battery: shadows of 113 bits" sh tests/instruments/instruments.sh shadows
     else skip "battery: shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi

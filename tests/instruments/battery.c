@@ -1,14 +1,14 @@
-/* battery: the hard scenes and the corpus in another arithmetic, one line each:
+/* battery: the hard scenes and the corpus, or the scenes of files, in another arithmetic, one line each:
  *
  *     name | verdict | wrong, open or as it is | omega | largest force | ms
  *
- * battery [up|down|zero] [traps] [flush] [light] [short]
+ * battery [up|down|zero] [traps] [flush] [light] [short] [fine] [FILE.obj...]
  *     rounding mode; SIGFPE on invalid, division by zero, overflow; denormals are zero; without the three heaviest; without
- *     the corpus
+ *     the corpus; files: these instead; fine: they are to balance to 1e-12, what stands and does not is OPEN
  *
- * One file with the library, so that a compiler flag or a header put before it changes all arithmetic: SP_REAL_QUAD, a class in
- * place of double (random.hpp), -fsanitize=numerical. instruments.sh has the lines. Exit status 1: a wrong verdict or one that
- * is missing. Truth of the hard scenes is their row's; that of the corpus is what plain double says, told by instruments.sh.
+ * One file with the library, beside those that read scenes, so that a compiler flag or a header put before it changes all
+ * arithmetic: SP_REAL_QUAD, a class in place of double (random.hpp), -fsanitize=numerical. instruments.sh has the lines. Exit
+ * status 1: a wrong verdict or one that is missing. Truth of the hard scenes is their row's; that of the others is what plain double says, told by instruments.sh.
  */
 #define _GNU_SOURCE
 #ifndef SP_REAL_QUAD
@@ -41,6 +41,7 @@ static double battery_sqrt(double x)
 #include "../corpus/corpus.c"
 #undef main
 #include "../scenes/hard.h"
+#include "../../port/host/scene.h"
 
 #ifdef BATTERY_SHADOW
 void __nsan_check_double(double x);                             /* of clang's runtime: says where x and its shadow differ */
@@ -57,7 +58,7 @@ static void battery_shadow(const sp_result *r)
 #endif
 
 static uint64_t room[(64u << 20) / 8];
-static int bad, flushed, light, without_corpus;
+static int bad, flushed, light, without_corpus, fine;
 static clock_t started;
 
 static void say(const char *name, sp_verdict verdict, const char *is, const sp_result *r)
@@ -126,9 +127,34 @@ static void corpus_all(void)
     }
 }
 
+/* The scene of a file, by the file's name. */
+static void file(const char *path)
+{
+    sp_arena arena;
+    sp_result r;
+    sp_settings set = sp_settings_default();
+    host_scene s;
+    text_error error;
+    char name[64];
+    const char *last = strrchr(path, '/');
+    memset(&r, 0, sizeof r);
+    sp_arena_init(&arena, room, sizeof room);
+    snprintf(name, sizeof name, "%s", last ? last + 1 : path);
+    int status = scene_read(path, -1, SCENE_GIVEN, &s, &error);
+    if (fine) set.tol = (sp_real)1e-12;
+    started = clock();
+    if (!status) status = sp_check(&s.scene, &set, &arena, &r);
+    const int coarse = fine && r.verdict == SP_STABLE && r.omega > set.tol;
+    bad |= status || coarse;
+    battery_shadow(&r);
+    say(name, r.verdict, status ? "WRONG" : coarse ? "OPEN" : "", &r);
+    scene_free(&s);
+}
+
 int main(int argc, char **argv)
 {
-    for (int k = 1; k < argc; k++) {
+    int files = argc;
+    for (int k = 1; k < files; k++) {
         if (strcmp(argv[k], "up") == 0) fesetround(FE_UPWARD);
         else if (strcmp(argv[k], "down") == 0) fesetround(FE_DOWNWARD);
         else if (strcmp(argv[k], "zero") == 0) fesetround(FE_TOWARDZERO);
@@ -138,9 +164,11 @@ int main(int argc, char **argv)
         else if (strcmp(argv[k], "flush") == 0) { flushed = 1; BATTERY_FLUSH(); }
         else if (strcmp(argv[k], "light") == 0) light = 1;
         else if (strcmp(argv[k], "short") == 0) without_corpus = 1;
-        else return 64;
+        else if (strcmp(argv[k], "fine") == 0) fine = 1;
+        else files = k;
     }
-    for (int k = 0; k < HARD_CASES; k++) hard(&hard_cases[k]);
-    if (!without_corpus) corpus_all();
+    for (int k = files; k < argc; k++) file(argv[k]);
+    for (int k = 0; files == argc && k < HARD_CASES; k++) hard(&hard_cases[k]);
+    if (files == argc && !without_corpus) corpus_all();
     return bad;
 }
