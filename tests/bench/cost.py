@@ -9,6 +9,7 @@ import csv
 import json
 import math
 import os
+import re
 import sys
 
 import matplotlib
@@ -53,7 +54,8 @@ def table(rows, path):
     with open(path, "w", encoding="utf-8", newline="") as f:
         w = csv.DictWriter(f, keys, extrasaction="ignore", lineterminator="\n")
         w.writeheader()
-        w.writerows(rows)
+        for r in rows:
+            w.writerow({k: f"{v:.4g}" if isinstance(v, float) else v for k, v in r.items()})
 
 
 def shape(cone):
@@ -111,16 +113,18 @@ def verdicts(rows, caption, path):
     fig.subplots_adjust(left=0.07, right=0.985, top=0.88, bottom=0.25, wspace=0.06)
     fig.suptitle("Verdicts over nine scenes: what a choice of cone, stage and tol decides", x=0.07, ha="left", fontweight="bold")
     for ax, real in zip(axes, REALS):
-        groups = {}
+        groups, marks = {}, {}
         for r in rows:
             if r["real"] == real:
                 groups.setdefault((r["stage"], r["cone"], r["tol"]), []).append(r)
         for (stage, cone, _), own in groups.items():
             x = math.exp(sum(math.log(max(r["flops"], 1)) for r in own) / len(own))
             right, wrong = sum(r["is"] == "right" for r in own), sum(r["is"] == "wrong" for r in own)
-            ax.plot([x], [right], marker=shape(cone), color=STAGES[stage], markersize=5, alpha=0.6, linestyle="none")
+            marks.setdefault((shape(cone), STAGES[stage], 0.6), []).append((x, right))
             if wrong:
-                ax.plot([x], [-wrong], marker="x", color=WRONG, markersize=5, linestyle="none")
+                marks.setdefault(("x", WRONG, 1), []).append((x, -wrong))
+        for (marker, color, alpha), points in marks.items():
+            ax.plot(*zip(*points), marker=marker, color=color, markersize=5, alpha=alpha, linestyle="none")
         ax.set_title(real)
         ax.set_xscale("log")
         ax.set_ylim(-4.5, 9.5)
@@ -134,8 +138,19 @@ def verdicts(rows, caption, path):
 
 
 def save(fig, path):
+    """As SVG; markers of one look have it once, not each, and a tenth of a point is near enough."""
     fig.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
     plt.close(fig)
+    with open(path, encoding="utf-8") as f:
+        text = f.read()
+    text = re.sub(r'x="([\d.]+)" y="([\d.]+)" style=', lambda m: f'x="{float(m[1]):.1f}" y="{float(m[2]):.1f}" style=', text)
+
+    def once(m):
+        return f'{m[1]} style="{m[3]}">' + m[2].replace(f' style="{m[3]}"', "") + m[4]
+
+    text = re.sub(r'(<g clip-path="[^"]*")>((?:\s*<use [^>]* style="([^"]*)"/>)(?:\s*<use [^>]* style="\3"/>)*)(\s*</g>)', once, text)
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(text)
     print(path)
 
 
