@@ -36,6 +36,7 @@
  *   33  what to hold                     smallest sets of held blocks; what may come next
  *   34  limit: both ends                 sp_limit_verify
  *   35  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
+ *   36  smallest check                   SP_EXACT_ONLY: sp_check, sp_memory by a search of its own, in place of 11 and 13-28
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -48,14 +49,17 @@
  * Sources: [seed n] the document the system was specified by, section n; [DESIGN n] its design. The others by name:
  *   Kao, Iannuzzo, Thomaszewski, Coros, Van Mele, Block 2022, Computer-Aided Design 146:103216; Heyman 1966; Qi, Sun 1993,
  *   Math. Programming 58; Rockafellar 1976, SIAM J. Control Optim. 14; Amestoy, Davis, Duff 1996, SIAM J. Matrix Anal. 17;
- *   Hestenes, Stiefel 1952; Stiefel 1955; Dekker 1971, Numer. Math. 18; Davis 2006, Direct Methods for Sparse Linear Systems.
+ *   Hestenes, Stiefel 1952; Stiefel 1955; Dekker 1971, Numer. Math. 18; Davis 2006, Direct Methods for Sparse Linear Systems;
+ *   George, Liu 1981, Computer Solution of Large Sparse Positive Definite Systems.
  */
 #include "stonepack.h"
 
 #include "solvers/arena.c"
 #include "solvers/real.c"
+#ifndef SP_EXACT_ONLY
 #include "solvers/order.c"
 #include "solvers/chol.c"
+#endif
 #ifndef SP_NO_QP
 #include "solvers/ldl.c"
 #ifndef SP_QP_NO_CG
@@ -73,8 +77,12 @@
 #include "solvers/vec3.c"
 #include "solvers/csc.c"
 #include "solvers/pyramid.c"
+#ifdef SP_EXACT_ONLY
+#include "solvers/envelope.c"
+#else
 #include "solvers/cone.c"
 #include "solvers/bchol.c"
+#endif
 #ifndef SP_NO_IPM
 #include "solvers/ipm.c"
 #endif
@@ -2093,7 +2101,7 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
-static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+SP__APART static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
 {
     sp__judge j;
     sp_arena dry = sp__arena_dry();
@@ -2645,6 +2653,7 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
     return 1;
 }
 
+#ifndef SP_EXACT_ONLY
 /* Sweeps the judge may take for the scales out of so many flops. */
 static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
 {
@@ -2652,6 +2661,7 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
     const int64_t sweeps = flops / (SP__FLOPS_JUDGE * (int64_t)pb->points) - 8;
     return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
 }
+#endif
 
 #ifndef SP_NO_CRA
 /* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
@@ -3210,6 +3220,7 @@ SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, c
 }
 #endif /* SP_NO_CRA */
 
+#ifndef SP_EXACT_ONLY
 /* 11 ------------------------------------------------------------------------------------------------------------ the dual */
 
 /* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
@@ -3821,7 +3832,7 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     k->plain = !sp__joint_strong(&f->joint);
     k->C = k->T = 0;
     k->N = SP__HUGE;
-    if (!SP__FULL || k->plain) return k;
+    if (k->plain) return k;
     const sp__strength strength = sp__vertex_strength(f);
     const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
     k->C = strength.C * scale / w->slide;
@@ -3946,7 +3957,7 @@ static void sp__dual_rate(const sp__dual *w, const sp_real V[3], const sp_real W
 static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield, const sp_real u[3], sp_real f[3])
 {
     sp__cone_project(&w->cone, yield, u, f);
-    if (SP__FULL && w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
+    if (w->soft > 0 && u[0] < 0) f[0] += u[0] * w->soft;
     const sp_real S = sp__dual_S(w, c), slip = S * w->slide;
     f[0] *= S; f[1] *= slip; f[2] *= slip;
 }
@@ -4380,7 +4391,7 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
     D[1] = D[2] = D[4] = 0;
     if (law == SP__ADMISSIBLE) {
         const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
-        if (SP__FULL && w->soft > 0 && u[0] < 0) D[0] += w->soft;
+        if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
         else if (region == SP__APEX) return 0;
     }
     const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
@@ -4771,7 +4782,7 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
         return;
     }
 #endif
-    if (SP__FULL && w->dense) {
+    if (w->dense) {
         sp__dual_spread(w);
         sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
     } else sp__bchol_factor(&w->L, floor);
@@ -4781,7 +4792,7 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
 static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->L.n;
-    if (!SP__FULL || !w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
     for (size_t k = 0; k < n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
     sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
     for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
@@ -5146,7 +5157,7 @@ SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings
     sp_real half;
     w->factor = 1;
     w->metric = 0;
-    if (SP__FULL && set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
+    if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->factor, &half);
     if (set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) w->factor = 0;
     if (penalty) w->factor /= w->slide;
     sp__dual_slots(w);
@@ -5162,6 +5173,8 @@ static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp_
 {
     return sp__dual_make(pb, set, form, NULL, cost, a);
 }
+
+#endif /* SP_EXACT_ONLY */
 
 /* 12 ---------------------------------------------------------------------------------------------------- search constants */
 
@@ -5224,6 +5237,7 @@ static const sp_seed sp__seed = {
 
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
+#ifndef SP_EXACT_ONLY
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
 
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
@@ -5888,7 +5902,7 @@ static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *
 /* The candidate in w->d, tied into rigid groups. */
 SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_state *state)
 {
-    if (!SP__FULL || n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
     if (sp__rigid_sharpen(w, w->xadj, state)) sp__newton_try(w, n, w->d, state);
     sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
@@ -6412,7 +6426,7 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     w->spent = 0;
     if (!n.found && n.best < SP__HUGE) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
     w->spent = spent;
-    if (SP__FULL && n.proved && set->localise) sp__newton_settle(w, state);
+    if (n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
 #ifndef SP_NO_PLAN
@@ -8754,7 +8768,7 @@ typedef struct sp__islands {
 /* May islands be solved apart? */
 static int sp__islands_apart(const sp_settings *set)
 {
-    return SP__FULL && sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
+    return sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
 }
 
 /* up: root of each free block's island.                                                      returns how many there are */
@@ -8881,6 +8895,8 @@ SP__APART static sp_scene *sp__island_scene(const sp_scene *scene, const sp__isl
     return s;
 }
 
+#endif /* SP_EXACT_ONLY */
+
 /* 26 -------------------------------------------------------------------------------------------------------------- ladder */
 
 SP_API sp_settings sp_settings_default(void)
@@ -8927,6 +8943,7 @@ SP_API sp_settings sp_settings_seed(void)
 }
 #endif
 
+#ifndef SP_EXACT_ONLY
 /* What of a table of constants could break a loop or a pyramid. */
 static int sp__seed_fits(const sp_seed *s)
 {
@@ -8950,7 +8967,6 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     for (int32_t k = 0; k < out->stage_count; k++) {
         const sp_stage_id id = out->stage[k];
         if (id <= SP_STAGE_NONE || id > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
-        if (!SP__FULL && id != SP_STAGE_GATES && id != SP_STAGE_EXACT && id != SP_STAGE_CUSTOM) return SP_E_UNSUPPORTED;
 #if defined(SP_NO_QP) || defined(SP_NO_ADMM)
         if (id == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
 #endif
@@ -8966,7 +8982,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #if defined(SP_NO_QP) || defined(SP_NO_ADMM)
     if (out->coupled.asked && out->coupled.rounds) return SP_E_UNSUPPORTED;
 #endif
-    if (SP__FULL && out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
+    if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
     for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
         const int32_t choice = (int32_t)out->effect[k];
         if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
@@ -8974,8 +8990,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #ifdef SP_NO_PLAN
     if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
 #endif
-    if (!SP__FULL && (out->faces || out->seed)) return SP_E_UNSUPPORTED;
-    if ((!SP__FULL || out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
+    if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -8985,9 +9000,9 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 {
     sp_stage s = { sp__exact_run, sp__exact_need };
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }
-    if (SP__FULL && id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
-    if (SP__FULL && id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
-    if (SP__FULL && id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
+    if (id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
+    if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
+    if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
 #endif
@@ -8995,6 +9010,25 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
     return s;
 }
 
+#else
+/* The same of the smallest check: what it does not know it refuses. */
+static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *in, sp_settings *out)
+{
+    *out = in ? *in : sp_settings_default();
+    if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
+    if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
+    if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
+    int other = out->faces || out->budget || out->seed || out->work || out->coupled.asked || sp__scene_strong(scene);
+    for (int k = 0; k < 2; k++) other |= out->effect[k] == SP_WITHOUT;          /* friction, depth */
+    for (int32_t k = 0; k < out->stage_count; k++) other |= out->stage[k] != SP_STAGE_GATES && out->stage[k] != SP_STAGE_EXACT;
+    if (other) return SP_E_UNSUPPORTED;
+    const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
+    if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
+    return SP_OK;
+}
+#endif
+
+#ifndef SP_EXACT_ONLY
 /* What a check keeps: the result's arrays, in front of everything that goes again. */
 typedef struct sp__kept {
     sp_real *f, *dq, *y0;
@@ -9058,6 +9092,11 @@ typedef struct sp__check {
     size_t kept;                        /* of the arena, with room for a proof */
 } sp__check;
 
+#else
+typedef struct sp__check { sp_settings set; sp_problem pb; sp_result r; } sp__check;
+#endif
+
+#ifndef SP_EXACT_ONLY
 /* Scratch of a problem and its symbolic step. */
 static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settings)
 {
@@ -9110,7 +9149,7 @@ SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings 
     const size_t most = sp__judge_need(pb, set);
     size_t work = 0;
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
-        if (k == set->stage_count && (!SP__FULL || !set->localise)) break;
+        if (k == set->stage_count && !set->localise) break;
         const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
                                                  : sp__flat_need(pb, set, 0, scratch);
         if (need > work) work = need;
@@ -9270,6 +9309,8 @@ static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *
     if (room->peak > a->peak) a->peak = room->peak;
 }
 
+#endif
+
 static int sp__all_finite(const sp_real *x, size_t n)
 {
     for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
@@ -9292,7 +9333,7 @@ static void sp__check_motion(const sp__judge *j, sp_real *dq)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-
+#ifndef SP_EXACT_ONLY
 /* Flops that are left of the budget. */
 static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
 {
@@ -9435,6 +9476,8 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
+#endif /* SP_EXACT_ONLY */
+
 /* 27 ---------------------------------------------------------------------------------------------------- reading a result */
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
@@ -9499,6 +9542,7 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
     return SP_OK;
 }
 
+#ifndef SP_EXACT_ONLY
 /* Reading the force state: extremes over the interfaces, and the weakest of them. */
 SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
 {
@@ -9551,7 +9595,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
-    if (!SP__FULL || r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
+    if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
     return sp__check_demand(pb, set, state, a, r);
 }
 
@@ -9813,6 +9857,8 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     *result = c->r;
     return SP_OK;
 }
+
+#endif /* SP_EXACT_ONLY */
 
 /* 29 -------------------------------------------------------------------------------------------------------------- verify */
 
@@ -10287,6 +10333,7 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
                     k >= 0 && k <= 4 ? k : 5);
 }
 
+#ifndef SP_EXACT_ONLY
 /* 32 ---------------------------------------------------------------------------------------------------------- build order */
 
 /* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
@@ -12141,5 +12188,497 @@ SP_API const char *sp_joint_text(sp_joint_kind kind)
     return sp__word("rigid\0" "hinge\0" "sliding\0" "open\0" "unknown", k >= 0 && k <= 3 ? k : 4);
 }
 #endif /* SP_NO_IPM */
+#endif /* SP_EXACT_ONLY */
+
+#ifdef SP_EXACT_ONLY
+/* 36 ------------------------------------------------------------------------------------------------------- smallest check */
+
+/* The exact stage of SP_EXACT_ONLY, in as little code as does it. The same Newton on the dual as in sections 14, 16 and 18,
+ *
+ *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y,   f = S P_K(u)         [Qi, Sun 1993; Rockafellar 1976]
+ *
+ * vertex by vertex in world axes, its Hessian in an envelope in the order of the blocks. What forces and motions are worth it asks
+ * the certificate check, of which it uses the scales and sums but nothing else: that check uses nothing of this. */
+
+#define SP__FLOPS_VERTEX 900            /* a vertex in a Hessian, at most; its gradient and a judgement together no more */
+
+typedef enum sp__want { SP__GRADIENT, SP__HESSIAN, SP__LINEAR, SP__LINEAR_HESSIAN } sp__want;     /* linear: P_K = 1, bilateral */
+
+typedef struct sp__small {
+    const sp_problem *pb;
+    const sp_settings *set;
+    sp__judge j;
+    sp_real *H;                         /* envelope */
+    int32_t *row;                       /* 6b: of it */
+    sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
+    sp_real *y, *r, *d, *x, *base;      /* 6b each: potential, gradient, step, motion z y, y before a step */
+    sp_real *best;                      /* 6b: y of the least omega */
+    sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of Aeq': of its blocks of the lower, the higher number */
+    int32_t side[2];                    /* these blocks, -1: a support */
+    sp_real metric, S;                  /* 1 / largest cap, or 0: S = 1; S of the contact at hand */
+    sp_real prox, omega;                /* weight of |y|^2 / 2; the least imbalance so far */
+    sp_real pull;                       /* share of the load in the gradient: 1, or 0 */
+    int64_t flops;                      /* of a factor */
+    int32_t left, stalled;              /* factorisations; it no longer falls with prox: something moves */
+    sp_result *to;                      /* forces and motion tried last; verdict once decided */
+} sp__small;
+
+/* Rows of the envelope.                                                            returns its size, -1: too large to count */
+static int64_t sp__small_rows(const sp_problem *pb, int32_t *row)
+{
+    int64_t size = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) row[6 * i] = i;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const int32_t a = pb->contact[c].a, b = pb->contact[c].b, low = a < b ? a : b, high = a < b ? b : a;
+        if (low >= 0 && low < row[6 * high]) row[6 * high] = low;
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const int32_t first = row[6 * i];
+        for (int32_t k = 6 * i; k < 6 * i + 6; k++) {
+            row[k] = (int32_t)size - 6 * first;
+            size += k + 1 - 6 * first;
+            if (size > INT32_MAX) return -1;
+        }
+    }
+    return size;
+}
+
+/* The search's own arrays in `a`, rows in `rows`: the same arena, or scratch where `a` only counts.    returns 0: no memory */
+static int sp__small_carve(sp__small *w, const sp_problem *pb, sp_arena *rows, sp_arena *a)
+{
+    w->row = sp__take(rows, (size_t)pb->blocks, 6 * sizeof *w->row);
+    const int64_t entries = sp__failed(rows) ? -1 : sp__small_rows(pb, w->row);
+    if (entries < 0) return 0;
+    sp_real **const to[] = { &w->z, &w->y, &w->r, &w->d, &w->x, &w->base, &w->best };
+    for (int k = 0; k < 7; k++) *to[k] = sp__take(a, (size_t)pb->blocks, 6 * sizeof **to[k]);
+    w->H = sp__take(a, (size_t)entries, sizeof *w->H);
+    return !sp__failed(a);
+}
+
+/* y += s x */
+static void sp__small_axpy(const sp__small *w, sp_real s, const sp_real *x, sp_real *y)
+{
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) y[k] += s * x[k];
+}
+
+static sp_real sp__small_dot(const sp__small *w, const sp_real *x, const sp_real *y)
+{
+    return sp__dot(x, y, 6 * (size_t)w->pb->blocks);
+}
+
+/* Row k of a vertex: (s e, s arm x e) of both blocks.                                                      returns u = row . x */
+static sp_real sp__small_row(sp__small *w, const sp_contact *t, int32_t v, int k, const sp_real axis[3])
+{
+    sp_real u = 0;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = w->side[side];
+        sp_real arm[3], *e = w->e[k] + 6 * side;
+        if (i < 0) continue;
+        sp__arm(w->pb, i, v, arm);
+        sp__scale3(i == t->b ? (sp_real)1 : (sp_real)-1, axis, e);
+        sp__cross3(arm, e, e + 3);
+        u += sp__dot(e, w->x + 6 * (size_t)i, 6);
+    }
+    return u;
+}
+
+/* H += s e e' */
+static void sp__small_square(sp__small *w, sp_real s, const sp_real *e)
+{
+    for (int p = w->side[0] < 0 ? 6 : 0; p < 12; p++) {
+        const int32_t i = 6 * w->side[p / 6] + p % 6;
+        const sp_real se = s * e[p];
+        for (int side = w->side[0] < 0; side <= p / 6; side++) {
+            sp_real *h = w->H + w->row[i] + 6 * w->side[side];
+            const sp_real *g = e + 6 * side;
+            for (int q = 0; q < (side < p / 6 ? 6 : p % 6 + 1); q++) h[q] += se * g[q];
+        }
+    }
+}
+
+/* One vertex: f = S P_K(u), r += Aeq f, H += Aeq S DP_K(u) Aeq'. On the cone's side P_K(u) = (g.u) g, g = (1, mu w) normed,
+ * w = ut / |ut|, and DP_K = g g' + (mu fn / |ut|) w_perp w_perp'. */
+SP__APART static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_t v, sp__want want)
+{
+    const sp_real mu = t->joint->joint.mu;
+    const sp_real u[3] = { sp__small_row(w, t, v, 0, t->joint->n), sp__small_row(w, t, v, 1, t->joint->t1),
+                           sp__small_row(w, t, v, 2, t->joint->t2) };
+    sp_real *f = w->to->f + 3 * (size_t)v, slope[3];
+    const sp_real a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    for (int k = 0; k < 3; k++) { f[k] = w->S * u[k]; slope[k] = 1; }
+    if (want < SP__LINEAR && !(u[0] >= 0 && a <= mu * u[0])) {
+        const sp_real fn = (u[0] + mu * a) / (1 + mu * mu), q = 1 / SP_SQRT(1 + mu * mu);
+        f[0] = f[1] = f[2] = 0;
+        if (!(mu * a > -u[0])) return;
+        const sp_real x = u[1] / a, y = u[2] / a;
+        f[0] = w->S * fn; f[1] = mu * x * f[0]; f[2] = mu * y * f[0];
+        for (int k = 0; k < 12; k++) {
+            const sp_real n = w->e[0][k], e = w->e[1][k], g = w->e[2][k];
+            w->e[0][k] = q * (n + mu * (x * e + y * g));
+            w->e[1][k] = x * g - y * e;
+        }
+        slope[1] = mu * fn / a; slope[2] = 0;
+    }
+    const sp_real c[3] = { slope[2] > 0 ? f[0] : SP_SQRT(1 + mu * mu) * f[0], slope[2] * f[1], slope[2] * f[2] };
+    for (int k = 0; k < 3; k++) {
+        for (int side = 0; side < 2; side++)
+            for (int q = 0; q < 6 && w->side[side] >= 0; q++) w->r[6 * w->side[side] + q] += c[k] * w->e[k][6 * side + q];
+        if (want & SP__HESSIAN && slope[k] > 0) sp__small_square(w, w->S * slope[k], w->e[k]);
+    }
+}
+
+/* f, and r = z (Aeq f + pull p), at y; H too where it is wanted, not yet weighted. */
+SP__APART static void sp__small_sweep(sp__small *w, const sp_real *y, sp__want want)
+{
+    const sp_problem *pb = w->pb;
+    const int32_t n = 6 * pb->blocks;
+    for (int32_t i = 0; i < pb->blocks; i++) sp__judge_load(&w->j, i, w->r + 6 * i);
+    for (int32_t k = 0; k < n; k++) { w->r[k] *= w->pull; w->x[k] = w->z[k] * y[k]; }
+    if (want & SP__HESSIAN) memset(w->H, 0, (size_t)(w->row[n - 1] + n) * sizeof *w->H);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        w->S = w->metric > 0 ? w->metric * sp__judge_cap(&w->j, t) : 1;
+        if (!(w->S > 0)) w->S = 1;
+        w->side[0] = t->a < t->b ? t->a : t->b;
+        w->side[1] = t->a < t->b ? t->b : t->a;
+        for (int32_t v = t->point; v < t->point + t->points; v++) sp__small_vertex(w, t, v, want);
+    }
+    for (int32_t k = 0; k < n; k++) w->r[k] *= w->z[k];
+    w->to->cost.flops += SP__FLOPS_VERTEX * (int64_t)pb->points;
+}
+
+/* L L' = Z H Z + shift */
+static void sp__small_factor(sp__small *w, sp_real shift)
+{
+    const int32_t n = 6 * w->pb->blocks;
+    for (int32_t i = 0; i < n; i++) {
+        sp_real *h = w->H + w->row[i];
+        for (int32_t k = sp__envelope_first(w->row, i); k <= i; k++) h[k] *= w->z[i] * w->z[k];
+        h[i] += shift;
+    }
+    sp__envelope_factor(w->H, w->row, n, 4 * (sp_real)SP_EPSILON);
+    w->to->cost.factorisations++;
+    w->to->cost.flops += w->flops;
+}
+
+/* x <- (L L')^-1 s b; x may be b. */
+static void sp__small_solve(const sp__small *w, sp_real s, const sp_real *b, sp_real *x)
+{
+    const int32_t n = 6 * w->pb->blocks;
+    for (int32_t k = 0; k < n; k++) x[k] = s * b[k];
+    sp__envelope_solve(w->H, w->row, n, x);
+}
+
+/* Is dq = -z y a proof? Then that is the verdict. */
+SP__APART static void sp__small_try(sp__small *w, const sp_real *y)
+{
+    sp_result *r = w->to;
+    const sp_real tol = w->set->tol;
+    if (r->verdict) return;
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) r->dq[k] = -w->z[k] * y[k];
+    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->pb->points;
+    if (!(sp__judge_motion(&w->j, r->dq, 0, &r->final) > tol)) return;
+    r->least_imbalance = sp__judge_mechanism(&w->j, r->dq, &r->final);
+    r->verdict = SP_UNSTABLE;
+}
+
+/* Do the forces of the last sweep balance? */
+static void sp__small_look(sp__small *w)
+{
+    sp_result *r = w->to;
+    for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
+    r->omega = sp__judge_forces(&w->j, r->f, r->f);
+    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->pb->points;
+    if (r->omega <= w->set->tol) r->verdict = SP_STABLE;
+    if (!(r->omega < w->omega)) return;
+    w->omega = r->omega;
+    memcpy(w->best, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+}
+
+/* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
+static void sp__small_purify(sp__small *w, sp_real *x)
+{
+    for (int it = 0; it < 2 && !w->to->verdict; it++) {
+        sp__small_solve(w, 1, x, x);
+        const sp_real size = SP_SQRT(sp__small_dot(w, x, x));
+        if (!(size > 0)) return;
+        for (int32_t k = 0; k < 6 * w->pb->blocks; k++) x[k] /= size;
+        sp__small_try(w, x);
+    }
+}
+
+/* Weights and potential of the bilateral force: rows of unit size on average; (G + shift) y = -p, and of each correction what
+ * follows a null vector is taken out again.                                                                      [seed 2.1] */
+SP__APART static void sp__small_bilateral(sp__small *w)
+{
+    const int32_t n = 6 * w->pb->blocks;
+    for (int32_t k = 0; k < n; k++) { w->y[k] = 0; w->z[k] = !sp__held(w->pb, k / 6, k % 6); }
+    sp__small_sweep(w, w->y, SP__LINEAR_HESSIAN);
+    for (int32_t k = 0; k < n; k += 3) {
+        sp_real sum = 0;
+        for (int32_t q = k; q < k + 3; q++) sum += w->H[w->row[q] + q] / 3;
+        for (int32_t q = k; q < k + 3 && sum > 0; q++) w->z[q] /= SP_SQRT(sum);
+    }
+    sp__small_factor(w, SP__SHIFT);
+    sp_real last = SP__HUGE;
+    for (int it = 0; ; it++) {
+        sp__small_sweep(w, w->y, SP__LINEAR);
+        const sp_real now = sp__small_dot(w, w->r, w->r);
+        sp__small_solve(w, 1, w->r, w->d);
+        sp__small_solve(w, SP__SHIFT, w->d, w->x);
+        sp__small_axpy(w, -1, w->x, w->d);
+        if (it == 5 || now > last / 16) break;
+        sp__small_axpy(w, -1, w->d, w->y);
+        last = now;
+    }
+}
+
+/* Scales of the judge by that force, and a metric where contacts of very different load meet.       returns 0: no memory */
+SP__APART static int sp__small_scales(sp__small *w, sp_arena *a)
+{
+    const int32_t n = 6 * w->pb->blocks;
+    sp_real least = SP__HUGE, most = 0;
+    for (int32_t k = 0; k < n; k++) {
+        w->to->y0[k] = w->j.unit * w->z[k] * w->y[k];
+        w->to->y0[n + k] = -w->j.unit * w->z[k] * w->d[k];
+    }
+    if (!sp__judge_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        const sp_real cap = sp__judge_cap(&w->j, &w->pb->contact[c]);
+        if (cap < least) least = cap;
+        if (cap > most) most = cap;
+    }
+    w->to->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->j.sweeps * w->pb->points;
+    if (most > 1000 * least) w->metric = 1 / most;
+    return 1;
+}
+
+/* y += s d: the whole step first, then where the slope of D(y) + prox |y|^2 / 2 along d is below a fifth of its start. */
+SP__APART static sp_real sp__small_move(sp__small *w)
+{
+    sp_real lo = 0, hi = 0, fhi = 0, s = 1, flo = sp__small_dot(w, w->r, w->d) + w->prox * sp__small_dot(w, w->y, w->d);
+    const sp_real noise = 64 * (sp_real)SP_EPSILON * SP_SQRT(sp__small_dot(w, w->d, w->d));
+    const int down = flo < -noise;
+    const sp_real enough = sp__max(noise, (sp_real)-0.2 * flo);
+    memcpy(w->base, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    for (int it = 0; ; it++) {
+        memcpy(w->y, w->base, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+        sp__small_axpy(w, s, w->d, w->y);
+        sp__small_sweep(w, w->y, SP__GRADIENT);
+        const sp_real f = sp__small_dot(w, w->r, w->d) + w->prox * sp__small_dot(w, w->y, w->d);
+        if (!down || !(sp__abs(f) > enough) || it == 14) break;
+        if (f < 0) { lo = s; flo = f; } else { hi = s; fhi = f; }
+        if (hi > 0) {
+            const sp_real edge = (hi - lo) / 10, at = lo + (hi - lo) * (-flo / (fhi - flo));
+            s = at < lo + edge ? lo + edge : at > hi - edge ? hi - edge : at;
+        }
+        else if (s > 1000) break;
+        else s *= 4;
+    }
+    sp__small_look(w);
+    return s;
+}
+
+/* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
+SP__APART static sp_real sp__small_step(sp__small *w, sp_real shift)
+{
+    w->left--;
+    w->to->cost.iterations++;
+    sp__small_sweep(w, w->y, SP__HESSIAN);
+    sp__small_factor(w, w->prox + shift);
+    if (w->stalled) {
+        memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+        sp__small_purify(w, w->d);
+    }
+    sp__small_axpy(w, w->prox, w->y, w->r);
+    sp__small_solve(w, -1, w->r, w->d);
+    sp__small_axpy(w, -w->prox, w->y, w->r);
+    sp__small_try(w, w->d);
+    if (w->to->verdict) return 1;
+    const sp_real s = sp__small_move(w);
+    sp__small_try(w, w->y);
+    if (s > 10) sp__small_purify(w, w->d);
+    return s;
+}
+
+static int sp__small_open(const sp__small *w) { return w->left > 0 && !w->to->verdict; }
+
+/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
+static void sp__small_plain(sp__small *w)
+{
+    sp_real shift = SP__SHIFT;
+    w->prox = 0;
+    w->stalled = 0;
+    for (int it = 0, tiny = 0; it < 12 && sp__small_open(w) && tiny < 2; it++) {
+        const sp_real s = sp__small_step(w, shift);
+        if (s < (sp_real)0.03) { tiny++; shift = shift * 1000 < 1 ? shift * 1000 : 1; }
+        if (s > (sp_real)0.5) shift = sp__max(SP__SHIFT, shift / 100);
+    }
+}
+
+/* Newton without the load, a little too far, moves the direction of y to where no contact resists it at all (section 18). */
+static void sp__small_restore(sp__small *w)
+{
+    const sp_real size = SP_SQRT(sp__small_dot(w, w->y, w->y));
+    if (!(size > 0)) return;
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->base[k] = w->y[k] / size;
+    w->pull = 0;
+    for (int it = 0; it < 3 && sp__small_open(w); it++, w->left--) {
+        sp__small_sweep(w, w->base, SP__HESSIAN);
+        sp__small_factor(w, SP__SHIFT);
+        sp__small_solve(w, (sp_real)-1.1, w->r, w->d);
+        sp__small_axpy(w, 1, w->d, w->base);
+        sp__small_try(w, w->base);
+    }
+    w->pull = 1;
+}
+
+/* Proximal path from y = 0: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y grows
+ * into the mechanism. */
+SP__APART static void sp__small_path(sp__small *w)
+{
+    sp_real level = SP__HUGE;
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->y[k] = 0;
+    w->prox = (sp_real)0.1;
+    for (int extra = 8; extra > 0 && sp__small_open(w); ) {
+        sp__small_step(w, 0);
+        if (w->to->verdict) return;
+        if (w->prox <= SP__SHIFT) {
+            if (extra-- == 8) sp__small_restore(w);
+            continue;
+        }
+        const sp_real r = sp__small_dot(w, w->r, w->r), y = w->prox * w->prox * sp__small_dot(w, w->y, w->y);
+        const sp_real inner = r + y + 2 * w->prox * sp__small_dot(w, w->r, w->y);
+        if (inner > (sp_real)0.09 * y && inner > (sp_real)0.01 * r) continue;
+        w->stalled = r > (sp_real)0.01 * level && w->prox < (sp_real)1e-4;
+        level = r;
+        if (w->stalled) sp__small_restore(w);
+        w->prox = w->prox > 100 * SP__SHIFT ? w->prox / 100 : SP__PROX;
+        w->stalled |= w->prox <= SP__DEEP;
+    }
+}
+
+/* The search on a built problem, its arrays carved; the judge's behind them. */
+SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
+{
+    sp_result *r = w->to;
+    w->pull = 1;
+    w->omega = SP__HUGE;
+    w->left = w->set->iterations;
+    w->j.pb = w->pb;
+    w->j.unit = sp__load_unit(w->pb);
+    sp__small_bilateral(w);
+    if (!sp__small_scales(w, a)) return 0;
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->d[k] = -w->r[k];        /* what no contact takes */
+    sp__small_purify(w, w->d);
+    if (w->metric > 0) sp__small_bilateral(w);
+    sp__small_sweep(w, w->y, SP__GRADIENT);
+    sp__small_look(w);
+    sp__small_plain(w);
+    sp__small_path(w);
+    sp__small_plain(w);
+    if (r->verdict == SP_STABLE) {
+        memset(r->dq, 0, 6 * (size_t)w->pb->blocks * sizeof *r->dq);
+        return 1;
+    }
+    sp__small_sweep(w, w->best, SP__GRADIENT);
+    sp__small_look(w);
+    if (!r->verdict) r->least_imbalance = sp__judge_mechanism(&w->j, r->dq, &r->final);
+    sp__check_motion(&w->j, r->dq);
+    return 1;
+}
+
+/* A result's numbers, its arrays in place. */
+static void sp__small_told(sp_result *r)
+{
+    r->verified = r->verdict != SP_UNDECIDED;
+    r->stage = r->verdict && r->free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;
+    r->reason = r->verdict == SP_UNSTABLE ? SP_REASON_MECHANISM : r->verdict != SP_STABLE ? SP_REASON_LIMIT
+              : r->free_blocks ? SP_REASON_FORCES : SP_REASON_NOTHING;
+    r->level = r->verdict == SP_STABLE ? SP_ADMISSIBLE : SP_NONE;
+    if (r->verdict != SP_UNSTABLE) r->final = 0;
+}
+
+/* Numbers of a result: f, dq, y0. */
+static size_t sp__small_numbers(const sp_scene *scene)
+{
+    sp_problem pb;
+    sp__problem_count(scene, &pb);
+    return 3 * (size_t)scene->count.points + 6 * (size_t)scene->count.blocks + 12 * (size_t)pb.blocks;
+}
+
+SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
+{
+    if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp_arena a = *arena;
+    const size_t numbers = sp__small_numbers(scene), joints = (size_t)scene->count.interfaces;
+    sp_real *kept = sp__take(&a, numbers, sizeof *kept);
+    sp_demand *demand = sp__take(&a, joints, sizeof *demand);
+    const size_t used = a.used;
+    sp__check *c = sp__take(&a, 1, sizeof *c);
+    sp__small *w = sp__take(&a, 1, sizeof *w);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    memset(kept, 0, numbers * sizeof *kept);
+    memset(demand, 0, joints * sizeof *demand);
+    memset(c, 0, sizeof *c);
+    memset(w, 0, sizeof *w);
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &a, &c->pb);
+    if (status) return status;
+    sp_result *r = &c->r;
+    r->f = kept;
+    r->dq = r->f + 3 * (size_t)scene->count.points;
+    r->y0 = r->dq + 6 * (size_t)scene->count.blocks;
+    r->demand = demand;
+    r->tol = c->set.tol;
+    r->force_bound = c->set.force_bound;
+    r->free_blocks = c->pb.blocks;
+    r->interfaces = c->pb.contacts;
+    r->points = sp__points_count(scene);
+    r->tension_ratio = r->coupled.tension_ratio = -1;
+    r->weakest = -1;
+    r->islands = c->pb.blocks > 0;
+    if (!r->islands) r->verdict = SP_STABLE;
+    w->pb = &c->pb; w->set = &c->set; w->to = r;
+    if (!sp__small_carve(w, &c->pb, &a, &a) || (r->islands && !sp__small_run(w, &a))) return SP_E_MEMORY;
+    sp__small_told(r);
+    r->by_stage[c->set.stage_count - 1] = r->cost;
+    r->peak_bytes = arena->peak = a.peak;
+    arena->used = used;
+    *result = *r;
+    return SP_OK;
+}
+
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    sp__small *w = sp__take(&scratch, 1, sizeof *w);
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, sp__small_numbers(scene), sizeof(sp_real));
+    sp__take(&dry, (size_t)scene->count.interfaces, sizeof(sp_demand));
+    sp__take(&dry, 1, sizeof *c);
+    sp__take(&dry, 1, sizeof *w);
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, (size_t)c->pb.blocks, 6 * sizeof *w->row);
+    if (!w || !sp__small_carve(w, &c->pb, &scratch, &dry)) return SP_E_MEMORY;
+    if (c->pb.blocks) sp__take(&dry, 1, sp__judge_need(&c->pb, &c->set));
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    (void)settings;
+    if (!scene) return 0;
+    return sizeof(sp__check) + sizeof(sp__small) + sp_problem_memory(scene) + 24 * (size_t)scene->count.blocks + 5 * SP_ALIGN;
+}
+#endif /* SP_EXACT_ONLY */
 
 #endif /* SP_QP_ONLY */

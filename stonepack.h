@@ -46,8 +46,12 @@ extern "C" {
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
  *   SP_NO_QP        defined: no quadratic programs (section 10), none of the two above
  *   SP_QP_ONLY      defined: quadratic programs and nothing else
- *   SP_EXACT_ONLY   defined: the smallest check: true cone, joints without strength, gates and the exact stage, all blocks
- *                   together; no tension is localised (demand stays 0), fewer mechanisms are final. More: SP_E_UNSUPPORTED.
+ *   SP_EXACT_ONLY   defined: the smallest check: true cone, joints without strength, all blocks together, by a search of its
+ *                   own that stops at tol. Its factor is an envelope in the order of the blocks: number them so that what touches
+ *                   is near. All that falls is a MECHANISM, fewer of them are final, what is undecided is at its LIMIT; demand,
+ *                   effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1 (sp_interface_resultant
+ *                   tells). No sp_sequence, no sp_memory_work; budgets, settings.work, effects left out, stages but the gates
+ *                   and the exact one (which are one here), pyramids, the coupled check: SP_E_UNSUPPORTED.
  *                   With it go SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN, SP_SMALL
  */
 #ifdef SP_EXACT_ONLY
@@ -558,9 +562,11 @@ typedef struct sp_result {
  *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
+#ifndef SP_EXACT_ONLY
 /* The two parts of it where settings.work is to be used: what sp_memory tells of settings with a work, and what that arena has
  * to have, exact (whatever settings.work is). Status and scratch as there. */
 SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+#endif
 
 /* Bytes of scratch that sp_memory needs for the chosen stages, an upper bound from counts alone; 0: too large to count, or
  * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
@@ -1058,6 +1064,8 @@ SP_API sp_settings sp_settings_seed(void);
 
 #endif
 
+#ifndef SP_EXACT_ONLY
+
 /* 13 ------------------------------------------------------------------------------------------------------- a build order
  *
  * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
@@ -1161,6 +1169,8 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
 
 SP_API const char *sp_presence_text(sp_presence presence);
 SP_API const char *sp_held_proof_text(sp_held_proof proof);
+
+#endif
 
 #endif /* SP_QP_ONLY */
 

@@ -27,8 +27,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
 #define SP__APART
 #endif
 
-/* Are there pyramids, strength, islands apart, stages but the exact one? In expressions: what is left out is compiled all the
- * same, and gone. */
+/* Does the certificate check know pyramids and strength? In expressions: what is left out is compiled all the same, and gone. */
 #ifdef SP_EXACT_ONLY
 enum { SP__FULL = 0 };
 #else

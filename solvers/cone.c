@@ -39,7 +39,7 @@ static void sp__cone_make(sp__cone *k)
 {
     sp_real c;
     k->tan_half = 0;
-    if (!SP__FULL || !k->faces) return;
+    if (!k->faces) return;
     sp__pyramid_half(k->faces, &c, &k->tan_half);
     for (int32_t i = 0; i < k->faces; i++) sp__pyramid_direction(k->faces, i, k->direction[i]);
 }
@@ -77,8 +77,8 @@ static void sp__yield_foot(const sp__yield *y, const sp_real u[3], sp__foot *o)
 static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp__foot *o)
 {
     const sp_real mu = yield->mu;
-    if (SP__FULL && !k->faces && !yield->plain) { sp__yield_foot(yield, u, o); return; }
-    if (!SP__FULL || !k->faces) {
+    if (!k->faces && !yield->plain) { sp__yield_foot(yield, u, o); return; }
+    if (!k->faces) {
         o->a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
         o->b = 0; o->side = 1;
         if (u[0] >= 0 && o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
@@ -111,8 +111,7 @@ static sp__region sp__cone_project(const sp__cone *k, const sp__yield *yield, co
     sp__cone_foot(k, yield, u, &o);
     if (o.region == SP__INSIDE) { f[0] = u[0]; f[1] = u[1]; f[2] = u[2]; return o.region; }
     if (o.region == SP__APEX) { f[0] = f[1] = f[2] = 0; return o.region; }
-    if (SP__FULL && o.region == SP__WALL) { f[0] = o.t; f[1] = u[1]; f[2] = u[2]; return o.region; }
-    if (!SP__FULL) { f[0] = o.t; f[1] = yield->mu * o.t * o.w[0]; f[2] = yield->mu * o.t * o.w[1]; return o.region; }
+    if (o.region == SP__WALL) { f[0] = o.t; f[1] = u[1]; f[2] = u[2]; return o.region; }
     const sp_real along = sp__max(0, yield->C + yield->mu * o.t);
     const sp_real across = o.side * (o.region == SP__EDGE ? along * k->tan_half : o.b);
     f[0] = o.t;
@@ -131,8 +130,8 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yie
     if (o.region == SP__INSIDE) D[0] = 1;
     if (o.region == SP__INSIDE || o.region == SP__WALL) D[3] = D[5] = 1;
     if (o.region == SP__FACE || o.region == SP__RIM) {              /* true cone: (1, mu w)(1, mu w)'/(1 + mu^2)      */
-        const sp_real q = SP__FULL && o.region == SP__RIM ? 0 : 1 / (1 + mu * mu);  /* + (C + mu t)/a (I - w w'); a rim:  */
-        const sp_real c = SP__FULL && k->faces ? 1                                              /* the second part alone */
+        const sp_real q = o.region == SP__RIM ? 0 : 1 / (1 + mu * mu);      /* + (C + mu t)/a (I - w w'); a rim:  */
+        const sp_real c = k->faces ? 1                                          /* the second part alone */
                         : o.a > 0 ? sp__max(0, yield->C + mu * o.t) / o.a : 0;
                                                     /* pyramid: I - n n', so 1 in place of (C + mu t)/a               */
         D[0] = q; D[1] = q * mu * o.w[0]; D[2] = q * mu * o.w[1];
@@ -141,7 +140,7 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yie
         D[4] = (s - c) * o.w[0] * o.w[1];
         D[5] = s * o.w[1] * o.w[1] + c * o.w[0] * o.w[0];
     }
-    if (SP__FULL && o.region == SP__EDGE) {                  /* e e' / e.e, e = (1, mu w + mu tan(pi/K) side w_perp) */
+    if (o.region == SP__EDGE) {                  /* e e' / e.e, e = (1, mu w + mu tan(pi/K) side w_perp) */
         const sp_real h = mu * k->tan_half * o.side;
         const sp_real x = mu * o.w[0] - h * o.w[1], y = mu * o.w[1] + h * o.w[0];
         const sp_real q = 1 / (1 + x * x + y * y);
@@ -163,7 +162,7 @@ SP__APART static sp_real sp__yield_support(const sp__yield *y, const sp_real u[3
 
 static sp_real sp__cone_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
 {
-    if (!SP__FULL || y->plain) {
+    if (y->plain) {
         sp_real g[3];
         sp__cone_project(k, y, u, g);
         return most * sp__norm3(g);

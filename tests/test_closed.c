@@ -50,6 +50,13 @@ static void limit_digits(gen_scene *g, const char *param, double value, double d
     limit_in(g, NULL, param, value, TOL(1.2 * digit / value, 0.1), below);
 }
 
+/* The search of the smallest build has a third of a digit less in motions of long chains. */
+#ifdef SP_EXACT_ONLY
+enum { CHAIN = 2 };
+#else
+enum { CHAIN = 1 };
+#endif
+
 /* 1 ------------------------------------------------------------------------------------------ sliding and toppling */
 
 TEST(block_slides_when_tan_of_the_slope_exceeds_mu_whatever_the_direction)
@@ -133,7 +140,7 @@ TEST(leaning_tower_falls_beyond_one_in_n_plus_one)
         gen_scene g;
         gen_open(&g, "tower");
         gen_set(&g, "n", n[k]);
-        limit(&g, "lean", 1.0 / (n[k] + 1), TOL(n[k] > 10 ? 1e-5 : 1e-6, 3e-2), SP_STABLE);     /* thirty: 1e-9 of imbalance */
+        limit(&g, "lean", 1.0 / (n[k] + 1), TOL(n[k] > 10 ? CHAIN * 1e-5 : 1e-6, 3e-2), SP_STABLE);  /* thirty: 1e-9 of imbalance */
     }
 }
 
@@ -226,7 +233,7 @@ TEST(semicircle_needs_the_thickness_of_its_thrust_line)
         gen_scene g;
         gen_open(&g, "arch");
         gen_set(&g, "n", table[k].n);
-        limit(&g, "t", table[k].t, TOL(1e-6, k < 2 ? 3e-2 : 0.15), SP_UNSTABLE);
+        limit(&g, "t", table[k].t, TOL(k < 3 ? 1e-6 : CHAIN * 1e-6, k < 2 ? 3e-2 : 0.15), SP_UNSTABLE);
     }
 }
 

@@ -71,9 +71,91 @@ TEST(strength_of_joints_is_refused_by_the_smallest_build)
     answered(&s, NULL, LEFT_OUT);
 }
 
+TEST(budgets_other_arenas_and_effects_left_out_are_refused_by_the_smallest_build)
+{
+    sp_scene s;
+    sp_arena work = test_arena;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    work.base += work.used;
+    work.cap -= work.used;
+    work.used = 0;
+    set.budget = INT64_MAX;
+    answered(&s, &set, LEFT_OUT);
+    set.budget = 0;
+    set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    answered(&s, &set, LEFT_OUT);
+#ifdef SP_EXACT_ONLY
+    sp_result r;
+    set.effect[SP_EFFECT_FRICTION] = SP_PLANNED;
+    set.work = &work;
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
+#endif
+}
+
+/* The arena that sp_memory tells, all of it and no byte less; then a result that verifies. */
+static void fits(const sp_scene *s, sp_verdict want)
+{
+    const size_t mark = test_arena.used;
+    size_t bytes = 0;
+    sp_result r;
+    sp_evidence e;
+    memset(&r, 0, sizeof r);
+    NEED(sp_memory(s, NULL, test_arena, &bytes) == SP_OK);
+    sp_arena a = test_arena;
+    a.base += (a.used + 15) & ~(size_t)15;
+    a.used = a.peak = 0;
+    a.cap = bytes - 1;
+    CHECK_INT(sp_check(s, NULL, &a, &r), SP_E_MEMORY);
+    CHECK(a.used == 0 && r.f == NULL);
+    a.cap = bytes;
+    NEED(sp_check(s, NULL, &a, &r) == SP_OK);
+    CHECK(a.peak == bytes && r.peak_bytes == bytes && a.used < bytes);
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0));
+    CHECK_INT(r.verdict, want);
+    test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;
+    NEED(sp_verify(s, NULL, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, want);
+    CHECK_NEAR(e.omega, r.omega, 1e-6);
+    test_arena.used = mark;
+}
+
+TEST(memory_of_a_check_is_exact_and_its_evidence_verifies)
+{
+    static const double tilt[] = { 0, 20 };
+    for (int k = 0; k < 2; k++) {
+        gen_scene g;
+        sp_scene s;
+        NEED(gen_open(&g, "wall"));
+        gen_set(&g, "rows", 3);
+        gen_set(&g, "bricks", 3);
+        gen_set(&g, "azimuth", 90);
+        gen_set(&g, "tilt", tilt[k]);
+        NEED(gen_build(&g, &test_arena, &s) == SP_OK);
+        fits(&s, k ? SP_UNSTABLE : SP_STABLE);
+    }
+}
+
+/* A stone that nothing touches falls, one that nothing pulls stands, and supports alone stand. */
+TEST(stones_without_contact_load_or_freedom_are_told)
+{
+    for (int k = 0; k < 3; k++) {
+        const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
+        const sp_real at[3] = { 1, 2, 3 };
+        sp_scene s;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&s, 5, at, k == 2 ? SP_FIXED : 0, NULL) == SP_OK);
+        if (k == 1) s.gravity[0] = s.gravity[1] = s.gravity[2] = 0;
+        fits(&s, k ? SP_STABLE : SP_UNSTABLE);
+    }
+}
+
 TEST_LIST(small)
     RUN(the_default_settings_are_taken_by_every_build)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
     RUN(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
     RUN(strength_of_joints_is_refused_by_the_smallest_build)
+    RUN(budgets_other_arenas_and_effects_left_out_are_refused_by_the_smallest_build)
+    RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
+    RUN(stones_without_contact_load_or_freedom_are_told)
 TEST_END
