@@ -12211,22 +12211,24 @@ typedef struct sp__small {
     sp_real *H;                         /* envelope */
     int32_t *row;                       /* 6b: of it */
     sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
-    sp_real *y, *r, *d, *x, *base;      /* 6b each: potential, gradient, step, motion z y, y before a step */
+    sp_real *y, *r, *d, *x, *base;      /* 6b each: potential, gradient, step, motion -z y, y before a step */
     sp_real *best;                      /* 6b: y of the least omega */
-    sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of Aeq': of its blocks of the lower, the higher number */
+    sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of -Aeq': of its blocks of the lower, the higher number */
     int32_t side[2];                    /* these blocks, -1: a support */
     sp_real metric, S;                  /* 1 / largest cap, or 0: S = 1; S of the contact at hand */
     sp_real prox, omega;                /* weight of |y|^2 / 2; the least imbalance so far */
-    sp_real pull;                       /* share of the load in the gradient: 1, or 0 */
     int64_t flops;                      /* of a factor */
-    int32_t left, stalled;              /* factorisations; it no longer falls with prox: something moves */
+    int32_t sweeps, left;               /* passes over the vertices so far; factorisations that may follow */
+    int32_t stalled;                    /* the imbalance no longer falls with prox: something moves */
     sp_result *to;                      /* forces and motion tried last; verdict once decided */
 } sp__small;
 
 /* Rows of the envelope.                                                            returns its size, -1: too large to count */
-static int64_t sp__small_rows(const sp_problem *pb, int32_t *row)
+static int64_t sp__small_rows(sp__small *w, const sp_problem *pb)
 {
+    int32_t *row = w->row;
     int64_t size = 0;
+    w->flops = 0;
     for (int32_t i = 0; i < pb->blocks; i++) row[6 * i] = i;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const int32_t a = pb->contact[c].a, b = pb->contact[c].b, low = a < b ? a : b, high = a < b ? b : a;
@@ -12236,7 +12238,9 @@ static int64_t sp__small_rows(const sp_problem *pb, int32_t *row)
         const int32_t first = row[6 * i];
         for (int32_t k = 6 * i; k < 6 * i + 6; k++) {
             row[k] = (int32_t)size - 6 * first;
-            size += k + 1 - 6 * first;
+            const int64_t length = k + 1 - 6 * first;
+            size += length;
+            w->flops += length * length;
             if (size > INT32_MAX) return -1;
         }
     }
@@ -12247,7 +12251,7 @@ static int64_t sp__small_rows(const sp_problem *pb, int32_t *row)
 static int sp__small_carve(sp__small *w, const sp_problem *pb, sp_arena *rows, sp_arena *a)
 {
     w->row = sp__take(rows, (size_t)pb->blocks, 6 * sizeof *w->row);
-    const int64_t entries = sp__failed(rows) ? -1 : sp__small_rows(pb, w->row);
+    const int64_t entries = sp__failed(rows) ? -1 : sp__small_rows(w, pb);
     if (entries < 0) return 0;
     sp_real **const to[] = { &w->z, &w->y, &w->r, &w->d, &w->x, &w->base, &w->best };
     for (int k = 0; k < 7; k++) *to[k] = sp__take(a, (size_t)pb->blocks, 6 * sizeof **to[k]);
@@ -12266,7 +12270,13 @@ static sp_real sp__small_dot(const sp__small *w, const sp_real *x, const sp_real
     return sp__dot(x, y, 6 * (size_t)w->pb->blocks);
 }
 
-/* Row k of a vertex: (s e, s arm x e) of both blocks.                                                      returns u = row . x */
+/* x = -z y: the motion of a potential */
+static void sp__small_motion(const sp__small *w, const sp_real *y)
+{
+    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->x[k] = -w->z[k] * y[k];
+}
+
+/* Row k of a vertex: (s e, s arm x e) of both blocks, the rates -Aeq'.                                     returns u = row . x */
 static sp_real sp__small_row(sp__small *w, const sp_contact *t, int32_t v, int k, const sp_real axis[3])
 {
     sp_real u = 0;
@@ -12275,7 +12285,7 @@ static sp_real sp__small_row(sp__small *w, const sp_contact *t, int32_t v, int k
         sp_real arm[3], *e = w->e[k] + 6 * side;
         if (i < 0) continue;
         sp__arm(w->pb, i, v, arm);
-        sp__scale3(i == t->b ? (sp_real)1 : (sp_real)-1, axis, e);
+        sp__scale3(i == t->a ? (sp_real)1 : (sp_real)-1, axis, e);
         sp__cross3(arm, e, e + 3);
         u += sp__dot(e, w->x + 6 * (size_t)i, 6);
     }
@@ -12322,18 +12332,18 @@ SP__APART static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_
     const sp_real c[3] = { slope[2] > 0 ? f[0] : SP_SQRT(1 + mu * mu) * f[0], slope[2] * f[1], slope[2] * f[2] };
     for (int k = 0; k < 3; k++) {
         for (int side = 0; side < 2; side++)
-            for (int q = 0; q < 6 && w->side[side] >= 0; q++) w->r[6 * w->side[side] + q] += c[k] * w->e[k][6 * side + q];
+            for (int q = 0; q < 6 && w->side[side] >= 0; q++) w->r[6 * w->side[side] + q] -= c[k] * w->e[k][6 * side + q];
         if (want & SP__HESSIAN && slope[k] > 0) sp__small_square(w, w->S * slope[k], w->e[k]);
     }
 }
 
-/* f, and r = z (Aeq f + pull p), at y; H too where it is wanted, not yet weighted. */
+/* f, and r = z (Aeq f + p), at y; H too where it is wanted, not yet weighted. */
 SP__APART static void sp__small_sweep(sp__small *w, const sp_real *y, sp__want want)
 {
     const sp_problem *pb = w->pb;
     const int32_t n = 6 * pb->blocks;
     for (int32_t i = 0; i < pb->blocks; i++) sp__judge_load(&w->j, i, w->r + 6 * i);
-    for (int32_t k = 0; k < n; k++) { w->r[k] *= w->pull; w->x[k] = w->z[k] * y[k]; }
+    sp__small_motion(w, y);
     if (want & SP__HESSIAN) memset(w->H, 0, (size_t)(w->row[n - 1] + n) * sizeof *w->H);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -12344,7 +12354,7 @@ SP__APART static void sp__small_sweep(sp__small *w, const sp_real *y, sp__want w
         for (int32_t v = t->point; v < t->point + t->points; v++) sp__small_vertex(w, t, v, want);
     }
     for (int32_t k = 0; k < n; k++) w->r[k] *= w->z[k];
-    w->to->cost.flops += SP__FLOPS_VERTEX * (int64_t)pb->points;
+    w->sweeps++;
 }
 
 /* L L' = Z H Z + shift */
@@ -12358,7 +12368,6 @@ static void sp__small_factor(sp__small *w, sp_real shift)
     }
     sp__envelope_factor(w->H, w->row, n, 4 * (sp_real)SP_EPSILON);
     w->to->cost.factorisations++;
-    w->to->cost.flops += w->flops;
 }
 
 /* x <- (L L')^-1 s b; x may be b. */
@@ -12373,12 +12382,10 @@ static void sp__small_solve(const sp__small *w, sp_real s, const sp_real *b, sp_
 SP__APART static void sp__small_try(sp__small *w, const sp_real *y)
 {
     sp_result *r = w->to;
-    const sp_real tol = w->set->tol;
     if (r->verdict) return;
-    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) r->dq[k] = -w->z[k] * y[k];
-    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->pb->points;
-    if (!(sp__judge_motion(&w->j, r->dq, 0, &r->final) > tol)) return;
-    r->least_imbalance = sp__judge_mechanism(&w->j, r->dq, &r->final);
+    sp__small_motion(w, y);
+    if (!(sp__judge_motion(&w->j, w->x, 0, &r->final) > w->set->tol)) return;
+    r->least_imbalance = sp__judge_mechanism(&w->j, w->x, &r->final);
     r->verdict = SP_UNSTABLE;
 }
 
@@ -12388,7 +12395,6 @@ static void sp__small_look(sp__small *w)
     sp_result *r = w->to;
     for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
     r->omega = sp__judge_forces(&w->j, r->f, r->f);
-    r->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->pb->points;
     if (r->omega <= w->set->tol) r->verdict = SP_STABLE;
     if (!(r->omega < w->omega)) return;
     w->omega = r->omega;
@@ -12448,7 +12454,6 @@ SP__APART static int sp__small_scales(sp__small *w, sp_arena *a)
         if (cap < least) least = cap;
         if (cap > most) most = cap;
     }
-    w->to->cost.flops += SP__FLOPS_JUDGE * (int64_t)w->j.sweeps * w->pb->points;
     if (most > 1000 * least) w->metric = 1 / most;
     return 1;
 }
@@ -12516,23 +12521,6 @@ static void sp__small_plain(sp__small *w)
     }
 }
 
-/* Newton without the load, a little too far, moves the direction of y to where no contact resists it at all (section 18). */
-static void sp__small_restore(sp__small *w)
-{
-    const sp_real size = SP_SQRT(sp__small_dot(w, w->y, w->y));
-    if (!(size > 0)) return;
-    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->base[k] = w->y[k] / size;
-    w->pull = 0;
-    for (int it = 0; it < 3 && sp__small_open(w); it++, w->left--) {
-        sp__small_sweep(w, w->base, SP__HESSIAN);
-        sp__small_factor(w, SP__SHIFT);
-        sp__small_solve(w, (sp_real)-1.1, w->r, w->d);
-        sp__small_axpy(w, 1, w->d, w->base);
-        sp__small_try(w, w->base);
-    }
-    w->pull = 1;
-}
-
 /* Proximal path from y = 0: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y grows
  * into the mechanism. */
 SP__APART static void sp__small_path(sp__small *w)
@@ -12544,7 +12532,7 @@ SP__APART static void sp__small_path(sp__small *w)
         sp__small_step(w, 0);
         if (w->to->verdict) return;
         if (w->prox <= SP__SHIFT) {
-            if (extra-- == 8) sp__small_restore(w);
+            extra--;
             continue;
         }
         const sp_real r = sp__small_dot(w, w->r, w->r), y = w->prox * w->prox * sp__small_dot(w, w->y, w->y);
@@ -12552,7 +12540,6 @@ SP__APART static void sp__small_path(sp__small *w)
         if (inner > (sp_real)0.09 * y && inner > (sp_real)0.01 * r) continue;
         w->stalled = r > (sp_real)0.01 * level && w->prox < (sp_real)1e-4;
         level = r;
-        if (w->stalled) sp__small_restore(w);
         w->prox = w->prox > 100 * SP__SHIFT ? w->prox / 100 : SP__PROX;
         w->stalled |= w->prox <= SP__DEEP;
     }
@@ -12562,7 +12549,6 @@ SP__APART static void sp__small_path(sp__small *w)
 SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
 {
     sp_result *r = w->to;
-    w->pull = 1;
     w->omega = SP__HUGE;
     w->left = w->set->iterations;
     w->j.pb = w->pb;
@@ -12577,14 +12563,14 @@ SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
     sp__small_plain(w);
     sp__small_path(w);
     sp__small_plain(w);
-    if (r->verdict == SP_STABLE) {
-        memset(r->dq, 0, 6 * (size_t)w->pb->blocks * sizeof *r->dq);
-        return 1;
+    if (r->verdict != SP_STABLE) {
+        sp__small_sweep(w, w->best, SP__GRADIENT);
+        sp__small_look(w);
+        if (!r->verdict) r->least_imbalance = sp__judge_mechanism(&w->j, w->x, &r->final);
+        sp__check_motion(&w->j, r->dq);
     }
-    sp__small_sweep(w, w->best, SP__GRADIENT);
-    sp__small_look(w);
-    if (!r->verdict) r->least_imbalance = sp__judge_mechanism(&w->j, r->dq, &r->final);
-    sp__check_motion(&w->j, r->dq);
+    r->cost.flops = w->flops * r->cost.factorisations
+                  + (SP__FLOPS_VERTEX * (int64_t)w->sweeps + SP__FLOPS_JUDGE * (int64_t)w->j.sweeps) * w->pb->points;
     return 1;
 }
 

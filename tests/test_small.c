@@ -93,8 +93,8 @@ TEST(budgets_other_arenas_and_effects_left_out_are_refused_by_the_smallest_build
 #endif
 }
 
-/* The arena that sp_memory tells, all of it and no byte less; then a result that verifies. */
-static void fits(const sp_scene *s, sp_verdict want)
+/* The arena that sp_memory tells, all of it and, where no gate decides, no byte less; then a result that verifies. */
+static void fits(const sp_scene *s, sp_verdict want, int tight)
 {
     const size_t mark = test_arena.used;
     size_t bytes = 0;
@@ -105,12 +105,12 @@ static void fits(const sp_scene *s, sp_verdict want)
     sp_arena a = test_arena;
     a.base += (a.used + 15) & ~(size_t)15;
     a.used = a.peak = 0;
-    a.cap = bytes - 1;
-    CHECK_INT(sp_check(s, NULL, &a, &r), SP_E_MEMORY);
+    a.cap = bytes - (size_t)tight;
+    if (tight) CHECK_INT(sp_check(s, NULL, &a, &r), SP_E_MEMORY);
     CHECK(a.used == 0 && r.f == NULL);
     a.cap = bytes;
     NEED(sp_check(s, NULL, &a, &r) == SP_OK);
-    CHECK(a.peak == bytes && r.peak_bytes == bytes && a.used < bytes);
+    CHECK(a.peak == r.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
     CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0));
     CHECK_INT(r.verdict, want);
     test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;
@@ -132,7 +132,7 @@ TEST(memory_of_a_check_is_exact_and_its_evidence_verifies)
         gen_set(&g, "azimuth", 90);
         gen_set(&g, "tilt", tilt[k]);
         NEED(gen_build(&g, &test_arena, &s) == SP_OK);
-        fits(&s, k ? SP_UNSTABLE : SP_STABLE);
+        fits(&s, k ? SP_UNSTABLE : SP_STABLE, 1);
     }
 }
 
@@ -146,7 +146,7 @@ TEST(stones_without_contact_load_or_freedom_are_told)
         NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
         NEED(sp_scene_body(&s, 5, at, k == 2 ? SP_FIXED : 0, NULL) == SP_OK);
         if (k == 1) s.gravity[0] = s.gravity[1] = s.gravity[2] = 0;
-        fits(&s, k ? SP_STABLE : SP_UNSTABLE);
+        fits(&s, k ? SP_STABLE : SP_UNSTABLE, LEFT_OUT != SP_OK && k < 2);
     }
 }
 
