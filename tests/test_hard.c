@@ -59,6 +59,27 @@ TEST(forces_of_hard_scenes_balance_to_a_few_roundings)
     }
 }
 
+/* A mechanism that turns a stone about its edge or its point leaves these where they are, to rounding: nothing is tied by them,
+ * and what resists there is taken out. */
+TEST(a_stone_turns_about_its_edge_and_leaves_it_where_it_is)
+{
+    int turned = 0;
+    for (int k = 0; k < HARD_CASES; k++) {
+        const hard_case *c = &hard_cases[k];
+        const sp_real end = c->a > 1 ? (sp_real)0.5 : 0, arm[3] = { (sp_real)-c->b, end, (sp_real)-0.5 };
+        sp_result r;
+        if (c->build != hard_points || c->truth != SP_UNSTABLE || !hard_check(c, NULL, &r)) continue;
+        for (int side = -1; side < 2; side += 2) {
+            const sp_real *v = r.dq + 6, *w = v + 3, y = (sp_real)side * arm[1];
+            const sp_real slip[3] = { v[0] + w[1] * arm[2] - w[2] * y, v[1] + w[2] * arm[0] - w[0] * arm[2], v[2] + w[0] * y - w[1] * arm[0] };
+            for (int q = 0; q < 3; q++) CHECK_NEAR(slip[q], 0, 16 * (sp_real)SP_EPSILON);
+        }
+        CHECK(r.final);
+        turned++;
+    }
+    CHECK_INT(turned, 2);
+}
+
 /* The pyramids inside and around the cone bracket it: none contradicts what the scene is. */
 TEST(hard_scenes_are_bracketed_by_pyramids)
 {
@@ -80,5 +101,6 @@ TEST(hard_scenes_are_bracketed_by_pyramids)
 TEST_LIST(hard)
     RUN(hard_scenes_are_decided_as_they_are)
     RUN(forces_of_hard_scenes_balance_to_a_few_roundings)
+    RUN(a_stone_turns_about_its_edge_and_leaves_it_where_it_is)
     RUN(hard_scenes_are_bracketed_by_pyramids)
 TEST_END

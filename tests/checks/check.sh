@@ -495,7 +495,11 @@ check_instruments() {                                   # the battery of hard sc
     if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance
     else skip "battery: random rounding" g++; fi
 }
-check_bench() { part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"; }
+check_bench() {
+    part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"
+    if have python3; then part "README's numbers stand in the CSV of its pictures" python3 -B tests/bench/words.py
+    else skip "README's numbers against CSV" python3; fi
+}
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
