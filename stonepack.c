@@ -88,7 +88,11 @@
 #endif
 #include "solvers/sort.c"
 #include "solvers/hull.c"
+#ifdef SP_EXACT_ONLY
+#include "solvers/convex.c"
+#else
 #include "solvers/clip.c"
+#endif
 #ifndef SP_NO_CRA
 #include "solvers/lp.c"
 #endif
@@ -263,6 +267,12 @@ static void sp__local_get(const sp__local *l, int32_t k, sp_real p[3])
     for (int c = 0; c < 3; c++) p[c] = (l->xyz[3 * (size_t)k + (size_t)c] - l->o[c]) / l->s;
 }
 
+/* The k-th of picked points; pick NULL: of all. */
+static void sp__local_pick(const sp__local *l, const int32_t *pick, int32_t k, sp_real p[3])
+{
+    sp__local_get(l, pick ? pick[k] : k, p);
+}
+
 /* Largest power of two not above x, x finite and > 0. */
 static sp_real sp__power_of_two(sp_real x)
 {
@@ -275,21 +285,22 @@ static sp_real sp__power_of_two(sp_real x)
 /* Of the `count` >= 1 points pick[0], pick[1] ... (pick NULL: 0, 1 ...). SP_E_NOT_FINITE: they are too far apart. */
 static sp_status sp__local_start(sp__local *l, const sp_real *xyz, const int32_t *pick, int32_t count)
 {
-    sp_real extent[3], far = 0;
+    sp_real extent[3], far = 0, most = 0;
     l->xyz = xyz;
     l->s = (sp_real)1;
     for (int c = 0; c < 3; c++) {
-        sp_real lo = xyz[3 * (size_t)(pick ? pick[0] : 0) + (size_t)c], hi = lo;
+        const sp_real *at = xyz + c;
+        sp_real lo = at[3 * (size_t)(pick ? pick[0] : 0)], hi = lo;
         l->o[c] = lo;
         for (int32_t k = 1; k < count; k++) {
-            const sp_real x = xyz[3 * (size_t)(pick ? pick[k] : k) + (size_t)c];
+            const sp_real x = at[3 * (size_t)(pick ? pick[k] : k)];
             if (x < lo) lo = x;
             if (x > hi) hi = x;
         }
         extent[c] = hi - lo;
+        most = sp__max(most, extent[c]);
         far = sp__max(far, sp__max(sp__abs(lo), sp__abs(hi)));
     }
-    const sp_real most = sp__max(extent[0], sp__max(extent[1], extent[2]));
     if (!sp__finite(2 * most)) return SP_E_NOT_FINITE;
     if (most > 0) l->s = sp__power_of_two(most);
     for (int c = 0; c < 3; c++) extent[c] /= l->s;
@@ -300,19 +311,12 @@ static sp_status sp__local_start(sp__local *l, const sp_real *xyz, const int32_t
 
 /* 4 -------------------------------------------------------------------------------------------------------- mesh and mass */
 
-static sp_status sp__finite_points(const sp_real *xyz, int32_t points)
-{
-    for (size_t k = 0; k < 3 * (size_t)points; k++)
-        if (!sp__finite(xyz[k])) return SP_E_NOT_FINITE;
-    return SP_OK;
-}
-
 /* What is asked of every mesh, supports too: numbers are numbers, faces have corners, corners exist. */
 static sp_status sp__mesh_check(const sp_mesh *mesh, int32_t *corners)
 {
     if (!mesh || mesh->vertices < 0 || mesh->faces < 0 || (mesh->vertices > 0 && !mesh->xyz)) return SP_E_ARGUMENT;
     if (mesh->faces > 0 && (!mesh->size || !mesh->corner)) return SP_E_ARGUMENT;
-    if (sp__finite_points(mesh->xyz, mesh->vertices)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(mesh->xyz, 3 * (size_t)mesh->vertices)) return SP_E_NOT_FINITE;
     int32_t sum = 0;
     for (int32_t k = 0; k < mesh->faces; k++) {
         if (mesh->size[k] < 3) return SP_E_DEGENERATE;
@@ -374,7 +378,7 @@ static void sp__local_mean(const sp__local *l, const int32_t *pick, int32_t coun
     m[0] = m[1] = m[2] = 0;
     for (int32_t k = 0; k < count; k++) {
         sp_real p[3];
-        sp__local_get(l, pick ? pick[k] : k, p);
+        sp__local_pick(l, pick, k, p);
         for (int c = 0; c < 3; c++) m[c] += p[c];
     }
     sp__scale3((sp_real)1 / (sp_real)count, m, m);
@@ -387,7 +391,7 @@ static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t c
     sp_real most = 0, far = 0;
     for (int32_t k = 0; k < count; k++) {
         sp_real p[3];
-        sp__local_get(l, pick ? pick[k] : k, p);
+        sp__local_pick(l, pick, k, p);
         sp__sub3(p, m, p);
         most = sp__max(most, sp__abs(sp__dot3(p, n)));
         far = sp__max(far, sp__dot3(p, p));
@@ -519,6 +523,21 @@ static int sp__scene_room(const sp_scene *scene, const sp_mesh *mesh, int32_t co
         && mesh->faces <= cap->faces - n->faces && corners <= cap->corners - n->corners;
 }
 
+/* The next block, without mesh; room was checked. */
+static sp_block *sp__block_add(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id)
+{
+    sp_block *k = &scene->block[scene->count.blocks];
+    memset(k, 0, sizeof *k);
+    k->mass = mass;
+    memcpy(k->centroid, centroid, sizeof k->centroid);
+    k->fixed = fixed;
+    k->vertex = scene->count.vertices;
+    k->face = scene->count.faces;
+    if (id) *id = scene->count.blocks;
+    scene->count.blocks++;
+    return k;
+}
+
 SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id)
 {
     int32_t corners;
@@ -534,13 +553,13 @@ SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real de
     if (!sp__finite(mass)) return SP_E_NOT_FINITE;
     if (!(mass > 0) && fixed != SP_FIXED) return SP_E_DEGENERATE;       /* underflow */
     if (!sp__scene_room(scene, mesh, corners)) return SP_E_CAPACITY;
-    const sp_capacity n = scene->count;
-    const sp_block block = { mass, { m.centroid[0], m.centroid[1], m.centroid[2] }, density, m.volume, m.diameter, fixed,
-                             n.vertices, mesh->vertices, n.faces, mesh->faces };
-    scene->block[n.blocks] = block;
+    sp_block *k = sp__block_add(scene, mass, m.centroid, fixed, id);
+    k->density = density;
+    k->volume = m.volume;
+    k->diameter = m.diameter;
+    k->vertices = mesh->vertices;
+    k->faces = mesh->faces;
     sp__scene_copy(scene, mesh, corners);
-    if (id) *id = n.blocks;
-    scene->count.blocks++;
     return SP_OK;
 }
 
@@ -549,12 +568,8 @@ SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real cent
     if (!scene || !centroid) return SP_E_ARGUMENT;
     if (!sp__finite(mass) || !sp__finite3(centroid)) return SP_E_NOT_FINITE;
     if (mass < 0 || (!(mass > 0) && fixed != SP_FIXED) || fixed > SP_FIXED) return SP_E_RANGE;
-    const sp_capacity n = scene->count;
-    if (n.blocks >= scene->cap.blocks) return SP_E_CAPACITY;
-    const sp_block block = { mass, { centroid[0], centroid[1], centroid[2] }, 0, 0, 0, fixed, n.vertices, 0, n.faces, 0 };
-    scene->block[n.blocks] = block;
-    if (id) *id = n.blocks;
-    scene->count.blocks++;
+    if (scene->count.blocks >= scene->cap.blocks) return SP_E_CAPACITY;
+    (void)sp__block_add(scene, mass, centroid, fixed, id);
     return SP_OK;
 }
 
@@ -595,13 +610,13 @@ static sp__strength sp__vertex_strength(const sp_interface *f)
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
-static sp_real sp__polygon_normal(const sp__local *l, int32_t points, sp_real n[3])
+static sp_real sp__polygon_normal(const sp__local *l, const int32_t *pick, int32_t points, sp_real n[3])
 {
     sp_real p[3], q[3], perimeter = 0;
     n[0] = n[1] = n[2] = 0;
-    sp__local_get(l, points - 1, p);
+    sp__local_pick(l, pick, points - 1, p);
     for (int32_t k = 0; k < points; k++) {
-        sp__local_get(l, k, q);
+        sp__local_pick(l, pick, k, q);
         sp__cross3_add(p, q, n);
         sp__sub3(q, p, p);
         perimeter += sp__norm3(p);
@@ -636,7 +651,7 @@ static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_interf
     sp__local l;
     sp_real m[3], reach;
     if (sp__local_start(&l, xyz, NULL, points)) return SP_E_NOT_FINITE;
-    const sp_real perimeter = sp__polygon_normal(&l, points, f->n), twice = sp__norm3(f->n);
+    const sp_real perimeter = sp__polygon_normal(&l, NULL, points, f->n), twice = sp__norm3(f->n);
     const sp_real noise = 4 * (l.coarse + SP_EPSILON * l.d);
     if (!(twice > noise * perimeter)) return SP_E_AREA;
     f->area = twice / 2 * l.s * l.s;
@@ -673,9 +688,9 @@ static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int3
     if (!scene || !xyz || !joint || points < 0) return SP_E_ARGUMENT;
     if (a < 0 || b < 0 || a >= scene->count.blocks || b >= scene->count.blocks) return SP_E_INDEX;
     if (a == b) return SP_E_SELF;
-    sp_status status = sp__joint_check(joint);
-    if (!status) status = sp__finite_points(xyz, points);
+    const sp_status status = sp__joint_check(joint);
     if (status) return status;
+    if (!sp__all_finite(xyz, 3 * (size_t)points)) return SP_E_NOT_FINITE;
     const sp_capacity *n = &scene->count;
     if (n->interfaces >= scene->cap.interfaces || points > scene->cap.points - n->points) return SP_E_CAPACITY;
     sp_interface *f = &scene->interface[n->interfaces];
@@ -825,10 +840,13 @@ typedef struct sp__all {
     int32_t *order, *mine;                      /* of one block: vertices, faces or edges in order; face -> patch */
     int32_t (*edge)[2];                         /* of one block */
     sp_real (*normal)[3], (*middle)[3], *area;  /* of the faces of one block */
+    int32_t *hit;                               /* blocks that may touch the present one */
+#ifndef SP_SMALL
     int32_t width;                              /* of the tree: power of two, not below the number of blocks */
     sp_real (*box)[6];                          /* of the tree's nodes, 1 the top, children 2k and 2k + 1 */
-    int32_t *leaf, *hit;                        /* block of each leaf; blocks that may touch the present one */
+    int32_t *leaf;                              /* block of each leaf */
     uint32_t *code;                             /* Morton code of each block */
+#endif
 } sp__all;
 
 /* Memory of one pair of blocks. */
@@ -910,7 +928,6 @@ static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
         corners = c > corners ? c : corners;
     }
     const size_t blocks = (size_t)n->blocks, face = (size_t)faces;
-    for (l->width = 1; l->width < n->blocks && l->width < 1 << 29; l->width *= 2) { }
     l->body = sp__take(a, blocks, sizeof *l->body);
     l->patch = sp__take(a, (size_t)n->faces, sizeof *l->patch);
     l->bound = sp__take(a, (size_t)n->corners, sizeof *l->bound);
@@ -921,10 +938,13 @@ static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
     l->normal = sp__take(a, face, sizeof *l->normal);
     l->middle = sp__take(a, face, sizeof *l->middle);
     l->area = sp__take(a, face, sizeof *l->area);
+    l->hit = sp__take(a, blocks, sizeof *l->hit);
+#ifndef SP_SMALL
+    for (l->width = 1; l->width < n->blocks && l->width < 1 << 29; l->width *= 2) { }
     l->box = sp__take(a, 2 * (size_t)l->width, sizeof *l->box);
     l->leaf = sp__take(a, blocks, sizeof *l->leaf);
-    l->hit = sp__take(a, blocks, sizeof *l->hit);
     l->code = sp__take(a, blocks, sizeof *l->code);
+#endif
 }
 
 static void sp__pair_carve(sp__pair *p, const sp__most *most, sp_arena *a)
@@ -977,13 +997,6 @@ static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
     return 0;
 }
 
-static int sp__vertex_before(const void *what, int32_t i, int32_t j)
-{
-    const sp__touch *t = what;
-    const int o = sp__place_order(t->scene->vertex[t->vertex0 + i], t->scene->vertex[t->vertex0 + j], 0);
-    return o ? o < 0 : i < j;
-}
-
 /* Larger faces first: the largest of a plane is the most exact. Equal ones by place, so face order does not matter. */
 static int sp__face_before(const void *what, int32_t i, int32_t j)
 {
@@ -1005,7 +1018,24 @@ static int sp__edge_before(const void *what, int32_t i, int32_t j)
     return phi != qhi ? phi < qhi : i < j;
 }
 
-/* same[v]: the first vertex, in order, at v's place. */
+/* same[v]: the first vertex at v's place. */
+#ifdef SP_SMALL
+static void sp__touch_weld(sp__touch *t)
+{
+    for (int32_t v = t->vertex0, end = v + t->scene->block[t->block].vertices; v < end; v++) {
+        int32_t first = t->vertex0;
+        while (sp__place_order(t->scene->vertex[first], t->scene->vertex[v], 0)) first++;
+        t->all.same[v] = first;
+    }
+}
+#else
+static int sp__vertex_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    const int o = sp__place_order(t->scene->vertex[t->vertex0 + i], t->scene->vertex[t->vertex0 + j], 0);
+    return o ? o < 0 : i < j;
+}
+
 static void sp__touch_weld(sp__touch *t)
 {
     const sp_block *k = &t->scene->block[t->block];
@@ -1018,26 +1048,27 @@ static void sp__touch_weld(sp__touch *t)
         t->all.same[v] = first;
     }
 }
+#endif
 
-/* Plane of a face through its vertex mean, by Newell's normal about its first corner; normal 0 and area 0 without one. */
-static void sp__touch_plane(sp__touch *t, int32_t f)
+/* Plane of a face through its vertex mean; normal 0 and area 0 without one. */
+SP__APART static void sp__touch_plane(sp__touch *t, int32_t f)
 {
     const sp_face *face = &t->scene->face[t->face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;
-    const sp_real *o = t->scene->vertex[corner[0]];
-    sp_real *n = t->all.normal[f], *m = t->all.middle[f], p[3], q[3];
-    for (int c = 0; c < 3; c++) n[c] = m[c] = 0;
+    sp_real *n = t->all.normal[f], *m = t->all.middle[f], p[3];
+    sp__local l;
+    (void)sp__local_start(&l, t->scene->vertex[0], corner, face->corners);
+    (void)sp__polygon_normal(&l, corner, face->corners, n);
+    memset(m, 0, sizeof p);
     for (int32_t k = 0; k < face->corners; k++) {
-        sp__sub3(t->scene->vertex[corner[k]], o, p);
-        sp__sub3(t->scene->vertex[corner[k + 1 < face->corners ? k + 1 : 0]], o, q);
-        sp__cross3_add(p, q, n);
+        sp__local_get(&l, corner[k], p);
         for (int c = 0; c < 3; c++) m[c] += p[c];
     }
     const sp_real twice = sp__norm3(n);
-    t->all.area[f] = twice;
+    t->all.area[f] = twice * l.s * l.s;
     for (int c = 0; c < 3; c++) {
         n[c] = twice > 0 ? n[c] / twice : 0;
-        m[c] = o[c] + m[c] / (sp_real)face->corners;
+        m[c] = l.o[c] + l.s * (m[c] / (sp_real)face->corners);
     }
 }
 
@@ -1199,6 +1230,20 @@ static int sp__boxes_near(const sp_real lo[3], const sp_real hi[3], const sp_rea
     return 1;
 }
 
+#ifdef SP_SMALL
+static void sp__tree_build(const sp__touch *t) { (void)t; }
+
+/* Blocks above a whose boxes come near a's: without a tree every one is asked. Returns how many. */
+static int32_t sp__tree_ask(const sp__touch *t, int32_t a)
+{
+    const sp__body *body = t->all.body;
+    int32_t hits = 0;
+    for (int32_t b = a + 1; b < t->scene->count.blocks; b++)
+        if (body[a].edges && body[b].edges
+            && sp__boxes_near(body[a].lo, body[a].hi, body[b].lo, body[b].hi, body[a].reach + body[b].reach)) t->all.hit[hits++] = b;
+    return hits;
+}
+#else
 /* Every third bit from bit 0. */
 static uint32_t sp__spread(uint32_t x)
 {
@@ -1287,6 +1332,7 @@ static int32_t sp__tree_ask(sp__touch *t, int32_t a)
     sp__sort(t->all.hit, hits, sp__number_before, NULL);
     return hits;
 }
+#endif
 
 /* --------------------------------------------------------------------------------------------------------------- pair */
 
@@ -1314,8 +1360,8 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
 /* A corner of the result in space: on A's plane; a vertex that is there already stays what it is, to the bit. */
 static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
 {
-    const sp_real *xy = t->clip.corner[corner];
-    const int32_t name = t->clip.name[corner];
+    const sp_real *xy = t->clip.corner[corner].x;
+    const int32_t name = t->clip.corner[corner].name;
     int exact = name >= 0;
     for (int c = 0; c < 3; c++) {
         x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
@@ -1387,6 +1433,9 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
     if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+#ifdef SP_EXACT_ONLY
+    if (t->clip.bent) { t->status = SP_E_UNSUPPORTED; return; }
+#endif
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
 
@@ -1617,6 +1666,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     const sp_real least = sp__shadow_faces(t, flat);
     if (least <= flat) return 0;
     if (p->convex && q->convex && work <= 10000000) return sp__shadow_edges(t, least, flat);
+    if (!SP__FULL) return 0;
     sp_real most = sp__max(sp__depth_edges(t, t->a, t->b, flat), sp__depth_edges(t, t->b, t->a, flat));
     for (int side = 0; side < 2; side++) {
         const sp_real *x = t->scene->block[side ? t->b : t->a].centroid;
@@ -2156,40 +2206,52 @@ static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
     if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
 }
 
-/* Velocity of the material point of block i at vertex v: v_i + w_i x (r - c_i), times `sign`, added to u. With `scale` the
- * motion is given in weighted rows. */
-static void sp__point_velocity(const sp_problem *pb, const sp__scale *scale, int32_t i, int32_t v, const sp_real *motion,
-                               sp_real sign, sp_real u[3])
+/* u = velocity of B seen from A at vertex v of a contact, v_i + w_i x (r - c_i) of each. With `scale` the motion is given in
+ * weighted rows. */
+static void sp__vertex_velocity(const sp_problem *pb, const sp__scale *scale, const sp_contact *t, int32_t v,
+                                const sp_real *motion, sp_real u[3])
 {
-    if (i < 0) return;
-    const sp_real *m = motion + 6 * (size_t)i;
-    const sp_real wf = scale ? scale[i].wf : 1, wm = scale ? scale[i].wm : 1;
-    sp_real arm[3], w[3];
-    sp__arm(pb, i, v, arm);
-    sp__cross3(m + 3, arm, w);
-    u[0] += sign * (wf * m[0] + wm * w[0]);
-    u[1] += sign * (wf * m[1] + wm * w[1]);
-    u[2] += sign * (wf * m[2] + wm * w[2]);
+    u[0] = u[1] = u[2] = 0;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->a : t->b;
+        if (i < 0) continue;
+        const sp_real *m = motion + 6 * (size_t)i, sign = side ? -1 : 1;
+        const sp_real wf = scale ? scale[i].wf : 1, wm = scale ? scale[i].wm : 1;
+        sp_real arm[3], w[3];
+        sp__arm(pb, i, v, arm);
+        sp__cross3(m + 3, arm, w);
+        for (int k = 0; k < 3; k++) u[k] += sign * (wf * m[k] + wm * w[k]);
+    }
 }
 
-/* sign (F, (r - c) x F) added to the row of block i; |F| and |(r - c) x F| to sums (may be NULL). */
-static void sp__point_force(const sp_problem *pb, int32_t i, int32_t v, const sp_real F[3], sp_real sign, sp_real *row,
-                            sp_real *sum)
+/* (F, (r - c) x F) added to the row of B, taken off that of A; |F| and |(r - c) x F| to both blocks' sums (may be NULL). */
+static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real F[3], sp_real *row, sp_real *sum)
 {
-    if (i < 0) return;
-    sp_real arm[3], m[3];
-    sp__arm(pb, i, v, arm);
-    sp__cross3(arm, F, m);
-    sp_real *to = row + 6 * (size_t)i;
-    to[0] += sign * F[0]; to[1] += sign * F[1]; to[2] += sign * F[2];
-    to[3] += sign * m[0]; to[4] += sign * m[1]; to[5] += sign * m[2];
-    if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->a : t->b;
+        if (i < 0) continue;
+        sp_real arm[3], m[3], *to = row + 6 * (size_t)i;
+        const sp_real sign = side ? -1 : 1;
+        sp__arm(pb, i, v, arm);
+        sp__cross3(arm, F, m);
+        for (int k = 0; k < 3; k++) { to[k] += sign * F[k]; to[3 + k] += sign * m[k]; }
+        if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
+    }
 }
 
 /* The load of free block i in units. */
 static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
 {
     for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
+}
+
+/* r = p, q = 0: where balances and their sums start. */
+static void sp__judge_start(sp__judge *j)
+{
+    for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
+        j->r[k] = j->pb->p[k] / j->unit;
+        j->q[k] = 0;
+    }
 }
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
@@ -2247,11 +2309,9 @@ static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real u[3] = { 0, 0, 0 };
-            sp__point_velocity(pb, j->scale, t->b, v, in, 1, u);
-            sp__point_velocity(pb, j->scale, t->a, v, in, -1, u);
-            sp__point_force(pb, t->b, v, u, 1, out, NULL);
-            sp__point_force(pb, t->a, v, u, -1, out, NULL);
+            sp_real u[3];
+            sp__vertex_velocity(pb, j->scale, t, v, in, u);
+            sp__vertex_force(pb, t, v, u, out, NULL);
         }
     }
     sp__judge_weigh(j, out);
@@ -2265,6 +2325,12 @@ static sp_real sp__dot(const sp_real *a, const sp_real *b, size_t n)
     return s;
 }
 
+/* a = s a + t b. */
+static void sp__add(sp_real *a, sp_real s, sp_real t, const sp_real *b, size_t n)
+{
+    for (size_t k = 0; k < n; k++) a[k] = s * a[k] + t * b[k];
+}
+
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
  * is small, or as small as it can be (G times it vanishes), or without progress.                                  [Stiefel 1955] */
 SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
@@ -2272,16 +2338,19 @@ SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
     const size_t n = 6 * (size_t)j->pb->blocks;
     const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
     sp__judge_normal(j, j->r, j->g);
-    for (size_t k = 0; k < n; k++) { j->p[k] = j->r[k]; j->q[k] = j->g[k]; }
+    memcpy(j->p, j->r, n * sizeof *j->p);
+    memcpy(j->q, j->g, n * sizeof *j->q);
     sp_real rg = sp__dot(j->r, j->g, n);
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
         if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
         const sp_real alpha = rg / qq;
-        for (size_t k = 0; k < n; k++) { to[k] += alpha * j->p[k]; j->r[k] -= alpha * j->q[k]; }
+        sp__add(to, 1, alpha, j->p, n);
+        sp__add(j->r, 1, -alpha, j->q, n);
         sp__judge_normal(j, j->r, j->g);
         const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
-        for (size_t k = 0; k < n; k++) { j->p[k] = j->r[k] + beta * j->p[k]; j->q[k] = j->g[k] + beta * j->q[k]; }
+        sp__add(j->p, beta, 1, j->r, n);
+        sp__add(j->q, beta, 1, j->g, n);
         rg = next;
     }
 }
@@ -2300,21 +2369,15 @@ static int32_t sp__judge_sums(sp__judge *j)
 {
     const sp_problem *pb = j->pb;
     int32_t unknown = 0;
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        sp__judge_load(j, i, j->r + 6 * (size_t)i);
-        memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
-    }
+    sp__judge_start(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real f[3] = { 0, 0, 0 }, rest[3] = { 0, 0, 0 };
-            sp__point_velocity(pb, j->scale, t->b, v, j->x, 1, f);
-            sp__point_velocity(pb, j->scale, t->a, v, j->x, -1, f);
-            sp__point_velocity(pb, j->scale, t->b, v, j->e, 1, rest);
-            sp__point_velocity(pb, j->scale, t->a, v, j->e, -1, rest);
+            sp_real f[3], rest[3];
+            sp__vertex_velocity(pb, j->scale, t, v, j->x, f);
+            sp__vertex_velocity(pb, j->scale, t, v, j->e, rest);
             for (int k = 0; k < 3; k++) f[k] += rest[k];
-            sp__point_force(pb, t->b, v, f, 1, j->r, j->q);
-            sp__point_force(pb, t->a, v, f, -1, j->r, j->q);
+            sp__vertex_force(pb, t, v, f, j->r, j->q);
         }
     }
     for (int32_t i = 0; i < pb->blocks; i++) {
@@ -2371,6 +2434,12 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
     return 0;
 }
 
+/* |couple| + m + 16 u sbar max |r_v - c| / tol. */
+static sp_real sp__scale_couple(const sp__judge *j, const sp__scale *s, sp_real m)
+{
+    return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+}
+
 /* The scales of every free block. One that f0 does not balance (nothing does, or its share is lost in rounding) has its load
  * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
  * thousand times all loads, more than what a bilateral force comes to. With j->most = 0 the loads alone, f0 = 0: no scale is
@@ -2389,7 +2458,7 @@ static void sp__judge_scales(sp__judge *j, const sp_real *y0)
             s->m0 = s->load * s->arm;
         }
         s->s = s->load + s->f0;
-        s->S = s->couple + s->m0 + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+        s->S = sp__scale_couple(j, s, s->m0);
     }
 }
 
@@ -2439,10 +2508,7 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
 SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        sp__judge_load(j, i, j->r + 6 * (size_t)i);
-        memset(j->q + 6 * (size_t)i, 0, 6 * sizeof *j->q);
-    }
+    sp__judge_start(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         j->cap = sp__judge_cap(j, t);
@@ -2451,8 +2517,7 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
             for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
             sp__judge_admit(j, t, g, g);
             for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
-            sp__point_force(pb, t->b, v, F, 1, j->r, j->q);
-            sp__point_force(pb, t->a, v, F, -1, j->r, j->q);
+            sp__vertex_force(pb, t, v, F, j->r, j->q);
             if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
         }
     }
@@ -2461,13 +2526,10 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
         const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
-        const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0);
-        const sp_real Si = s->couple + (m1 < s->m0 ? m1 : s->m0) + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+        const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0), Si = sp__scale_couple(j, s, m1 < s->m0 ? m1 : s->m0);
         sp_real *row = j->r + 6 * (size_t)i;
         sp__release(pb, i, row);
-        const sp_real a = sp__ratio(sp__norm3(row), si), b = sp__ratio(sp__norm3(row + 3), Si);
-        if (a > omega) omega = a;
-        if (b > omega) omega = b;
+        omega = sp__max(omega, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
     }
     return omega;
 }
@@ -2522,24 +2584,24 @@ static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
     return sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
 }
 
-/* j->x <- dq scaled so that no point of a block moves farther than 1, whatever its unit; what moves no farther than `rest` is held
- * still.     returns 0 where nothing moves, or not by a number */
-SP__APART static int sp__judge_scaled(sp__judge *j, const sp_real *dq, sp_real rest)
+/* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
+ * held.     returns how many are; -1: nothing moves */
+SP__APART static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_real rest)
 {
-    const sp_problem *pb = j->pb;
     sp_real largest = 0;
+    int32_t held = 0;
     for (int pass = 0; pass < 2; pass++) {
-        for (int32_t i = 0; i < pb->blocks; i++) {
+        for (int32_t i = 0; i < j->pb->blocks; i++) {
             sp_real *m = j->x + 6 * (size_t)i;
             for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
-            sp__release(pb, i, m);
+            sp__release(j->pb, i, m);
             const sp_real size = sp__judge_moved(j, i);
-            if (!pass && size > largest) largest = size;
-            if (pass && size <= rest) memset(m, 0, 6 * sizeof *m);
+            if (!pass) largest = sp__max(largest, size);
+            else if (size <= rest) { memset(m, 0, 6 * sizeof *m); held++; }
         }
-        if (!(largest > 0) || !sp__finite(largest)) return 0;
+        if (!(largest > 0) || !sp__finite(largest)) return -1;
     }
-    return 1;
+    return held;
 }
 
 /* load . x, and the same of the scales. */
@@ -2565,7 +2627,7 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
     const sp_problem *pb = j->pb;
     *final = 0;
     j->resist = 0;
-    if (!sp__judge_scaled(j, dq, rest)) return 0;
+    if (sp__judge_hold(j, dq, rest) < 0) return 0;
     sp_real scale, resist = 0;
     const sp_real work = sp__judge_work(j, &scale);
     *final = 1;
@@ -2573,10 +2635,9 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
         const sp_contact *t = &pb->contact[c];
         const sp_real cap = sp__judge_cap(j, t), moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real w[3] = { 0, 0, 0 };
-            sp__point_velocity(pb, NULL, t->b, v, j->x, -1, w);
-            sp__point_velocity(pb, NULL, t->a, v, j->x, 1, w);
-            const sp_real u[3] = { sp__dot3(w, t->joint->n), sp__dot3(w, t->joint->t1), sp__dot3(w, t->joint->t2) };
+            sp_real w[3];
+            sp__vertex_velocity(pb, NULL, t, v, j->x, w);
+            const sp_real u[3] = { -sp__dot3(w, t->joint->n), -sp__dot3(w, t->joint->t1), -sp__dot3(w, t->joint->t2) };
             const sp_real P = sp__judge_resist(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
             resist += SP__FULL && sp__joint_strong(&t->joint->joint) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
@@ -2592,31 +2653,15 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
 /* Shares of the largest motion below which blocks are held. */
 static const sp_real sp__judge_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
-/* Does any block move by more than `from` and no more than `to` of the largest motion? dq as sp__judge_motion has it. */
-SP__APART static int sp__judge_between(const sp__judge *j, const sp_real *dq, sp_real from, sp_real to)
-{
-    sp_real largest = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        for (int32_t i = 0; i < j->pb->blocks; i++) {
-            sp_real m[6];
-            for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
-            sp__release(j->pb, i, m);
-            const sp_real size = sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
-            if (!pass) largest = sp__max(largest, size);
-            else if (size > from && size <= to) return 1;
-        }
-        if (!(largest > 0)) return 0;
-    }
-    return 0;
-}
-
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
 static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
 {
     sp_real best = -1, held = 0, value = -1;
-    int32_t sure = 0, last = 0;
+    int32_t sure = 0, last = 0, before = -2;
     for (int k = 0; k < 6; k++) {
-        if (k && !sp__judge_between(j, dq, sp__judge_rest[k - 1], sp__judge_rest[k])) continue;         /* the same motion */
+        const int32_t still = sp__judge_hold(j, dq, sp__judge_rest[k]);
+        if (still == before) continue;                  /* the same motion */
+        before = still;
         value = sp__judge_motion(j, dq, sp__judge_rest[k], final);
         *final &= value > j->set->tol;
         last = *final > sure || (*final == sure && value > best);
@@ -2721,9 +2766,8 @@ static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *
 /* dd of vertex v of contact t in its frame, for the motion j->x. */
 static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, sp_real d[3])
 {
-    sp_real w[3] = { 0, 0, 0 };
-    sp__point_velocity(j->pb, NULL, t->b, v, j->x, 1, w);
-    sp__point_velocity(j->pb, NULL, t->a, v, j->x, -1, w);
+    sp_real w[3];
+    sp__vertex_velocity(j->pb, NULL, t, v, j->x, w);
     d[0] = sp__dot3(w, t->joint->n); d[1] = sp__dot3(w, t->joint->t1); d[2] = sp__dot3(w, t->joint->t2);
 }
 
@@ -2888,9 +2932,8 @@ static sp_real sp__refute_stretch(const sp__refute *w)
     sp_real sum = 0;
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
-        sp_real u[3] = { 0, 0, 0 };
-        sp__point_velocity(pb, w->j->scale, t->b, w->at[v], w->j->x, 1, u);
-        sp__point_velocity(pb, w->j->scale, t->a, w->at[v], w->j->x, -1, u);
+        sp_real u[3];
+        sp__vertex_velocity(pb, w->j->scale, t, w->at[v], w->j->x, u);
         sum += sp__norm3(u) * 2 * far;                  /* 2 > sqrt 3 */
     }
     return sum;
@@ -3097,9 +3140,8 @@ static sp_real sp__refute_least_force(sp__refute *w)
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
         const sp_real mu = t->joint->joint.mu * (1 + j->tan_half);
-        sp_real u[3] = { 0, 0, 0 }, *f = w->f[v];
-        sp__point_velocity(pb, NULL, t->b, w->at[v], j->x, 1, u);
-        sp__point_velocity(pb, NULL, t->a, w->at[v], j->x, -1, u);
+        sp_real u[3], *f = w->f[v];
+        sp__vertex_velocity(pb, NULL, t, w->at[v], j->x, u);
         f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;
         f[1] += sp__dot3(u, t->joint->t1);
         f[2] += sp__dot3(u, t->joint->t2);
@@ -3129,8 +3171,7 @@ static sp_real sp__refute_least_motion(sp__refute *w)
         sp_real F[3];
         const sp_real *d = w->d[v];
         for (int k = 0; k < 3; k++) F[k] = d[0] * t->joint->n[k] + d[1] * t->joint->t1[k] + d[2] * t->joint->t2[k];
-        sp__point_force(pb, t->b, w->at[v], F, 1, w->motion, NULL);
-        sp__point_force(pb, t->a, w->at[v], F, -1, w->motion, NULL);
+        sp__vertex_force(pb, t, w->at[v], F, w->motion, NULL);
         sp_real moved = 0;
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->a : t->b;
@@ -9310,12 +9351,6 @@ static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *
 }
 
 #endif
-
-static int sp__all_finite(const sp_real *x, size_t n)
-{
-    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
-    return 1;
-}
 
 /* The judge's motion into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
 static void sp__check_motion(const sp__judge *j, sp_real *dq)

@@ -37,7 +37,8 @@ extern "C" {
  *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_SMALL        defined: loops in place of kernels written out; 0.7 kB less code, slower factors, the same bits
+ *   SP_SMALL        defined: loops in place of kernels written out, every pair of blocks asked for contacts in place of a tree
+ *                   of boxes; 1.6 kB less code, slower factors, the same bits
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
  *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
@@ -51,7 +52,8 @@ extern "C" {
  *                   is near. All that falls is a MECHANISM, fewer of them are final, what is undecided is at its LIMIT; demand,
  *                   effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1 (sp_interface_resultant
  *                   tells). No sp_sequence, no sp_memory_work; budgets, settings.work, effects left out, stages but the gates
- *                   and the exact one (which are one here), pyramids, the coupled check: SP_E_UNSUPPORTED.
+ *                   and the exact one (which are one here), pyramids, the coupled check, contacts of faces that are not
+ *                   convex: SP_E_UNSUPPORTED. Overlaps are told of convex blocks only.
  *                   With it go SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN, SP_SMALL
  */
 #ifdef SP_EXACT_ONLY
@@ -287,8 +289,8 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
  *   scratch   by value: all of it may be overwritten
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY,
- *             SP_E_CAPACITY */
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY, SP_E_CAPACITY;
+ *             SP_E_UNSUPPORTED of SP_EXACT_ONLY: a patch that touches something is not one convex polygon */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report);
 

@@ -22,6 +22,8 @@
 
 typedef struct sp__clip_edge { int32_t from, to, w[2]; } sp__clip_edge;     /* w: windings left minus right, of P and Q */
 
+typedef struct sp__clip_corner { sp_real x[2]; int32_t name; } sp__clip_corner;     /* name: the caller's number or -1 */
+
 typedef struct sp__clip {
     int32_t node_cap, edge_cap;
     int32_t segments, nodes, edges, corners, loops, holes, cuts;
@@ -38,8 +40,7 @@ typedef struct sp__clip {
     sp__clip_edge *edge;
     int32_t *order, *next;      /* edges in order; next outgoing edge of the same node */
     int32_t *path;              /* nodes of the loop being traced */
-    sp_real (*corner)[2];       /* result: corners, loop after loop, anticlockwise */
-    int32_t *name;              /* result: the caller's number of each corner or -1 */
+    sp__clip_corner *corner;    /* result: corners, loop after loop, anticlockwise */
     int32_t *loop;              /* result: first corner of each loop, and one past the last */
     sp_real *cut;               /* lines x = cut through holes, ascending */
 } sp__clip;
@@ -62,7 +63,6 @@ static void sp__clip_carve(sp__clip *c, int64_t p, int64_t q, int64_t crossings,
     c->next = sp__take(a, e, sizeof *c->next);
     c->path = sp__take(a, e, sizeof *c->path);
     c->corner = sp__take(a, e, sizeof *c->corner);
-    c->name = sp__take(a, e, sizeof *c->name);
     c->loop = sp__take(a, n + 1, sizeof *c->loop);
     c->cut = sp__take(a, n, sizeof *c->cut);
 }
@@ -336,17 +336,13 @@ static void sp__clip_straighten(sp__clip *c)
     for (int32_t k = from, calm = 0; calm < c->corners - from && c->corners - from > 3; ) {
         const int32_t n = c->corners - from, i = (k - from) % n;
         const int32_t prev = from + (i + n - 1) % n, next = from + (i + 1) % n, at = from + i;
-        if (sp__clip_far2(c->corner[at], c->corner[prev], c->corner[next]) > c->snap * c->snap) {
+        if (sp__clip_far2(c->corner[at].x, c->corner[prev].x, c->corner[next].x) > c->snap * c->snap) {
             k = at + 1;
             calm++;
             continue;
         }
-        for (int32_t j = at; j + 1 < c->corners; j++) {
-            c->corner[j][0] = c->corner[j + 1][0];
-            c->corner[j][1] = c->corner[j + 1][1];
-            c->name[j] = c->name[j + 1];
-        }
         c->corners--;
+        for (int32_t j = at; j < c->corners; j++) c->corner[j] = c->corner[j + 1];
         calm = 0;
         k = i ? at - 1 : c->corners - 1;
     }
@@ -355,9 +351,9 @@ static void sp__clip_straighten(sp__clip *c)
 /* Note a line through the hole whose corners are the last ones, unless one through its inner 8/10 is there already. */
 static void sp__clip_hole(sp__clip *c)
 {
-    sp_real lo = c->corner[c->loop[c->loops]][0], hi = lo;
+    sp_real lo = c->corner[c->loop[c->loops]].x[0], hi = lo;
     for (int32_t k = c->loop[c->loops]; k < c->corners; k++) {
-        const sp_real x = c->corner[k][0];
+        const sp_real x = c->corner[k].x[0];
         lo = x < lo ? x : lo;
         hi = x > hi ? x : hi;
     }
@@ -381,9 +377,8 @@ static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
         const sp_real dx = q[0] - p[0], dy = q[1] - p[1];
         area2 += sp__clip_turn(o, p, q);
         around += SP_SQRT(dx * dx + dy * dy);
-        c->corner[c->corners][0] = p[0];
-        c->corner[c->corners][1] = p[1];
-        c->name[c->corners++] = c->label[c->path[k]];
+        const sp__clip_corner at = { { p[0], p[1] }, c->label[c->path[k]] };
+        c->corner[c->corners++] = at;
     }
     c->loop[c->loops] = start;
     if (area2 > c->thin * around) {

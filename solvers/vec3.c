@@ -15,14 +15,13 @@ static sp_real sp__norm3(const sp_real a[3])
     const sp_real low = (sp_real)1e-140, high = (sp_real)1e140;
 #endif
     const sp_real x = sp__abs(a[0]), y = sp__abs(a[1]), z = sp__abs(a[2]), m = sp__max(x, sp__max(y, z));
-    if (!sp__finite(x + y + z)) return x + y + z;
     if (m > low && m < high) return SP_SQRT(sp__dot3(a, a));
-    if (!(m > 0)) return 0;
-    const sp_real p = x / m, q = y / m, r = z / m;
-    return m * SP_SQRT(p * p + q * q + r * r);
+    if (!(m > 0) || !sp__finite(m)) return x + y + z;
+    const sp_real s[3] = { x / m, y / m, z / m };
+    return m * SP_SQRT(sp__dot3(s, s));
 }
 
-static int sp__finite3(const sp_real a[3]) { return sp__finite(a[0]) && sp__finite(a[1]) && sp__finite(a[2]); }
+static int sp__finite3(const sp_real a[3]) { return sp__all_finite(a, 3); }
 
 /* c = a - b, c = s a, c = a x b; c may be a, in the first two also b. */
 static void sp__sub3(const sp_real a[3], const sp_real b[3], sp_real c[3])

@@ -44,9 +44,9 @@ static void box(sp__clip *c, int32_t side, double x0, double y0, double x1, doub
 static double loop_area(const sp__clip *c, int32_t l)
 {
     double a = 0;
-    const sp_real *o = c->corner[c->loop[l]];
+    const sp_real *o = c->corner[c->loop[l]].x;
     for (int32_t k = c->loop[l]; k < c->loop[l + 1]; k++) {
-        const sp_real *p = c->corner[k], *q = c->corner[k + 1 < c->loop[l + 1] ? k + 1 : c->loop[l]];
+        const sp_real *p = c->corner[k].x, *q = c->corner[k + 1 < c->loop[l + 1] ? k + 1 : c->loop[l]].x;
         a += ((double)p[0] - (double)o[0]) * ((double)q[1] - (double)o[1])
            - ((double)p[1] - (double)o[1]) * ((double)q[0] - (double)o[0]);
     }
@@ -67,8 +67,8 @@ static int simple(const sp__clip *c)
         const int32_t s = c->loop[l], n = c->loop[l + 1] - s;
         for (int32_t i = 0; i < n; i++)
             for (int32_t j = i + 1; j < n; j++) {
-                const sp_real *a = c->corner[s + i], *b = c->corner[s + (i + 1) % n];
-                const sp_real *p = c->corner[s + j], *q = c->corner[s + (j + 1) % n];
+                const sp_real *a = c->corner[s + i].x, *b = c->corner[s + (i + 1) % n].x;
+                const sp_real *p = c->corner[s + j].x, *q = c->corner[s + (j + 1) % n].x;
                 const sp_real dx = a[0] - p[0], dy = a[1] - p[1];
                 if (!(dx * dx + dy * dy > 0)) return 0;
                 if (j == i + 1 || (j + 1) % n == i) continue;
@@ -211,8 +211,8 @@ TEST(corners_keep_the_numbers_of_the_first_region)
     NEED(sp__clip_run(c, EPS, 0));
     NEED(c->corners == 4);
     for (int k = 0; k < 4; k++) {
-        const sp_real *p = c->corner[k];
-        CHECK_INT(c->name[k], p[0] > R(1.5) ? (p[1] > R(0.5) ? 2 : 1) : (p[1] > R(0.5) ? -1 : 0));
+        const sp_real *p = c->corner[k].x;
+        CHECK_INT(c->corner[k].name, p[0] > R(1.5) ? (p[1] > R(0.5) ? 2 : 1) : (p[1] > R(0.5) ? -1 : 0));
     }
 }
 

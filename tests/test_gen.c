@@ -2,6 +2,8 @@
 #include "test.h"
 #include "scenes/gen.h"
 
+#include <string.h>
+
 /* Largest distance of a contact vertex from the nearest face plane of a block, relative to the block's size: 0 when the
  * joint lies in one of the block's faces. */
 static double off_faces(const sp_scene *s, const sp_block *b, const sp_interface *j, const double n[3])
@@ -150,7 +152,11 @@ static void found_as_given(const gen_scene *g)
         const sp_mesh mesh = { k->vertices, k->faces, xyz, size, corner };
         NEED(sp_scene_block(&t, &mesh, k->density, k->fixed, NULL) == SP_OK);
     }
-    NEED(sp_contacts_find(&t, &settings, test_arena, &report) == SP_OK);
+    const sp_status status = sp_contacts_find(&t, &settings, test_arena, &report);
+#ifdef SP_EXACT_ONLY
+    if (strcmp(g->entry->name, "dome") == 0) { CHECK_INT(status, SP_E_UNSUPPORTED); return; }    /* it stands on a ring */
+#endif
+    NEED(status == SP_OK);
     CHECK_INT(report.overlaps, 0);
     found = t.interface;
     if (!CHECK_INT(report.interfaces, given) || !CHECK(report.points >= points)) CHECK_TEXT("", g->entry->name);
