@@ -587,7 +587,9 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
  *                     coupled.rounds
  *   SP_ADMM_BYTES     in SP_MEMORY_BYTES where the mask has SP_STAGE_ADMM, for a pyramid of up to 8 faces, the seed's own; of
  *                     more: SP_MEMORY_BYTES without that bit plus this. It takes the factor as full, too, which it never is:
- *                     some ten times the truth for a few stones, and more for more, where only sp_memory tells. */
+ *                     some ten times the truth for a few stones, a hundred times for twenty
+ *   SP_ADMM_CG_BYTES  to be added instead of that where the seed has ADMM use conjugate gradients, which keep no factor
+ *                     (dense_cells 0, admm.backend SP_QP_CG): near the truth */
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
     ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
      + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
@@ -619,11 +621,13 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
     ((sizeof(sp_real) + 2) * (20 * (size_t)(nodes) + 3 * (v) + 6 * (b) + 1) + (sizeof(sp_real) + 4) * (229 * (v) + 48 * (b) + 3) \
      + sizeof(sp_real) * ((3 * (v) + 6 * (b)) * (3 * (v) + 6 * (b)) + 38 * (v) + 2 * (b)) + 4 * (size_t)(nodes) + 400 * (v) + 1000)
 #define SP_ADMM_BYTES(blocks, vertices, faces) \
-    SP_PROGRAM_BYTES((size_t)(blocks), (size_t)(vertices), (size_t)(faces), \
-                     6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices))
-#define SP_PROGRAM_BYTES(b, v, k, both) \
-    ((sizeof(sp_real) + 4) * ((both) * (both) / 2 + 2 * (v) * (4 * (k) + 50)) + (15 * sizeof(sp_real) + 88) * (both) \
-     + sizeof(sp_real) * (b) + 2200)
+    (SP_ADMM_CG_BYTES(blocks, vertices, faces) \
+     + SP_FACTOR_BYTES(6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices), \
+                       (4 * (size_t)(faces) + 50) * (size_t)(vertices)))
+#define SP_FACTOR_BYTES(n, entries) ((sizeof(sp_real) + 4) * ((n) * (n) / 2 + (entries)) + 80 * (n))
+#define SP_ADMM_CG_BYTES(blocks, vertices, faces) \
+    ((sizeof(sp_real) + 4) * (4 * (size_t)(faces) + 50) * (size_t)(vertices) + sizeof(sp_real) * (size_t)(blocks) + 2200 \
+     + (15 * sizeof(sp_real) + 9) * (6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices)))
 
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later

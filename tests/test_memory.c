@@ -316,8 +316,9 @@ static void within(spread *s, const sp_scene *scene, const sp_settings *set, siz
     size_t bytes = 0;
     NEED(sp_memory(scene, set, test_arena, &bytes) == SP_OK);
     bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
-    if (!CHECK(bytes <= bound)) TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
-        (int)scene->count.interfaces, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
+    if (!CHECK(bytes <= bound))
+        TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
+                   (int)scene->count.interfaces, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
     if (scene->count.points < 4) return;
     const double ratio = (double)bound / (double)bytes;
     if (ratio < s->least || s->least <= 0) s->least = ratio;
@@ -326,10 +327,12 @@ static void within(spread *s, const sp_scene *scene, const sp_settings *set, siz
 
 TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
 {
-    enum { PYRAMID, COUPLED, PROOF, ADMM, ALL };
-    spread s[ALL] = { { "pyramids", 0, 0 }, { "coupled", 0, 0 }, { "coupled, with proofs", 0, 0 }, { "ADMM", 0, 0 } };
+    enum { PYRAMID, COUPLED, PROOF, CG, ADMM, ALL };
+    spread s[ALL] = { { "pyramids", 0, 0 }, { "coupled", 0, 0 }, { "coupled, with proofs", 0, 0 },
+                      { "ADMM without a factor", 0, 0 }, { "ADMM", 0, 0 } };
     for (int k = 0; k < 120; k++) {
-        const int32_t blocks = test_random_int(1, k % 10 ? 8 : 20), interfaces = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
+        const int32_t blocks = test_random_int(1, k % 10 ? 8 : 20);
+        const int32_t interfaces = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
         sp_scene scene;
         test_arena.used = 0;
         random_scene(&scene, blocks, interfaces);
@@ -349,8 +352,16 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
 #endif
 #if !defined SP_NO_QP && !defined SP_NO_ADMM
         set.stage[set.stage_count++] = SP_STAGE_ADMM;
-        within(&s[ADMM], &scene, &set, k % 3 == 0 || faces <= 8 ? base - plain + SP_MEMORY_BYTES(blocks, interfaces, v, ALL_STAGES
-                               | 1 << SP_STAGE_ADMM) : base + SP_ADMM_BYTES(blocks, v, faces));
+        const size_t both = SP_MEMORY_BYTES(blocks, interfaces, v, ALL_STAGES | 1 << SP_STAGE_ADMM);
+        within(&s[ADMM], &scene, &set, set.faces <= 8 ? base - plain + both : base + SP_ADMM_BYTES(blocks, v, faces));
+#ifndef SP_QP_NO_CG
+        sp_seed seed = *sp_seed_table();
+        seed.dense_cells = 0;
+        seed.admm.backend = SP_QP_CG;
+        set.seed = &seed;
+        within(&s[CG], &scene, &set, base + SP_ADMM_CG_BYTES(blocks, v, set.faces ? faces : seed.faces));
+        set.seed = NULL;
+#endif
         if (!v) {                                       /* there is no program then */
             size_t bytes = 0;
             sp_arena a = test_arena;
