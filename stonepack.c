@@ -3328,16 +3328,19 @@ typedef struct sp__flat {
     int forest;
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
     int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
-    sp_real *g;                         /* SP__FLAT_G a contact: frame and arms, see sp__flat_contact */
+    sp_real *g;                         /* SP__FLAT_G a contact: frame, see sp__flat_contact; T of a, of b, see sp__flat_weigh */
     int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
     int plain;                          /* no joint has strength */
 } sp__flat;
 
-#define SP__FLAT_G 11
-#define SP__FLOPS_FLAT_SWEEP 26         /* of fn and a slip: u 7, P_K and S about 12, sums 7; every free block of a contact adds: */
-#define SP__FLOPS_FLAT_TWIST 32         /* its twist there and back */
-#define SP__FLOPS_FLAT_HESSIAN 46       /* u 7, D about 16, q' D q 23; every free block of a contact adds: */
-#define SP__FLOPS_FLAT_BLOCKS 150       /* T, T' H T, half of what couples two */
+#define SP__FLAT_G 20
+/* Flops, planar and level: of a vertex in a sweep (u 7, P_K and S about 12, sums 7; u 10, S fn 2, sums 5); of the twist of a
+ * free block of a contact there and back; of a vertex in an assembly (u 7, D about 16, q' D q 23; u 10, D 2, q' D q 16), of a
+ * free block of a contact (H T 33, T' of it 26, half of what couples two 21). */
+#define SP__FLOPS_FLAT_SWEEP(o) ((o)->mode == SP__PLANE ? 26 : 17)
+#define SP__FLOPS_FLAT_TWIST 28
+#define SP__FLOPS_FLAT_HESSIAN(o) ((o)->mode == SP__PLANE ? 46 : 28)
+#define SP__FLOPS_FLAT_BLOCKS 80
 
 #ifndef SP_NO_PLAN
 /* Asymmetry, relative to arms, that is as good as none. */
@@ -3509,10 +3512,10 @@ static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings 
     }
 }
 
-/* Frame and arms of contact c:
- *   planar         n in the plane (2), t = m x n in the joint's tangents (2), what a turn about m adds to fn, ft of a (2), of b (2)
- *   level          t1, t2 along e0 (2), along e1 (2), what turns about e0, e1 add to fn of a (2), of b (2)
- * and the sign of n along e2; planar: the nearest face's share of friction along t and against it (2)                        */
+/* Frame of a contact:
+ *   planar         n in the plane (2), t = m x n in the joint's tangents (2), the nearest face's share of friction along t and
+ *                  against it (2)
+ *   level          t1, t2 along e0 (2), along e1 (2)                                                                         */
 static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_contact *t, sp_real *g)
 {
     const sp_interface *f = t->joint;
@@ -3524,17 +3527,11 @@ static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_c
     for (int k = 0; k < 3; k++) slip[k] = g[0] * o->e[1][k] - g[1] * o->e[0][k];
     g[2] = plane ? sp__dot3(slip, f->t1) : sp__dot3(f->t1, o->e[1]);
     g[3] = plane ? sp__dot3(slip, f->t2) : sp__dot3(f->t2, o->e[1]);
-    for (int side = 0; side < 2; side++) {
-        const sp_real x = sp__dot3(side ? t->rb : t->ra, o->e[0]), y = sp__dot3(side ? t->rb : t->ra, o->e[1]);
-        g[4 + 2 * side] = plane ? g[1] * x - g[0] * y : y;
-        g[5 + 2 * side] = plane ? g[0] * x + g[1] * y : -x;
-    }
-    g[8] = sp__dot3(n, o->e[2]) < 0 ? (sp_real)-1 : (sp_real)1;
-    g[9] = g[10] = plane && !cone->faces;
+    g[4] = g[5] = plane && !cone->faces;
     for (int32_t k = 0; plane && k < cone->faces; k++) {
         const sp_real *d = cone->direction[k], along = d[0] * g[2] + d[1] * g[3];
-        g[9] = sp__max(g[9], along);
-        g[10] = sp__max(g[10], -along);
+        g[4] = sp__max(g[4], along);
+        g[5] = sp__max(g[5], -along);
     }
 }
 
@@ -3792,6 +3789,37 @@ static sp_real sp__dual_S(const sp__dual *w, int32_t c)
     return s > 0 ? s : 1;
 }
 
+#ifndef SP_NO_PLAN
+static const sp_real *sp__flat_frame(const sp__dual *w, const sp_contact *t)
+{
+    return w->flat->g + SP__FLAT_G * (size_t)(t - w->pb->contact);
+}
+
+/* T of a block of a contact, +- that of its weighted rows: (along n, slip, turn), level (along n, two turns), at the origin of the
+ * contact, of B seen from A.
+ *   planar         [ nx ny arm0 ;  -ny nx arm1 ;  0 0 1 ]
+ *   level          [ +-1 +-arm0 +-arm1 ;  0 1 0 ;  0 0 1 ]
+ * By columns without the two zeros. */
+static void sp__flat_weigh(const sp__dual *w, const sp_contact *t, int side)
+{
+    const sp__flat *o = w->flat;
+    const int32_t i = side ? t->b : t->a;
+    sp_real *g = o->g + SP__FLAT_G * (size_t)(t - w->pb->contact), *T = g + 6 + 7 * side;
+    if (i < 0) return;
+    const sp_real sign = side ? (sp_real)1 : (sp_real)-1, up = sp__dot3(t->joint->n, o->e[2]) < 0 ? -sign : sign;
+    const sp_real x = sp__dot3(side ? t->rb : t->ra, o->e[0]), y = sp__dot3(side ? t->rb : t->ra, o->e[1]);
+    const sp_real z = w->weight[2 * (size_t)i], turn = w->weight[2 * (size_t)i + 1];
+    const int plane = o->mode == SP__PLANE;
+    T[0] = plane ? sign * z * g[0] : up * z;
+    T[1] = plane ? -sign * z * g[1] : 0;
+    T[2] = plane ? sign * z * g[1] : up * turn * y;
+    T[3] = plane ? sign * z * g[0] : sign * turn;
+    T[4] = plane ? sign * turn * (g[1] * x - g[0] * y) : -up * turn * x;
+    T[5] = plane ? sign * turn * (g[0] * x + g[1] * y) : 0;
+    T[6] = sign * turn;
+}
+#endif
+
 /* Row weights: 1 / sqrt(sum S) for forces, 1 / sqrt(2/3 sum S |r_v - c|^2) for moments: unit diagonal on average. */
 static void sp__dual_weights(sp__dual *w)
 {
@@ -3816,6 +3844,9 @@ static void sp__dual_weights(sp__dual *w)
         }
     }
     for (size_t k = 0; k < 2 * (size_t)pb->blocks; k++) w->weight[k] = w->weight[k] > 0 ? 1 / SP_SQRT(w->weight[k]) : 1;
+#ifndef SP_NO_PLAN
+    for (int32_t c = 0; c < 2 * pb->contacts && w->flat; c++) sp__flat_weigh(w, &pb->contact[c / 2], c % 2);
+#endif
 }
 
 /* Rows of held directions to zero. */
@@ -3883,56 +3914,33 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
 }
 
 #ifndef SP_NO_PLAN
-/* Motion of B seen from A at the origin of contact c: planar along n, along the slip, turn; level along n, two turns. */
+/* X = T y: motion of B seen from A at the origin of a contact. */
 static void sp__flat_there(const sp__dual *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
 {
-    const int plane = w->flat->mode == SP__PLANE;
     X[0] = X[1] = X[2] = 0;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *yi = y + 6 * (size_t)i, *arm = g + 4 + 2 * side, sign = side ? (sp_real)1 : (sp_real)-1;
-        const sp_real z = sign * w->weight[2 * (size_t)i], turn = sign * w->weight[2 * (size_t)i + 1];
-        if (plane) {
-            const sp_real x0 = z * yi[0], x1 = z * yi[1], a = turn * yi[5];
-            X[0] += g[0] * x0 + g[1] * x1 + arm[0] * a;
-            X[1] += g[0] * x1 - g[1] * x0 + arm[1] * a;
-            X[2] += a;
-        } else {
-            const sp_real a = turn * yi[3], b = turn * yi[4];
-            X[0] += g[8] * (z * yi[2] + arm[0] * a + arm[1] * b);
-            X[1] += a;
-            X[2] += b;
-        }
+        const sp_real *T = g + 6 + 7 * side, *yi = y + 6 * (size_t)i;
+        const sp_real a = yi[sp__flat_row(w->flat, 0)], b = yi[sp__flat_row(w->flat, 1)], c = yi[sp__flat_row(w->flat, 2)];
+        X[0] += T[0] * a + T[2] * b + T[4] * c;
+        X[1] += T[1] * a + T[3] * b + T[5] * c;
+        X[2] += T[6] * c;
     }
 }
 
-/* Its transpose, rows += of the forces Y that X meets. */
+/* r += T' Y: the forces Y that X meets. */
 static void sp__flat_back(const sp__dual *w, const sp_contact *t, const sp_real *g, const sp_real Y[3], sp_real *r)
 {
-    const int plane = w->flat->mode == SP__PLANE;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *arm = g + 4 + 2 * side, sign = side ? (sp_real)1 : (sp_real)-1;
-        const sp_real z = sign * w->weight[2 * (size_t)i], turn = sign * w->weight[2 * (size_t)i + 1];
+        const sp_real *T = g + 6 + 7 * side;
         sp_real *ri = r + 6 * (size_t)i;
-        if (plane) {
-            ri[0] += z * (g[0] * Y[0] - g[1] * Y[1]);
-            ri[1] += z * (g[1] * Y[0] + g[0] * Y[1]);
-            ri[5] += turn * (arm[0] * Y[0] + arm[1] * Y[1] + Y[2]);
-        } else {
-            const sp_real n = g[8] * Y[0];
-            ri[2] += z * n;
-            ri[3] += turn * (arm[0] * n + Y[1]);
-            ri[4] += turn * (arm[1] * n + Y[2]);
-        }
+        ri[sp__flat_row(w->flat, 0)] += T[0] * Y[0] + T[1] * Y[1];
+        ri[sp__flat_row(w->flat, 1)] += T[2] * Y[0] + T[3] * Y[1];
+        ri[sp__flat_row(w->flat, 2)] += T[4] * Y[0] + T[5] * Y[1] + T[6] * Y[2];
     }
-}
-
-static const sp_real *sp__flat_frame(const sp__dual *w, const sp_contact *t)
-{
-    return w->flat->g + SP__FLAT_G * (size_t)(t - w->pb->contact);
 }
 
 /* V, W of sp__dual_twist from 3 rows a block. */
@@ -4050,12 +4058,12 @@ static int sp__dual_pay(sp__dual *w, int64_t flops)
     return !w->spent;
 }
 
-/* The same for so many flops a vertex and a contact; in 3 rows a fifth of that for every free block of a contact. */
+/* The same for so many flops a vertex and a contact, these parts of SP__FLOPS_TWIST. */
 static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
 {
 #ifndef SP_NO_PLAN
-    const int32_t side = contact / (SP__FLOPS_TWIST / SP__FLOPS_FLAT_TWIST);
-    if (w->flat) return sp__dual_pay(w, vertex * w->flat->vertices + side * w->flat->sides);
+    const sp__flat *o = w->flat;
+    if (o) return sp__dual_pay(w, vertex * o->vertices + contact * SP__FLOPS_FLAT_TWIST / SP__FLOPS_TWIST * o->sides);
 #endif
     return sp__dual_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
 }
@@ -4064,7 +4072,7 @@ static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
 static int sp__dual_sweep(sp__dual *w, int32_t sweeps, int32_t twists)
 {
 #ifndef SP_NO_PLAN
-    if (w->flat && w->flat->plain) return sp__dual_count(w, sweeps * SP__FLOPS_FLAT_SWEEP, twists * SP__FLOPS_TWIST);
+    if (w->flat && w->flat->plain) return sp__dual_count(w, sweeps * SP__FLOPS_FLAT_SWEEP(w->flat), twists * SP__FLOPS_TWIST);
 #endif
     return sp__dual_count(w, sweeps * SP__FLOPS_SWEEP, twists * SP__FLOPS_TWIST);
 }
@@ -4073,7 +4081,8 @@ static int sp__dual_sweep(sp__dual *w, int32_t sweeps, int32_t twists)
 static int sp__dual_assembly(sp__dual *w, int plain)
 {
 #ifndef SP_NO_PLAN
-    if (w->flat && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN * w->flat->vertices + SP__FLOPS_FLAT_BLOCKS * w->flat->sides);
+    const sp__flat *o = w->flat;
+    if (o && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN(o) * o->vertices + SP__FLOPS_FLAT_BLOCKS * o->sides);
 #endif
     (void)plain;
     return sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
@@ -4123,7 +4132,7 @@ static sp_real sp__flat_rate(const sp__dual *w, const sp_real *g, int32_t v, con
 /* f = P_K(u) with tension at its price, D its derivative (nn, ns, ss); mu: of the yield. f or D may be NULL. */
 static void sp__flat_wedge(const sp__dual *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
 {
-    const sp_real side = u[1] < 0 ? (sp_real)-1 : (sp_real)1, s = side * u[1], k = mu / g[u[1] < 0 ? 10 : 9];
+    const sp_real side = u[1] < 0 ? (sp_real)-1 : (sp_real)1, s = side * u[1], k = mu / g[u[1] < 0 ? 5 : 4];
     const sp_real n = u[0] + k * s, x = n / (1 + k * k);
     const int inside = u[0] >= 0 && s <= k * u[0], carries = inside || n > 0;
     const sp_real soft = u[0] < 0 ? w->soft : 0, c = 1 / (1 + k * k);
@@ -4688,53 +4697,41 @@ static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real 
     H[8] = (ww[4] * x + 2 * ww[5] * y) * x + ww[8] * y * y;
 }
 
-/* T, by columns: (along n, slip, turn) at the contact's origin of the weighted rows of a block with arms g.
- *   planar         [ nx ny arm0 ;  -ny nx arm1 ;  0 0 1 ]
- *   level          [ +-1 +-arm0 +-arm1 ;  0 1 0 ;  0 0 1 ]                                                                  */
-static void sp__flat_T(const sp__dual *w, int32_t c, int side, sp_real T[9])
+/* out = H T by columns, H symmetric. */
+static void sp__flat_right(const sp_real H[9], const sp_real T[7], sp_real out[9])
 {
-    const sp_contact *t = &w->pb->contact[c];
-    const sp_real *g = w->flat->g + SP__FLAT_G * (size_t)c, *arm = g + 4 + 2 * side;
-    const sp_real *weight = w->weight + 2 * (size_t)(side ? t->b : t->a), z = weight[0], turn = weight[1];
-    const int plane = w->flat->mode == SP__PLANE;
-    for (int k = 0; k < 9; k++) T[k] = 0;
-    T[0] = plane ? z * g[0] : z * g[8];
-    T[1] = plane ? -z * g[1] : 0;
-    T[3] = plane ? z * g[1] : turn * arm[0] * g[8];
-    T[4] = plane ? z * g[0] : turn;
-    T[6] = plane ? turn * arm[0] : turn * arm[1] * g[8];
-    T[7] = plane ? turn * arm[1] : 0;
-    T[8] = turn;
+    for (int r = 0; r < 3; r++) {
+        out[r] = T[0] * H[r] + T[1] * H[3 + r];
+        out[3 + r] = T[2] * H[r] + T[3] * H[3 + r];
+        out[6 + r] = T[4] * H[r] + T[5] * H[3 + r] + T[6] * H[6 + r];
+    }
 }
 
-/* out = A' H B, all by columns; H symmetric. */
-static void sp__flat_triple(const sp_real A[9], const sp_real H[9], const sp_real B[9], sp_real out[9])
+/* Row r of T' times a column x. */
+static sp_real sp__flat_left(const sp_real T[7], int r, const sp_real x[3])
 {
-    for (int c = 0; c < 3; c++) {
-        sp_real x[3];
-        for (int r = 0; r < 3; r++) x[r] = sp__dot3(H + 3 * r, B + 3 * c);
-        for (int r = 0; r < 3; r++) out[3 * c + r] = sp__dot3(A + 3 * r, x);
-    }
+    const sp_real sum = T[2 * r] * x[0] + T[2 * r + 1] * x[1];
+    return r == 2 ? sum + T[6] * x[2] : sum;
 }
 
 /* Contact c's H into L: T' H T. */
 SP__APART static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *T[2] = { w->h + 36, w->h + 45 }, *K = w->h + 54;
+    const sp_real *T = sp__flat_frame(w, t) + 6;
+    sp_real *X = w->h + 36;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        sp__flat_T(w, c, side, T[side]);
-        sp__flat_triple(T[side], H, T[side], K);
+        sp__flat_right(H, T + 7 * side, X + 9 * side);
         sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
-        d[0] += K[0]; d[1] += K[1]; d[2] += K[2]; d[3] += K[4]; d[4] += K[5]; d[5] += K[8];
+        for (int q = 0; q < 3; q++)
+            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__flat_left(T + 7 * side, r, X + 9 * side + 3 * q);
     }
     if (w->slot[c] == INT32_MIN) return;
     const int turn = w->slot[c] < 0;
     sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
-    sp__flat_triple(T[turn], H, T[!turn], K);
-    for (int k = 0; k < 9; k++) x[k] -= K[k];
+    for (int k = 0; k < 9; k++) x[k] += sp__flat_left(T + 7 * turn, k % 3, X + 9 * !turn + k / 3 * 3);
 }
 
 /* sp__dual_assemble in 3 rows a block. */
@@ -4971,36 +4968,38 @@ SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, cons
 SP__APART static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
 {
     const sp_real *g = sp__flat_frame(w, t);
-    sp_real X[3], dX[3];
-    sp__flat_there(w, t, g, y, X);
-    sp__flat_there(w, t, g, w->d, dX);
-    sp__sub3(X, dX, X);
+    sp_real X[3] = { 0, 0, 0 }, dX[3];
+    if (sp__dual_f0(w)) {
+        sp__flat_there(w, t, g, y, X);
+        sp__flat_there(w, t, g, w->d, dX);
+        sp__sub3(X, dX, X);
+    }
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         sp_real q[2], u[2], one[2];
-        const sp_real times = sp__flat_rate(w, g, v, X, q, u), counts = sp__dual_f0(w) ? times : 0;
+        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         for (int side = 0; side < 2 && times > 0; side++) {
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
             const sp_real far = sp__flat_moment(w, t, side, v, u, one);
-            w->size[2 * (size_t)i] += counts * one[0];
-            w->size[2 * (size_t)i + 1] += counts * one[1];
-            w->r[i] = sp__max(w->r[i], far);
+            w->size[2 * (size_t)i] += times * one[0];
+            w->size[2 * (size_t)i + 1] += times * one[1];
+            w->L.t[i] = sp__max(w->L.t[i], far);
         }
     }
 }
 #endif
 
 /* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
- * correction; w->r is used up. */
+ * correction; L.t is used up. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_sweep(w, 1, 2) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
+    if (!sp__dual_sweep(w, sp__dual_f0(w), 2 * sp__dual_f0(w)) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
         w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
-        w->r[i] = 0;                                                    /* longest arm */
+        w->L.t[i] = 0;                                                  /* longest arm */
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -5012,11 +5011,11 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
         sp__dual_twist(w, t, w->d, twist[2], twist[3]);
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
-            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &w->r[i]);
+            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &w->L.t[i]);
         }
     }
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->r[i] / w->set->tol;
+        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->L.t[i] / w->set->tol;
 }
 
 /* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */
@@ -6428,6 +6427,13 @@ static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_ar
 #endif
 }
 
+/* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it */
+static int sp__newton_bonded(sp__dual *w, sp_state *state)
+{
+    sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
+    return !w->spent && sp__dual_norm(w, w->r) <= sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON) * w->load;
+}
+
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
  * the least force is all that is tried: it says what stands, and where it does not little is lost. */
 SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
@@ -6443,12 +6449,22 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     sp__dual_bilateral(w);
     if (w->spent) return SP_OK;
     sp__dual_hint(w, state);
+    int looked = 0;                                     /* w->r is of this y */
+#ifndef SP_NO_PLAN
+    looked = flat && !w->singular;
+    if (looked && sp__newton_bonded(w, state)) {
+        sp__flat_spread(flat, pb->points, state->f);
+        *claim = SP_STABLE;
+        return SP_OK;
+    }
+#endif
     sp__dual_sizes(w, w->y);
     if (!whole && w->singular) return SP_OK;
     if (w->singular) sp__newton_loose(w, &n, state);
-    if (sp__dual_metric(w)) sp__dual_bilateral(w);
+    if (sp__dual_metric(w)) { sp__dual_bilateral(w); looked = 0; }
     if (whole) sp__newton_try(w, &n, w->y, state);
-    sp__newton_look(w, &n, state);
+    if (looked) sp__newton_keep(w, &n, state);
+    else sp__newton_look(w, &n, state);
     if (whole) sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
@@ -9790,6 +9806,7 @@ SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *
         if (from->verdict != SP_STABLE) memcpy(r->dq + to, from->dq + at, 6 * sizeof *r->dq);
     }
     c->state.has_y0 |= found->state.has_y0;
+    r->omega = sp__max(r->omega, from->omega);
     sp__cost_add(&r->cost, &from->cost);
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
     for (int q = 0; q < SP_EFFECTS; q++)
@@ -9824,7 +9841,12 @@ SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__is
             memset(r->dq + 6 * (size_t)t->row[i], 0, 6 * sizeof *r->dq);
     a->used = start;                                                    /* the tables are no longer needed */
     sp_status status = sp__check_problem(scene, c, a);
-    if (!status) status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
+    const size_t mark = a->used;
+    if (!status && !sp__take(a, 1, sp__judge_need(&c->pb, &c->set))) status = SP_E_MEMORY;
+    a->used = mark;
+    r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
+    if (!status && (worst->verdict != SP_STABLE || r->omega > SP__ENOUGH * r->tol))
+        status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
     sp__cost_add(&r->cost, &c->state.cost);
     sp__cost_add(&r->by_stage[c->set.stage_count - 1], &c->state.cost);
@@ -9995,14 +10017,16 @@ static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena
 #endif
 }
 
-/* What a reduction saves, a planar one with corners in pairs. */
-static void sp__plan_flat(const sp_problem *pb, sp__mode mode, int64_t full, int64_t factor, sp__work *o)
+/* What a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
+static void sp__plan_flat(const sp_problem *pb, const sp__flat *f, int64_t full, int64_t factor, sp__work *o)
 {
-    const int64_t v = pb->points / (mode == SP__PLANE ? 2 : 1), c = pb->contacts;
-    const int64_t assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS / 2 * c, sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST / 2 * c;
-    o->less[mode] += full - SP__PLAN_STEPS * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
-    o->fewer[mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
-    o->reduced[mode]++;
+    const int plane = f->mode == SP__PLANE;
+    const int64_t v = pb->points / (1 + plane), sides = 2 * (int64_t)pb->contacts;
+    const int64_t assembly = SP__FLOPS_FLAT_HESSIAN(f) * v + SP__FLOPS_FLAT_BLOCKS * sides;
+    const int64_t sweep = SP__FLOPS_FLAT_SWEEP(f) * v + SP__FLOPS_FLAT_TWIST * sides;
+    o->less[f->mode] += full - (plane ? SP__PLAN_STEPS : 2) * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
+    o->fewer[f->mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
+    o->reduced[f->mode]++;
 }
 
 /* Adds the work of a scene as one problem. */
@@ -10025,7 +10049,7 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
     o->problems++;
     o->forests += hangs;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
-    if (sp__flat_choose(&pb, set, flat)) sp__plan_flat(&pb, flat->mode, full, w->L.flops, o);
+    if (sp__flat_choose(&pb, set, flat)) sp__plan_flat(&pb, flat, full, w->L.flops, o);
     return SP_OK;
 }
 
