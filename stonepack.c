@@ -3317,6 +3317,8 @@ static int sp__plan_stages(const sp_settings *set)
  *     in that, and u = (un, 0, 0) meets no more resistance in a cone than fn alone: |P_K(u)| = max(0, un).
  *     In the same way ft = 0 in f0 (the wrench of an edge is given, and fn alone is the shortest) and in the penalty form.
  *     It is not so with a cycle, with joints of one pair at two heights (a cycle), or with loads across: all are tested.
+ *   slick          level without joints across, mu = 0: fn along e is all the force there is, and the three rows all that is not
+ *                  zero of itself. What fn does not balance falls; only f0 is that of 6 rows, because bilateral joints hold sideways.
  *
  * A search in 3 rows keeps vectors of 6 in the axes e; of them the planar one uses 0, 1 and 5, the level one 2, 3 and 4. What it
  * finds is turned back and judged in 3 dimensions as everything is. */
@@ -3325,7 +3327,7 @@ typedef enum sp__mode { SP__PLANE, SP__PLUMB } sp__mode;
 
 typedef struct sp__flat {
     sp__mode mode;
-    int forest;
+    int forest, slick;                  /* level: a forest; no friction, no joint across the loads */
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
     int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
     sp_real *g;                         /* SP__FLAT_G a contact: frame, see sp__flat_contact; T of a, of b, see sp__flat_weigh */
@@ -4933,11 +4935,11 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
     return omega;
 }
 
-/* Is the bilateral force of the rows at hand that of the scene? Else sizes are the loads alone, which are less. */
-static int sp__dual_f0(const sp__dual *w)
+/* Are forces and motions of the rows at hand all of the scene's? Else sizes are the loads alone, which are less. */
+static int sp__dual_whole(const sp__dual *w)
 {
 #ifndef SP_NO_PLAN
-    if (w->flat && w->flat->mode == SP__PLUMB) return w->flat->forest;
+    if (w->flat && w->flat->mode == SP__PLUMB) return w->flat->forest || w->flat->slick;
 #endif
     (void)w;
     return 1;
@@ -4969,7 +4971,7 @@ SP__APART static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_r
 {
     const sp_real *g = sp__flat_frame(w, t);
     sp_real X[3] = { 0, 0, 0 }, dX[3];
-    if (sp__dual_f0(w)) {
+    if (sp__dual_whole(w)) {
         sp__flat_there(w, t, g, y, X);
         sp__flat_there(w, t, g, w->d, dX);
         sp__sub3(X, dX, X);
@@ -4994,7 +4996,7 @@ SP__APART static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_r
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_sweep(w, sp__dual_f0(w), 2 * sp__dual_f0(w)) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
+    if (!sp__dual_sweep(w, sp__dual_whole(w), 2 * sp__dual_whole(w)) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
@@ -5143,6 +5145,9 @@ SP__APART static void sp__flat_open(sp__dual *w)
         w->L.flops += 17 + 57 * below + 54 * (below * (below - 1) / 2);
     }
     w->flat->forest = w->flat->mode == SP__PLUMB && sp__flat_forest(w);
+    w->flat->slick = w->flat->mode == SP__PLUMB;
+    for (int32_t c = 0; c < pb->contacts; c++)
+        if (pb->contact[c].joint->joint.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->slick = 0;
 }
 
 /* Forces of vertices that do not count: those of their images, or none. */
@@ -5433,7 +5438,9 @@ static void sp__dual_bilateral(sp__dual *w)
 static void sp__dual_hint(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-    if (!sp__dual_f0(w)) return;
+#ifndef SP_NO_PLAN
+    if (w->flat && w->flat->mode == SP__PLUMB && !w->flat->forest) return;
+#endif
     for (size_t k = 0; k < n; k++) {
         state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
         state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
@@ -5452,6 +5459,16 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
         const sp_contact *t = &w->pb->contact[c];
         for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->unit;
     }
+}
+
+/* The hint alone. */
+SP__APART static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
+{
+    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, &arena);
+    if (!w) return SP_E_MEMORY;
+    sp__dual_bilateral(w);
+    sp__dual_hint(w, state);
+    return SP_OK;
 }
 
 /* What the seed asks of the bilateral force before it calls it forces: no tension, no friction beyond the cone. */
@@ -6442,7 +6459,7 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__dual *w = sp__dual_make(pb, set, SP__EXACT, flat, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
-    const int whole = sp__dual_f0(w);
+    const int whole = sp__dual_whole(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->limit = state->left - tail;
     state->reason = SP_REASON_BUDGET;
@@ -6541,7 +6558,7 @@ SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settin
         w = sp__dual_make(pb, set, SP__PENALTY, flat, &state->cost, arena);
         if (!w) return SP_E_MEMORY;
     }
-    if (!w || !sp__dual_f0(w)) { arena->used = start; w = NULL; }       /* level, but friction may help */
+    if (!w || !sp__dual_whole(w)) { arena->used = start; w = NULL; }       /* level, but friction may help */
 #endif
     if (!w) w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
@@ -9448,8 +9465,8 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
 }
 
 #ifndef SP_NO_PLAN
-/* The search in 3 rows, where one is planned, judged in full: in the memory of the whole search, before it. Forces by least scales
- * where the bilateral force is not known. */
+/* The search in 3 rows, where one is planned, judged in full: in the memory of the whole search, before it. Where the bilateral force
+ * is not known forces by least scales, then by those of all 6 rows. */
 SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r,
                                           int *done)
 {
@@ -9462,8 +9479,16 @@ SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_setting
     const sp_status status = sp__exact_search(pb, set, o, state, &room, &claim);
     sp__work_close(set, a, &room);
     if (status || !claim) return status;
-    const int plane = o->mode == SP__PLANE;
-    if (sp__check_claim(pb, set, plane || o->forest ? INT32_MAX : 0, claim, state, a, r)) return SP_E_MEMORY;
+    const int plane = o->mode == SP__PLANE, known = plane || o->forest;
+    sp_status judged = SP_OK;
+    r->verdict = SP_UNDECIDED;
+    if (known || claim == SP_STABLE) judged = sp__check_claim(pb, set, known ? INT32_MAX : 0, claim, state, a, r);
+    if (!known && !judged && r->verdict == SP_UNDECIDED) {
+        room = sp__work_open(set, a);
+        judged = sp__bilateral_hint(pb, set, state, room);
+        if (!judged) judged = sp__check_claim(pb, set, INT32_MAX, claim, state, a, r);
+    }
+    if (judged) return judged;
     *done = r->verdict != SP_UNDECIDED;
     if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
     r->verified = 1;

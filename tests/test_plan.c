@@ -423,6 +423,27 @@ TEST(a_forest_of_level_joints_falls_by_pressure_alone_and_nothing_else_does)
     }
 }
 
+/* Piers under slabs have cycles: what pressure does not hold friction may. Where there is none nothing may, and both answers are
+ * told, without a search in 6 rows; the same as its. */
+TEST(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings)
+{
+    int32_t told[3] = { 0, 0, 0 };
+    for (int k = 14; k < 600; k += KINDS) {
+        sp_scene s;
+        sp_settings set;
+        test_arena.used = 0;
+        NEED(kinds_make(k, &test_arena, &s, &set) == SP_OK);
+        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].joint.mu = 0;
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), all = full(&s, &set, &a);
+        CHECK(r.verdict == all.verdict || (OPEN && !all.verdict));
+        if (sizeof(sp_real) == 8 && r.stage == SP_STAGE_EXACT && r.islands < 2) CHECK_INT(r.effect[SP_EFFECT_FRICTION], SP_WHY_PRESSURE);
+        CHECK(r.final || !all.final);
+        told[r.verdict]++;
+    }
+    CHECK(told[SP_STABLE] > 5 && told[SP_UNSTABLE] > 5);
+}
+
 TEST(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
 {
     static const struct { const char *name, *param; double value; } scene[] = {
@@ -680,6 +701,7 @@ TEST_LIST(plan)
     RUN(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
     RUN(planned_and_full_simulation_agree_on_three_hundred_random_scenes)
     RUN(a_forest_of_level_joints_falls_by_pressure_alone_and_nothing_else_does)
+    RUN(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
     RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
 #ifndef SP_NO_CRA
