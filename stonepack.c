@@ -7355,9 +7355,21 @@ static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
     return dry.used > check ? dry.used : check;
 }
 
-/* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. */
+typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
+
+/* fn and dq of the programme's point. */
+static void sp__branch_point(const sp__branch *s, const sp__triple *t)
+{
+    memset(t->f, 0, 3 * (size_t)s->pb->points * sizeof *t->f);
+    memset(t->alpha, 0, (size_t)s->pb->points * sizeof *t->alpha);
+    for (int32_t v = 0; v < s->points; v++) t->f[3 * (size_t)s->at[v]] = s->lp.x[3 * v] * s->size[v] * s->j->unit;
+    for (int32_t r = 0; r < 6 * s->pb->blocks; r++) t->dq[r] = s->k.L * s->lp.x[3 * s->points + r] / (r % 6 < 3 ? 1 : s->arm[r / 6]);
+}
+
+/* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL): gets
+ * the point, if there is one; it is a triple where mu = 0. */
 SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
-                                             int64_t left, sp_arena *a, sp_coupled *out)
+                                             int64_t left, const sp__triple *t, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;
     int32_t entries;
@@ -7376,6 +7388,7 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
     s->entries = entries;
     sp__branch_make(s);
     const sp__outcome outcome = sp__branch_run(s, left - out->cost.flops);
+    if (t && outcome == SP__OUT_POINT) sp__branch_point(s, t);
     out->cost.flops += s->lp.flops + (outcome == SP__OUT_REFUTED ? sp__branch_check(s) : 0);
     a->used = mark;
     if (outcome == SP__OUT_REFUTED) out->margin = sp__judge_refuted(j, k, &out->proof, a);
@@ -7389,6 +7402,7 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
     out->reason = outcome == SP__OUT_POINT ? SP_COUPLING_LIMIT : SP_COUPLING_BUDGET;
     return SP_OK;
 }
+
 #endif /* SP_NO_CRA */
 
 /* 24 ------------------------------------------------------------------------------------------------------- coupled check */
@@ -7406,7 +7420,6 @@ SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_sett
  *
  * by Newton steps on the block matrix of the dual; lam <- fn, cap <- mu fn. Where forces and slips then agree, the motion is
  * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
-typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
 
 typedef struct sp__cra {
     const sp_problem *pb;
@@ -8752,11 +8765,36 @@ static void sp__cra_spread(const sp__cra *c)
     memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
 }
 
+/* The triple on offer is verified: into the result. */
+static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *omega)
+{
+    c->out->verdict = SP_COUPLING_COUPLED;
+    c->out->reason = SP_COUPLING_MOTION;
+    memcpy(state->f, c->t.f, (size_t)c->pb->points * 3 * sizeof *c->t.f);
+    *omega = c->omega;
+}
+
+/* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
+ * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
+ * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
+SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
+{
+    int slick = 1;
+    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
+    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
+    if (status || !slick || c->out->reason != SP_COUPLING_LIMIT) return status;
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->out->cost.flops += 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points;
+    c->out->residual = c->residual;
+    if (c->omega <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, omega);
+    return SP_OK;
+}
+
 /* Is there a triple, by search unless one is found?     returns 1: it is in the result, -1: no memory */
 SP__APART static int sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
 {
-    const sp_problem *pb = c->pb;
-    const size_t turns = a->used, more = sp__alt_need(pb, c->set, *a);
+    const size_t turns = a->used, more = sp__alt_need(c->pb, c->set, *a);
     if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return -1;
     a->used = turns;
     if (!found) {
@@ -8764,12 +8802,8 @@ SP__APART static int sp__coupled_search(sp__cra *c, int found, sp_state *state, 
         found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
     }
     c->out->residual = c->residual;
-    if (found > 0) {
-        c->out->verdict = SP_COUPLING_COUPLED;
-        c->out->reason = SP_COUPLING_MOTION;
-        memcpy(state->f, c->t.f, (size_t)pb->points * 3 * sizeof *c->t.f);
-        *omega = c->omega;
-    } else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
+    if (found > 0) sp__cra_found(c, state, omega);
+    else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
     return found;
 }
 
@@ -8808,8 +8842,7 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
         if (sp__coupled_search(c, found, state, omega, a) < 0) return SP_E_MEMORY;
         const int spent = c->w->spent && search == state->left;
         a->used = mark;
-        if (out->verdict == SP_COUPLING_NOT_FOUND && !spent)
-            status = sp__branch_decide(pb, set, &c->j, &c->k, state->left, a, out);
+        if (out->verdict == SP_COUPLING_NOT_FOUND && !spent) status = sp__coupled_decide(c, state, omega, a);
     }
     if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
         const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;

@@ -645,6 +645,34 @@ TEST(a_coupled_check_agrees_with_its_search_on_random_scenes)
     CHECK(told > 20);
 }
 
+/* mu = 0, rings or not: the least sum of fn and its multipliers tell either way what a search leaves open. */
+TEST(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
+{
+    int told = 0, refuted = 0;
+    for (int k = 0; k < 100; k++) {
+        sp_settings set = sp_settings_default(), own;
+        sp_scene s;
+        test_arena.used = 0;
+        if (k % 3) NEED(kinds_make(14 + KINDS * k, &test_arena, &s, &own) == SP_OK);
+        else s = part("keystone", "angle", 0.3 * k - 35, 0);
+        if (s.count.points > SP_EXACT_POINTS) continue;
+        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].joint.mu = 0;
+        set.localise = 0;
+        set.coupled.asked = 1;
+        set.coupled.box = k % 4 == 1;
+        set.coupled.eta = k % 5 > 2 ? R(k % 5 == 4 ? 2e-4 : 3e-6) : 0;
+        set.coupled.eps = k % 5 > 2 ? R(1e-4) : -1;
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), all = with_search(&s, set, &a);
+        CHECK_INT(r.verdict, all.verdict);
+        if (sizeof(sp_real) == 8) CHECK(r.verdict != SP_UNDECIDED);
+        refuted += r.coupled.reason == SP_COUPLING_NO_MOTION;
+        told += r.level == SP_COUPLED;
+        if (r.level == SP_COUPLED) for (int32_t v = 0; v < s.count.points; v++) CHECK(r.coupled.alpha[v] <= 0);
+    }
+    if (TELLS) CHECK(told > 20 && refuted > 8);
+}
+
 /* Rings are no forests: their answers are the search's, whatever they are. */
 TEST(a_ring_is_never_told_without_a_search)
 {
@@ -708,6 +736,7 @@ TEST_LIST(plan)
     RUN(what_hangs_on_its_supports_as_a_forest_is_coupled_without_a_search)
     RUN(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
     RUN(a_coupled_check_agrees_with_its_search_on_random_scenes)
+    RUN(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
     RUN(a_ring_is_never_told_without_a_search)
 #endif
     RUN(a_plan_with_unusable_arguments_is_refused)
