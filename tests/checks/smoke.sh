@@ -53,6 +53,13 @@ bundled() {                                             # the scenes of this fol
         if [ "$(wc -c < "$b")" -gt 20000 ]; then echo "larger than 20 kB: $b"; return 1; fi
     done
 }
+each_way() {                                            # each_way EFFECT PLAN STATUS TEXT: forced on; left out: plan, status, words
+    says "\"$1\": *{\"on\": *true, *\"why\": *\"the caller" "$cli" check --json --effects "+$1" "$tmp/scene.obj" &&
+    says "^$1 *on .* the caller" "$cli" plan --effects "+$1" "$tmp/scene.obj" &&
+    says "^$1 *$2" "$cli" plan --effects "-$1" "$tmp/scene.obj" &&
+    says "$4" "$cli" check --effects "-$1" "$tmp/scene.obj" &&
+    exits "$3" "$cli" check --json --effects "-$1" "$tmp/scene.obj" > "$tmp/said"
+}
 named() {                                               # a scene by hand: names are kept, contacts found, both ways
     hand=$here/../scenes/trilithon.obj
     says '"a": *"right-post", *"b": *"lintel"' "$cli" check --json "$hand" &&
@@ -190,6 +197,13 @@ part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
+part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
+part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'
+part "effects: depth, each way"     each_way depth 'off .* mirror' 0 ': STABLE'
+part "effects: together, each way"  each_way together 'on .* calls for' 0 ': STABLE'
+part "effects: two at once"         says '^together *on .* the caller' "$cli" plan --effects -depth,+together "$tmp/scene.obj"
+part "effects: depth, called for"   sh -c "'$cli' gen dome | '$cli' check --effects -depth - | grep -q '^  left out  *depth$'"
+part "effects: no such one: 64"     exits 64 "$cli" check --effects +loads "$tmp/scene.obj"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
