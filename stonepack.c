@@ -3283,12 +3283,12 @@ static void sp__join(int32_t *up, int32_t i, int32_t k)
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 
 /* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
- * budget and no fewer iterations than usual, because what they buy is then told of the stages as they are. */
+ * fewer iterations than usual, because what they buy is then told of the stages as they are. */
 static int sp__plan_stages(const sp_settings *set)
 {
     int exact = 0;
     if (!set) return 1;
-    if (set->seed || set->budget > 0 || set->iterations < SP__ITERATIONS || set->stage_count > SP_STAGES_MAX) return 0;
+    if (set->seed || set->iterations < SP__ITERATIONS || set->stage_count > SP_STAGES_MAX) return 0;
     for (int32_t k = 0; k < set->stage_count; k++) {
         if (set->stage[k] == SP_STAGE_CUSTOM || set->stage[k] == SP_STAGE_ADMM) return 0;
         exact |= set->stage[k] == SP_STAGE_EXACT;
@@ -3333,6 +3333,7 @@ typedef struct sp__flat {
     sp_real *g;                         /* SP__FLAT_G a contact: frame, see sp__flat_contact; T of a, of b, see sp__flat_weigh */
     int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
     int plain;                          /* no joint has strength */
+    int spent;                          /* the budget ended its search */
 } sp__flat;
 
 #define SP__FLAT_G 20
@@ -6463,8 +6464,10 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->limit = state->left - tail;
     state->reason = SP_REASON_BUDGET;
+    if (flat) flat->spent = 1;
     sp__dual_bilateral(w);
     if (w->spent) return SP_OK;
+    if (flat) flat->spent = 0;
     sp__dual_hint(w, state);
     int looked = 0;                                     /* w->r is of this y */
 #ifndef SP_NO_PLAN
@@ -6504,7 +6507,11 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
 #ifndef SP_NO_PLAN
-    if (flat) { sp__flat_lift(w, state->dq); sp__flat_spread(flat, pb->points, state->f); }
+    if (flat) {
+        sp__flat_lift(w, state->dq);
+        sp__flat_spread(flat, pb->points, state->f);
+        flat->spent = spent;
+    }
 #endif
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
@@ -8872,10 +8879,10 @@ typedef struct sp__islands {
     int32_t *next, *link, *hook;        /* the next block, interface, load of the same island, -1: none */
 } sp__islands;
 
-/* May islands be solved apart? */
+/* May islands be solved apart? Not on a budget, which the first of them might spend. */
 static int sp__islands_apart(const sp_settings *set)
 {
-    return sp__plan_stages(set) && (!set || set->effect[SP_EFFECT_TOGETHER] != SP_WITH);
+    return sp__plan_stages(set) && (!set || (set->effect[SP_EFFECT_TOGETHER] != SP_WITH && set->budget <= 0));
 }
 
 /* up: root of each free block's island.                                                      returns how many there are */
@@ -9498,50 +9505,54 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
 }
 
 #ifndef SP_NO_PLAN
-/* The search in 3 rows, where one is planned, judged in full: in the memory of the whole search, before it. Where the bilateral force
- * is not known forces by least scales, then by those of all 6 rows. */
-SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r,
-                                          int *done)
+/* What a search in 3 rows claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by
+ * those of 6 rows, unless there is a budget. What a budget ended is judged, too. */
+SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, int known, int64_t left, sp_verdict claim,
+                                          sp_state *state, sp_arena *a, sp_result *r)
 {
-    sp_verdict claim = SP_UNDECIDED;
-    sp_arena room = sp__work_open(set, a);
-    sp__flat *o = sp__take(&room, 1, sizeof *o);
-    if (!o) return SP_E_MEMORY;
-    if (!sp__flat_choose(pb, set, o)) return SP_OK;
-    state->left = INT64_MAX / 4;
-    const sp_status status = sp__exact_search(pb, set, o, state, &room, &claim);
-    sp__work_close(set, a, &room);
-    if (status || !claim) return status;
-    const int plane = o->mode == SP__PLANE, known = plane || o->forest;
-    sp_status judged = SP_OK;
-    r->verdict = SP_UNDECIDED;
-    if (known || claim == SP_STABLE) judged = sp__check_claim(pb, set, known ? INT32_MAX : 0, claim, state, a, r);
-    if (!known && !judged && r->verdict == SP_UNDECIDED) {
-        room = sp__work_open(set, a);
-        judged = sp__bilateral_hint(pb, set, state, room);
-        if (!judged) judged = sp__check_claim(pb, set, INT32_MAX, claim, state, a, r);
-    }
-    if (judged) return judged;
-    *done = r->verdict != SP_UNDECIDED;
-    if (!*done) { r->final = 0; r->least_imbalance = 0; return SP_OK; }
-    r->verified = 1;
-    r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
-    r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
-    return SP_OK;
+    const int32_t most = known ? sp__budget_sweeps(set, pb, left - state->cost.flops) : 0;
+    sp_status status = SP_OK;
+    if (known) return sp__check_claim(pb, set, most, claim, state, a, r);
+    if (claim != SP_UNSTABLE) status = sp__check_claim(pb, set, 0, SP_STABLE, state, a, r);
+    if (status || r->verdict == SP_STABLE || !claim || set->budget > 0) return status;
+    status = sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
+    return status ? status : sp__check_claim(pb, set, INT32_MAX, claim, state, a, r);
 }
 
-/* The reduction that is planned: what is planar is not tried without friction. Where the third dimension is left out by force
- * nothing comes after. */
+/* The search in 3 rows, where one is planned, in the memory of the whole search, before it. What is planar is not tried without
+ * friction. Where the third dimension is left out by force nothing comes after. */
 SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                              sp_arena *a, sp_result *r, int *done)
 {
+    const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    sp_verdict claim = SP_UNDECIDED;
+    sp_status status = SP_OK;
+    sp_arena room = sp__work_open(set, a);
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (!o) return SP_E_MEMORY;
     memset(&state->cost, 0, sizeof state->cost);
-    const sp_status status = sp__check_flat(pb, set, state, a, r, done);
-    if (!*done && set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
+    const int planned = sp__flat_choose(pb, set, o), plane = o->mode == SP__PLANE;
+    if (planned && left >= judge) {
+        state->left = left - judge;
+        status = sp__exact_search(pb, set, o, state, &room, &claim);
+        const int spent = o->spent, known = plane || o->forest;
+        sp__work_close(set, a, &room);
+        r->verdict = SP_UNDECIDED;
+        if (!status && (claim || spent)) status = sp__check_flat(pb, set, known, left, claim, state, a, r);
+        if (r->verdict == SP_UNDECIDED) r->final = 0;
+        if (r->verdict == SP_UNDECIDED && !spent) r->least_imbalance = 0;
+        *done = spent || r->verdict != SP_UNDECIDED;
+    }
+    if (*done && r->verdict != SP_UNDECIDED) {
+        r->verified = 1;
+        r->stage = set->stage[k];
+        r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
+        r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    } else if (*done) r->reason = SP_REASON_BUDGET;
+    else if (set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
         r->reason = SP_REASON_EFFECT;
         r->missing = SP_EFFECT_DEPTH;
     }
-    if (*done) r->stage = set->stage[k];
     sp__cost_add(&r->by_stage[k], &state->cost);
     sp__cost_add(&r->cost, &state->cost);
     return status;
@@ -9784,7 +9795,7 @@ static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, in
 {
     const sp_choice choice = effect < SP_EFFECTS_FORCED ? set->effect[effect] : SP_PLANNED;
     if (choice == SP_WITH) return SP_WHY_ASKED;
-    if (effect == SP_EFFECT_TOGETHER && !sp__plan_stages(set)) return SP_WHY_STAGES;
+    if (effect == SP_EFFECT_TOGETHER && (set->budget > 0 || !sp__plan_stages(set))) return SP_WHY_STAGES;
     if (effect == SP_EFFECT_TOGETHER) return present ? SP_WHY_CALLED : SP_WHY_APART;
     if (choice == SP_WITHOUT) return SP_WHY_LEFT_OUT;
     if (effect < SP_EFFECTS_FORCED && present && !sp__plan_stages(set)) return SP_WHY_STAGES;

@@ -426,7 +426,7 @@ typedef struct sp_settings {
     int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
                                    where not coupled, joined with a motion                                             1 */
     int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
-    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Nothing is left out by plan then. The result
+    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
                                    is the best evidence so far: a larger budget decides what a smaller one did, and its omega
                                    is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
                                    at most). A custom stage heeds state.left by itself                        0 */

@@ -23,7 +23,7 @@ static const budget_case cases[] = {
 static sp_settings settings_of(const budget_case *c)
 {
     sp_settings set = sp_settings_default();
-    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;        /* on a budget nothing is left out by plan */
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;
     set.faces = c->faces;
     set.stage_count = 1;
     for (const char *s = c->stages; *s; s++)
@@ -55,10 +55,11 @@ static int64_t stages_flops(const sp_result *r)
 
 /* One scene over budgets from nothing to more than enough, in steps that share no pattern with the work. More of it never finds
  * a larger imbalance; what it is relative to is summed in as many sweeps as fit, hence the last digits. */
-static void sweep(const budget_case *c, int steps)
+static void sweep(const budget_case *c, int steps, sp_choice choice)
 {
     sp_scene s;
     sp_settings set = settings_of(c);
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = choice;
     test_arena.used = 0;
     NEED(scene_of(c, &s));
     const sp_result all = check(&s, &set);
@@ -92,14 +93,37 @@ static void sweep(const budget_case *c, int steps)
 
 TEST(no_check_costs_more_than_its_budget_and_more_of_it_never_proves_less)
 {
-    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) sweep(&cases[k], 16);
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) sweep(&cases[k], 16, SP_WITH);
+}
+
+/* The plan is followed on a budget: in the plane, by pressure alone, and where that is tried in vain. */
+TEST(a_plan_keeps_to_a_budget_and_decides_with_less_of_it)
+{
+    static const budget_case level[] = { { "dome", "tilt", 0, 0, "x" }, { "diamond", "rows", 4, 0, "x" }, { "diamond", "rows", 5, 0, "x" },
+        { "overhang", "factor", 1.1, 0, "x" }, { "tower", "n", 12, 0, "lx" } };
+    int less = 0;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) sweep(&cases[k], 16, SP_PLANNED);
+    for (size_t k = 0; k < sizeof level / sizeof level[0]; k++) sweep(&level[k], 16, SP_PLANNED);
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        sp_scene s;
+        sp_settings set = settings_of(&cases[k]), planned = set;
+        test_arena.used = 0;
+        NEED(scene_of(&cases[k], &s));
+        const sp_result all = check(&s, &set);
+        for (int q = 0; q < SP_EFFECTS_FORCED; q++) planned.effect[q] = SP_PLANNED;
+        planned.budget = set.budget = all.cost.flops / 2;
+        const sp_result r = check(&s, &planned);
+        CHECK(!r.verdict || !all.verdict || r.verdict == all.verdict);
+        less += r.verdict && !check(&s, &set).verdict;
+    }
+    if (sizeof(sp_real) == 8) CHECK(less > 2);
 }
 
 /* Rounds of projections lessen the imbalance of the whole, not of the worst block: the best of them counts. */
 TEST(more_rounds_of_projections_never_balance_less)
 {
     static const budget_case polished[] = { { "arch", "t", 0.14, 0, "lpx" }, { "keystone", "mu", 0.85, 0, "p" } };
-    for (size_t k = 0; k < sizeof polished / sizeof polished[0]; k++) sweep(&polished[k], 300);
+    for (size_t k = 0; k < sizeof polished / sizeof polished[0]; k++) sweep(&polished[k], 300, SP_WITH);
 }
 
 /* No budget is too small to answer, and none is so small that the answer is a verdict nobody paid for. */
@@ -205,6 +229,7 @@ TEST(memory_on_a_budget_is_exact)
 
 TEST_LIST(budget)
     RUN(no_check_costs_more_than_its_budget_and_more_of_it_never_proves_less)
+    RUN(a_plan_keeps_to_a_budget_and_decides_with_less_of_it)
     RUN(more_rounds_of_projections_never_balance_less)
     RUN(a_budget_of_next_to_nothing_is_no_verdict)
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
