@@ -5462,6 +5462,7 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
     }
 }
 
+#ifndef SP_NO_PLAN
 /* The hint alone. */
 SP__APART static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
 {
@@ -5471,6 +5472,7 @@ SP__APART static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_set
     sp__dual_hint(w, state);
     return SP_OK;
 }
+#endif
 
 /* What the seed asks of the bilateral force before it calls it forces: no tension, no friction beyond the cone. */
 typedef struct sp__gate { int tension, friction; } sp__gate;
@@ -6445,12 +6447,14 @@ static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_ar
 #endif
 }
 
+#ifndef SP_NO_PLAN
 /* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it */
 static int sp__newton_bonded(sp__dual *w, sp_state *state)
 {
     sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
     return !w->spent && sp__dual_norm(w, w->r) <= sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON) * w->load;
 }
+#endif
 
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
  * the least force is all that is tried: it says what stands, and where it does not little is lost. */
@@ -6460,6 +6464,10 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__dual *w = sp__dual_make(pb, set, SP__EXACT, flat, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
+#ifndef SP_NO_IPM
+    w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
+    if (!w->inner->x) return SP_E_MEMORY;
+#endif
     const int whole = sp__dual_whole(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->limit = state->left - tail;
@@ -6488,8 +6496,6 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
     if (whole) sp__newton_plain(w, &n, state);
     sp__newton_finish(w, &n, state);
 #ifndef SP_NO_IPM
-    w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
-    if (!w->inner->x) return SP_E_MEMORY;
     const int cones = !sp__scene_strong(pb->scene);         /* with strength K is none */
     if (sp__newton_open(&n) && whole && cones) sp__ipm_run(w, w->inner, &n, state);
 #endif
