@@ -9511,49 +9511,71 @@ SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settin
 }
 
 #ifndef SP_NO_PLAN
-/* What a search in 3 rows claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by
- * those of 6 rows, unless there is a budget. What a budget ended is judged, too. */
-SP__APART static sp_status sp__check_flat(const sp_problem *pb, const sp_settings *set, int known, int64_t left, sp_verdict claim,
-                                          sp_state *state, sp_arena *a, sp_result *r)
-{
-    const int32_t most = known ? sp__budget_sweeps(set, pb, left - state->cost.flops) : 0;
-    sp_status status = SP_OK;
-    if (known) return sp__check_claim(pb, set, most, claim, state, a, r);
-    if (claim != SP_UNSTABLE) status = sp__check_claim(pb, set, 0, SP_STABLE, state, a, r);
-    if (status || r->verdict == SP_STABLE || !claim || set->budget > 0) return status;
-    status = sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
-    return status ? status : sp__check_claim(pb, set, INT32_MAX, claim, state, a, r);
-}
+/* What a search in 3 rows came to. */
+typedef struct sp__sought {
+    sp_verdict claim;
+    int plane, known;                   /* in the plane; its bilateral force is the scene's */
+    int spent;                          /* the budget ended it */
+} sp__sought;
 
-/* The search in 3 rows, where one is planned, in the memory of the whole search, before it. What is planar is not tried without
- * friction. Where the third dimension is left out by force nothing comes after. */
-SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
-                                             sp_arena *a, sp_result *r, int *done)
+/* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
+SP__APART static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
+                                            sp_arena *a, sp__sought *s)
 {
-    const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
-    sp_verdict claim = SP_UNDECIDED;
-    sp_status status = SP_OK;
     sp_arena room = sp__work_open(set, a);
     sp__flat *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
+    state->left = sp__budget_left(set, r) - 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    if (state->left < 0 || !sp__flat_choose(pb, set, o)) return SP_OK;
+    const sp_status status = sp__exact_search(pb, set, o, state, &room, &s->claim);
+    s->plane = o->mode == SP__PLANE;
+    s->known = s->plane || o->forest;
+    s->spent = o->spent;
+    sp__work_close(set, a, &room);
+    return status;
+}
+
+/* f0 by all 6 rows. */
+SP__APART static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
+{
+    return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
+}
+
+/* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
+ * unless there is a budget. What a budget ended is judged, too. */
+SP__APART static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__sought *s, sp_state *state,
+                                            sp_arena *a, sp_result *r)
+{
+    const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
+    if (s->known) return sp__check_claim(pb, set, most, s->claim, state, a, r);
+    if (s->claim != SP_UNSTABLE) {
+        const sp_status status = sp__check_claim(pb, set, 0, SP_STABLE, state, a, r);
+        if (status || r->verdict == SP_STABLE || !s->claim) return status;
+    }
+    if (set->budget > 0) return SP_OK;
+    const sp_status status = sp__check_hint(pb, set, state, a);
+    return status ? status : sp__check_claim(pb, set, INT32_MAX, s->claim, state, a, r);
+}
+
+/* What is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
+SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+                                             sp_arena *a, sp_result *r, int *done)
+{
+    sp__sought s = { SP_UNDECIDED, 0, 0, 0 };
     memset(&state->cost, 0, sizeof state->cost);
-    const int planned = sp__flat_choose(pb, set, o), plane = o->mode == SP__PLANE;
-    if (planned && left >= judge) {
-        state->left = left - judge;
-        status = sp__exact_search(pb, set, o, state, &room, &claim);
-        const int spent = o->spent, known = plane || o->forest;
-        sp__work_close(set, a, &room);
+    sp_status status = sp__check_search(pb, set, r, state, a, &s);
+    if (!status && (s.claim || s.spent)) {
         r->verdict = SP_UNDECIDED;
-        if (!status && (claim || spent)) status = sp__check_flat(pb, set, known, left, claim, state, a, r);
+        status = sp__check_sought(pb, set, &s, state, a, r);
         if (r->verdict == SP_UNDECIDED) r->final = 0;
-        if (r->verdict == SP_UNDECIDED && !spent) r->least_imbalance = 0;
-        *done = spent || r->verdict != SP_UNDECIDED;
+        if (r->verdict == SP_UNDECIDED && !s.spent) r->least_imbalance = 0;
+        *done = s.spent || r->verdict != SP_UNDECIDED;
     }
     if (*done && r->verdict != SP_UNDECIDED) {
         r->verified = 1;
         r->stage = set->stage[k];
         r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
-        r->effect[plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+        r->effect[s.plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = s.plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
     } else if (*done) r->reason = SP_REASON_BUDGET;
     else if (set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
         r->reason = SP_REASON_EFFECT;
