@@ -94,6 +94,7 @@ i686.qemu     =
 limit = 8000
 soft  = 800
 rv64gc.limit          = 32000
+m4f-float.limit       = 99000
 m3.limit              = $(soft)
 rv32imac.limit        = $(soft)
 m4f-double.limit      = $(soft)
