@@ -5230,12 +5230,14 @@ static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp_
 #define SP__DEEP ((sp_real)1e-4)        /* so far down the path proofs are tried even while the imbalance falls */
 #define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
 #define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
+#define SP__GAIN ((sp_real)0.9)         /* a round of balancing that leaves no less is the last: factors have few digits */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
 #define SP__PROX ((sp_real)1e-15)
 #define SP__DEEP SP__SHIFT
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
+#define SP__GAIN ((sp_real)0.5)
 #endif
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 #define SP__IPM_MOST 60                 /* interior-point iterations */
@@ -6262,7 +6264,8 @@ static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_r
     sp__cone_project(&w->cone, yield, g, g);
 }
 
-/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). Then r = Aeq g + p of
+/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). m NULL: D = S DP_K and
+ * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
  * hide small ones. */
 SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
@@ -6284,8 +6287,12 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
             const sp_real times = sp__dual_counts(w, v);
             if (!(times > 0)) continue;
             sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
-            sp__ipm_derivative(w, c, v, u, D, g);
-            if (first) sp__scale3(1 / m->tau, g, f);
+            if (m) sp__ipm_derivative(w, c, v, u, D, g);
+            else {
+                sp__dual_force(w, c, yield, u, g);
+                if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist, u, D)) memset(D, 0, 6 * sizeof *D);
+            }
+            if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
             sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, f);
             sp__dual_rate(w, twist + 12, twist + 15, pb->local[v], u);
@@ -6300,8 +6307,8 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
     sp__dual_release(w, w->r);
 }
 
-/* Does the least change of x that balances leave the forces admissible? What is not is projected and the rest balanced again
- * while that gains. Then state->f holds them. */
+/* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
+ * and the rest balanced again while that gains. Then state->f holds them. */
 SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -6316,7 +6323,8 @@ SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *
         w->bears = NULL;
         if (w->spent) return;
         n->omega = sp__dual_omega(w, w->r);
-        if (it == 60 || (n->omega > last / 2 && now > strict / 2 && (last > n->goal || now >= strict || !more--))) break;
+        const int slow = n->omega > SP__GAIN * last && now > SP__GAIN * strict;
+        if (it == 60 || (slow && (last > n->goal || now >= strict || !more--))) break;
         last = n->omega;
         strict = now;
         memcpy(state->dq, w->d, size * sizeof *w->d);
@@ -6503,6 +6511,14 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
         sp__newton_path(w, &n, state);
         sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, &n, state);
+#ifndef SP_NO_IPM
+        if (sp__newton_open(&n) && cones && sp__newton_left(w, &n)) {      /* as near as y goes; on in forces */
+            memcpy(w->y, state->y, 6 * (size_t)pb->blocks * sizeof *w->y);
+            sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+            n.left--;
+            sp__ipm_forces(w, NULL, &n, state);
+        }
+#endif
     }
     const int spent = w->spent;
     w->limit = state->left;

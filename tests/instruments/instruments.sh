@@ -2,7 +2,7 @@
 # instruments: the battery of hard scenes and the corpus in another arithmetic.      instruments.sh NAME
 #
 #     plain     double as it is; the truth of the corpus for the others
-#     float     24 bits: no wrong verdict on hard scenes outside its band, the corpus as double has it
+#     float     24 bits at tol 1e-5: hard scenes outside its band and the corpus as double has them
 #     mixed     factors in float, refined in double: what double says, with the planar search and without
 #     quad      113 bits; prints of each scene verdict, omega, how far double's largest force is off, time
 #     rounding  up, down, towards zero
@@ -40,10 +40,10 @@ run() {                                                 # run PROGRAM TO WORDS..
     $out/"$ru" "$@" > $out/"$to".txt || { grep -E 'WRONG|OPEN' $out/"$to".txt; echo "$to: wrong or missing, or stopped"; return 1; }
 }
 # The same verdicts as plain double, but where a row says it is open; a verdict against another is wrong everywhere.
-same() {                                                # same TO [may-open]
-    awk -F'|' -v may="${2:-}" '{ gsub(/ /, "", $2); gsub(/ /, "", $3) }
+same() {                                                # same TO
+    awk -F'|' '{ gsub(/ /, "", $2); gsub(/ /, "", $3) }
         NR == FNR { verdict[$1] = $2; open[$1] = $3 == "open"; next }
-        $2 != verdict[$1] && $3 != "open" && !open[$1] && !(may && ($2 == "undecided" || verdict[$1] == "undecided")) { print FILENAME ": " $0; bad = 1 }
+        $2 != verdict[$1] && $3 != "open" && !open[$1] { print FILENAME ": " $0; bad = 1 }
         END { exit bad }' $out/plain.txt $out/"$1".txt
 }
 # Checked are the forces that come out (battery_shadow), not all that is stored on the way: a residual is all rounding.
@@ -86,7 +86,7 @@ table() {                                               # table PLAIN QUAD: ever
 
 case $name in
 plain) plain; cat $out/plain.txt ;;
-float) plain; build float -O2 -DSP_REAL_FLOAT; run float float; same float may-open ;;
+float) plain; build float -O2 -DSP_REAL_FLOAT; run float float; same float ;;
 mixed)
     plain; build mixed -O2 -DSP_REAL_MIXED; run mixed mixed; same mixed
     build mixed -O2 -DSP_REAL_MIXED -DSP_NO_PLAN; run mixed mixed-rows; same mixed-rows ;;
@@ -120,10 +120,17 @@ cases)
     done
     # shellcheck disable=SC2046
     build plain -O2; run plain fine fine $(files); echo "at tol 1e-12: $(grep -c '| stable' $out/fine.txt) stand, each balanced to 1e-12"
-    # At 1e-4 float calls stable what balances within that: some that fall by less. What stands is never called fallen.
-    python3 ../shared/tools/run_cases.py --cli $out/program-float > $out/cases.txt || true
+    # Float at the tol its band of 1e-3 takes, friction of 1e-6 at less. Left open may be, with the distance from the limit:
+    #   b_arch20_m001            1e-4
+    #   b_wall15x20_m01, 8i      1e-3, the band's edge: hundreds of joints slide and open at once
+    #   c_chain300_lean          1e-3 and 1e-2: height 300 x base, rounding comes to 300^2 u of a block's forces
+    # and c_wall_huge is refused: squares of its weights leave the range of a float.
+    printf '#!/bin/sh\ncase "$*" in *c_mu1e-6*) tol=2.5e-7 ;; *) tol=3e-6 ;; esac\nexec %s "$@" --tol $tol\n' $out/program-float > $out/program-fine
+    chmod +x $out/program-fine
+    python3 ../shared/tools/run_cases.py --cli $out/program-fine > $out/cases.txt || true
     echo "float: $(tell)"
-    grep '^[0-9]* compared' $out/cases.txt > /dev/null && ! grep 'got unstable' $out/cases.txt ;;
+    grep '^[0-9]* compared' $out/cases.txt > /dev/null && ! grep -E '^(WRONG|undecided|error) ' $out/cases.txt |
+        grep -v -E '^undecided (b_arch20_m001 |b_wall15x20_m01 +8i |c_chain300_lean_)|^error +c_wall_huge_' ;;
 cases-quad | cases-mixed | cases-shadows | cases-chance)
     scenes=$(files)
     # shellcheck disable=SC2086

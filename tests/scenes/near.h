@@ -16,20 +16,19 @@ typedef struct near_case {
     struct { const char *name; double value; } set[2];
     int axis;                           /* of the live load */
     double limit[2];
-    double tightest[2];                 /* tol that tells most: in double, in float */
 } near_case;
 
 static const near_case near_cases[] = {
     { "arch of 11 stones, pushed",       "arch",     { { "n", 11 },       { "t", 0.15 } },    0,
-      { 0.16133997854323134,  -6.2239237926036489e-18 }, { 1e-12, 3e-6 } },
+      { 0.16133997854323134,  -6.2239237926036489e-18 } },
     { "keystone about to slide, pushed", "keystone", { { "angle", -20 },  { "mu", 0.3 } },    0,
-      { 17.33917474280509,     -1.1064422202360876e-15 }, { 1e-12, 3e-6 } },
+      { 17.33917474280509,     -1.1064422202360876e-15 } },
     { "overhang of 10 boards, pushed",   "overhang", { { "n", 10 },       { "factor", 0.9 } }, 0,
-      { 0.050000000000000051, -2.4994676193518055e-18 }, { 1e-12, 1e-6 } },
+      { 0.050000000000000051, -2.4994676193518055e-18 } },
     { "wall tilted out of its plane",    "wall",     { { "rows", 4 },     { "bricks", 6 } },  1,
-      { 0.25, 0 }, { 1e-12, 3e-6 } },
+      { 0.25, 0 } },
     { "wall tilted in its plane",        "wall",     { { "rows", 4 },     { "bricks", 6 } },  0,
-      { 0.76034016235021273,  2.1754050873589543e-17 }, { 1e-12, 1e-5 } },
+      { 0.76034016235021273,  2.1754050873589543e-17 } },
 };
 
 enum { NEAR_CASES = sizeof near_cases / sizeof near_cases[0] };
