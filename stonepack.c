@@ -129,7 +129,7 @@ SP_API const char *sp_status_text(sp_status status)
                     "the interface has no area, or its normal no length\0"
                     "an interface between a block and itself\0"
                     "the scene has no block\0"
-                    "not supported here: strength of joints with a pyramid or the coupled check, or a part this build leaves out\0"
+                    "not supported here: strength of joints with the coupled check, or a part this build leaves out\0"
                     "P of the quadratic program is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
@@ -2474,7 +2474,7 @@ static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
     const sp__strength none = { 0, 0, SP__HUGE };
     if (!SP__FULL || !sp__joint_strong(&t->joint->joint)) return none;
     sp__strength k = sp__vertex_strength(t->joint);
-    k.C /= j->unit;
+    k.C *= j->mu_factor / j->unit;
     k.T /= j->unit;
     k.N = sp__ratio(k.N, j->unit);
     return k;
@@ -2563,15 +2563,21 @@ SP__APART static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *
 }
 
 /* Largest f.u over f in K_v, |f| <= cap; K_v with strength lies between its lower rim (fn = -T, |ft| = low) and its upper one.
- *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|
- *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low) |P_cone(u)|
+ *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
+ *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
-static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap, int *capped)
+SP__APART static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
+                                           int *capped)
 {
-    const sp_real mu = t->joint->joint.mu, a = SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    const sp_real mu = t->joint->joint.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
     const sp__strength k = sp__judge_strength(j, t);
+    sp_real a = j->set->faces ? 0 : SP_SQRT(u[1] * u[1] + u[2] * u[2]);
+    for (int32_t q = 0; q < j->set->faces; q++) {
+        const sp_real *d = j->direction[q];
+        a = sp__max(a, d[0] * u[1] + d[1] * u[2] + j->tan_half * sp__abs(d[0] * u[2] - d[1] * u[1]));
+    }
     const sp_real low = sp__max(0, k.C - mu * k.T), foot = low * a - k.T * u[0], top = (k.C + mu * k.N) * a + k.N * u[0];
-    const sp_real shut = foot > top ? foot : top, open = foot + (cap + k.T + low) * P;
+    const sp_real shut = foot > top ? foot : top, open = foot + (cap + k.T + low * corner) * P;
     if (shut <= open) *capped = 0;
     return shut < open ? shut : open;
 }
@@ -3910,7 +3916,7 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     if (k->plain) return k;
     const sp__strength strength = sp__vertex_strength(f);
     const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
-    k->C = strength.C * scale / w->slide;
+    k->C = strength.C * scale * w->factor;
     k->T = strength.T * scale;
     k->N = sp__ratio(strength.N, 1 / scale);
     return k;
@@ -5036,7 +5042,8 @@ static int sp__dual_metric(sp__dual *w)
     return 1;
 }
 
-typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC } sp__form;      /* METRIC: H of the penalty form */
+/* METRIC: H of the penalty form; LIMIT: exact, and room for interior points of 3 numbers a vertex, or one an edge, behind it. */
+typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC, SP__LIMIT } sp__form;
 
 /* Where every contact's block off the diagonal is. */
 static void sp__dual_slots(sp__dual *w)
@@ -5133,6 +5140,17 @@ static void sp__flat_lift(sp__dual *w, sp_real *m)
     for (int32_t i = 0; i < 2 * w->pb->blocks; i++) sp__flat_unturn(w->flat, m + 3 * (size_t)i);
 }
 
+#ifndef SP_NO_IPM
+/* And into them: planar rows alone. */
+static void sp__flat_drop(const sp__flat *o, int32_t blocks, sp_real *m)
+{
+    for (int32_t i = 0; i < 2 * blocks; i++, m += 3) {
+        sp__flat_turn(o, m, m);
+        if (i % 2) m[0] = m[1] = 0; else m[2] = 0;
+    }
+}
+#endif
+
 /* What a search in 3 rows has besides: frames, images, work of a factor. */
 SP__APART static void sp__flat_open(sp__dual *w)
 {
@@ -5151,18 +5169,28 @@ SP__APART static void sp__flat_open(sp__dual *w)
         if (pb->contact[c].joint->joint.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->slick = 0;
 }
 
-/* Forces of vertices that do not count: those of their images, or none. */
-static void sp__flat_spread(const sp__flat *o, int32_t points, sp_real *f)
+/* Forces of vertices that do not count: those of their images, or none; what rounding left of forces across the plane goes. */
+static void sp__flat_spread(const sp__flat *o, const sp_problem *pb, sp_real *f)
 {
-    for (int32_t v = 0; v < points; v++) {
-        if (o->mate[v] < 0) f[3 * (size_t)v] = f[3 * (size_t)v + 1] = f[3 * (size_t)v + 2] = 0;
-        else if (o->mate[v] < v) memcpy(f + 3 * (size_t)v, f + 3 * (size_t)o->mate[v], 3 * sizeof *f);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real *g = o->g + SP__FLAT_G * (size_t)c;
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *fv = f + 3 * (size_t)v;
+            if (o->mate[v] < 0) fv[0] = fv[1] = fv[2] = 0;
+            else if (o->mate[v] < v) memcpy(fv, f + 3 * (size_t)o->mate[v], 3 * sizeof *f);
+            else if (o->mode == SP__PLANE) {
+                const sp_real slip = fv[1] * g[2] + fv[2] * g[3];
+                fv[1] = slip * g[2];
+                fv[2] = slip * g[3];
+            }
+        }
     }
 }
 #endif
 
 /* Room for the whole dual in place of *flat, which begins in `a`, so that a search in 3 rows does with what the whole one takes. */
-SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, int penalty, int32_t nnz, const sp__flat *flat,
+SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, const sp__flat *flat,
                                       sp_arena *a)
 {
     const size_t from = (size_t)((const unsigned char *)flat - a->base);
@@ -5170,10 +5198,11 @@ SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *s
     sp__dual *t = sp__take(&rest, 1, sizeof *t);
     if (!t) return 0;
     t->flat = NULL;
+    size_t rays = form == SP__PENALTY ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
 #ifdef SP_NO_IPM
-    penalty = 1;
+    rays = 0;
 #endif
-    const size_t end = sp__dual_end(t, pb, set, 0, penalty ? 0 : (size_t)set->faces, nnz, from);
+    const size_t end = sp__dual_end(t, pb, set, 0, rays, nnz, from);
     if (end > a->cap) return 0;
     if (end > a->peak) a->peak = end;
     return 1;
@@ -5187,7 +5216,7 @@ SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings
     const int penalty = form == SP__PENALTY;
     sp__dual *w = sp__take(a, 1, sizeof *w);
     const int32_t nnz = w ? sp__dual_analyse(w, pb, a) : -1;
-    if (nnz < 0 || (flat && !sp__dual_reserve(pb, set, penalty, nnz, flat, a))) return NULL;
+    if (nnz < 0 || (flat && !sp__dual_reserve(pb, set, form, nnz, flat, a))) return NULL;
     w->flat = flat;
     sp__dual_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
     if (sp__failed(a)) return NULL;
@@ -5492,7 +5521,7 @@ SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const 
             const sp_real *g = f + 3 * (size_t)v;
             const sp_real flat[3] = { sp__max(0, g[0]), g[1], g[2] };
             sp__foot foot;
-            sp__cone_foot(&w->cone, yield, flat, &foot);
+            sp__cone_foot(&w->cone, yield, yield->plain, flat, &foot);
             press = sp__max(press, g[0]);
             pull = sp__max(pull, -g[0]);
             size = sp__max(size, sp__norm3(g));
@@ -6489,7 +6518,7 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
 #ifndef SP_NO_PLAN
     looked = flat && !w->singular;
     if (looked && sp__newton_bonded(w, state)) {
-        sp__flat_spread(flat, pb->points, state->f);
+        sp__flat_spread(flat, pb, state->f);
         *claim = SP_STABLE;
         return SP_OK;
     }
@@ -6531,7 +6560,7 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
 #ifndef SP_NO_PLAN
     if (flat) {
         sp__flat_lift(w, state->dq);
-        sp__flat_spread(flat, pb->points, state->f);
+        sp__flat_spread(flat, pb, state->f);
         flat->spent = spent;
     }
 #endif
@@ -9126,7 +9155,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #ifdef SP_NO_PLAN
     if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
 #endif
-    if ((out->faces || out->coupled.asked) && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
+    if (out->coupled.asked && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
     if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
     return SP_OK;
@@ -11018,12 +11047,12 @@ SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
     return 2 * n > size ? -1 : n;
 }
 
-/* Forces of joints with loose blocks outside the part are loads on it. */
+/* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
 SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 {
     for (int32_t i = 0; i < q->members; i++) {
         const int32_t b = q->part_block[i];
-        sp_real *p = pb->p + 6 * (size_t)i;
+        sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
         for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
             const sp_contact *t = &q->pb.contact[q->joint[k]];
             const int32_t s = sp__beside(t, b);
@@ -11032,9 +11061,13 @@ SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
                 sp_real F[3], m[3];
                 sp__stone_force(q, t, b, v, F, m);
                 for (int c = 0; c < 3; c++) { p[c] += q->judge.unit * F[c]; p[3 + c] += q->judge.unit * m[c]; }
+                size[0] += q->judge.unit * sp__norm3(F);
+                size[1] += q->judge.unit * sp__norm3(m);
             }
-            q->cost.flops += 60 * (int64_t)t->points;
+            q->cost.flops += 76 * (int64_t)t->points;
         }
+        for (int c = 0; c < 6; c++)
+            if (sp__abs(p[c]) <= 64 * (sp_real)SP_EPSILON * size[c / 3]) p[c] = 0;
     }
 }
 
@@ -11060,19 +11093,26 @@ SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
     return plain;
 }
 
-/* The marked blocks alone, all other forces as they are.     returns 1 if they are plain then */
+/* The marked blocks alone, all other forces as they are: in their plane where they, with these as loads, have one.
+ *     returns 1 if they are plain then */
 SP__APART static int sp__lean_solve(sp_sequence *q)
 {
     sp__check *c = NULL;
+    sp__flat *flat = NULL;
     sp_arena a = q->work;
     sp_verdict claim = SP_UNDECIDED;
     sp__part_make(q);
     if (sp__part_open(q, &a, &c)) return 0;
+    sp__lean_load(q, &c->pb);
+#ifndef SP_NO_PLAN
+    sp_arena room = a;
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (o && sp__flat_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { flat = o; a = room; }
+#endif
     if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
     c->set.tol *= SP__LEAN_TOL;
-    sp__lean_load(q, &c->pb);
     c->state.left = sp__budget_left(&c->set, &c->r);
-    const sp_status status = sp__exact_run(&c->pb, &c->set, &c->state, &a, &claim);
+    const sp_status status = sp__exact_search(&c->pb, &c->set, flat, &c->state, &a, &claim);
     sp__cost_add(&q->cost, &c->state.cost);
     q->again += q->members;
     return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
@@ -11610,8 +11650,8 @@ SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
 {
     const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
-    sp_real value[6];
-    int32_t final[6];
+    sp_real value[6] = { 0, 0, 0, 0, 0, 0 };
+    int32_t final[6] = { 0, 0, 0, 0, 0, 0 };
     memcpy(e->whole, e->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
         sp_arena again = room;
@@ -11711,6 +11751,7 @@ typedef struct sp__limit {
     sp__ipm m;
     sp_limit_result r;
     sp__dual *w;
+    sp__flat *flat;                     /* NULL: in 6 rows a block */
     sp_arena room;                      /* for judging */
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
     sp_real ref;                        /* multiplier that counts as 1 below */
@@ -11749,6 +11790,9 @@ static void sp__limit_sizes(sp__limit *L)
         L->state.dq[k] = L->ends.hint[k] / unit;
         w->d[k] = -L->ends.hint[n + k] / unit;
     }
+#ifndef SP_NO_PLAN
+    if (L->flat) { sp__flat_drop(L->flat, w->pb->blocks, L->state.dq); sp__flat_drop(L->flat, w->pb->blocks, w->d); }
+#endif
     sp__dual_sizes(w, L->state.dq);
 }
 
@@ -11795,6 +11839,9 @@ SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     L->none = none;
     L->slack = slack;
     for (size_t k = 0; k < n; k++) L->ends.dq[k] = -w->weight[k / 3] * y[k];
+#ifndef SP_NO_PLAN
+    if (L->flat) sp__flat_lift(w, L->ends.dq);
+#endif
 }
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
@@ -11894,6 +11941,9 @@ SP__APART static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_rea
     L->m.tau = t;
     sp__ipm_forces(L->w, &L->m, &L->n, &L->state);
     L->m.tau = tau;
+#ifndef SP_NO_PLAN
+    if (L->flat) sp__flat_spread(L->flat, &L->ends.pb, f);
+#endif
     return L->n.found && sp__ends_stand(&L->ends, d, l * L->ref, f, f, L->room);
 }
 
@@ -11930,6 +11980,9 @@ SP__APART static void sp__limit_settle(sp__limit *L)
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     memcpy(L->state.dq, L->ends.dq, n * sizeof *L->state.dq);
+#ifndef SP_NO_PLAN
+    if (L->flat) sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
+#endif
     sp__ends_mix(&L->ends, L->best < 0, L->best < 0 ? 0 : L->ref);
     sp__newton_settle(w, &L->state);
     for (size_t k = 0; k < n; k++) L->Vq[k] = -L->state.dq[k] / w->weight[k / 3];
@@ -11984,14 +12037,36 @@ static int64_t sp__limit_left(const sp__ends *e)
     return e->limit - e->cost.flops - 80 * SP__FLOPS_JUDGE * (int64_t)e->pb.points;
 }
 
-/* The dual at a load that has about the size both have at work, its sizes and metric; hints for both loads. */
+/* L->flat, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
+ * about the size both have at work. */
+static void sp__limit_flat(sp__limit *L, sp_arena *a)
+{
+    sp__ends *e = &L->ends;
+    L->flat = NULL;
+#ifndef SP_NO_PLAN
+    const size_t start = a->used;
+    sp__flat *o = sp__take(a, 1, sizeof *o);
+    int planar = o != NULL;
+    for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
+        sp__ends_mix(e, k != 2, k != 1 ? L->ref : 0);
+        planar = k ? sp__flat_loads(&e->pb, &e->set, o->e[2], 0) : sp__flat_choose(&e->pb, &e->set, o) && o->mode == SP__PLANE;
+    }
+    if (planar) L->flat = o;
+    else if (o) a->used = start;
+#else
+    (void)a;
+#endif
+    sp__ends_mix(e, 1, L->ref);
+}
+
+/* The dual at that load, its sizes and metric; hints for both loads. */
 SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 {
     sp__ends *e = &L->ends;
     const size_t n = 6 * (size_t)e->pb.blocks;
     sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
-    sp__ends_mix(e, 1, L->ref);
-    L->w = sp__dual_open(&e->pb, &e->set, SP__EXACT, &e->cost, a);
+    sp__limit_flat(L, a);
+    L->w = sp__dual_make(&e->pb, &e->set, SP__LIMIT, L->flat, &e->cost, a);
     if (!L->w) return SP_E_MEMORY;
     L->w->limit = sp__limit_left(e) + e->cost.flops;
     L->m.x = sp__take(a, (size_t)e->pb.points, (size_t)(e->set.faces ? e->set.faces : 3) * sizeof *L->m.x);
@@ -12221,7 +12296,10 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     if (status) return status;
     const sp_problem *pb = &L->ends.pb;
     const int32_t faces = L->ends.set.faces;
-    const size_t search = pb->blocks ? sp__dual_need(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), scratch) : 0;
+    L->ends.y0 = NULL;
+    L->ref = sp__limit_reference(&L->ends);
+    sp__limit_flat(L, &scratch);
+    const size_t search = pb->blocks ? sp__dual_most(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), L->flat, scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;
     sp_arena dry = sp__arena_dry();

@@ -106,7 +106,7 @@ typedef enum sp_status {
     SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
     SP_E_SELF        = -13,     /* an interface between a block and itself */
     SP_E_EMPTY       = -14,     /* no block at all */
-    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: strength of a joint with a pyramid, coupled */
+    SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: strength of a joint in a coupled check */
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
@@ -156,8 +156,9 @@ typedef struct sp_mass {
 
 /* What a joint can carry. K_v of each of its vertices, which share the joint's area A alike (A_v = A / points):
  *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= cap A_v                                    [Mohr-Coulomb]
- * Tension counts up to cohesion / mu, where the cone ends. Strength needs an area (not points) and the true cone; coupled
- * checks, pyramids and the matrices know friction only: SP_E_UNSUPPORTED. */
+ * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K) of
+ * both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
+ * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
 typedef struct sp_joint {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
     sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
@@ -1116,8 +1117,8 @@ typedef struct sp_step {
 /* Bytes sp_sequence_open takes from an arena, exact, and all that is ever needed. The symbolic step runs in `scratch`.
  *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
  *             taken as 0; budget is that of each try at an island, of which a step makes three at most
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled, strength with a
- *             pyramid), SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: scratch too small */
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled),
+ *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: scratch too small */
 SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
 /* Bytes of scratch that sp_sequence_memory needs; 0: too large to count, or unusable settings. */
@@ -1227,7 +1228,8 @@ SP_API size_t sp_limit_memory_scratch(const sp_scene *scene);
  * is made exact and then verified from both sides. What that leaves open, and joints with strength, is left to the exact stage, by
  * Newton's method on the power balance; such joints are never called UNBOUNDED.
  *   scene     its `live` is not read
- *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations, budget
+ *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations, budget, and effect of the third
+ *             dimension, which is left out as by a check: 3 rows a block where joints, dead and live loads share a mirror
  *   result    its arrays live in the arena, before anything else taken from it later
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);

@@ -91,8 +91,16 @@ TEST(a_pull_without_friction_is_not_admissible)
     }
 }
 
+static int other_face(const sp__cone *k, const sp__yield *y, const sp_real a[3], const sp_real b[3])
+{
+    sp__foot p, q;
+    sp__cone_foot(k, y, y->plain, a, &p);
+    sp__cone_foot(k, y, y->plain, b, &q);
+    return (double)(p.w[0] * q.w[0] + p.w[1] * q.w[1]) < 0.999 || p.side * q.side < 0;
+}
+
 /* Central differences of the projection at u, width 2 h, against its derivative: the largest sum over a column of what they are
- * apart, columns along which the region changes left out. */
+ * apart, columns along which the region, or the face of a pyramid, changes left out. */
 static double derivative_off(const sp__cone *k, const sp__yield *y, const sp_real u[3], double h)
 {
     sp_real D[6];
@@ -106,6 +114,7 @@ static double derivative_off(const sp__cone *k, const sp__yield *y, const sp_rea
         for (int i = 0; i < 3; i++) lo[i] = hi[i] = u[i];
         lo[c] = R((double)u[c] - h), hi[c] = R((double)u[c] + h);
         if (sp__cone_project(k, y, lo, f) != here || sp__cone_project(k, y, hi, e) != here) continue;
+        if (k->faces && other_face(k, y, lo, hi)) continue;
         for (int i = 0; i < 3; i++) off += fabs(((double)e[i] - (double)f[i]) / ((double)hi[c] - (double)lo[c]) - full[i][c]);
         worst = fmax(worst, off);
     }
@@ -173,64 +182,83 @@ static sp__yield strong(int kind)
     return y;
 }
 
-/* A force in K, from its polygon turned about n. */
-static void random_inside(const sp__yield *y, double g[3])
+/* Largest d . ut over the directions of K: |ft| of the true cone. */
+static double across(const sp__cone *k, const double f[3])
+{
+    double most = k->faces ? -1e300 : sqrt(f[1] * f[1] + f[2] * f[2]);
+    for (int32_t i = 0; i < k->faces; i++) {
+        const double angle = 6.283185307179586477 * i / k->faces;
+        most = fmax(most, cos(angle) * f[1] + sin(angle) * f[2]);
+    }
+    return most;
+}
+
+/* A force in K: any in its section at some height. */
+static void random_inside(const sp__cone *k, const sp__yield *y, double g[3])
 {
     const double low = -(double)y->T, high = y->N < 100 ? (double)y->N : 100, n = low + (high - low) * (double)test_random_real(0, 1);
     const double r = ((double)y->C + (double)y->mu * n) * (double)test_random_real(0, 1), angle = (double)test_random_real(0, 6.2831853);
-    g[0] = n; g[1] = r * cos(angle); g[2] = r * sin(angle);
+    g[0] = 0; g[1] = cos(angle); g[2] = sin(angle);
+    const double size = across(k, g);
+    g[0] = n; g[1] *= r / size; g[2] *= r / size;
 }
 
 TEST(with_strength_the_nearest_point_is_inside_and_leaves_a_useless_rest)
 {
-    sp__cone k;
-    open_cone(0, &k);
-    for (int trial = 0; trial < 20000; trial++) {
-        const sp__yield y = strong(trial % 7);
-        const double eps = 256 * (double)SP_EPSILON;
-        sp_real u[3], f[3];
-        double use = 0, size = 1;
-        for (int c = 0; c < 3; c++) u[c] = test_random_real(-5, 5), size += (double)u[c] * (double)u[c];
-        sp__cone_project(&k, &y, u, f);
-        const double ft = sqrt((double)f[1] * (double)f[1] + (double)f[2] * (double)f[2]);
-        CHECK(f[0] >= -y.T && f[0] <= y.N && ft <= (double)y.C + (double)y.mu * (double)f[0] + eps);
-        double g[3];
-        random_inside(&y, g);
-        for (int c = 0; c < 3; c++) use += ((double)u[c] - (double)f[c]) * (g[c] - (double)f[c]);
-        if (!CHECK(use <= eps * size * 100)) return;
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < (kind ? 5000 : 20000); trial++) {
+            const sp__yield y = strong(trial % 7);
+            const double eps = 256 * (double)SP_EPSILON;
+            sp_real u[3], f[3];
+            double use = 0, size = 1;
+            for (int c = 0; c < 3; c++) u[c] = test_random_real(-5, 5), size += (double)u[c] * (double)u[c];
+            sp__cone_project(&k, &y, u, f);
+            const double fd[3] = { (double)f[0], (double)f[1], (double)f[2] };
+            if (!CHECK(f[0] >= -y.T && f[0] <= y.N && across(&k, fd) <= (double)y.C + (double)y.mu * fd[0] + eps)) return;
+            double g[3];
+            random_inside(&k, &y, g);
+            for (int c = 0; c < 3; c++) use += ((double)u[c] - fd[c]) * (g[c] - fd[c]);
+            if (!CHECK(use <= eps * size * 100)) return;
+        }
     }
 }
 
 TEST(with_strength_the_derivative_is_that_of_the_projection)
 {
-    sp__cone k;
-    open_cone(0, &k);
-    for (int trial = 0; trial < 5000; trial++) {
-        const sp__yield y = strong(trial % 7);
-        sp_real u[3];
-        for (int c = 0; c < 3; c++) u[c] = test_random_real(-4, 4);
-        if ((double)u[1] * (double)u[1] + (double)u[2] * (double)u[2] < 0.04) continue;
-        CHECK_WITHIN(derivative_off(&k, &y, u, TOL(1e-6, 2e-3)), 0, TOL(1e-6, 5e-2));
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < (kind ? 1000 : 5000); trial++) {
+            const sp__yield y = strong(trial % 7);
+            sp_real u[3];
+            for (int c = 0; c < 3; c++) u[c] = test_random_real(-4, 4);
+            if ((double)u[1] * (double)u[1] + (double)u[2] * (double)u[2] < 0.04) continue;
+            if (!CHECK_WITHIN(derivative_off(&k, &y, u, TOL(1e-6, 2e-3)), 0, TOL(1e-6, 5e-2))) return;
+        }
     }
 }
 
 /* f.u over forces inside never comes above it, and the nearest point to a far s u comes close. */
 TEST(the_support_function_bounds_what_strength_can_resist)
 {
-    sp__cone k;
-    open_cone(0, &k);
-    for (int trial = 0; trial < 20000; trial++) {
-        const sp__yield y = strong(trial % 7);
-        sp_real u[3], far[3], f[3];
-        double g[3], use = 0, reach = 0, size = 0;
-        for (int c = 0; c < 3; c++) u[c] = test_random_real(-1, 1), far[c] = 4096 * u[c];
-        const double most = 200, bound = (double)sp__cone_support(&k, &y, u, R(most));
-        random_inside(&y, g);
-        for (int c = 0; c < 3; c++) use += g[c] * (double)u[c], size += g[c] * g[c];
-        if (sqrt(size) <= most && !CHECK(use <= bound + 1e-4 * fabs(bound))) return;
-        sp__cone_project(&k, &y, far, f);
-        for (int c = 0; c < 3; c++) reach += (double)f[c] * (double)u[c];
-        if (y.N < 100 && !CHECK(reach >= bound - 0.05 * (1 + fabs(bound)))) return;
+    for (int kind = 0; kind < KINDS; kind++) {
+        sp__cone k;
+        open_cone(kind, &k);
+        for (int trial = 0; trial < (kind ? 5000 : 20000); trial++) {
+            const sp__yield y = strong(trial % 7);
+            sp_real u[3], far[3], f[3];
+            double g[3], use = 0, reach = 0, size = 0;
+            for (int c = 0; c < 3; c++) u[c] = test_random_real(-1, 1), far[c] = 4096 * u[c];
+            const double most = 200, bound = (double)sp__cone_support(&k, &y, u, R(most));
+            random_inside(&k, &y, g);
+            for (int c = 0; c < 3; c++) use += g[c] * (double)u[c], size += g[c] * g[c];
+            if (sqrt(size) <= most && !CHECK(use <= bound + 1e-4 * fabs(bound))) return;
+            sp__cone_project(&k, &y, far, f);
+            for (int c = 0; c < 3; c++) reach += (double)f[c] * (double)u[c];
+            if (y.N < 100 && !CHECK(reach >= bound - 0.05 * (1 + fabs(bound)))) return;
+        }
     }
 }
 

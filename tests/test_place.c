@@ -1,5 +1,6 @@
 /* Placing a stone: support clearance, cost of a seat, resting faces, the next-best-object gate; against brute force. */
 #include "test.h"
+#include "scenes/kinds.h"
 
 #include <math.h>
 
@@ -30,10 +31,11 @@ static int brute_clearance(const sp_real *xyz, int32_t n, const sp_real c[3], do
     return edges;
 }
 
-/* Area by the edges that no point lies right of; for points of which no three are on a line. */
-static double brute_area(const sp_real *xyz, int32_t n)
+/* Area and centroid by the edges that no point lies right of; for points of which no three are on a line. */
+static double brute_area(const sp_real *xyz, int32_t n, double middle[2])
 {
     double area = 0;
+    middle[0] = middle[1] = 0;
     for (int32_t a = 0; a < n; a++)
         for (int32_t b = 0; b < n; b++) {
             const double ax = (double)xyz[3 * a], ay = (double)xyz[3 * a + 1];
@@ -43,8 +45,12 @@ static double brute_area(const sp_real *xyz, int32_t n)
                 const double x = (double)xyz[3 * k] - ax, y = (double)xyz[3 * k + 1] - ay;
                 right += k != a && k != b && (bx - ax) * y - (by - ay) * x < 0;
             }
-            if (!right) area += (ax * by - ay * bx) / 2;
+            if (right) continue;
+            area += (ax * by - ay * bx) / 2;
+            middle[0] += (ax + bx) * (ax * by - ay * bx) / 6;
+            middle[1] += (ay + by) * (ax * by - ay * bx) / 6;
         }
+    for (int k = 0; k < 2; k++) middle[k] /= area;
     return area;
 }
 
@@ -246,6 +252,97 @@ TEST(seats_are_ordered_stable_first_then_by_cost_then_by_number)
     CHECK_INT(stable, 0);
 }
 
+/* J as it is written, from the points alone. */
+static double brute_cost(const sp_seat *s, const sp_seat_weights *w, double area, double offset)
+{
+    const double A = (double)s->footprint, h = (double)s->height, W = (double)s->width;
+    return (double)w->area * (1 - area / A) + (double)w->offset * offset / W + (double)w->trapped * (double)s->trapped / (A * h)
+         + (double)w->seat * (double)s->seat / W;
+}
+
+/* 250 choices among 40 seats on random points; J, who has the margin and the order by brute force from the points. */
+TEST(cost_and_order_of_10000_random_seats_are_those_of_brute_force)
+{
+    enum { SEATS = 40 };
+    for (int run = 0; run < 250; run++) {
+        const sp_seat_weights defaults = sp_seat_weights_default(), mixed = { test_random_real(0, 2), test_random_real(0, 2),
+                                                                             test_random_real(0, 2), test_random_real(0, 2) };
+        const sp_seat_weights *w = run % 2 ? &mixed : &defaults;
+        const double margin = run % 5 ? (double)test_random_real(-0.5, 0.5) : 0;
+        sp_seat s[SEATS];
+        sp_real J[SEATS];
+        double want[SEATS];
+        int stands[SEATS], seen[SEATS] = { 0 }, count = 0;
+        int32_t order[SEATS], stable;
+        for (int k = 0; k < SEATS; k++) {
+            sp_real xyz[3 * POINTS], alone;
+            const int32_t n = test_random_int(3, 12);
+            const sp_real com[3] = { test_random_real(-1, 1), test_random_real(-1, 1), 2 };
+            double middle[2], clear2 = 0;
+            random_points(xyz, n, 0);
+            CHECK_INT(sp_support_clearance(xyz, n, com, down, test_arena, &s[k].support), SP_OK);
+            s[k].footprint = test_random_real(2, 6); s[k].height = test_random_real(0.1, 2); s[k].width = test_random_real(0.1, 2);
+            s[k].trapped = test_random_real(0, 1); s[k].seat = test_random_real(-3, 3);
+            const double area = brute_area(xyz, n, middle), dx = (double)com[0] - middle[0], dy = (double)com[1] - middle[1];
+            want[k] = brute_cost(&s[k], w, area, sqrt(dx * dx + dy * dy));
+            CHECK_INT(sp_support_cost(&s[k], w, &alone), SP_OK);
+            if (area > 1e-3 && !CHECK_WITHIN(alone, want[k], TOL(1e-10, 2e-2) * (1 + fabs(want[k])))) return;
+            want[k] = (double)alone;
+            brute_clearance(xyz, n, com, &clear2);
+            stands[k] = (double)s[k].support.clearance >= margin;
+            if (fabs(clear2 - margin * fabs(margin)) > TOL(1e-9, 1e-4)) CHECK_INT(stands[k], clear2 > margin * fabs(margin));
+            count += stands[k];
+        }
+        CHECK_INT(sp_support_rank(s, SEATS, R(margin), w, J, order, &stable), SP_OK);
+        CHECK_INT(stable, count);
+        for (int k = 0; k < SEATS; k++) {               /* as many are before k as brute force says */
+            int before = 0;
+            for (int i = 0; i < SEATS; i++)
+                before += stands[i] != stands[k] ? stands[i] : want[i] < want[k] || (!(want[i] > want[k]) && i < k);
+            if (!CHECK_INT(order[before], k)) return;
+            CHECK_WITHIN(J[k], want[k], 0);
+            seen[order[k]]++;
+        }
+        for (int k = 0; k < SEATS; k++) CHECK_INT(seen[k], 1);
+    }
+}
+
+/* Random scenes of all kinds, as they are, without half of their joints, and with a support let go: where the stage of gates alone says
+ * that it falls, the exact stage alone never says that it stands. */
+TEST(no_gate_says_unstable_where_the_exact_stage_says_stable)
+{
+    int32_t falls = 0, stands = 0, wrong = 0;
+    for (int k = 0; k < 3 * 300; k++) {
+        sp_scene s;
+        sp_settings set;
+        sp_result gate, exact;
+        test_arena.used = 0;
+        if (!CHECK_INT(kinds_make(k / 3, &test_arena, &s, &set), SP_OK)) return;
+        for (int32_t i = 0, half = s.count.interfaces / 2; k % 3 == 1 && i < half; i++) {
+            const sp_interface last = s.interface[--s.count.interfaces];
+            if (last.point + last.points == s.count.points) s.count.points = last.point;
+        }
+        for (int32_t i = 0; k % 3 == 2 && i < s.count.blocks; i++) {
+            if (s.block[i].fixed != SP_FIXED || !(s.block[i].mass > 0)) continue;
+            s.block[i].fixed = 0;
+            break;
+        }
+        set.localise = 0;
+        set.stage_count = 1;
+        set.stage[0] = SP_STAGE_GATES;
+        sp_arena a = test_arena;
+        CHECK_INT(sp_check(&s, &set, &a, &gate), SP_OK);
+        set.stage[0] = SP_STAGE_EXACT;
+        a = test_arena;
+        CHECK_INT(sp_check(&s, &set, &a, &exact), SP_OK);
+        falls += gate.verdict == SP_UNSTABLE;
+        stands += exact.verdict == SP_STABLE;
+        wrong += gate.verdict == SP_UNSTABLE && exact.verdict == SP_STABLE;
+    }
+    CHECK_INT(wrong, 0);
+    if (!CHECK(falls > 200 && stands > 200)) TEST_PRINT("    %d fall, %d stand\n", (int)falls, (int)stands);
+}
+
 /* A box a x b x c, its corner at o. */
 static const int32_t box_size[6] = { 4, 4, 4, 4, 4, 4 };
 static const int32_t box_corner[24] = { 0, 3, 2, 1,  4, 5, 6, 7,  0, 1, 5, 4,  1, 2, 6, 5,  2, 3, 7, 6,  3, 0, 4, 7 };
@@ -391,7 +488,8 @@ TEST(the_gate_is_its_four_conditions_in_10000_random_cases)
         set.margin = test_random_real(0, 0.2);
         random_points(xyz, n, 0);
         CHECK_INT(sp_nbo_gate(&laid, down, &set, test_arena, &got, &margin), SP_OK);
-        const double area = brute_area(xyz, n);
+        double middle[2];
+        const double area = brute_area(xyz, n, middle);
         brute_clearance(xyz, n, com, &d2);
         const double m = (d2 < 0 ? -sqrt(-d2) : sqrt(d2)) / sqrt(area), slim = (double)depth - 0.5 * (double)height;
         const double level = 1 / sqrt(1 + (double)lean * (double)lean) - 0.7, close = TOL(1e-9, 1e-4);
@@ -439,6 +537,8 @@ TEST_LIST(place)
     RUN(cost_of_a_seat_has_four_terms)
     RUN(cost_refuses_a_stone_without_size)
     RUN(seats_are_ordered_stable_first_then_by_cost_then_by_number)
+    RUN(cost_and_order_of_10000_random_seats_are_those_of_brute_force)
+    RUN(no_gate_says_unstable_where_the_exact_stage_says_stable)
     RUN(a_box_rests_on_six_faces)
     RUN(a_leaning_box_does_not_rest_on_its_short_faces)
     RUN(a_stone_with_feet_rests_on_all_of_them)

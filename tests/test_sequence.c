@@ -520,19 +520,22 @@ static sp_settings every_effect(void)
     return set;
 }
 
-/* Counts of work, the same on every machine: about what five checks cost, where 150 checks were made. */
+/* Counts of work, the same on every machine, where 150 checks of parts were made: less than ten checks of the finished wall as
+ * they are planned, hence of those with all effects. In float some steps of a high wall are too near tol, and cost a check each. */
 TEST(a_wall_stone_by_stone_costs_less_than_ten_checks)
 {
+    static const int sizes[][2] = { { 15, 10 }, { 10, 15 }, { 6, 26 } };
     const size_t start = test_arena.used;
-    for (int jitter = 0; jitter < 2; jitter++) {
+    for (int wall = 0; wall < 6; wall++) {
         sp_scene s;
-        sp_result r;
-        test_arena.used = start;
-        build_wall(15, 10, 0.3 * jitter, &s);
-        const size_t mark = test_arena.used;
+        sp_result r, all;
         const sp_settings set = every_effect();
-        NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+        test_arena.used = start;
+        build_wall(sizes[wall / 2][0], sizes[wall / 2][1], 0.3 * (wall % 2), &s);
+        const size_t mark = test_arena.used;
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
         CHECK_INT(r.verdict, SP_STABLE);
+        NEED(sp_check(&s, &set, &test_arena, &all) == SP_OK);
         test_arena.used = mark;
         sp_sequence *q = open_sequence(&s, NULL);
         NEED(q != NULL);
@@ -544,7 +547,10 @@ TEST(a_wall_stone_by_stone_costs_less_than_ten_checks)
             flops += step.cost.flops;
         }
         CHECK(n >= 150);
-        CHECK(flops < 10 * r.cost.flops);
+        CHECK(flops < 10 * all.cost.flops);
+#ifndef SP_NO_PLAN
+        if (!CHECK(flops < TOL(10, 20) * r.cost.flops)) TEST_PRINT("    %.2f checks\n", (double)flops / (double)r.cost.flops);
+#endif
     }
 }
 

@@ -1,6 +1,7 @@
 /* Joints with strength: mortar that sticks, stone that crushes; each at a limit known by hand, both sides of it. */
 #include "test.h"
 
+#include <math.h>
 #include <string.h>
 
 #define CLOSE TOL(1e-6, 2e-3)
@@ -28,17 +29,31 @@ static sp_joint mortar(double mu, double cohesion, double tension, double cap)
     return joint;
 }
 
-static sp_result check(const sp_scene *s)
+/* The true cone and pyramids, those inside it and around it. */
+static const int32_t cones[][2] = { { 0, 0 }, { 3, 1 }, { 4, 0 }, { 4, 1 }, { 5, 0 }, { 8, 0 }, { 8, 1 }, { 64, 1 } };
+enum { CONES = sizeof cones / sizeof cones[0] };
+
+static sp_settings cone(int kind)
+{
+    sp_settings set = sp_settings_default();
+    set.faces = cones[kind][0];
+    set.inscribed = cones[kind][1];
+    return set;
+}
+
+static sp_result check_with(const sp_scene *s, const sp_settings *set)
 {
     sp_result r;
     sp_evidence e;
     memset(&r, 0, sizeof r);
-    CHECK_INT(sp_check(s, NULL, &test_arena, &r), SP_OK);
-    CHECK_INT(sp_verify(s, NULL, &r, test_arena, &e), SP_OK);
+    CHECK_INT(sp_check(s, set, &test_arena, &r), SP_OK);
+    CHECK_INT(sp_verify(s, set, &r, test_arena, &e), SP_OK);
     CHECK_INT(e.verdict, r.verdict);
     CHECK_INT(e.final, r.final);
     return r;
 }
+
+static sp_result check(const sp_scene *s) { return check_with(s, NULL); }
 
 /* Stable with all of it 1 - CLOSE times, unstable with 1 + CLOSE times. */
 static void pulled(sp_joint joint, double fx, double fy, double fz, double z)
@@ -171,7 +186,71 @@ TEST(strength_has_no_unit_of_its_own)
     }
 }
 
-TEST(strength_goes_with_the_true_cone_an_area_and_statics_only)
+/* Friction along t1, a face, and towards a corner: both cohesion and friction are cos(pi/K) of it inside the cone, all of it around
+ * it, and 1/cos(pi/K) of that towards a corner. */
+TEST(every_pyramid_slides_at_its_own_share_of_cohesion_and_friction)
+{
+    for (int kind = 0; kind < CONES; kind++)
+        for (int k = 0; k < 8; k++) {
+            const int side = k % 2 ? 1 : -1, corner = k / 2 % 2, pressed = k / 4;
+            const sp_settings set = cone(kind);
+            const double turn = set.faces ? 3.14159265358979323846 / set.faces : 0, angle = corner * turn;
+            const double reach = (set.inscribed ? cos(turn) : 1) / cos(angle);
+            const double most = reach * (5000 + pressed * 0.3 * weight) * (1 + side * CLOSE);
+            const sp_load load = { 1, 0, { R(0.5), R(0.5), 0 }, { R(-most * cos(angle)), R(-most * sin(angle)), 0 }, { 0, 0, 0 }, 0 };
+            sp_scene s = cube(0, mortar(0.3, 5000, 1000, 0));
+            if (!pressed) s.gravity[2] = 0;
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+            CHECK_INT(check_with(&s, &set).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+        }
+}
+
+TEST(no_pyramid_changes_what_tears_or_is_crushed)
+{
+    for (int kind = 0; kind < CONES; kind++)
+        for (int side = -1; side <= 1; side += 2) {
+            const sp_settings set = cone(kind);
+            const double k = 1 - side * CLOSE;
+            const int final = side > 0 && !(set.faces && set.inscribed);
+            sp_scene s = cube(1, mortar(0.84, 5 * weight, weight * k, 0));              /* the glued cantilever */
+            sp_result r = check_with(&s, &set);
+            CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+            CHECK_INT(r.final, final);
+            s = cube(0, mortar(0.84, 0, 0, weight * k));                                /* crushed by its weight */
+            r = check_with(&s, &set);
+            CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+            CHECK_INT(r.final, final);
+        }
+}
+
+/* inside the cone, the cone, around it: each holds what the one before holds; and no answer depends on what a plan leaves out. */
+TEST(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
+{
+    for (int trial = 0; trial < 120; trial++) {
+        const sp_joint joint = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 1.5),
+                                      weight * (double)test_random_real(0, 1.5), trial % 2 ? weight * (double)test_random_real(0.7, 3) : 0);
+        const sp_load load = { 1, 0, { R(0.5), R(0.5), test_random_real(0, 1) },
+                               { R(weight) * test_random_real(-1, 1), trial % 4 < 2 ? 0 : R(weight) * test_random_real(-1, 1), 0 },
+                               { 0, 0, 0 }, 0 };
+        const int32_t faces = 4 * test_random_int(1, 4);
+        int stood = 0;
+        for (int step = 0; step < 3; step++) {
+            sp_scene s = cube(trial % 3 == 0, joint);
+            sp_settings set = sp_settings_default();
+            set.faces = step == 1 ? 0 : faces;
+            set.inscribed = step == 0;
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+            const sp_verdict v = check_with(&s, &set).verdict;
+            CHECK(!(stood && v == SP_UNSTABLE));
+            CHECK(v != SP_UNDECIDED);
+            stood |= v == SP_STABLE;
+            set.effect[SP_EFFECT_FRICTION] = set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+            CHECK_INT(check_with(&s, &set).verdict, v);
+        }
+    }
+}
+
+TEST(strength_goes_with_an_area_and_statics_only)
 {
     const sp_scene s = cube(0, mortar(0.84, 1, 1, 0));
     const sp_real up[3] = { 0, 0, 1 }, at[3] = { 0, 0, 0 };
@@ -182,11 +261,11 @@ TEST(strength_goes_with_the_true_cone_an_area_and_statics_only)
     sp_problem p;
     sp_result r;
     set.faces = 8;
-    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
     CHECK_INT(sp_problem_build(&s, &test_arena, &p), SP_OK);
     CHECK_INT(sp_matrix_afr(&p, &set, 3, &test_arena, &t), SP_E_UNSUPPORTED);
-    set.faces = 0;
     set.coupled.asked = 1;
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
+    set.faces = 0;
     CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
     points.count.interfaces = points.count.points = 0;
     CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &joint, NULL), SP_E_AREA);
@@ -205,5 +284,8 @@ TEST_LIST(strength)
     RUN(forces_keep_within_strength)
     RUN(more_strength_never_turns_stable_into_unstable)
     RUN(strength_has_no_unit_of_its_own)
-    RUN(strength_goes_with_the_true_cone_an_area_and_statics_only)
+    RUN(every_pyramid_slides_at_its_own_share_of_cohesion_and_friction)
+    RUN(no_pyramid_changes_what_tears_or_is_crushed)
+    RUN(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
+    RUN(strength_goes_with_an_area_and_statics_only)
 TEST_END
