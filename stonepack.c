@@ -4750,7 +4750,7 @@ SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real 
     sp_real *H = w->h + 27;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        if (law != SP__INTERIOR && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
+        if (law < SP__GIVEN && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
         else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->h, H);
         else continue;
         sp__flat_add(w, c, H);
@@ -4813,7 +4813,7 @@ SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, w->flat && w->flat->plain && law != SP__INTERIOR)) return;
+    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, w->flat && w->flat->plain && law < SP__GIVEN)) return;
 #ifndef SP_NO_PLAN
     if (w->flat) { sp__flat_factor(w, law, y, shift); return; }
 #endif
@@ -5042,8 +5042,9 @@ static int sp__dual_metric(sp__dual *w)
     return 1;
 }
 
-/* METRIC: H of the penalty form; LIMIT: exact, and room for interior points of 3 numbers a vertex, or one an edge, behind it. */
-typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC, SP__LIMIT } sp__form;
+/* METRIC: H of the penalty form; LIMIT: exact, and room for interior points of 3 numbers a vertex, or one an edge, behind it;
+ * MOTION: exact, with no such room. */
+typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC, SP__LIMIT, SP__MOTION } sp__form;
 
 /* Where every contact's block off the diagonal is. */
 static void sp__dual_slots(sp__dual *w)
@@ -5198,7 +5199,7 @@ SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *s
     sp__dual *t = sp__take(&rest, 1, sizeof *t);
     if (!t) return 0;
     t->flat = NULL;
-    size_t rays = form == SP__PENALTY ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
+    size_t rays = form == SP__PENALTY || form == SP__MOTION ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
 #ifdef SP_NO_IPM
     rays = 0;
 #endif
@@ -7500,6 +7501,7 @@ typedef struct sp__cra {
     int far;                            /* forces and slips agree, but a slip or opening exceeds eta */
     sp_real grow;                       /* how fast a drag that was lessened may grow again */
     int tiny;                           /* friction had to be dropped because its slip was too short */
+    int mirror, spent;                  /* it was searched for in the plane; the budget ended the search */
     sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
     sp_real (*held)[4];                 /* points, of a motion held fast: largest |ft| / fp, -1: open; direction; 1 / |dt| */
     sp_real *still;                     /* 6b: that motion */
@@ -7564,7 +7566,8 @@ SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real 
         const sp_contact *t = &c->pb->contact[q];
         sp_real V[3], W[3];
         sp__dual_twist(c->w, t, y, V, W);
-        for (int32_t v = t->point; v < t->point + t->points; v++) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (sp__dual_counts(c->w, v) > 0) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
     }
 }
 
@@ -7579,9 +7582,10 @@ SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int lo
         const sp_contact *t = &pb->contact[q];
         sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *g = f + 3 * (size_t)v;
+            const sp_real *g = f + 3 * (size_t)v, times = sp__dual_counts(c->w, v);
+            if (!(times > 0)) continue;
             sp__cross3(pb->local[v], g, m);
-            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+            for (int k = 0; k < 3; k++) { F[k] += times * g[k]; M[k] += times * m[k]; }
         }
         sp__dual_scatter(c->w, t, F, M, c->w->r);
     }
@@ -7650,8 +7654,12 @@ SP__APART static sp_real sp__cra_springs(sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = c->holds ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            if (c->holds) sp__cra_wedge(c, v, s, &energy);
-            else sp__cra_vertex(c, v, s, &energy);
+            const sp_real times = sp__dual_counts(c->w, (int32_t)v);
+            sp_real part = 0;
+            if (!(times > 0)) continue;
+            if (c->holds) sp__cra_wedge(c, v, s, &part);
+            else sp__cra_vertex(c, v, s, &part);
+            energy += times * part;
         }
     }
     sp__cra_balance(c, c->f, 1);
@@ -7668,6 +7676,7 @@ SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
         sp_real V[3], W[3], u[3];
         sp__dual_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (!(sp__dual_counts(c->w, v) > 0)) continue;
             sp__dual_rate(c->w, V, W, c->pb->local[v], u);
             for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
         }
@@ -7832,6 +7841,17 @@ SP__APART static void sp__cra_freedoms(sp__cra *c)
     }
 }
 
+#ifndef SP_NO_PLAN
+/* A triple in the plane as one in space: motions out of the axes e, f and alpha of mirrored corners those of their images. */
+static void sp__cra_lift(const sp__cra *c)
+{
+    const sp__flat *o = c->w->flat;
+    sp__flat_lift(c->w, c->t.dq);
+    sp__flat_spread(o, c->pb, c->t.f);
+    for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->mate[v] < v ? o->mate[v] : v];
+}
+#endif
+
 /* The triple in metres and newtons.     returns 1 when it is verified */
 SP__APART static int sp__cra_offer(sp__cra *c)
 {
@@ -7848,7 +7868,10 @@ SP__APART static int sp__cra_offer(sp__cra *c)
             if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
         }
     }
-    if (!sp__dual_count(c->w, 2 * SP__FLOPS_JUDGE, 0)) return 0;
+#ifndef SP_NO_PLAN
+    if (w->flat) sp__cra_lift(c);
+#endif
+    if (!sp__dual_pay(c->w, 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points)) return 0;
     c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->offered = 1;
@@ -8562,10 +8585,10 @@ static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_aren
 static int sp__alternate(sp__cra *c, sp_arena *a) { (void)c; (void)a; return 0; }
 #endif
 
-/* The dual, for work up to `limit`. */
-static int sp__cra_open(sp__cra *c, int64_t limit, sp_arena *a)
+/* The dual, for work up to `limit`; flat (may be NULL): in 3 rows. */
+static int sp__cra_open(sp__cra *c, int64_t limit, sp__flat *flat, sp_arena *a)
 {
-    c->w = sp__dual_open(c->pb, c->set, SP__EXACT, &c->out->cost, a);
+    c->w = sp__dual_make(c->pb, c->set, SP__MOTION, flat, &c->out->cost, a);
     if (!c->w) return 0;
     c->w->limit = limit;
     c->w->given = c->D;
@@ -8580,9 +8603,23 @@ static void sp__cra_begin(const sp__cra *c)
     if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
 }
 
+/* Is there a plane to search in? The seed's search takes the scene as it is. */
+static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat *o)
+{
+#ifndef SP_NO_PLAN
+    return !set->coupled.rounds && sp__flat_choose(pb, set, o) && o->mode == SP__PLANE;
+#else
+    (void)pb; (void)set; (void)o;
+    return 0;
+#endif
+}
+
 static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    const size_t dual = sp__dual_need(pb, set, 0, 0, scratch);
+    sp_arena room = scratch;
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (!o) return SIZE_MAX;
+    const size_t dual = sp__dual_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
     const size_t turns = c ? sp__alt_need(pb, set, scratch) : SIZE_MAX;
     if (dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
@@ -8849,29 +8886,93 @@ SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_re
     return SP_OK;
 }
 
-/* Is there a triple, by search unless one is found?     returns 1: it is in the result, -1: no memory */
-SP__APART static int sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+#ifndef SP_NO_PLAN
+/* The search in the plane, where one plane is a mirror of everything (section 11): motions in it that turn about its normal, 3
+ * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
+ * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose judge has the last
+ * word.
+ * From rest the search in space would stay in the plane by itself: energy, caps and drags are symmetric, so are Newton's steps.
+ * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
+ * nothing: motions that explain forces need not be convex, and the mean of a triple and its image is none.
+ *   returns 1 when a triple is verified, 0: none, or there is no such plane (c->mirror tells), -1: no memory */
+SP__APART static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 {
+    const size_t mark = a->used;
+    const sp_real omega = c->omega;
+    const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
+    sp__flat *o = sp__take(a, 1, sizeof *o);
+    int found = 0;
+    if (!o) return -1;
+    if (sp__cra_mirror(c->pb, c->set, o)) {
+        if (!sp__cra_open(c, limit < left ? limit : left, o, a)) return -1;
+        memset(c->f, 0, 3 * (size_t)c->pb->points * sizeof *c->f);      /* images keep it */
+        sp__cra_begin(c);
+        found = sp__cra_search(c);
+        c->mirror = 1;
+        c->spent = c->w->spent && limit >= left;
+    }
+    a->used = mark;
+    if (found || !c->mirror) return found;
+    c->offered = c->tiny = 0;
+    sp__cra_rest(c, omega);
+    return 0;
+}
+#endif
+
+/* In space, by search unless one is found, which `found` tells, then the decision. */
+SP__APART static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+{
+    const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
+    const size_t mark = a->used;
+    if (!sp__cra_open(c, limit < state->left ? limit : state->left, NULL, a)) return SP_E_MEMORY;
     const size_t turns = a->used, more = sp__alt_need(c->pb, c->set, *a);
-    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return -1;
+    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
     a->used = turns;
     if (!found) {
         sp__cra_begin(c);
         found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
     }
+    if (found < 0) return SP_E_MEMORY;
     c->out->residual = c->residual;
-    if (found > 0) sp__cra_found(c, state, omega);
+    if (found) sp__cra_found(c, state, omega);
     else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
-    return found;
+    c->spent = c->w->spent && limit >= state->left;
+    a->used = mark;
+    return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, omega, a);
+}
+
+/* Is there a triple? In the plane where there is one, then in space, unless that is left out. */
+static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_arena *a)
+{
+    const int found = c->residual <= 1 || sp__cra_hang(c, *a);
+    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
+#ifndef SP_NO_PLAN
+    const int plane = found ? 0 : sp__cra_plane(c, state->left, a);
+    if (plane < 0) return SP_E_MEMORY;
+    if (plane) {
+        c->out->residual = c->residual;
+        sp__cra_found(c, state, &r->omega);
+        return SP_OK;
+    }
+    if (!found && c->set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_OK;
+    if (!found && r->effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR) r->effect[SP_EFFECT_DEPTH] = SP_WHY_CALLED;
+    if (c->mirror && !c->spent) {
+        const sp_status status = sp__coupled_decide(c, state, &r->omega, a);
+        if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    }
+#endif
+    return sp__coupled_search(c, found, state, &r->omega, a);
 }
 
 /* Is there a triple? Its forces become state->f. Else, where asked, what the joints would have to carry.
- *   in     out->verdict, reason: statics, if there are no forces (state->f) to begin with
+ *   in     r->coupled.verdict, reason: statics, if there are no forces (state->f) to begin with; r->omega of the forces
  *          state->left: flops, ten sweeps or more
- *   out    verdict, reason, residual, rounds, dq, alpha, cost; *omega of the new forces */
+ *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->omega of the new forces, r->demand; r->effect: in space after
+ *          all */
 SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
-                                           sp_coupled *out, sp_real *omega, sp_demand *demand)
+                                           sp_result *r)
 {
+    sp_coupled *out = &r->coupled;
     sp__cra *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
@@ -8890,24 +8991,16 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
     c->statics = state->f;
     for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
     memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
-    sp__cra_rest(c, *omega);
-    const int found = out->reason != SP_COUPLING_STATICS && (c->residual <= 1 || sp__cra_hang(c, *a));
-    out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;             /* offers pay for themselves */
-    const int64_t search = SP__CRA_FLOPS < state->left ? SP__CRA_FLOPS : state->left;
-    if (!sp__cra_open(c, search, a)) return SP_E_MEMORY;
+    sp__cra_rest(c, r->omega);
     sp_status status = SP_OK;
-    if (out->reason != SP_COUPLING_STATICS) {
-        if (sp__coupled_search(c, found, state, omega, a) < 0) return SP_E_MEMORY;
-        const int spent = c->w->spent && search == state->left;
-        a->used = mark;
-        if (out->verdict == SP_COUPLING_NOT_FOUND && !spent) status = sp__coupled_decide(c, state, omega, a);
-    }
+    if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
+    else out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;
     if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
         const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
         a->used = mark;
-        if (!sp__cra_open(c, help < state->left ? help : state->left, a)) return SP_E_MEMORY;
+        if (!sp__cra_open(c, help < state->left ? help : state->left, NULL, a)) return SP_E_MEMORY;
         sp__cra_begin(c);
-        sp__cra_help(c, demand);
+        sp__cra_help(c, r->demand);
     }
     sp__cra_spread(c);
     return status;
@@ -9811,7 +9904,7 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
         out->verdict = SP_COUPLING_COUPLED;
         out->reason = SP_COUPLING_MOTION;
     } else if (c->state.left >= 10 * SP__FLOPS_JUDGE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
-        status = sp__coupled_run(&c->pb, &c->set, &c->state, a, out, &r->omega, r->demand);
+        status = sp__coupled_run(&c->pb, &c->set, &c->state, a, r);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
@@ -9819,6 +9912,9 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     r->verdict = out->verdict == SP_COUPLING_REFUTED ? SP_UNSTABLE : SP_UNDECIDED;
     r->reason = out->verdict == SP_COUPLING_REFUTED ? SP_REASON_NO_MOTION : SP_REASON_NOT_COUPLED;
     r->verified = r->verdict == SP_UNSTABLE;
+    if (r->verified || c->set.effect[SP_EFFECT_DEPTH] != SP_WITHOUT) return status;
+    r->reason = SP_REASON_EFFECT;
+    r->missing = SP_EFFECT_DEPTH;
     return status;
 }
 #endif

@@ -513,7 +513,7 @@ typedef enum sp_effect_why {
     SP_WHY_STATICS,             /* off: statics */
     SP_WHY_APART,               /* off: islands */
     SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
-    SP_WHY_MIRROR,              /* off: one mirror plane for everything */
+    SP_WHY_MIRROR,              /* off: one mirror plane for everything; not where a motion had to be sought in space */
     SP_WHY_PRESSURE,            /* off: what presses on level joints decides without */
     SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
 } sp_effect_why;

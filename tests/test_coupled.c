@@ -996,12 +996,13 @@ TEST(the_seeds_alternation_is_refused_where_it_is_left_out)
 
 TEST(the_coupled_check_takes_exactly_the_memory_it_says)
 {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         sp_settings set = asked(100, 0);
         sp_scene s;
         sp_result r;
         sp_arena a;
         size_t bytes = 0;
+        if (k == 3) set.faces = 8;
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
         if (k == 2) set = turns(100);
 #endif

@@ -645,6 +645,61 @@ TEST(a_coupled_check_agrees_with_its_search_on_random_scenes)
     CHECK(told > 20);
 }
 
+/* Rings with a mirror: the motion found in the plane is judged in space, and what is not found there is decided in space. */
+TEST(a_motion_is_looked_for_in_the_plane_first_and_what_is_not_there_is_decided_in_space)
+{
+    static const struct { const char *name, *param; double low, high; } kind[] = {
+        { "arch", "t", 0.11, 0.2 }, { "keystone", "angle", -30, 30 }, { "h-model", NULL, 0, 0 }, { "wall", "rows", 2, 5 },
+        { "diamond", "rows", 2, 4 }
+    };
+    int plane = 0, refuted = 0, told = 0;
+    int64_t flops = 0, most = 0;
+    for (int k = 0; k < 60; k++) {
+        sp_settings set = sp_settings_default();
+        set.localise = 0;
+        set.coupled.asked = 1;
+        set.coupled.box = k / 5 % 2;
+        set.faces = k / 10 % 2 ? 8 : 0;
+        set.inscribed = k / 20 % 2;
+        test_arena.used = 0;
+        const double value = (double)test_random_real(kind[k % 5].low, kind[k % 5].high);
+        const double mu = (double)test_random_real(0.4, 1.3);
+        const sp_scene s = part(kind[k % 5].name, kind[k % 5].param, k % 5 < 3 ? value : (int)value, mu);
+        if (k % 5 != 2 && s.count.points <= SP_EXACT_POINTS) set.coupled.nodes = 200;
+        agree_coupled(&s, &set, &told);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), all = with_search(&s, set, &a);
+        const int lies = r.effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR;
+        refuted += r.coupled.reason == SP_COUPLING_NO_MOTION;
+        if (r.coupled.reason == SP_COUPLING_STATICS) continue;
+        CHECK_INT(lies, r.level == SP_COUPLED);
+        if (!lies) continue;
+        plane++;
+        flops += r.coupled.cost.flops;
+        most += all.coupled.cost.flops;
+    }
+    CHECK_INT(told, 0);
+    if (TELLS) CHECK(plane > 25 && refuted > 3 && 2 * flops < most);
+}
+
+/* Without the third dimension what the plane does not explain stays open: the H model has no motion there. */
+TEST(without_the_third_dimension_a_motion_is_found_or_nothing_is_said)
+{
+    for (int k = 0; k < 2; k++) {
+        sp_settings set = sp_settings_default();
+        set.coupled.asked = 1;
+        set.effect[SP_EFFECT_DEPTH] = SP_WITHOUT;
+        test_arena.used = 0;
+        const sp_scene s = k ? part("h-model", NULL, 0, 0.84) : part("wall", "rows", 3, -1);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a);
+        CHECK_INT(r.verdict, k ? SP_UNDECIDED : SP_STABLE);
+        CHECK_INT(r.coupled.verdict, k ? SP_COUPLING_NOT_FOUND : SP_COUPLING_COUPLED);
+        CHECK_INT(r.reason, k ? SP_REASON_EFFECT : SP_REASON_FORCES);
+        if (k) CHECK_INT(r.missing, SP_EFFECT_DEPTH);
+    }
+}
+
 /* mu = 0, rings or not: the least sum of fn and its multipliers tell either way what a search leaves open. */
 TEST(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
 {
@@ -736,6 +791,8 @@ TEST_LIST(plan)
     RUN(what_hangs_on_its_supports_as_a_forest_is_coupled_without_a_search)
     RUN(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
     RUN(a_coupled_check_agrees_with_its_search_on_random_scenes)
+    RUN(a_motion_is_looked_for_in_the_plane_first_and_what_is_not_there_is_decided_in_space)
+    RUN(without_the_third_dimension_a_motion_is_found_or_nothing_is_said)
     RUN(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
     RUN(a_ring_is_never_told_without_a_search)
 #endif
