@@ -12236,14 +12236,18 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
 {
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
+    sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
     sp_real step = 4 * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
-        const sp_verdict claim = sp__limit_exact(L, a, L->r.f, room);
-        if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, L->r.f, L->r.f, L->room)) {
-            L->r.lower = a * L->ref;
-            L->r.omega = L->ends.omega;
+        const sp_verdict claim = sp__limit_exact(L, a, f, room);
+        if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, f, f, L->room)) {
+            if (a * L->ref > L->r.lower) {
+                L->r.lower = a * L->ref;
+                L->r.omega = L->ends.omega;
+                memmove(L->r.f, f, 3 * (size_t)L->ends.pb.points * sizeof *f);
+            }
             if (any || L->best < SP__HUGE) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
