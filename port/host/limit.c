@@ -199,6 +199,7 @@ static void print_tilt(const report *r, const tilt_margin *m)
         json_string(&j, "scene", r->scene->path);
         if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
         if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
+        json_bool(&j, "at_least", m->undecided > 0);
         json_int(&j, "undecided", m->undecided);
         json_string(&j, "cone", r->options->cone);
         json_open(&j, "angles", '[');
@@ -209,7 +210,8 @@ static void print_tilt(const report *r, const tilt_margin *m)
         return;
     }
     if (!m->stands) { printf("%s: does not stand while level\n", r->scene->path); return; }
-    printf("%s: TILT MARGIN %.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->least, m->azimuth);
+    printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->undecided ? "at least " : "",
+           m->least, m->azimuth);
     row("how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }

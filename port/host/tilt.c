@@ -116,6 +116,11 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
                        + l->couple[1] * l->couple[1] + l->couple[2] * l->couple[2] > 0)
             return text_fail(error, EXIT_USAGE, s->path, 0, "--tilt-margin turns weights only, not the forces of this scene");
     }
+    for (int32_t k = 0; k < s->scene.count.interfaces; k++) {           /* strength doesn't scale with gravity as cones do */
+        const sp_joint *j = &s->scene.interface[k].joint;
+        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0)
+            return text_fail(error, EXIT_USAGE, s->path, 0, "--tilt-margin is for joints without strength; check --tilt takes it along");
+    }
     m->stands = stands_level(s, o, error, &status);
     if (status || !m->stands) return status;
     level(s->scene.gravity, g, h);
@@ -182,9 +187,9 @@ int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margi
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n",
             SIDE, SIDE + 20, SIDE, SIDE + 20);
-    fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by up to %.3g&#176;</text>\n"
+    fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by %s %.3g&#176;</text>\n"
             "<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); %s cone</text>\n",
-            m->least, m->azimuth, o->cone);
+            m->undecided ? "at least" : "up to", m->least, m->azimuth, o->cone);
     grid(out, most, step);
     fputs("<path fill=\"#1b7837\" fill-opacity=\"0.25\" stroke=\"#1b7837\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"", out);
     for (int k = 0; k < TILT_AZIMUTHS; k++) {

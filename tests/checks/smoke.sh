@@ -258,6 +258,9 @@ gen topple angle=13
 part "limit: tilt margin of a block of 1 : 4 that leans already" says '"tilt_margin": 1.0362434' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
 part "limit: --tilt-margin or --body" exits 64 "$cli" limit --tilt-margin --body 1,0,0 "$tmp/scene.obj"
 part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$tmp/tilt.svg" "$tmp/scene.obj"
+part "limit: a decided margin is no lower bound" says '"at_least": false' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
+echo '#@ cohesion 2e4' | cat - "$tmp/scene.obj" > "$tmp/glued.obj"
+part "limit: no tilt margin of joints with strength" exits 64 "$cli" limit --tilt-margin "$tmp/glued.obj"
 gen topple angle=15
 part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
 part "limit: does not stand level: 1" exits 1 "$cli" limit --tilt-margin "$tmp/scene.obj"
