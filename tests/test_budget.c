@@ -116,7 +116,11 @@ TEST(a_plan_keeps_to_a_budget_and_decides_with_less_of_it)
         CHECK(!r.verdict || !all.verdict || r.verdict == all.verdict);
         less += r.verdict && !check(&s, &set).verdict;
     }
+#ifndef SP_NO_PLAN                                      /* which leaves nothing to decide with less */
     if (sizeof(sp_real) == 8) CHECK(less > 2);
+#else
+    CHECK_INT(less, 0);
+#endif
 }
 
 /* Rounds of projections lessen the imbalance of the whole, not of the worst block: the best of them counts. */
