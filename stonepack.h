@@ -520,7 +520,7 @@ typedef enum sp_effect_why {
 
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. */
 typedef struct sp_island {
-    sp_verdict verdict;         /* of its own */
+    sp_verdict verdict;         /* of its own, by statics: the coupled check is made of the whole */
     sp_reason reason;
     sp_stage_id stage;
     int32_t block, blocks;      /* its first block, how many it has */

@@ -381,7 +381,8 @@ static void text_islands(FILE *out, const report *r)
     if (!x->part) return;
     for (int32_t k = 0; k < x->islands; k++) stable += x->part[k].verdict == SP_STABLE;
     row(out, "islands");
-    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands, (long)stable);
+    fprintf(out, "%ld solved apart, %ld stable%s", (long)x->islands, (long)stable,
+            r->options->settings.coupled.asked ? " by statics" : "");
     for (int32_t k = 0; k < x->islands && named < SHOWN; k++)
         if (x->part[k].verdict != SP_STABLE)
             fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->part[k].block], sp_verdict_text(x->part[k].verdict));
