@@ -6494,6 +6494,37 @@ static int sp__newton_bonded(sp__dual *w, sp_state *state)
 }
 #endif
 
+/* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.
+ * looked: w->r is of w->y already. */
+static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *state)
+{
+    const int whole = sp__dual_whole(w);
+    if (w->singular) sp__newton_loose(w, n, state);
+    if (sp__dual_metric(w)) { sp__dual_bilateral(w); looked = 0; }
+    if (whole) sp__newton_try(w, n, w->y, state);
+    if (looked) sp__newton_keep(w, n, state);
+    else sp__newton_look(w, n, state);
+    if (whole) sp__newton_plain(w, n, state);
+    sp__newton_finish(w, n, state);
+#ifndef SP_NO_IPM
+    const int cones = !sp__scene_strong(w->pb->scene);         /* with strength K is none */
+    if (sp__newton_open(n) && whole && cones) sp__ipm_run(w, w->inner, n, state);
+#endif
+    if (sp__newton_open(n) && whole) {
+        sp__newton_path(w, n, state);
+        sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
+        sp__newton_finish(w, n, state);
+#ifndef SP_NO_IPM
+        if (sp__newton_open(n) && cones && sp__newton_left(w, n)) {      /* as near as y goes; on in forces */
+            memcpy(w->y, state->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+            sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+            n->left--;
+            sp__ipm_forces(w, NULL, n, state);
+        }
+#endif
+    }
+}
+
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
  * the least force is all that is tried: it says what stands, and where it does not little is lost. */
 SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
@@ -6526,30 +6557,7 @@ SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_setti
 #endif
     sp__dual_sizes(w, w->y);
     if (!whole && w->singular) return SP_OK;
-    if (w->singular) sp__newton_loose(w, &n, state);
-    if (sp__dual_metric(w)) { sp__dual_bilateral(w); looked = 0; }
-    if (whole) sp__newton_try(w, &n, w->y, state);
-    if (looked) sp__newton_keep(w, &n, state);
-    else sp__newton_look(w, &n, state);
-    if (whole) sp__newton_plain(w, &n, state);
-    sp__newton_finish(w, &n, state);
-#ifndef SP_NO_IPM
-    const int cones = !sp__scene_strong(pb->scene);         /* with strength K is none */
-    if (sp__newton_open(&n) && whole && cones) sp__ipm_run(w, w->inner, &n, state);
-#endif
-    if (sp__newton_open(&n) && whole) {
-        sp__newton_path(w, &n, state);
-        sp__newton_plain(w, &n, state);                 /* from there, without what |y|^2 pulls */
-        sp__newton_finish(w, &n, state);
-#ifndef SP_NO_IPM
-        if (sp__newton_open(&n) && cones && sp__newton_left(w, &n)) {      /* as near as y goes; on in forces */
-            memcpy(w->y, state->y, 6 * (size_t)pb->blocks * sizeof *w->y);
-            sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
-            n.left--;
-            sp__ipm_forces(w, NULL, &n, state);
-        }
-#endif
-    }
+    sp__exact_ways(w, &n, looked, state);
     const int spent = w->spent;
     w->limit = state->left;
     w->spent = 0;
