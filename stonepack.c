@@ -3589,6 +3589,7 @@ typedef struct sp__ipm {
     sp_real stake;                      /* weight of the pair: tau kappa = stake mu */
     sp_real reach;                      /* step length */
     sp_real dtau, dkappa;
+    int ray;                            /* forces are asked for the live loads alone */
 } sp__ipm;
 #endif
 
@@ -6294,6 +6295,14 @@ static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_r
     sp__cone_project(&w->cone, yield, g, g);
 }
 
+/* Forces of the live loads alone: is this a vertex that only others press, W^2 < 1, so x -> 0? What x is left there would have
+ * to balance stones that nothing else holds. */
+static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp_real D[6])
+{
+    const sp_real S = m->natural * sp__dual_S(w, c);
+    return m->ray && D[0] < S * S;
+}
+
 /* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). m NULL: D = S DP_K and
  * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
@@ -6322,6 +6331,7 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
                 sp__dual_force(w, c, yield, u, g);
                 if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist, u, D)) memset(D, 0, 6 * sizeof *D);
             }
+            if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
             sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, f);
@@ -6442,6 +6452,7 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
     if (w->metric > 0) m->natural = 1 / (4 * w->metric);
     m->theta = m->tau = 1;
     m->kappa = m->stake;
+    m->ray = 0;
     m->along[0] = m->along[1] = m->along[2] = w->y;
     w->inner = m;
 }
@@ -12069,7 +12080,10 @@ static int sp__limit_lower(sp__limit *L, sp_real near)
 static int sp__limit_ray(sp__limit *L)
 {
     const sp_real l = L->l / L->m.tau;
-    if (!sp__limit_forces(L, 0, 1, L->l, L->r.ray)) return 0;
+    L->m.ray = 1;
+    const int found = sp__limit_forces(L, 0, 1, L->l, L->r.ray);
+    L->m.ray = 0;
+    if (!found) return 0;
     for (size_t k = 0; k < 3 * (size_t)L->ends.pb.points; k++) L->r.ray[k] /= L->ref;
     L->r.kind = SP_LIMIT_UNBOUNDED;
     if (!sp__limit_forces(L, 1, l, L->m.tau, L->r.f)) return 1;

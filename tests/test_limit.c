@@ -41,6 +41,16 @@ static sp_limit_result limit_of(const sp_scene *scene, const sp_settings *settin
     return x;
 }
 
+/* What sp_check says with so many live loads. */
+static sp_verdict verdict_at(sp_scene s, const sp_settings *set, double lambda)
+{
+    sp_arena a = test_arena;
+    sp_result r;
+    s.live = R(lambda);
+    CHECK_INT(sp_check(&s, set, &a, &r), SP_OK);
+    return r.verdict;
+}
+
 #ifdef SP_NO_PLAN
 enum { PLANS = 0 };
 #else
@@ -342,6 +352,47 @@ TEST(a_load_that_presses_has_no_end)
     CHECK((double)x.lower >= (sin(0.3) - 0.2 * cos(0.3)) / 0.2 * (1 - NEAR));
 }
 
+/* On each free stone in turn, alone: pressed at its middle, off it, at a slant, pushed aside, turned. The stones above bear nothing
+ * of it, however much it is. */
+TEST(a_load_on_any_stone_has_an_end_or_none)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "tower", "n", 2 }, { "tower", "n", 6 }, { "wall", "rows", 3 }, { "rubble", "rows", 3 }, { "diamond", "rows", 3 }
+    };
+    static const double force[5][3] = { { 0, 0, -1 }, { 0, 0, -1 }, { 0.2, 0.05, -1 }, { 1, 0, 0 }, { 0, 0, 0 } };
+    int several[4] = { 0, 0, 0, 0 };
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++)
+        for (int32_t i = 1, stones = 2; i < stones; i++) {
+            for (int q = 0; q < 5; q++) {
+                sp_load load;
+                sp_scene s;
+                test_arena.used = 0;
+                CHECK_INT(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s), SP_OK);
+                stones = s.count.blocks;
+                const sp_block *b = &s.block[i];
+                if (b->fixed == SP_FIXED) continue;
+                memset(&load, 0, sizeof load);
+                load.block = i;
+                load.live = 1;
+                for (int x = 0; x < 3; x++) {
+                    load.force[x] = R(2000 * force[q][x]);
+                    load.point[x] = b->centroid[x] + (q == 1 && x < 2 ? R(0.1) * b->diameter : 0);
+                }
+                load.couple[1] = q == 4 ? R(1000) : 0;
+                s.load = &load;
+                s.count.loads = s.cap.loads = 1;
+                const sp_limit_result x = limit_of(&s, NULL);
+                several[x.kind]++;
+                if (x.kind == SP_LIMIT_UNDECIDED) TEST_PRINT("    %s %g, block %d, load %d: undecided, %g to %g\n", scene[k].name, scene[k].value, (int)i, q, (double)x.lower, (double)x.upper);
+                for (double times = 1e3; x.kind == SP_LIMIT_UNBOUNDED && times < 1e7; times *= 1e3)
+                    CHECK_INT(verdict_at(s, NULL, times), SP_STABLE);
+            }
+        }
+    CHECK_INT(several[SP_LIMIT_UNDECIDED], 0);
+    CHECK_INT(several[SP_LIMIT_NONE], 0);
+    CHECK(several[SP_LIMIT_FOUND] > 100 && several[SP_LIMIT_UNBOUNDED] > 100);
+}
+
 TEST(without_live_load_it_is_all_or_nothing)
 {
     sp_scene s = cube(sp_joint_friction(R(0.2)));
@@ -443,16 +494,6 @@ static sp_scene pile(void)
     }
     for (int k = 0; k < 3; k++) s.body[k] = test_random_real(-5, 5);
     return s;
-}
-
-/* What sp_check says with so many live loads. */
-static sp_verdict verdict_at(sp_scene s, const sp_settings *set, double lambda)
-{
-    sp_arena a = test_arena;
-    sp_result r;
-    s.live = R(lambda);
-    CHECK_INT(sp_check(&s, set, &a, &r), SP_OK);
-    return r.verdict;
 }
 
 TEST(bisection_of_verdicts_ends_within_the_bracket)
@@ -672,6 +713,7 @@ TEST_LIST(limit)
     RUN(what_slides_is_called_sliding)
     RUN(what_falls_whatever_the_live_load_has_no_multiplier)
     RUN(a_load_that_presses_has_no_end)
+    RUN(a_load_on_any_stone_has_an_end_or_none)
     RUN(without_live_load_it_is_all_or_nothing)
     RUN(a_live_load_on_a_support_changes_nothing)
     RUN(units_do_not_matter)
