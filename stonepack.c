@@ -11887,6 +11887,11 @@ typedef struct sp__limit {
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
+#ifdef SP_REAL_MIXED
+#define SP__LIMIT_STEP 400              /* so many tol below a motion's balance forces are asked for: factors in float tell no nearer */
+#else
+#define SP__LIMIT_STEP 4
+#endif
 
 static void sp__limit_at(sp__limit *L, sp_real a)
 {
@@ -12125,8 +12130,9 @@ SP__APART static int sp__limit_run(sp__limit *L)
     sp__ends *e = &L->ends;
     const int32_t faces = w->cone.faces;
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
+    int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__limit_start(L);
-    for (int it = 0; it < SP__LIMIT_MOST && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__LIMIT_MOST && idle < 3 && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
@@ -12144,6 +12150,7 @@ SP__APART static int sp__limit_run(sp__limit *L)
         if (L->none && sp__ends_fall(e, 0, 1, NULL, L->room)) return 1;
         sp__limit_step(L);
         if (w->spent) return 0;
+        idle = m->reach < (sp_real)0.1 ? idle + 1 : 0;
     }
     sp__limit_lower(L, 1000 * SP__LIMIT_NEAR);
     return 0;
@@ -12260,7 +12267,7 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
-    sp_real step = 4 * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
+    sp_real step = SP__LIMIT_STEP * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
         const sp_verdict claim = sp__limit_exact(L, a, f, room);
