@@ -12132,7 +12132,7 @@ SP__APART static int sp__limit_run(sp__limit *L)
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
     int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__limit_start(L);
-    for (int it = 0; it < SP__LIMIT_MOST && idle < 3 && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__LIMIT_MOST && idle < 8 && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
