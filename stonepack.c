@@ -9220,6 +9220,24 @@ SP_API sp_settings sp_settings_seed(void)
 }
 #endif
 
+#define SP__FORCES_LEAST ((sp_real)4)   /* least force_bound: eight times what a stone on one point takes */
+
+/* What rounding and the scene have a say in.
+ *
+ *     force_bound   min(1e6, tol / (10 u)): larger forces round to more than tol. A finer tol brings it down no further than
+ *                   SP__FORCES_LEAST: a proof below that says nothing of what stands.
+ *     tol           within it a block may miss balance sideways by tol of its forces, where friction holds mu of them: an
+ *                   eighth of the least mu at most, or a cube on a slope of 2 mu would stand. */
+static void sp__settings_fit(const sp_scene *scene, sp_settings *s)
+{
+    const sp_real most = s->tol / (10 * (sp_real)SP_EPSILON);
+    if (!(s->force_bound > 0)) s->force_bound = sp__max(SP__FORCES_LEAST, most < (sp_real)1e6 ? most : (sp_real)1e6);
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        const sp_real enough = scene->interface[k].joint.mu / 8;
+        if (enough > 0 && enough < s->tol) s->tol = sp__max(enough, 4 * (sp_real)SP_EPSILON);
+    }
+}
+
 #ifndef SP_EXACT_ONLY
 /* What of a table of constants could break a loop or a pyramid. */
 static int sp__seed_fits(const sp_seed *s)
@@ -9268,8 +9286,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
 #endif
     if (out->coupled.asked && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
-    const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
-    if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
+    sp__settings_fit(scene, out);
     return SP_OK;
 }
 
@@ -9299,8 +9316,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     for (int k = 0; k < 2; k++) other |= out->effect[k] == SP_WITHOUT;          /* friction, depth */
     for (int32_t k = 0; k < out->stage_count; k++) other |= out->stage[k] != SP_STAGE_GATES && out->stage[k] != SP_STAGE_EXACT;
     if (other) return SP_E_UNSUPPORTED;
-    const sp_real most = out->tol / (10 * (sp_real)SP_EPSILON);
-    if (!(out->force_bound > 0)) out->force_bound = most < (sp_real)1e6 ? most : (sp_real)1e6;
+    sp__settings_fit(scene, out);
     return SP_OK;
 }
 #endif

@@ -417,8 +417,10 @@ struct sp_seed;
 /* Settings of a check. Get them from sp_settings_default() and change what you must. */
 typedef struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
-                                   with coupled.asked above 1e-6, float 1e-4, counts as that */
-    sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;     0: min(1e6, tol/(10u))
+                                   above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
+                                   float 1e-4, as that; the result says what was in force */
+    sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
+                                   0: tol/(10u), 4 at least, 1e6 at most
                                    larger decides nearer to friction locks, smaller decides collapse sooner */
     int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
     int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */

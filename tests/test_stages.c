@@ -487,20 +487,43 @@ TEST(what_runs_dry_leaves_the_rest_to_others)
 
 TEST(the_force_bound_follows_the_tolerance_unless_given)
 {
-    static const double tol[] = { 1e-3, TOL(1e-9, 1e-4), TOL(1e-12, 1e-5) };
+    static const double tol[] = { 1e-3, TOL(1e-9, 1e-4), TOL(1e-12, 1e-5), TOL(1e-15, 2.5e-7) };
     sp_scene s;
     sp_settings set = sp_settings_default();
     build("two-cubes", NULL, 0, &s);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         const double most = tol[k] / (10 * (double)SP_EPSILON);
         set.tol = R(tol[k]);
         const sp_result r = check(&s, &set);
-        CHECK_NEAR(r.force_bound, most < 1e6 ? most : 1e6, 4 * (double)SP_EPSILON);
+        CHECK_NEAR(r.force_bound, most > 1e6 ? 1e6 : most > 4 ? most : 4, 4 * (double)SP_EPSILON);
         CHECK_NEAR(r.tol, tol[k], 4 * (double)SP_EPSILON);
     }
     set.force_bound = 77;
     const sp_result r = check(&s, &set);
     CHECK_WITHIN(r.force_bound, 77, 0);
+}
+
+/* Beyond its friction by a factor of two a cube misses balance by mu alone: no tol takes that for standing, short of 4 u. */
+TEST(no_tolerance_is_larger_than_what_friction_holds)
+{
+    static const double mu[] = { 1e-2, 1e-4, TOL(1e-8, 1e-6), TOL(1e-12, 1e-6) };
+    for (int k = 0; k < 4; k++)
+        for (int beyond = 0; beyond < 2; beyond++) {
+            const double least = 4 * (double)SP_EPSILON;
+            gen_scene g;
+            sp_scene s;
+            sp_settings set = sp_settings_default();
+            test_arena.used = 0;
+            gen_open(&g, "incline");
+            gen_set(&g, "angle", 0);
+            gen_set(&g, "mu", mu[k]);
+            CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+            s.gravity[0] = -s.gravity[2] * R(mu[k]) * (beyond ? 2 : R(0.5));
+            set.tol = R(1e-2);
+            const sp_result r = check(&s, &set);
+            CHECK_INT(r.verdict, beyond ? SP_UNSTABLE : SP_STABLE);
+            CHECK_NEAR(r.tol, mu[k] / 8 > least ? mu[k] / 8 : least, 4 * (double)SP_EPSILON);
+        }
 }
 
 /* A keystone's sides press N = W / (2 (mu cos a - sin a)) each, in four equal corners; the ordinary force, were joints glued,
@@ -1040,6 +1063,7 @@ TEST_LIST(stages)
     RUN(walls_about_to_fall_in_their_plane_take_few_iterations)
     RUN(what_runs_dry_leaves_the_rest_to_others)
     RUN(the_force_bound_follows_the_tolerance_unless_given)
+    RUN(no_tolerance_is_larger_than_what_friction_holds)
     RUN(a_keystone_stands_when_the_force_bound_lets_it)
     RUN(a_stage_that_is_right_is_believed)
     RUN(a_stage_that_lies_with_forces_is_not_believed)

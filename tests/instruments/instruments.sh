@@ -120,12 +120,12 @@ cases)
     done
     # shellcheck disable=SC2046
     build plain -O2; run plain fine fine $(files); echo "at tol 1e-12: $(grep -c '| stable' $out/fine.txt) stand, each balanced to 1e-12"
-    # Float at the tol its band of 1e-3 takes, friction of 1e-6 at less. Left open may be, with the distance from the limit:
+    # Float at the tol its band of 1e-3 takes. Left open may be, with the distance from the limit:
     #   b_arch20_m001            1e-4
     #   b_wall15x20_m01, 8i      1e-3, the band's edge: hundreds of joints slide and open at once
     #   c_chain300_lean          1e-3 and 1e-2: height 300 x base, rounding comes to 300^2 u of a block's forces
     # and c_wall_huge is refused: squares of its weights leave the range of a float.
-    printf '#!/bin/sh\ncase "$*" in *c_mu1e-6*) tol=2.5e-7 ;; *) tol=3e-6 ;; esac\nexec %s "$@" --tol $tol\n' $out/program-float > $out/program-fine
+    printf '#!/bin/sh\nexec %s "$@" --tol 3e-6\n' $out/program-float > $out/program-fine
     chmod +x $out/program-fine
     python3 ../shared/tools/run_cases.py --cli $out/program-fine > $out/cases.txt || true
     echo "float: $(tell)"
