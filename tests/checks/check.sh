@@ -479,6 +479,8 @@ check_instruments() {                                   # the battery of hard sc
     count "tests, factors in float" mixed_tests
     SHOW=1
     part "battery: quad; each scene's omega, growth of rounding, time" sh tests/instruments/instruments.sh quad
+    if have python3; then part "double, mixed, quad, float: the same verdicts outside their bands" sh tests/instruments/instruments.sh precisions
+    else skip "precisions side by side" python3; fi
     SHOW=
     if [ -d ../shared/cases ] && have python3; then
         SHOW=1
