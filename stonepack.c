@@ -11891,6 +11891,7 @@ typedef struct sp__limit {
     sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
     sp_real along[2];                   /* a step is its free part and these multiples of Vq and Vp */
     sp_real best, slack;                /* least power balance of a motion (kept in ends.dq), and what tol adds to it */
+    sp_real least;                      /* largest one of a motion that live loads hinder: less does not stand */
     int none;                           /* that motion falls at 0, too */
 } sp__limit;
 
@@ -12260,6 +12261,20 @@ static sp_real sp__limit_balance(const sp__limit *L)
     return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
 }
 
+/* Vp falls below `least`, Vq beyond `best`, which is not more: together, in the shares in which live loads do no work, they fall at
+ * any multiple, for joints resist both at once with no more than what they resist each with. */
+static int sp__limit_never(sp__limit *L)
+{
+    sp__ends *e = &L->ends;
+    const size_t n = 6 * (size_t)e->pb.blocks;
+    const sp_real p = sp__dot(e->live, L->Vp, n), q = sp__dot(e->live, L->Vq, n);
+    if (!(L->least >= L->best && p < 0 && q > 0)) return 0;
+    for (size_t k = 0; k < n; k++) e->dq[k] = L->Vp[k] / -p + L->Vq[k] / q;
+    L->none = sp__ends_fall(e, 0, 1, NULL, L->room);
+    if (!L->none) memcpy(e->dq, L->Vq, n * sizeof *e->dq);
+    return L->none;
+}
+
 /* An UNSTABLE at *a: its motion is a better bound from above, or, where live loads would hold it, from below. *a: where to ask
  * next.                                                                             returns 0: nothing gained */
 static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
@@ -12270,7 +12285,11 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
     L->none = beyond && last <= 0;
     if (L->none) return 1;
     if (!(balance < SP__HUGE)) return 0;
-    if (beyond && balance < L->best) L->best = balance;
+    if (beyond ? balance < L->best : balance > L->least) {
+        *(beyond ? &L->best : &L->least) = balance;
+        memcpy(beyond ? L->Vq : L->Vp, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
+    }
+    if (sp__limit_never(L)) return 1;
     *a = sp__max(0, beyond ? L->best - step : balance + step);
     return beyond ? *a < last : *a > last && *a < L->best;
 }
@@ -12284,6 +12303,8 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
     sp_real step = SP__LIMIT_STEP * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
+    L->least = -SP__HUGE;
+    memcpy(L->Vq, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
         const sp_verdict claim = sp__limit_exact(L, a, f, room);
@@ -12314,13 +12335,14 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
     return 0;
 }
 
-/* The motion at hand proves the upper end, the least it can. */
-SP__APART static int sp__limit_upper(sp__limit *L)
+/* The motion at hand proves the upper end, the least it can; or that of the exact stage there. */
+SP__APART static int sp__limit_upper(sp__limit *L, sp_arena room)
 {
     sp_limit_result *r = &L->r;
-    sp_real slack = sp__max(L->slack, L->ends.set.tol) * (sp_real)1.5;
+    sp_real slack = sp__max(L->slack, L->ends.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
     for (int it = 0; it < 8; it++, slack *= 2) {
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
+        if (it == 2 && !L->none) sp__limit_exact(L, L->best + slack, r->ray, room);
         if (!sp__ends_fall(&L->ends, lambda, 1, r->dq, L->room)) continue;
         r->upper = lambda;
         r->least_imbalance = L->ends.least;
@@ -12397,7 +12419,7 @@ SP__APART static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
         L->none = 0;
         sp__limit_newton(L, rest);
     }
-    if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L);
+    if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L, rest);
     sp__limit_conclude(L);
     if (L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)e->scene.count.blocks * sizeof *L->r.dq);
     if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)e->pb.points * sizeof *L->r.ray);
@@ -12477,7 +12499,7 @@ SP__APART static sp_status sp__limit_build(const sp_scene *scene, const sp_setti
     sp__limit_carve(L, count.blocks, a);
     const size_t need = sp__judge_need(&L->ends.pb, &L->ends.set);
     L->room.base = sp__take(a, 1, need);
-    L->room.cap = need;
+    L->room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
     if (sp__failed(a)) return SP_E_MEMORY;
     sp_limit_result *r = &L->r;
     r->f = arrays.f; r->ray = arrays.ray; r->dq = arrays.dq; r->y0 = arrays.y0;
