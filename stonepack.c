@@ -11916,6 +11916,16 @@ static void sp__limit_at(sp__limit *L, sp_real a)
     sp__ends_mix(&L->ends, 1, a * L->ref);
 }
 
+/* Loads at a; where they all but cancel each other, which is no size for anything, at a + 1. */
+static void sp__limit_apart(sp__limit *L, sp_real a)
+{
+    const sp__ends *e = &L->ends;
+    sp_real dead = 0, both = 0;
+    sp__limit_at(L, a);
+    for (size_t k = 0; k < 6 * (size_t)e->pb.blocks; k++) { dead += sp__abs(e->dead[k]); both += sp__abs(e->pb.p[k]); }
+    if (16 * both < dead) sp__limit_at(L, a + 1);
+}
+
 /* Sizes of the certificate check for the loads at hand; with a metric E hangs on them, and they stay. */
 static void sp__limit_sizes(sp__limit *L)
 {
@@ -11943,7 +11953,7 @@ SP__APART static void sp__limit_columns(sp__limit *L)
     L->G[0] = sp__dot(L->q, L->Vq, n);
     sp__limit_at(L, 0);
     const sp_real a = L->G[0] > 0 ? -sp__dual_work(w, L->Vq) / L->G[0] : 0;
-    sp__limit_at(L, L->l / L->m.tau);
+    sp__limit_apart(L, L->l / L->m.tau);
     sp__limit_sizes(L);
     sp__limit_at(L, a > most ? most : a < -most ? -most : a);
     sp__dual_load(w, w->r);
@@ -12223,7 +12233,7 @@ SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
     e->y0 = L->r.y0;
     L->w->metric = 0;
-    sp__limit_at(L, 1);
+    sp__limit_apart(L, 1);
     sp__limit_sizes(L);
     if (sp__dual_metric(L->w)) sp__dual_weights(L->w);
     return SP_OK;
@@ -12290,8 +12300,9 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
         memcpy(beyond ? L->Vq : L->Vp, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
     }
     if (sp__limit_never(L)) return 1;
-    *a = sp__max(0, beyond ? L->best - step : balance + step);
-    return beyond ? *a < last : *a > last && *a < L->best;
+    const sp_real next = beyond ? L->best - step : balance + step < L->best ? balance + step : L->best;
+    *a = sp__max(0, next);
+    return beyond ? *a < last : *a > last;
 }
 
 /* Where interior points leave an end open: the exact stage just below the best motion's power balance. Each collapse it finds
