@@ -53,7 +53,7 @@ endif
 
 SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
-TEST_C   = -Wno-unused-function -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
+TEST_C   = -Wno-unused-function
 
 .PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures coupled-table check help clean
 
@@ -113,7 +113,9 @@ build/mixed/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_MIXED -MMD -MP -c $< -o $@
 
-build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)   # it lists the suites
+# The list of the suites, new when one comes or goes.
+build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)
+build/double/tests/run.o build/float/tests/run.o: TEST_C += -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
 RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 

@@ -14,8 +14,7 @@
 #include <string.h>
 
 #ifndef TEST_SUITES
-#define TEST_SUITES X(scene) X(matrices) X(clip) X(contacts) X(order) X(chol) X(bchol) X(newton) X(verify) X(closed) \
-                    X(invariants) X(memory)
+#error "TEST_SUITES is missing: X(scene) X(clip) ..."
 #endif
 
 #define X(stem) extern const test_entry test_##stem[];
