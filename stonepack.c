@@ -2903,10 +2903,10 @@ typedef struct sp__refute {
 #define SP__PROOF_DEPTH 32              /* splits above a leaf, for every vertex */
 #define SP__PROOF_ROWS 24               /* rows of a vertex */
 
-static void sp__refute_carve(sp__refute *w, const sp_problem *pb, sp_arena *a)
+static void sp__refute_carve(sp__refute *w, int32_t points, int32_t blocks, sp_arena *a)
 {
-    const size_t n = (size_t)sp__points_count(pb->scene);
-    w->points = (int32_t)n;
+    const size_t n = (size_t)points;
+    w->points = points;
     w->contact = sp__take(a, n, sizeof *w->contact);
     w->at = sp__take(a, n, sizeof *w->at);
     w->state = sp__take(a, n, sizeof *w->state);
@@ -2917,16 +2917,16 @@ static void sp__refute_carve(sp__refute *w, const sp_problem *pb, sp_arena *a)
     w->d = sp__take(a, n, sizeof *w->d);
     w->fsize = sp__take(a, n, sizeof *w->fsize);
     w->dsize = sp__take(a, n, sizeof *w->dsize);
-    w->motion = sp__take(a, (size_t)pb->blocks, 6 * sizeof *w->motion);
-    w->reach = sp__take(a, (size_t)pb->blocks, 6 * sizeof *w->reach);
+    w->motion = sp__take(a, (size_t)blocks, 6 * sizeof *w->motion);
+    w->reach = sp__take(a, (size_t)blocks, 6 * sizeof *w->reach);
 }
 
-static size_t sp__refute_need(const sp_problem *pb)
+SP__APART static size_t sp__refute_need(int32_t points, int32_t blocks)
 {
     sp__refute w;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof w);
-    sp__refute_carve(&w, pb, &dry);
+    sp__refute_carve(&w, points, blocks, &dry);
     return dry.used;
 }
 
@@ -3253,7 +3253,7 @@ SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, c
     sp__refute *w = sp__take(a, 1, sizeof *w);
     if (!w) return 0;
     memset(w, 0, sizeof *w);
-    sp__refute_carve(w, j->pb, a);
+    sp__refute_carve(w, sp__points_count(j->pb->scene), j->pb->blocks, a);
     if (sp__failed(a)) return 0;
     w->j = j; w->k = k; w->proof = proof;
     for (int32_t c = 0, v = 0; c < j->pb->contacts; c++)
@@ -7411,26 +7411,32 @@ static int32_t sp__branch_room(int32_t points, int32_t blocks, int32_t asked, in
     return room;
 }
 
-static void sp__proof_carve(sp_proof *p, const sp_scene *scene, int32_t free_blocks, const sp_settings *set, sp_arena *a)
+static void sp__proof_carve(sp_proof *p, int32_t points, int32_t blocks, const sp_settings *set, sp_arena *a)
 {
     int32_t entries;
-    const int32_t nodes = sp__branch_room(sp__points_count(scene), free_blocks, set->coupled.nodes, &entries);
+    const int32_t nodes = sp__branch_room(points, blocks, set->coupled.nodes, &entries);
     p->y = sp__take(a, (size_t)entries, sizeof *p->y);
     p->node = sp__take(a, (size_t)nodes, sizeof *p->node);
     p->row = sp__take(a, (size_t)entries, sizeof *p->row);
 }
 
-/* Bytes that the decision and the check of its proof take, one after the other. */
-static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
+SP__APART static size_t sp__branch_bytes(const sp_problem *pb)
 {
     sp__branch s;
-    int32_t entries;
-    if (!sp__branch_room(sp__points_count(pb->scene), pb->blocks, set->coupled.nodes, &entries)) return 0;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof s);
     sp__branch_carve(&s, pb, &dry);
-    const size_t check = sp__refute_need(pb);
-    return dry.used > check ? dry.used : check;
+    return dry.used;
+}
+
+/* Bytes that the decision and the check of its proof take, one after the other. */
+static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
+{
+    int32_t entries;
+    const int32_t points = sp__points_count(pb->scene);
+    if (!sp__branch_room(points, pb->blocks, set->coupled.nodes, &entries)) return 0;
+    const size_t decision = sp__branch_bytes(pb), check = sp__refute_need(points, pb->blocks);
+    return decision > check ? decision : check;
 }
 
 typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
@@ -8633,15 +8639,14 @@ static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat
 #endif
 }
 
-static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+SP__APART static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
 {
     sp_arena room = scratch;
     sp__flat *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SIZE_MAX;
     const size_t dual = sp__dual_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
-    const size_t turns = c ? sp__alt_need(pb, set, scratch) : SIZE_MAX;
-    if (dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
+    if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *c);
     sp__triple_carve(&c->t, pb, &dry);
@@ -8870,12 +8875,15 @@ SP__APART static int sp__cra_hang(sp__cra *c, sp_arena a)
     return 0;
 }
 
-/* The motion of the free blocks into the scene's. */
+/* The motion of the free blocks into the scene's; where the judge takes spins off they stay off, also among other islands. */
 static void sp__cra_spread(const sp__cra *c)
 {
     const sp_problem *pb = c->pb;
-    for (int32_t i = 0; i < pb->blocks; i++)
+    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        if (few) sp__judge_stop(&c->j, i, c->t.dq + 6 * (size_t)i);
         memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
+    }
     memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
 }
 
@@ -9032,7 +9040,9 @@ SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settin
  * cones and the caps. Hence f balances p if and only if its share in each island balances the loads there, and dq is a
  * mechanism if one of its shares is (p.dq - sum c_v |P_K(u_v)| and what it is compared with are sums over islands; of two
  * ratios the mediant is no less than the smaller). So each is solved as a scene of its own, in the memory of the largest; the
- * worst verdict is that of the whole, and the evidence, put together, is judged on the whole as ever. */
+ * worst verdict is that of the whole, and the evidence, put together, is judged on the whole as ever. The same of a coupled check:
+ * its conditions are of one vertex each, so triples of all islands are one of the whole, whose shares are triples; with eps and eta
+ * of the whole. What refutes an island refutes the whole, and is judged on that island alone. */
 
 typedef struct sp__islands {
     int32_t count;
@@ -9061,14 +9071,45 @@ static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
     return count;
 }
 
-/* Islands that are told apart, 1 where they are not; -1: scratch too small. */
-static int32_t sp__islands_count(const sp_scene *scene, const sp_settings *set, sp_arena scratch)
+/* Islands that are told apart, 1 where they are not; the most contact vertices and free blocks of those that a proof may tell of. */
+typedef struct sp__apart { int32_t islands, points, blocks; } sp__apart;
+
+/* What each island has, by its root. */
+SP__APART static void sp__islands_few(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks, sp__apart *o)
 {
-    if (!sp__islands_apart(set)) return 1;
-    int32_t *up = sp__take(&scratch, (size_t)scene->count.blocks, sizeof *up);
-    if (!up) return -1;
+    const sp_capacity *n = &scene->count;
+    o->points = o->blocks = 0;
+    for (int32_t i = 0; i < n->blocks; i++) points[i] = blocks[i] = 0;
+    for (int32_t k = 0; k < n->interfaces; k++) {
+        const sp_interface *f = &scene->interface[k];
+        if (sp__contact_counts(scene, f)) points[sp__root(up, scene->block[f->a].fixed != SP_FIXED ? f->a : f->b)] += f->points;
+    }
+    for (int32_t i = 0; i < n->blocks; i++) if (scene->block[i].fixed != SP_FIXED) blocks[sp__root(up, i)]++;
+    for (int32_t i = 0; i < n->blocks; i++) {
+        if (points[i] > SP_EXACT_POINTS || blocks[i] > SP_EXACT_POINTS) continue;
+        if (points[i] > o->points) o->points = points[i];
+        if (blocks[i] > o->blocks) o->blocks = blocks[i];
+    }
+}
+
+/* How the blocks of a scene are solved.     returns SP_OK, SP_E_MEMORY: scratch too small */
+static sp_status sp__islands_count(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__apart *o)
+{
+    sp_problem pb;
+    const size_t b = (size_t)scene->count.blocks;
+    sp__problem_count(scene, &pb);
+    o->islands = 1;
+    o->points = sp__points_count(scene);
+    o->blocks = pb.blocks;
+    if (!sp__islands_apart(set)) return SP_OK;
+    int32_t *up = sp__take(&scratch, b, sizeof *up), *points = sp__take(&scratch, b, sizeof *points);
+    int32_t *blocks = sp__take(&scratch, b, sizeof *blocks);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
     const int32_t count = sp__islands_join(scene, up);
-    return count > 1 ? count : 1;
+    if (count < 2) return SP_OK;
+    o->islands = count;
+    sp__islands_few(scene, up, points, blocks, o);
+    return SP_OK;
 }
 
 /* Tables for up to `count` islands. `label` (may be NULL) lies elsewhere. */
@@ -9333,7 +9374,7 @@ typedef struct sp__kept {
     sp_proof proof;
 } sp__kept;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, int32_t islands, const sp_settings *set,
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set,
                            sp_arena *a)
 {
     memset(r, 0, sizeof *r);
@@ -9341,9 +9382,9 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
-    if (islands > 1) {
+    if (apart->islands > 1) {
         r->island = sp__take(a, (size_t)scene->count.blocks, sizeof *r->island);
-        r->part = sp__take(a, (size_t)islands, sizeof *r->part);
+        r->part = sp__take(a, (size_t)apart->islands, sizeof *r->part);
     }
     r->used = a->used;
 #ifndef SP_NO_CRA
@@ -9352,18 +9393,18 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
     r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
     if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
     r->used = a->used;
-    sp__proof_carve(&r->proof, scene, free_blocks, set, a);
+    sp__proof_carve(&r->proof, apart->points, apart->blocks, set, a);
 #else
     (void)set;
 #endif
 }
 
 /* Bytes of that. */
-SP__APART static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, int32_t islands, const sp_settings *set)
+SP__APART static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set)
 {
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
-    sp__kept_carve(&kept, scene, free_blocks, islands, set, &dry);
+    sp__kept_carve(&kept, scene, free_blocks, apart, set, &dry);
     return dry.used;
 }
 
@@ -9382,7 +9423,7 @@ typedef struct sp__check {
     sp_problem pb;
     sp_state state;
     sp_result r;
-    size_t kept;                        /* of the arena, with room for a proof */
+    size_t arrays, kept;                /* of the arena: what the result takes, and that with room for a proof */
 } sp__check;
 
 #else
@@ -9423,6 +9464,7 @@ static size_t sp__islands_scratch(const sp_scene *scene)
     sp_capacity n = scene->count;
     n.vertices = n.faces = n.corners = 0;
     n.blocks++;
+    sp__take(&dry, 1, sizeof t);
     sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
     sp__take(&dry, 1, sizeof *scene);
     sp__take(&dry, 1, sp_scene_memory(&n));
@@ -9463,83 +9505,93 @@ static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, siz
     return work == SIZE_MAX ? SIZE_MAX : dry.used;
 }
 
-/* That of every stage on the whole of a scene. */
-SP__APART static sp_status sp__whole_need(const sp_scene *scene, const sp_settings *set, sp_arena *scratch, size_t *bytes)
+/* That of every stage and of the coupled check on the whole of a scene. */
+SP__APART static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
 {
-    sp_problem pb;
-    const sp_status status = sp_problem_build(scene, scratch, &pb);
+    const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
-    *bytes = sp__problem_need(&pb, set, sp__stages_need(&pb, set, *scratch));
-    return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
-}
-
-/* What is done on the whole where islands are solved apart: the judgement, and the coupled check. */
-SP__APART static sp_status sp__common_need(const sp_scene *scene, const sp_settings *set, sp_arena scratch, size_t *bytes)
-{
-    sp_problem pb;
-    const sp_status status = sp_problem_build(scene, &scratch, &pb);
-    if (status) return status;
-    size_t work = sp__judge_need(&pb, set);
+    size_t work = sp__stages_need(&c->pb, &c->set, scratch);
 #ifndef SP_NO_CRA
-    if (set->coupled.asked) {
-        const size_t need = sp__coupled_need(&pb, set, scratch);
+    if (c->set.coupled.asked) {
+        const size_t need = sp__coupled_need(&c->pb, &c->set, sp__alt_need(&c->pb, &c->set, scratch), scratch);
         if (need > work) work = need;
     }
 #endif
-    *bytes = sp__problem_need(&pb, set, work);
+    *bytes = sp__problem_need(&c->pb, &c->set, work);
     return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
 }
 
-/* Bytes that island k takes behind the tables. */
-SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, const sp_settings *set,
-                                           const sp_arena *scratch, size_t *bytes)
+/* An island's scene, what its check keeps, and `behind`. */
+SP__APART static size_t sp__island_bytes(const sp_scene *s, const sp_settings *set, size_t behind)
 {
-    sp_arena room = *scratch;
-    const sp_scene *s = sp__island_scene(scene, t, k, &room);
-    const sp_status status = s ? sp__whole_need(s, set, &room, bytes) : SP_E_MEMORY;
-    if (status) return status;
+    const sp__apart one = { 1, 0, 0 };                  /* its proof lies with the whole's */
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *s);
     sp__take(&dry, 1, sp_scene_memory(&s->cap));
-    sp__take(&dry, 1, sp__kept_need(s, s->count.blocks - 1, 1, NULL));
+    sp__take(&dry, 1, sp__kept_need(s, s->count.blocks - 1, &one, set));
     sp__take(&dry, 1, sizeof(sp__check));
-    sp__take(&dry, 1, *bytes);
-    *bytes = dry.used;
-    return SP_OK;
+    sp__take(&dry, 1, behind);
+    return dry.used;
 }
 
-/* Bytes of the tables and the island that wants most. */
-SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena *scratch,
-                                            size_t *bytes)
+/* Bytes that island k takes behind the tables. */
+SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, sp__check *c, sp_arena scratch,
+                                           size_t *bytes)
+{
+    const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
+    const sp_status status = s ? sp__whole_need(s, c, scratch, bytes) : SP_E_MEMORY;
+    if (!status) *bytes = sp__island_bytes(s, &c->set, *bytes);
+    return status;
+}
+
+/* The way over all islands: where a check is, and what it keeps besides the result. */
+typedef struct sp__tour {
+    sp__islands t;
+    int32_t at, again;                  /* the island, 1: only for its proof */
+    int32_t lies;                       /* the proof is still in the room that all share */
+    sp_proof proof;                     /* of the last that was refuted */
+    sp_real margin;
+    size_t start, mark;                 /* of the arena: before this, behind the tables */
+} sp__tour;
+
+/* Bytes of the tables and what is `behind`. */
+SP__APART static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, size_t behind)
 {
     sp__islands t;
     int32_t label = 0;
-    size_t most = 0;
     sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__tour));
     sp__islands_carve(&t, scene, count, &label, &dry);
-    sp__islands_carve(&t, scene, count, NULL, scratch);
-    if (sp__failed(scratch)) return SP_E_MEMORY;
-    sp__islands_fill(scene, &t);
+    sp__take(&dry, 1, behind);
+    return dry.used;
+}
+
+/* Bytes of the tables and the island that wants most. */
+SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch, size_t *bytes)
+{
+    size_t most = 0;
+    sp__islands *t = sp__take(&scratch, 1, sizeof *t);
+    if (!t) return SP_E_MEMORY;
+    sp__islands_carve(t, scene, count, NULL, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_fill(scene, t);
     for (int32_t k = 0; k < count; k++) {
-        size_t need = 0;
-        const sp_status status = sp__island_need(scene, &t, k, set, scratch, &need);
+        const sp_status status = sp__island_need(scene, t, k, c, scratch, bytes);
         if (status) return status;
-        if (need > most) most = need;
+        if (*bytes > most) most = *bytes;
     }
-    sp__take(&dry, 1, most);
-    *bytes = dry.used;
+    *bytes = sp__tour_bytes(scene, count, most);
     return SP_OK;
 }
 
-/* Bytes behind what a check keeps: apart and on the whole, one after the other. */
-SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, const sp_settings *set, sp_arena *scratch,
-                                         size_t *bytes)
+/* Bytes behind what a check keeps: islands apart, then all of them judged; or the whole. */
+SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
 {
-    size_t apart = 0;
-    sp_status status = sp__common_need(scene, set, *scratch, bytes);
-    if (!status) status = islands > 1 ? sp__islands_need(scene, islands, set, scratch, &apart)
-                                      : sp__whole_need(scene, set, scratch, &apart);
-    if (apart > *bytes) *bytes = apart;
+    if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
+    sp__problem_count(scene, &c->pb);
+    const size_t judged = sp__problem_need(&c->pb, &c->set, sp__judge_need(&c->pb, &c->set));
+    const sp_status status = sp__islands_need(scene, islands, c, scratch, bytes);
+    if (judged > *bytes) *bytes = judged;
     return status;
 }
 
@@ -9563,17 +9615,18 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    const int32_t islands = sp__islands_count(scene, settings, scratch);
+    sp__apart apart;
+    const sp_status counted = sp__islands_count(scene, settings, scratch, &apart);
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
-    if (!c || islands < 0) return SP_E_MEMORY;
+    if (!c || counted) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     size_t behind = 0;
     if (work) c->set.work = work;
-    if (!status) status = sp__work_need(scene, islands, &c->set, &scratch, &behind);
+    if (!status) status = sp__work_need(scene, apart.islands, c, scratch, &behind);
     if (status) return status;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &c->pb);
-    sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, islands, &c->set));
+    sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, &apart, &c->set));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, behind);
     *bytes = dry.used;
@@ -9921,18 +9974,25 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
 }
 
 #ifndef SP_NO_CRA
+/* eps and eta in force. */
+SP__APART static void sp__coupled_told_lengths(sp__check *c)
+{
+    const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+    c->r.coupled.eps = k.eps > 0 ? k.L : 0;
+    c->r.coupled.eta = k.L * k.eta;
+}
+
 /* The coupled check, where forces were found; its answer, its cost and its forces into the result. */
 SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     sp_coupled *out = &r->coupled;
     const size_t mark = a->used;
-    const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     sp_status status = SP_OK;
+    sp__coupled_told_lengths(c);
     c->state.left = sp__budget_left(&c->set, r);
     c->state.f = r->f;                                  /* also on a budget */
-    out->eps = k.eps > 0 ? k.L : 0;
-    out->eta = k.L * k.eta;
+    if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)c->pb.scene->count.blocks * sizeof *r->dq);
     out->verdict = r->verdict == SP_UNSTABLE ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
     out->reason = r->verdict == SP_STABLE ? SP_COUPLING_BUDGET : SP_COUPLING_STATICS;
     if (!c->pb.blocks) {
@@ -9943,14 +10003,18 @@ SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
-    if (out->verdict == SP_COUPLING_COUPLED || r->verdict != SP_STABLE) return status;
-    r->verdict = out->verdict == SP_COUPLING_REFUTED ? SP_UNSTABLE : SP_UNDECIDED;
-    r->reason = out->verdict == SP_COUPLING_REFUTED ? SP_REASON_NO_MOTION : SP_REASON_NOT_COUPLED;
-    r->verified = r->verdict == SP_UNSTABLE;
-    if (r->verified || c->set.effect[SP_EFFECT_DEPTH] != SP_WITHOUT) return status;
-    r->reason = SP_REASON_EFFECT;
-    r->missing = SP_EFFECT_DEPTH;
     return status;
+}
+
+/* What that makes of the verdict of statics.     returns 1: another one */
+static int sp__coupled_told(const sp_settings *set, sp_coupling coupling, sp_coupling_reason why, sp_verdict *verdict,
+                            sp_reason *reason)
+{
+    if (coupling <= SP_COUPLING_COUPLED || why == SP_COUPLING_STATICS) return 0;
+    const int refuted = coupling == SP_COUPLING_REFUTED;
+    *verdict = refuted ? SP_UNSTABLE : SP_UNDECIDED;
+    *reason = refuted ? SP_REASON_NO_MOTION : set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT ? SP_REASON_EFFECT : SP_REASON_NOT_COUPLED;
+    return 1;
 }
 #endif
 
@@ -10008,15 +10072,14 @@ static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, in
 }
 
 /* Everything of a check in arena `a` but the problem; `a` may be used up.
- *   out    *check: where the result is found on SP_OK; *kept: end of its arrays */
-SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, int32_t islands, sp_arena *a,
-                                          sp__check **check, size_t *kept)
+ *   out    *check: where the result is found on SP_OK */
+SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__apart *apart, sp_arena *a,
+                                          sp__check **check)
 {
     sp_problem count;
     sp__kept arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, islands, settings, a);
-    *kept = arrays.used;
+    sp__kept_carve(&arrays, scene, count.blocks, apart, settings, a);
     const size_t all = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
@@ -10028,6 +10091,7 @@ SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settin
     c->r.coupled.alpha = arrays.alpha;
     c->r.coupled.penalty = arrays.penalty;
     c->r.coupled.proof = arrays.proof;
+    c->arrays = arrays.used;
     c->kept = all;
     const sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (status) return status;
@@ -10037,9 +10101,9 @@ SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settin
 }
 
 /* The problem and the potential of the search behind it. */
-static sp_status sp__check_problem(const sp_scene *scene, sp__check *c, sp_arena *a)
+static sp_status sp__check_problem(sp__check *c, sp_arena *a)
 {
-    const sp_status status = sp_problem_build(scene, a, &c->pb);
+    const sp_status status = sp_problem_build(c->pb.scene, a, &c->pb);
     if (status) return status;
     sp_state *state = &c->state;
     sp__state_carve(state, &c->pb, &c->set, a);
@@ -10058,6 +10122,35 @@ static sp_status sp__check_problem(const sp_scene *scene, sp__check *c, sp_arena
     state->dq = c->r.dq;                                /* free blocks first; spread over the scene's once it is a proof */
     return SP_OK;
 }
+
+#ifndef SP_NO_CRA
+/* The same of its triple, or its penalty form, where its forces take the place of that if it is coupled. */
+SP__APART static void sp__island_triple(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+{
+    const sp_coupled *from = &found->r.coupled;
+    sp_coupled *out = &c->r.coupled;
+    int32_t joint = 0;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_interface *f = &found->pb.scene->interface[joint];
+        const size_t to = (size_t)scene->interface[q].point, at = (size_t)f->point, n = (size_t)f->points;
+        memcpy(out->alpha + to, from->alpha + at, n * sizeof *out->alpha);
+        if (out->penalty) memcpy(out->penalty + 4 * to, from->penalty + 4 * at, 4 * n * sizeof *out->penalty);
+        for (size_t v = 0; v < n && out->penalty && from->verdict == SP_COUPLING_COUPLED; v++)
+            for (size_t i = 0; i < 3; i++) out->penalty[4 * (to + v) + i + (i > 0)] = found->r.f[3 * (at + v) + i];
+    }
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i])
+        memcpy(out->dq + 6 * (size_t)i, from->dq + 6 * (size_t)t->rank[i], 6 * sizeof *out->dq);
+    out->eps = from->eps;
+    out->eta = from->eta;
+    out->residual = sp__max(out->residual, from->residual);
+    out->rounds += from->rounds;
+    if (from->verdict != SP_COUPLING_COUPLED && out->tension_ratio > -2)               /* -2: of one there is none */
+        out->tension_ratio = from->tension_ratio < 0 ? (sp_real)-2 : sp__max(out->tension_ratio, from->tension_ratio);
+    sp__cost_add(&out->cost, &from->cost);
+    c->r.part[k].coupling = from->verdict;
+    c->r.part[k].coupling_reason = from->reason;
+}
+#endif
 
 /* What was found about island k into the arrays of the whole; motions stay where they are looked for, free blocks first. */
 SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
@@ -10084,12 +10177,16 @@ SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
     for (int q = 0; q < SP_EFFECTS; q++)
         if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
+    memset(&r->part[k], 0, sizeof r->part[k]);
     r->part[k].block = t->block[k];
     r->part[k].blocks = found->pb.blocks;
     r->part[k].verdict = from->verdict;
     r->part[k].reason = from->reason;
     r->part[k].stage = from->stage;
     if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) sp__island_triple(scene, t, k, found, c);
+#endif
 }
 
 /* The island whose verdict is that of all: the first that falls, else the first undecided, else the first with forces. */
@@ -10104,16 +10201,54 @@ static int32_t sp__islands_worst(const sp_result *r)
     return worst;
 }
 
-/* The evidence of all islands, judged on the whole. */
-SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__islands *t, size_t start, sp__check *c, sp_arena *a)
+#ifndef SP_NO_CRA
+/* The coupled check of the whole from those of all islands; r->verdict is that of statics. Where all are coupled the triple is
+ * judged once more. */
+SP__APART static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
+    sp_coupled *out = &r->coupled;
+    int32_t open = -1;
+    if (out->tension_ratio < 0) out->tension_ratio = -1;
+    if (r->verdict == SP_UNSTABLE) out->proof.nodes = out->proof.leaves = out->proof.entries = out->proof.island = 0;
+    if (r->verdict == SP_UNSTABLE) out->margin = 0;
+    const int refuted = out->proof.nodes > 0;
+    for (int32_t k = r->islands - 1; k >= 0; k--)
+        if (r->part[k].coupling == SP_COUPLING_NOT_FOUND && r->part[k].coupling_reason != SP_COUPLING_STATICS) open = k;
+    out->verdict = r->verdict == SP_UNSTABLE || refuted ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
+    out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
+                : open >= 0 ? r->part[open].coupling_reason : SP_COUPLING_LIMIT;
+    if (refuted || open >= 0 || r->verdict != SP_STABLE) return SP_OK;
+    sp__judge j;
+    const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+    if (!sp__judge_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    for (int32_t i = 0; i < c->pb.blocks; i++)
+        memcpy(c->state.y + 6 * (size_t)i, out->dq + 6 * (size_t)c->pb.block[i], 6 * sizeof *c->state.y);
+    r->omega = sp__judge_forces(&j, r->f, r->f);
+    out->residual = sp__judge_coupled(&j, &k, r->f, c->state.y, out->alpha);
+    const sp_cost cost = { SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
+    sp__cost_add(&out->cost, &cost);
+    sp__cost_add(&r->cost, &cost);
+    if (r->omega > r->tol || out->residual > 1) return SP_OK;
+    out->verdict = SP_COUPLING_COUPLED;
+    out->reason = SP_COUPLING_MOTION;
+    return SP_OK;
+}
+#endif
+
+/* The evidence of all islands, judged on the whole. */
+SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
+{
+    sp_result *r = &c->r;
+    const int32_t *label = w->t.label, *row = w->t.row;
+    if (w->proof.nodes) r->coupled.proof = w->proof;
+    r->coupled.margin = w->margin;
     const sp_island *worst = &r->part[sp__islands_worst(r)];
     for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
-        if (t->label[i] >= 0 && r->part[t->label[i]].verdict != worst->verdict)
-            memset(r->dq + 6 * (size_t)t->row[i], 0, 6 * sizeof *r->dq);
-    a->used = start;                                                    /* the tables are no longer needed */
-    sp_status status = sp__check_problem(scene, c, a);
+        if (label[i] >= 0 && r->part[label[i]].verdict != worst->verdict)
+            memset(r->dq + 6 * (size_t)row[i], 0, 6 * sizeof *r->dq);
+    a->used = w->start;                                                 /* the tables are no longer needed */
+    sp_status status = sp__check_problem(c, a);
     const size_t mark = a->used;
     if (!status && !sp__take(a, 1, sp__judge_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
@@ -10126,35 +10261,123 @@ SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__is
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
     r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
+    if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) status = sp__islands_couple(c, a);
+#endif
+    return status;
+}
+
+#ifndef SP_NO_CRA
+/* eps and eta of the whole, for its islands. */
+SP__APART static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &a, &pb);
+    if (status) return status;
+    const sp__lengths k = sp__coupled_lengths(&pb, set);
+    if (cs->eps < 0) cs->eps = k.eps > 0 ? k.L : 0;
+    if (!(k.eps > 0)) cs->eta = k.L;
+    return SP_OK;
+}
+#endif
+
+/* The way over all islands, in the arena. */
+SP__APART static sp_status sp__tour_open(const sp_scene *scene, sp__check *c, sp_arena *a, sp__tour **walk)
+{
+    const size_t start = a->used;
+    sp_status status = SP_OK;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) status = sp__islands_lengths(scene, &c->set.coupled, &c->set, *a);
+#endif
+    sp__tour *w = sp__take(a, 1, sizeof *w);
+    if (status || !w) return status ? status : SP_E_MEMORY;
+    memset(w, 0, sizeof *w);
+    sp__islands_carve(&w->t, scene, c->r.islands, c->r.island, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &w->t);
+    w->start = start;
+    w->mark = a->used;
+    *walk = w;
     return SP_OK;
 }
 
-/* Every island as a scene of its own, then all of them. */
-SP__APART static sp_status sp__islands_run(const sp_scene *scene, int32_t count, sp__check *c, sp_arena *a)
+/* Where another search came after the last that was refuted, whose proof has gone, that is sought again. */
+static int sp__tour_more(const sp__tour *w, const sp__check *c, int32_t k)
 {
-    sp__islands t;
-    const size_t start = a->used;
-    const int32_t asked = c->set.coupled.asked;
-    sp_status status = SP_OK;
-    sp__islands_carve(&t, scene, count, c->r.island, a);
-    if (sp__failed(a)) return SP_E_MEMORY;
-    sp__islands_fill(scene, &t);
-    c->r.islands = count;
-    c->set.coupled.asked = 0;
-    for (int32_t k = 0; k < count && !status; k++) {
-        const size_t mark = a->used;
-        size_t kept = 0;
-        sp__check *found = NULL;
-        const sp_scene *s = sp__island_scene(scene, &t, k, a);
-        status = s ? sp__check_open(s, &c->set, 1, a, &found, &kept) : SP_E_MEMORY;
-        if (!status) status = sp__check_problem(s, found, a);
-        if (!status) status = sp__check_run(&found->pb, &found->set, &found->state, a, &found->r);
-        if (!status) sp__island_keep(scene, &t, k, found, c);
-        a->used = mark;
-    }
-    c->set.coupled.asked = asked;
-    if (!status) status = sp__islands_judge(scene, &t, start, c, a);
+    return k < c->r.islands + (w->proof.nodes && !w->lies);
+}
+
+/* A check of the k-th island as a scene of its own. A proof goes into the room the whole has for it. */
+SP__APART static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
+                                         sp__check **found)
+{
+    const sp__apart one = { 1, 0, 0 };
+    w->at = k < c->r.islands ? k : w->proof.island - 1;
+    w->again = k == c->r.islands;
+    const sp_scene *s = sp__island_scene(scene, &w->t, w->at, a);
+    const sp_status status = s ? sp__check_open(s, &c->set, &one, a, found) : SP_E_MEMORY;
+    if (!status) (*found)->r.coupled.proof = c->r.coupled.proof;
     return status;
+}
+
+/* What it found. */
+SP__APART static void sp__tour_keep(const sp_scene *scene, sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
+{
+    const sp_coupled *o = &found->r.coupled;
+    if (!w->again) sp__island_keep(scene, &w->t, w->at, found, c);
+    else sp__cost_add(&c->r.cost, &found->r.cost);
+    w->lies &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
+    if (o->proof.nodes) {
+        w->proof = o->proof;
+        w->proof.island = w->at + 1;
+        w->margin = o->margin;
+        w->lies = 1;
+    }
+    a->used = w->mark;
+}
+
+#ifndef SP_NO_CRA
+/* What the coupled check makes of what statics said, of every island and of the whole. */
+SP__APART static void sp__check_told(sp__check *c)
+{
+    sp_result *r = &c->r;
+    for (int32_t k = 0; r->part && k < r->islands; k++) {
+        sp_island *p = &r->part[k];
+        sp__coupled_told(&c->set, p->coupling, p->coupling_reason, &p->verdict, &p->reason);
+    }
+    if (!sp__coupled_told(&c->set, r->coupled.verdict, r->coupled.reason, &r->verdict, &r->reason)) return;
+    r->verified = r->verdict == SP_UNSTABLE;
+    if (r->reason == SP_REASON_EFFECT) r->missing = SP_EFFECT_DEPTH;
+}
+#endif
+
+/* What a check starts with: of several islands the way over them. */
+SP__APART static sp_status sp__check_begin(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **c,
+                                           sp__tour **w)
+{
+    sp__apart apart;
+    sp_status status = sp__islands_count(scene, settings, *a, &apart);
+    if (!status) status = sp__check_open(scene, settings, &apart, a, c);
+    if (status || apart.islands < 2) return status;
+    (*c)->r.islands = apart.islands;
+    return sp__tour_open(scene, *c, a, w);
+}
+
+/* Words and resultants of what was found. */
+SP__APART static void sp__check_close(const sp_scene *scene, sp__check *c)
+{
+    sp_result *r = &c->r;
+    const int32_t islands = r->islands > 1 ? r->islands : 1;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) sp__check_told(c);
+#endif
+    if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+    if (r->verdict == SP_STABLE) r->level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
+    sp__check_read(scene, r);
+    for (int32_t k = 0; k < SP_EFFECTS; k++)
+        if (r->effect[k] == SP_WHY_CALLED)
+            r->effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
 }
 
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
@@ -10163,27 +10386,24 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (settings && settings->work && (settings->work == arena || !settings->work->base)) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__check *c = NULL;
-    size_t kept = 0;
+    sp__tour *w = NULL;
     sp_arena a = *arena;
-    const int32_t islands = sp__islands_count(scene, settings, a);
-    sp_status status = islands < 0 ? SP_E_MEMORY : sp__check_open(scene, settings, islands, &a, &c, &kept);
-    if (!status && islands > 1) status = sp__islands_run(scene, islands, c, &a);
-    else if (!status) status = sp__check_problem(scene, c, &a);
-    if (!status && islands < 2 && c->pb.blocks) status = sp__check_run(&c->pb, &c->set, &c->state, &a, &c->r);
-    if (status) return status;
-    if (c->r.verdict == SP_STABLE) memset(c->r.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *c->r.dq);
+    sp_status status = sp__check_begin(scene, settings, &a, &c, &w);
+    for (int32_t k = 0; !status && (w ? sp__tour_more(w, c, k) : !k); k++) {
+        sp__check *found = c;
+        if (w) status = sp__tour_next(scene, w, k, c, &a, &found);
+        if (!status) status = sp__check_problem(found, &a);
+        if (!status && found->pb.blocks) status = sp__check_run(&found->pb, &found->set, &found->state, &a, &found->r);
 #ifndef SP_NO_CRA
-    if (c->set.coupled.asked) status = sp__check_coupled(c, &a);
-    if (status) return status;
+        if (!status && found->set.coupled.asked) status = sp__check_coupled(found, &a);
 #endif
-    if (c->r.verdict == SP_STABLE) c->r.level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
-    sp__check_read(scene, &c->r);
-    for (int32_t k = 0; k < SP_EFFECTS; k++)
-        if (c->r.effect[k] == SP_WHY_CALLED)
-            c->r.effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
-    c->r.peak_bytes = a.peak;
-    arena->used = c->r.coupled.proof.nodes ? c->kept : kept;
-    arena->peak = a.peak;
+        if (!status && w) sp__tour_keep(scene, w, found, c, &a);
+    }
+    if (!status && w) status = sp__islands_judge(scene, w, c, &a);
+    if (status) return status;
+    sp__check_close(scene, c);
+    c->r.peak_bytes = arena->peak = a.peak;
+    arena->used = c->r.coupled.proof.nodes ? c->kept : c->arrays;
     *result = c->r;
     return SP_OK;
 }
@@ -10191,6 +10411,70 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
 #endif /* SP_EXACT_ONLY */
 
 /* 29 -------------------------------------------------------------------------------------------------------------- verify */
+
+#ifndef SP_NO_CRA
+/* Tables of islands, one as a scene of its own, and what judges it; `hint`: its share of y0. */
+typedef struct sp__part { sp__islands t; sp_problem pb; sp__judge j; sp_real *hint; } sp__part;
+
+/* Bytes of that, at most: what is refuted has few vertices and blocks. */
+SP__APART static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
+{
+    sp_problem pb;
+    sp__islands t;
+    sp_capacity n = scene->count;
+    const int32_t few = SP_EXACT_POINTS;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &pb);
+    if (pb.blocks > few) pb.blocks = few;
+    if (pb.contacts > few) pb.contacts = few;
+    if (pb.points > few) pb.points = few;
+    n.vertices = n.faces = n.corners = 0;
+    n.blocks = pb.blocks + 1;
+    n.interfaces = pb.contacts;
+    n.points = pb.points;
+    sp__take(&dry, 1, sizeof(sp__part));
+    sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
+    sp__take(&dry, 1, sizeof *scene);
+    sp__take(&dry, 1, sp_scene_memory(&n));
+    sp__problem_carve(&pb, &dry);
+    sp__take(&dry, (size_t)pb.blocks, 12 * sizeof(sp_real));
+    sp__take(&dry, 1, sp__judge_need(&pb, set));
+    sp__take(&dry, 1, sp__refute_need(pb.points, pb.blocks));
+    return dry.used;
+}
+
+/* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
+SP__APART static sp_status sp__verify_part(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
+                                           const sp_result *claim, sp_arena a, sp_real *margin)
+{
+    const int32_t island = claim->coupled.proof.island - 1;
+    sp__part *p = sp__take(&a, 1, sizeof *p);
+    if (!p) return SP_E_MEMORY;
+    sp__islands_carve(&p->t, scene, scene->count.blocks, NULL, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    const int32_t count = sp__islands_join(scene, p->t.rank);
+    if (island < 0 || island >= count) return SP_OK;
+    sp__islands_fill(scene, &p->t);
+    sp_capacity n;
+    sp__island_size(scene, &p->t, island, &n);
+    if (n.points > SP_EXACT_POINTS || n.blocks > SP_EXACT_POINTS + 1) return SP_OK;
+    const sp_scene *s = sp__island_scene(scene, &p->t, island, &a);
+    sp_status status = s ? sp_problem_build(s, &a, &p->pb) : SP_E_MEMORY;
+    if (status) return status;
+    const size_t b = (size_t)p->pb.blocks;
+    size_t all = 0;
+    p->hint = sp__take(&a, b, 12 * sizeof *p->hint);
+    if (!p->hint) return SP_E_MEMORY;
+    for (int32_t i = 0; i < scene->count.blocks; i++) all += p->t.row[i] >= 0;
+    for (int32_t i = p->t.block[island]; i >= 0 && claim->y0; i = p->t.next[i])
+        for (size_t half = 0; half < 2; half++)
+            memcpy(p->hint + 6 * (half * b + (size_t)p->t.rank[i] - 1), claim->y0 + 6 * (half * all + (size_t)p->t.row[i]),
+                   6 * sizeof *p->hint);
+    if (!sp__judge_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
+    *margin = sp__judge_refuted(&p->j, k, &claim->coupled.proof, &a);
+    return SP_OK;
+}
+#endif
 
 SP_API size_t sp_verify_memory(const sp_scene *scene)
 {
@@ -10201,12 +10485,16 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     sp__problem_count(scene, &pb);
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof(sp__check));
+#ifndef SP_NO_CRA
+    const size_t part = dry.used + sp__verify_part_need(scene, &set);
+#endif
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, 1, sp__judge_need(&pb, &set));
 #ifndef SP_NO_CRA
-    pb.scene = scene;
-    if (sp__points_count(scene) <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(&pb));
+    const int32_t points = sp__points_count(scene);
+    if (points <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(points, pb.blocks));
+    if (part > dry.used) return part;
 #endif
     return dry.used;
 }
@@ -10229,6 +10517,9 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (triple && !sp__all_finite(claim->coupled.alpha, (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
+#ifndef SP_NO_CRA
+    const sp_arena room = scratch;
+#endif
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
@@ -10252,7 +10543,9 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     }
     if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        e.margin = sp__judge_refuted(&j, &k, &claim->coupled.proof, &scratch);
+        if (!claim->coupled.proof.island) e.margin = sp__judge_refuted(&j, &k, &claim->coupled.proof, &scratch);
+        else status = sp__verify_part(scene, &c->set, &k, claim, room, &e.margin);
+        if (status) return status;
         if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }
     }
 #endif
@@ -10389,7 +10682,9 @@ SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, s
 {
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
     sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
-    p->o.islands = sp__islands_count(scene, &p->set, scratch);
+    sp__apart apart = { 1, 0, 0 };
+    if (!status) status = sp__islands_count(scene, &p->set, scratch, &apart);
+    p->o.islands = apart.islands;
     if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, &p->set, scratch, &p->apart);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);
@@ -11020,9 +11315,9 @@ static void sp__part_island(sp_sequence *q, int32_t root)
 /* A check of the part in `a`, before the first stage. */
 SP__APART static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
 {
-    size_t kept = 0;
-    sp_status status = sp__check_open(&q->part, &q->set, 1, a, c, &kept);
-    if (!status) status = sp__check_problem(&q->part, *c, a);
+    const sp__apart one = { 1, 0, 0 };
+    sp_status status = sp__check_open(&q->part, &q->set, &one, a, c);
+    if (!status) status = sp__check_problem(*c, a);
     if (!status) (*c)->pb.ordered = 1;
     return status;
 }

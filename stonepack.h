@@ -395,11 +395,11 @@ typedef struct sp_coupled_settings {
     int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
                                    (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
     int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 210 bytes each.
-                                   0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none.
-                                                                                                                        -1 */
+                                   0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none;
+                                   each island has its own, all have the same memory                                    -1 */
 } sp_coupled_settings;
 
-#define SP_EXACT_POINTS 48      /* contact vertices up to which the coupled check is decided by branch and bound */
+#define SP_EXACT_POINTS 48      /* contact vertices of an island up to which the coupled check is decided by branch and bound */
 
 struct sp_stage;
 struct sp_qp_solver;
@@ -480,6 +480,8 @@ typedef struct sp_demand {
  * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet. */
 typedef struct sp_proof {
     int32_t nodes, leaves, entries;     /* 0: no proof */
+    int32_t island;                     /* 0: of the whole scene; k: of its k-th island alone, by their first blocks: its blocks,
+                                           contact vertices, V and b, and its own unit of force; eps and eta of the whole */
     int32_t *node;
     uint16_t *row;
     sp_real *y;
@@ -496,9 +498,9 @@ typedef struct sp_coupled {
     sp_real *alpha;             /* scene.count.points; the forces are result.f                                 [N/m] */
     sp_real *penalty;           /* 4 x scene.count.points, where settings.localise and not coupled: fp, fm, ft1, ft2 of the
                                    penalty form joined with a motion, as above with fp for fn and any fm >= 0; dq and alpha
-                                   are that motion's. The best of several motions, not of all; zero if none will do;
-                                   NULL where not localise                                                             [N] */
-    sp_real tension_ratio;      /* its max fm / max fp; -1: there is none                                               [1] */
+                                   are that motion's. The best of several motions, not of all; zero if none will do; of
+                                   islands that are coupled their forces; NULL where not localise                      [N] */
+    sp_real tension_ratio;      /* its max fm / max fp, the largest of an island; -1: there is none, of some island     [1] */
     sp_proof proof;             /* of a refuted, unless statics refute it; behind all other arrays */
     sp_real margin;             /* of the proof, > 0: what is left of its weakest leaf when all that a triple may be
                                    out by, and rounding, are taken off                                                   [1] */
@@ -520,11 +522,14 @@ typedef enum sp_effect_why {
     SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
 } sp_effect_why;
 
-/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. */
+/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. What is told of
+ * it is what a check of it alone says, with eps and eta of the whole scene. */
 typedef struct sp_island {
-    sp_verdict verdict;         /* of its own, by statics: the coupled check is made of the whole */
+    sp_verdict verdict;
     sp_reason reason;
     sp_stage_id stage;
+    sp_coupling coupling;       /* its coupled check */
+    sp_coupling_reason coupling_reason;
     int32_t block, blocks;      /* its first block, how many it has */
 } sp_island;
 
@@ -563,7 +568,8 @@ typedef struct sp_result {
     size_t peak_bytes;          /* of the arena */
 } sp_result;
 
-/* Bytes sp_check takes from an arena for this scene, exact. Runs the symbolic step in `scratch`, which it may overwrite.
+/* Bytes sp_check takes from an arena for this scene, exact; with coupled.asked and not localise at most, because what statics
+ * refuse is not asked. Runs the symbolic step in `scratch`, which it may overwrite.
  *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 

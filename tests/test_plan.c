@@ -2,6 +2,8 @@
 #include "test.h"
 #include "scenes/kinds.h"
 
+#include <math.h>
+
 #ifdef SP_NO_IPM                                        /* the proximal path takes any number of steps, in float not far enough */
 #define TELLS 0
 #define OPEN (sizeof(sp_real) == 4)
@@ -232,6 +234,187 @@ TEST(a_coupled_check_of_islands_answers_as_of_the_whole)
         CHECK_INT(r.verdict, f.verdict);
     }
 }
+
+#ifndef SP_NO_CRA
+/* An arena of `bytes` behind what is taken of test_arena. */
+static sp_arena behind(size_t bytes)
+{
+    sp_arena a = test_arena;
+    a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    a.used = a.peak = 0;
+    a.cap = bytes;
+    return a;
+}
+
+TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
+{
+    const sp_scene h = part("h-model", NULL, 0, 0.45);
+    sp_scene s = room(7 * h.count.blocks, 7 * h.count.interfaces, 7 * h.count.points);
+    sp_settings set = sp_settings_default();
+    sp_evidence e;
+    for (int k = 0; k < 7; k++) add(&s, &h, 20 * k, plain);
+    set.coupled.asked = 1;
+    set.localise = 0;
+    CHECK(s.count.points > SP_EXACT_POINTS);
+    sp_arena a = test_arena;
+    sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.verdict, SP_UNSTABLE);
+    CHECK_INT(r.reason, SP_REASON_NO_MOTION);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+    CHECK(r.coupled.margin > 0 && r.verified);
+    CHECK_INT(r.islands, 7);
+    for (int32_t k = 0; k < r.islands; k++) {
+        CHECK_INT(r.part[k].verdict, SP_UNSTABLE);
+        CHECK_INT(r.part[k].reason, SP_REASON_NO_MOTION);
+        CHECK_INT(r.part[k].coupling, SP_COUPLING_REFUTED);
+        CHECK_INT(r.part[k].coupling_reason, SP_COUPLING_NO_MOTION);
+    }
+    test_arena = a;
+    a = behind(sp_verify_memory(&s));
+    CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+    CHECK_INT(e.verdict, SP_UNSTABLE);
+    CHECK(e.margin > 0);
+    static const int32_t wrong[] = { 0, -1, 8, INT32_MAX };             /* a proof of what it is not of */
+    for (int k = 0; k < 4; k++) {
+        r.coupled.proof.island = wrong[k];
+        CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+        CHECK_INT(e.verdict, SP_STABLE);
+        CHECK(!(e.margin > 0));
+    }
+}
+
+TEST(what_refutes_one_island_is_no_proof_against_another)
+{
+    const sp_scene h = part("h-model", NULL, 0, 0.45), c = part("two-cubes", NULL, 0, -1);
+    sp_scene s = room(2 * h.count.blocks + 4, 2 * h.count.interfaces + 2, 2 * h.count.points + 8);
+    sp_settings set = sp_settings_default();
+    sp_evidence e;
+    set.coupled.asked = 1;
+    for (int k = 0; k < 2; k++) {
+        add(&s, &c, 50 * k, plain);
+        add(&s, &h, 50 * k + 20, plain);
+    }
+    for (int32_t k = 0; k < 2; k++) s.interface[s.count.interfaces - 1 - k].joint.mu = R(1.2);      /* the last of them jams */
+    sp_arena a = test_arena;
+    sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.islands, 4);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+    CHECK_INT(r.coupled.proof.island, 2);
+    for (int32_t k = 0; k < 4; k++) CHECK_INT(r.part[k].verdict, k == 1 ? SP_UNSTABLE : SP_STABLE);
+    for (int32_t k = 1; k <= 4; k++) {
+        r.coupled.proof.island = k;
+        CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+        CHECK_INT(e.margin > 0, k == 2);
+    }
+}
+
+/* One of several scenes that are coupled, refuted, fall, or hang between. */
+static sp_scene some_part(void)
+{
+    static const struct { const char *name, *param; double from, to, low, high; } kind[] = {
+        { "h-model", NULL, 0, 0, 0.7, 1.2 },            { "two-cubes", "offset", 0, 0.55, 0.6, 0.9 },
+        { "incline", "angle", 0, 50, 0.5, 0.9 },        { "overhang", "factor", 0.8, 1.1, 0.6, 0.6 },
+        { "tower", "lean", 0, 0.1, 0.6, 0.6 },          { "flat-arch", "height", 0.2, 0.6, 0, 0.9 }
+    };
+    const int32_t k = test_random_int(0, 5);
+    sp_scene s;
+    gen_scene g;
+    memset(&s, 0, sizeof s);
+    CHECK_INT(gen_open(&g, kind[k].name), 1);
+    if (kind[k].param) CHECK_INT(gen_set(&g, kind[k].param, (double)test_random_real(kind[k].from, kind[k].to)), 1);
+    if (k > 2) CHECK_INT(gen_set(&g, "n", k == 5 ? 3 : 4), 1);
+    CHECK_INT(gen_set(&g, "mu", (double)test_random_real(kind[k].low, kind[k].high)), 1);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    return s;
+}
+
+/* An island's forces from its first interface on are those of a check of it alone, but for the rounding of a unit. */
+static int same_forces(const sp_result *r, int32_t point, const sp_result *alone, int32_t points)
+{
+    double far = 0, most = 0;
+    for (size_t k = 0; k < 3 * (size_t)points; k++) {
+        far = fmax(far, fabs((double)(r->f[3 * (size_t)point + k] - alone->f[k])));
+        most = fmax(most, fabs((double)alone->f[k]));
+    }
+    return far <= 8 * (double)SP_EPSILON * most;
+}
+
+TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
+{
+    int32_t coupled = 0, refuted = 0, open = 0, whole = 0, beyond = 0, seen[4] = { 0, 0, 0, 0 };
+    for (int32_t k = 0; k < 24; k++) {
+        sp_scene piece[5], s;
+        const int32_t pieces = test_random_int(2, 5);
+        int32_t blocks = 0, interfaces = 0, points = 0, island = 0;
+        size_t bytes = 0;
+        sp_settings set = sp_settings_default();
+        sp_result r;
+        test_arena.used = 0;
+        for (int32_t q = 0; q < pieces; q++) {
+            piece[q] = some_part();
+            blocks += piece[q].count.blocks; interfaces += piece[q].count.interfaces; points += piece[q].count.points;
+        }
+        s = room(blocks, interfaces, points);
+        for (int32_t q = 0; q < pieces; q++) add(&s, &piece[q], 0, plain);
+        set.coupled.asked = 1;
+        set.localise = k % 3 != 0;
+        NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
+        sp_arena a = behind(bytes);
+        CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
+        if (set.localise) CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
+        CHECK(r.peak_bytes <= bytes);
+        a = behind(r.peak_bytes - 1);
+        if (k < 3) CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_MEMORY);
+        a = behind(bytes);
+        if (k < 3) CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
+        const size_t most = SP_MEMORY_BYTES(blocks, interfaces, points, 0) + SP_COUPLED_BYTES(blocks, points, 48000);
+        CHECK(bytes <= most);
+        CHECK_INT(r.islands, pieces);
+        test_arena.used += bytes + SP_ALIGN;
+        sp_evidence e;
+        sp_arena scratch = behind(sp_verify_memory(&s));
+        CHECK_INT(sp_verify(&s, &set, &r, scratch, &e), SP_OK);
+        CHECK(r.verdict == SP_UNDECIDED || e.verdict == r.verdict);
+        CHECK(r.verdict != SP_STABLE || (e.level == SP_COUPLED && r.level == SP_COUPLED));
+        sp_verdict worst = SP_STABLE;
+        for (int32_t q = 0, first = 0; q < pieces; first += piece[q].count.points, q++) {
+            const sp_island *p = &r.part[island++];
+            sp_settings own = set;
+            sp_scene alone = room(piece[q].count.blocks, piece[q].count.interfaces, piece[q].count.points);
+            add(&alone, &piece[q], 0, plain);
+            own.coupled.eps = r.coupled.eps;
+            own.coupled.eta = 0;                        /* 100 eps, as of the whole */
+            sp_arena rest = test_arena;
+            const sp_result o = check(&alone, &own, &rest);
+            CHECK_INT(p->verdict, o.verdict);
+            CHECK_INT(p->reason, o.reason);
+            CHECK_INT(p->coupling, o.coupled.verdict);
+            CHECK_INT(p->coupling_reason, o.coupled.reason);
+            if (o.coupled.verdict == SP_COUPLING_COUPLED) CHECK(same_forces(&r, first, &o, alone.count.points));
+            if (o.verdict == SP_UNSTABLE || worst == SP_STABLE) worst = o.verdict;
+            seen[o.coupled.verdict]++;
+        }
+        CHECK_INT(r.verdict, worst);
+        coupled += r.verdict == SP_STABLE;
+        refuted += r.reason == SP_REASON_NO_MOTION;
+        open += r.verdict == SP_UNDECIDED;
+        if (k > 7) continue;
+        sp_arena rest = test_arena;
+        set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+        set.coupled.nodes = 1000;
+        set.localise = 0;
+        const sp_result f = check(&s, &set, &rest);
+        CHECK_INT(f.islands, 1);
+        CHECK(f.verdict == r.verdict || f.verdict == SP_UNDECIDED);
+        whole++;
+        beyond += f.verdict != r.verdict;
+    }
+    TEST_PRINT("    %ld coupled, %ld refuted, %ld open; of %ld asked of the whole %ld are decided by islands only\n", (long)coupled,
+               (long)refuted, (long)open, (long)whole, (long)beyond);
+    CHECK(coupled > 5 && refuted > 2 && beyond < whole);
+    CHECK(seen[SP_COUPLING_COUPLED] > 20 && seen[SP_COUPLING_REFUTED] > TOL(20, 5));
+}
+#endif
 
 TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
 {
@@ -776,6 +959,11 @@ TEST_LIST(plan)
     RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
     RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
     RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
+#ifndef SP_NO_CRA
+    RUN(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
+    RUN(what_refutes_one_island_is_no_proof_against_another)
+    RUN(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
+#endif
     RUN(supports_join_nothing_and_contacts_between_them_take_no_part)
     RUN(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
     RUN(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)

@@ -471,6 +471,7 @@ static void io_coupled(io *s, sp_coupled *c)
     io_int(s, &c->proof.nodes, 0, INT32_MAX);
     io_int(s, &c->proof.leaves, 0, INT32_MAX);
     io_int(s, &c->proof.entries, 0, INT32_MAX);
+    io_int(s, &c->proof.island, 0, INT32_MAX);
     io_real(s, &c->margin);
     io_cost(s, &c->cost);
 }
@@ -514,6 +515,8 @@ static void io_part(io *s, const sp_scene *scene, sp_island *p)
     IO_ENUM(s, p->verdict, sp_verdict, SP_UNSTABLE);
     IO_ENUM(s, p->reason, sp_reason, SP_REASON_EFFECT);
     IO_ENUM(s, p->stage, sp_stage_id, SP_STAGE_CUSTOM);
+    IO_ENUM(s, p->coupling, sp_coupling, SP_COUPLING_NOT_FOUND);
+    IO_ENUM(s, p->coupling_reason, sp_coupling_reason, SP_COUPLING_BUDGET);
     io_int(s, &p->block, 0, scene->count.blocks - 1);
     io_int(s, &p->blocks, 0, scene->count.blocks);
 }

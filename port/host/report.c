@@ -98,6 +98,10 @@ static void json_effects(json_out *j, const report *r)
         json_int(j, "blocks", x->part[k].blocks);
         json_string(j, "verdict", sp_verdict_text(x->part[k].verdict));
         json_string(j, "reason", sp_reason_text(x->part[k].reason));
+        if (r->options->settings.coupled.asked) {
+            json_string(j, "coupled", sp_coupling_text(x->part[k].coupling));
+            json_string(j, "coupled_reason", sp_coupling_reason_text(x->part[k].coupling_reason));
+        }
         json_close(j, '}');
     }
     json_close(j, ']');
@@ -140,6 +144,7 @@ static void json_proof(json_out *j, const sp_coupled *c, int whole)
 {
     const sp_proof *p = &c->proof;
     json_open(j, "proof", '{');
+    json_int(j, "island", p->island);
     json_int(j, "nodes", p->nodes);
     json_int(j, "leaves", p->leaves);
     json_int(j, "multipliers", p->entries);
@@ -381,8 +386,7 @@ static void text_islands(FILE *out, const report *r)
     if (!x->part) return;
     for (int32_t k = 0; k < x->islands; k++) stable += x->part[k].verdict == SP_STABLE;
     row(out, "islands");
-    fprintf(out, "%ld solved apart, %ld stable%s", (long)x->islands, (long)stable,
-            r->options->settings.coupled.asked ? " by statics" : "");
+    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands, (long)stable);
     for (int32_t k = 0; k < x->islands && named < SHOWN; k++)
         if (x->part[k].verdict != SP_STABLE)
             fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->part[k].block], sp_verdict_text(x->part[k].verdict));

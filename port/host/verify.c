@@ -154,9 +154,14 @@ static int read_proof(const reading *r, sp_proof *p)
 {
     const json_value *proof = json_member(&r->tree, json_member(&r->tree, r->all, "coupled"), "proof");
     const json_value *node = json_member(&r->tree, proof, "node"), *row = json_member(&r->tree, proof, "row");
-    const json_value *y = json_member(&r->tree, proof, "y");
+    const json_value *y = json_member(&r->tree, proof, "y"), *island = json_member(&r->tree, proof, "island");
 
     if (!proof) return 0;
+    if (island) {                                       /* results before there were any have none */
+        if (island->kind != JSON_NUMBER || !(island->as.number >= 0 && island->as.number <= INT32_MAX))
+            return fail(r, proof, "bad island of the coupled check's proof");
+        p->island = (int32_t)island->as.number;
+    }
     p->nodes = length(r, node);
     p->entries = length(r, row);
     if (!p->nodes || !p->entries || length(r, y) != p->entries)
