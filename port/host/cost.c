@@ -219,8 +219,7 @@ int command_cost(int argc, char **argv)
     memset(&s, 0, sizeof s);
     if (!code && o.files != 1) code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
     if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
-    if (!code && !options_tilt(o.tilt, o.azimuth, s.scene.gravity))
-        code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+    if (!code) options_tilt(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = text_fail_status(&error, status, s.path, 0, "");
     if (!code && o.svg) code = draw(o.svg, &s, &table, &error);

@@ -279,8 +279,7 @@ int command_limit(int argc, char **argv)
         r.scene = &s;
         r.options = &o;
         status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
-        if (!status && !options_tilt(o.tilt, o.azimuth, s.scene.gravity))
-            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+        if (!status) options_tilt(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);

@@ -23,7 +23,7 @@ static const char help_check[] =
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided), NAME:\n"
 "                     friction, depth (the third dimension), together (islands)   as planned, see `plan`\n"
-"  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ (from x to y)        0\n"
+"  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ, level: from x to y  0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
 "  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"

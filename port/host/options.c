@@ -289,19 +289,29 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
     return coupled_only && !o->settings.coupled.asked ? usage(error, coupled_only, "belongs to --coupled") : 0;
 }
 
-/* g' = |g| (cos t g/|g| + sin t h), h: the azimuth's direction made orthogonal to g. */
-int options_tilt(double degrees, double azimuth, sp_real gravity[3])
+/* h0: x (y where gravity is within 26 degrees of x) made orthogonal to gravity; h1 = h0 x g: y where gravity is down. */
+void options_level(const sp_real gravity[3], double h[2][3])
+{
+    double g[3], size = 0, across = 0;
+    for (int k = 0; k < 3; k++) size += (double)gravity[k] * (double)gravity[k];
+    size = sqrt(size);
+    for (int k = 0; k < 3; k++) g[k] = size > 0 ? (double)gravity[k] / size : 0;
+    const int first = fabs(g[0]) > 0.9;
+    for (int k = 0; k < 3; k++) {
+        h[0][k] = (k == first) - g[first] * g[k];
+        across += h[0][k] * h[0][k];
+    }
+    for (int k = 0; k < 3; k++) h[0][k] *= size / sqrt(across);
+    for (int k = 0; k < 3; k++) h[1][k] = h[0][(k + 1) % 3] * g[(k + 2) % 3] - h[0][(k + 2) % 3] * g[(k + 1) % 3];
+}
+
+/* g' = cos t g + sin t (cos a h0 + sin a h1) */
+void options_tilt(double degrees, double azimuth, sp_real gravity[3])
 {
     const double rad = 3.14159265358979323846 / 180, c = cos(degrees * rad), s = sin(degrees * rad);
-    double h[3] = { cos(azimuth * rad), sin(azimuth * rad), 0 }, g[3], size, along, across;
-
-    for (int k = 0; k < 3; k++) g[k] = (double)gravity[k];
-    size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    if (!(size > 0) || !(fabs(degrees) > 0)) return 1;
-    along = (h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) / size;
-    for (int k = 0; k < 3; k++) h[k] -= along * g[k] / size;
-    across = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]);
-    if (across < 1e-9) return 0;
-    for (int k = 0; k < 3; k++) gravity[k] = (sp_real)(c * g[k] + s * size * h[k] / across);
-    return 1;
+    double h[2][3];
+    if (!(fabs(degrees) > 0)) return;
+    options_level(gravity, h);
+    for (int k = 0; k < 3; k++)
+        gravity[k] = (sp_real)(c * (double)gravity[k] + s * (cos(azimuth * rad) * h[0][k] + sin(azimuth * rad) * h[1][k]));
 }

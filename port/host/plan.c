@@ -79,14 +79,11 @@ int command_plan(int argc, char **argv)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
-            if (!options_tilt(o.tilt, o.azimuth, s.scene.gravity))
-                text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
-            else {
-                const sp_status status = plan_scene(&s.scene, &o.settings, &outlook);
-                if (status) text_fail_status(&error, status, s.path, 0, "");
-                else if (o.json) print_json(&s, &outlook);
-                else print_table(&s, &outlook);
-            }
+            options_tilt(o.tilt, o.azimuth, s.scene.gravity);
+            const sp_status status = plan_scene(&s.scene, &o.settings, &outlook);
+            if (status) text_fail_status(&error, status, s.path, 0, "");
+            else if (o.json) print_json(&s, &outlook);
+            else print_table(&s, &outlook);
         }
         scene_free(&s);
     }

@@ -422,8 +422,7 @@ int command_sequence(int argc, char **argv)
                           " --suggest ", &o, &error);
     if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
-    if (!status && !options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity))
-        status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt turns gravity towards where it already points");
+    if (!status) options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);
     if (!status) {
         const sp_status s = all_steps(&r);

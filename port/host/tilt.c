@@ -10,23 +10,6 @@
 
 #define DEGREE (3.14159265358979323846 / 180)
 
-/* Level directions: g, x made orthogonal to it (y where gravity is along x), and the third by the right hand seen from above. */
-static void level(const sp_real gravity[3], double g[3], double h[2][3])
-{
-    double size = 0, along = 0, across = 0;
-    for (int k = 0; k < 3; k++) size += (double)gravity[k] * (double)gravity[k];
-    size = sqrt(size);
-    for (int k = 0; k < 3; k++) g[k] = (double)gravity[k] / size;
-    const int first = fabs(g[0]) > 0.9;
-    along = g[first];
-    for (int k = 0; k < 3; k++) { h[0][k] = (k == first) - along * g[k]; across += h[0][k] * h[0][k]; }
-    for (int k = 0; k < 3; k++) h[0][k] *= size / sqrt(across);
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        h[1][k] = h[0][i] * g[j] - h[0][j] * g[i];
-    }
-}
-
 /* The limit towards one azimuth [rad].     *lambda: what stands */
 static sp_status towards(const sp_scene *scene, const options *o, double azimuth, double h[2][3], sp_limit_result *x, double *lambda,
                          void **memory)
@@ -106,7 +89,7 @@ static sp_status refine(const host_scene *s, const options *o, double h[2][3], d
 
 int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error)
 {
-    double g[3], h[2][3], nearest = HUGE_VAL, worst = 0;
+    double h[2][3], nearest = HUGE_VAL, worst = 0;
     int status;
     memset(m, 0, sizeof *m);
     *memory = NULL;
@@ -123,7 +106,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
     }
     m->stands = stands_level(s, o, error, &status);
     if (status || !m->stands) return status;
-    level(s->scene.gravity, g, h);
+    options_level(s->scene.gravity, h);
     m->least = 90;
     for (int k = 0; k < TILT_AZIMUTHS; k++) {
         const double azimuth = 360.0 * k / TILT_AZIMUTHS * DEGREE;

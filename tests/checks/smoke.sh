@@ -15,6 +15,24 @@ scene_exits() {                                         # scene_exits STATUS GEN
     gen "$@" || return 1
     exits "$want" "$cli" check "$tmp/scene.obj"
 }
+margin_is_tilt() {          # "x y z" ORDER MU: of this gravity, axes in this order, at the worst azimuth, 35 and 205 degrees
+    "$cli" gen two-cubes offset=0.2 mu="$3" | awk -v g="$1" -v order="$2" '
+        /^#@ interface/ { next } /^#@ gravity/ { print "#@ gravity " g; next }
+        { x["x"] = $2; x["y"] = $3; x["z"] = $4 }
+        $1 == "v" { print "v", x[substr(order, 1, 1)], x[substr(order, 2, 1)], x[substr(order, 3, 1)]; next } { print }' > "$tmp/turned.obj"
+    "$cli" limit --tilt-margin --json "$tmp/turned.obj" | tr -d ' ' | awk -F '[][,:]' '{
+        for (k = 1; k <= NF; k++) {
+            if ($k == "\"tilt_margin\"") m = $(k + 1)
+            if ($k == "\"azimuth\"") print $(k + 1), m
+            if ($k == "\"angles\"") print 35, $(k + 9) "\n" 205, $(k + 43)
+        } }' > "$tmp/margins"
+    [ "$(wc -l < "$tmp/margins")" -eq 3 ] || { cat "$tmp/margins"; return 1; }
+    while read -r azimuth margin; do
+        exits 0 "$cli" check --tilt "$(awk "BEGIN { printf \"%.12f\", $margin * (1 - 1e-6) }"),$azimuth" "$tmp/turned.obj" > "$tmp/said" &&
+        exits 1 "$cli" check --tilt "$(awk "BEGIN { printf \"%.12f\", $margin * (1 + 1e-6) }"),$azimuth" "$tmp/turned.obj" > "$tmp/said" ||
+        return 1
+    done < "$tmp/margins"
+}
 round_trip() {                                          # scene -> convert -> the same verdict and numbers
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/again.obj" &&
     "$cli" check --json - < "$tmp/scene.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/a" &&
@@ -256,6 +274,10 @@ part "limit: nothing live: 64"      exits 64 "$cli" limit "$tmp/scene.obj"
 part "limit: no direction: 64"      exits 64 "$cli" limit --body 1,0 "$tmp/scene.obj"
 gen topple angle=13
 part "limit: tilt margin of a block of 1 : 4 that leans already" says '"tilt_margin": 1.0362434' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
+part "limit: just below the tilt margin it stands tilted, just above it falls" margin_is_tilt "0 0 -9.80665" xyz 0.6
+part "limit: so it does where gravity leans" margin_is_tilt "1.1 -2.3 -9.2" xyz 0.8
+part "limit: or points along x" margin_is_tilt "-9.3 0.8 -1.9" zxy 0.6
+part "limit: or along y"        margin_is_tilt "2.1 -9.4 1.3" yzx 0.8
 part "limit: --tilt-margin or --body" exits 64 "$cli" limit --tilt-margin --body 1,0,0 "$tmp/scene.obj"
 part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$tmp/tilt.svg" "$tmp/scene.obj"
 part "limit: a decided margin is no lower bound" says '"at_least": false' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
