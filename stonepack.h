@@ -668,7 +668,8 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 typedef struct sp_planned {
     sp_effect_why why;
     int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
-                                           what stands within a factor of 5, for what falls often less than it takes; bytes: exact */
+                                           what stands within a factor of 5, for what falls often less than it takes; bytes:
+                                           exact, below 0 where the tables of small islands take more than they spare */
 } sp_planned;
 
 /* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */

@@ -162,6 +162,9 @@ TEST(every_refusal_tells_line_and_block)
     refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
     refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");
     refuse("#@ cohesion -1\n", "t.obj:1: must not be negative: 'cohesion'");
+    refuse("#@ tension 5e4\n" GROUND STONE, "t.obj: tension counts up to cohesion / mu: without cohesion it is nothing");
+    refuse(GROUND STONE "#@ interface ground stone 0 0 0 1 0 0 1 1 0\n#@ tension 5e4\n",
+           "t.obj:32: tension counts up to cohesion / mu: without cohesion it is nothing");
     refuse("#@ crushing\n", "t.obj:1: strength of a joint needs a number");
     refuse("#@ live a 0 0\n", "t.obj:1: a load needs a force of three numbers");
     refuse("#@ load a 0 0 1 0 0 0 pair\n", "t.obj:1: unexpected 'pair'");

@@ -98,18 +98,23 @@ static int worker(const char *s, options *o)
     return some ? megabytes > 0 && megabytes < 1e9 : 1;
 }
 
-/* "+friction,-together" */
-static int effects(const char *s, sp_settings *settings)
+/* "+friction,-together": what of an effect is asked for already must not be contradicted. coupled is a question: --coupled. */
+static int effects(const char *s, options *o, text_error *error)
 {
     for (;;) {
         const size_t n = strcspn(s, ",");
+        const sp_choice choice = *s == '+' ? SP_WITH : SP_WITHOUT;
         int k = 0;
-        if (*s != '+' && *s != '-') return 0;
-        while (k < SP_EFFECTS_FORCED
+        while (k < SP_EFFECTS && n > 0
                && (strlen(sp_effect_text((sp_effect)k)) != n - 1 || memcmp(sp_effect_text((sp_effect)k), s + 1, n - 1))) k++;
-        if (k == SP_EFFECTS_FORCED) return 0;
-        settings->effect[k] = *s == '+' ? SP_WITH : SP_WITHOUT;
-        if (!s[n]) return 1;
+        if ((*s != '+' && *s != '-') || (k >= SP_EFFECTS_FORCED && k != SP_EFFECT_COUPLED))
+            return usage(error, "--effects", k > 0 && k < SP_EFFECTS
+                         ? "forces friction, depth, together, coupled; the others are the scene's, on or off"
+                         : "needs a list of +NAME or -NAME of friction, depth, together, coupled");
+        sp_choice *to = k < SP_EFFECTS_FORCED ? &o->settings.effect[k] : &o->couple;
+        if (*to != SP_PLANNED && *to != choice) return usage(error, "--effects", "contradicts itself: +NAME and -NAME of one effect");
+        *to = choice;
+        if (!s[n]) return 0;
         s += n + 1;
     }
 }
@@ -161,7 +166,7 @@ static int take(options *o, const char *name, const char *value, text_error *err
     } else if (strncmp(name, "--cra-", 6) == 0) {
         return take_coupled(&o->settings.coupled, name, value, error);
     } else if (strcmp(name, "--effects") == 0) {
-        if (!effects(value, &o->settings)) return usage(error, name, "needs a list of +NAME or -NAME of friction, depth, together");
+        return effects(value, o, error);
     } else if (strcmp(name, "--near") == 0) {
         if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
     } else if (strcmp(name, "--tol") == 0) {
@@ -286,6 +291,8 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
         status = take(o, name, value ? value : argv[++i], error);
         if (status) return status;
     }
+    if (o->couple == SP_WITHOUT && o->settings.coupled.asked) return usage(error, "--effects", "contradicts --coupled");
+    if (o->couple == SP_WITH) o->settings.coupled.asked = 1;
     return coupled_only && !o->settings.coupled.asked ? usage(error, coupled_only, "belongs to --coupled") : 0;
 }
 

@@ -22,6 +22,7 @@ typedef struct options {
     const char *solver_name;    /* "admm", ours, unless --solver says otherwise */
     sp_qp_solver solver;        /* settings.qp_solver, where not ours */
     sp_settings settings;
+    sp_choice couple;           /* of --effects: coupled */
     char cone[16];              /* "true", "8i", "4c" */
     const char *program;        /* argv[0]: what a worker is started as */
     double worker;              /* [s] the check is made by a worker that has so long; 0: here */

@@ -45,6 +45,7 @@ static void print_json(const host_scene *s, const sp_outlook *o)
         json_open(&j, sp_effect_text((sp_effect)k), '{');
         json_bool(&j, "on", sp_effect_on(p->why));
         json_string(&j, "why", sp_effect_why_text(p->why));
+        json_bool(&j, "choice", k < SP_EFFECTS_FORCED || k == SP_EFFECT_COUPLED);
         json_int(&j, "unknowns_saved", p->unknowns);
         json_int(&j, "flops_saved", p->flops);
         json_int(&j, "bytes_saved", p->bytes);

@@ -119,11 +119,19 @@ static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], in
     return joint;
 }
 
+/* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing.     returns 0, or fails */
+static int joint_counts(const obj_file *f, const sp_joint *j, int32_t line, text_error *error)
+{
+    if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
+    return text_fail(error, EXIT_SCENE, f->path, line, "tension counts up to cohesion / mu: without cohesion it is nothing");
+}
+
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, text_error *error)
 {
     const obj_contact *c = &f->contact[i];
     const sp_joint joint = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
+    if (joint_counts(f, &joint, c->line, error)) return error->status;
     const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &joint, NULL)
                                         : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &joint, NULL);
     char what[192];
@@ -200,6 +208,10 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
     sp_arena scratch;
 
     settings.joint = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
+    if (joint_counts(f, &settings.joint, 0, error)) {
+        free(memory);
+        return error->status;
+    }
     if (!memory || sp_arena_init(&scratch, memory, bytes + SP_ALIGN) != SP_OK) {
         free(memory);
         return out_of_memory(f, error);

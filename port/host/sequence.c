@@ -427,7 +427,7 @@ int command_sequence(int argc, char **argv)
     if (!status) {
         const sp_status s = all_steps(&r);
         if (s == SP_E_UNSUPPORTED)
-            status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: %s", sp_status_text(s));
+            status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: of the stages admm, or what this build leaves out");
         else if (s) status = text_fail_status(&error, s, r.scene.path, 0, "");
     }
     if (!status && o.svg && r.steps) status = draw(&r, &error);

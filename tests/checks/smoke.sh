@@ -221,7 +221,16 @@ part "effects: depth, each way"     each_way depth 'off .* mirror' 0 ': STABLE'
 part "effects: together, each way"  each_way together 'on .* calls for' 0 ': STABLE'
 part "effects: two at once"         says '^together *on .* the caller' "$cli" plan --effects -depth,+together "$tmp/scene.obj"
 part "effects: depth, called for"   sh -c "'$cli' gen dome | '$cli' check --effects -depth - | grep -q '^  left out  *depth$'"
-part "effects: no such one: 64"     exits 64 "$cli" check --effects +loads "$tmp/scene.obj"
+part "effects: no such one: 64"     exits 64 "$cli" check --effects +wind "$tmp/scene.obj"
+part "effects: no name: 64"         exits 64 "$cli" check --effects "" "$tmp/scene.obj"
+part "effects: the scene's own: 64" exits 64 "$cli" check --effects +loads "$tmp/scene.obj"
+part "effects: and which can be forced" sh -c "'$cli' check --effects -strength '$tmp/scene.obj' 2>&1 | grep -q 'forces friction, depth, together, coupled'"
+part "effects: + and - of one: 64"  exits 64 "$cli" check --effects +friction,-friction "$tmp/scene.obj"
+part "effects: in two lists, too"   exits 64 "$cli" check --effects +depth --effects -depth "$tmp/scene.obj"
+part "effects: +coupled asks"       says '^coupled *on' "$cli" plan --effects +coupled "$tmp/scene.obj"
+part "effects: -coupled does not"   says '^coupled *off' "$cli" plan --effects -coupled "$tmp/scene.obj"
+part "effects: -coupled, --coupled: 64" exits 64 "$cli" check --coupled --effects -coupled "$tmp/scene.obj"
+part "sequence: admm is named: 64"  sh -c "'$cli' sequence --stages admm '$tmp/scene.obj' 2>&1 | grep -q 'of the stages admm'"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
