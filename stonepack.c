@@ -5679,6 +5679,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
 #define SP__ENOUGH ((sp_real)0.999)
 #define SP__MORE ((sp_real)1.001)
 #endif
+#define SP__FINE ((sp_real)(sizeof(sp_real) == 4 ? 1 : 1e-12))  /* omega from which forces are taken as they come */
 #define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
 
 typedef struct sp__newton {
@@ -6497,11 +6498,19 @@ static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_ar
 }
 
 #ifndef SP_NO_PLAN
-/* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it */
-static int sp__newton_bonded(sp__dual *w, sp_state *state)
+/* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it
+ * A light block beside a heavy one has digits of its own: what is much for its load is looked at with the forces on it. */
+SP__APART static int sp__newton_bonded(sp__dual *w, sp_state *state)
 {
+    const sp_real little = sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON);
+    int each = 1;
     sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
-    return !w->spent && sp__dual_norm(w, w->r) <= sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON) * w->load;
+    if (w->spent || sp__dual_norm(w, w->r) > little * w->load) return 0;
+    sp__dual_load(w, w->L.t);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k += 6)
+        each &= SP_SQRT(sp__dot(w->r + k, w->r + k, 6)) <= little * SP_SQRT(sp__dot(w->L.t + k, w->L.t + k, 6));
+    if (!each) sp__dual_sizes(w, w->y);
+    return each || (!w->spent && sp__dual_omega(w, w->r) <= little);
 }
 #endif
 
@@ -6519,21 +6528,23 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
     sp__newton_finish(w, n, state);
 #ifndef SP_NO_IPM
     const int cones = !sp__scene_strong(w->pb->scene);         /* with strength K is none */
+    const int coarse = n->found && n->best > SP__FINE;  /* within tol, but not to rounding */
     if (sp__newton_open(n) && whole && cones) sp__ipm_run(w, w->inner, n, state);
 #endif
     if (sp__newton_open(n) && whole) {
         sp__newton_path(w, n, state);
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
-#ifndef SP_NO_IPM
-        if (sp__newton_open(n) && cones && sp__newton_left(w, n)) {      /* as near as y goes; on in forces */
-            memcpy(w->y, state->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
-            sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
-            n->left--;
-            sp__ipm_forces(w, NULL, n, state);
-        }
-#endif
     }
+#ifndef SP_NO_IPM
+    if ((coarse || (sp__newton_open(n) && whole)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
+        memcpy(coarse ? state->y : w->y, coarse ? w->y : state->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+        sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+        n->left--;
+        n->found = 0;                                   /* then they are still those of y */
+        sp__ipm_forces(w, NULL, n, state);
+    }
+#endif
 }
 
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
