@@ -36,7 +36,9 @@
  *   33  what to hold                     smallest sets of held blocks; what may come next
  *   34  limit: both ends                 sp_limit_verify
  *   35  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
- *   36  smallest check                   SP_EXACT_ONLY: sp_check, sp_memory by a search of its own, in place of 11 and 13-28
+ *   36  smallest check                   SP_SMALL: sp_check, sp_memory, sp_plan by a search of its own; not 11, 13-28, 30
+ *   37  smallest limit                   in place of 35
+ *   38  smallest build order             in place of 32 and 33
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -56,7 +58,7 @@
 
 #include "solvers/arena.c"
 #include "solvers/real.c"
-#ifndef SP_EXACT_ONLY
+#if !defined(SP_SMALL) || !defined(SP_NO_QP)
 #include "solvers/order.c"
 #include "solvers/chol.c"
 #endif
@@ -77,18 +79,18 @@
 #include "solvers/vec3.c"
 #include "solvers/csc.c"
 #include "solvers/pyramid.c"
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 #include "solvers/envelope.c"
 #else
 #include "solvers/cone.c"
 #include "solvers/bchol.c"
 #endif
-#ifndef SP_NO_IPM
+#if !defined(SP_NO_IPM) && !defined(SP_SMALL)
 #include "solvers/ipm.c"
 #endif
 #include "solvers/sort.c"
 #include "solvers/hull.c"
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 #include "solvers/convex.c"
 #else
 #include "solvers/clip.c"
@@ -204,6 +206,20 @@ SP_API const char *sp_effect_why_text(sp_effect_why why)
                     "contacts form a forest, or nothing need move: no search\0"
                     "unknown", k >= 0 && k <= (int)SP_WHY_FOREST ? k : (int)SP_WHY_FOREST + 1);
 }
+
+#ifndef SP_EXACT_ONLY
+SP_API const char *sp_presence_text(sp_presence presence)
+{
+    const int k = (int)presence;
+    return sp__word("absent\0" "present\0" "held\0" "unknown", k >= 0 && k <= 2 ? k : 3);
+}
+
+SP_API const char *sp_held_proof_text(sp_held_proof proof)
+{
+    const int k = (int)proof;
+    return sp__word("minimal\0" "irreducible\0" "enough\0" "unknown", k >= 0 && k <= 2 ? k : 3);
+}
+#endif
 
 /* 2 --------------------------------------------------------------------------------------------------------- scene, empty */
 
@@ -1433,7 +1449,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
     if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
     if (t->clip.bent) { t->status = SP_E_UNSUPPORTED; return; }
 #endif
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
@@ -1785,6 +1801,23 @@ static int32_t sp__points_count(const sp_scene *scene)
         if (sp__contact_counts(scene, &scene->interface[k])) n += scene->interface[k].points;
     return n;
 }
+
+#if !defined(SP_SMALL) || !defined(SP_NO_PLAN)
+/* What of an effect is in the scene. */
+static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
+{
+    int friction = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
+    return effect == SP_EFFECT_FRICTION ? friction
+         : effect == SP_EFFECT_DEPTH ? 1
+         : effect == SP_EFFECT_TOGETHER ? islands < 2
+         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
+         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
+         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
+         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
+}
+#endif
 
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
 {
@@ -2704,7 +2737,7 @@ SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp
     return 1;
 }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* Sweeps the judge may take for the scales out of so many flops. */
 static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
 {
@@ -3267,7 +3300,7 @@ SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, c
 }
 #endif /* SP_NO_CRA */
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* 11 ------------------------------------------------------------------------------------------------------------ the dual */
 
 /* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
@@ -5251,7 +5284,7 @@ static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp_
     return sp__dual_make(pb, set, form, NULL, cost, a);
 }
 
-#endif /* SP_EXACT_ONLY */
+#endif /* SP_SMALL */
 
 /* 12 ---------------------------------------------------------------------------------------------------- search constants */
 
@@ -5316,7 +5349,7 @@ static const sp_seed sp__seed = {
 
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
 
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
@@ -9224,7 +9257,7 @@ SP__APART static sp_scene *sp__island_scene(const sp_scene *scene, const sp__isl
     return s;
 }
 
-#endif /* SP_EXACT_ONLY */
+#endif /* SP_SMALL */
 
 /* 26 -------------------------------------------------------------------------------------------------------------- ladder */
 
@@ -9290,7 +9323,7 @@ static void sp__settings_fit(const sp_scene *scene, sp_settings *s)
     }
 }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* What of a table of constants could break a loop or a pyramid. */
 static int sp__seed_fits(const sp_seed *s)
 {
@@ -9364,7 +9397,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
-    int other = out->faces || out->budget || out->seed || out->work || out->coupled.asked || sp__scene_strong(scene);
+    int other = out->faces || out->budget || out->seed || out->coupled.asked || sp__scene_strong(scene);
     for (int k = 0; k < 2; k++) other |= out->effect[k] == SP_WITHOUT;          /* friction, depth */
     for (int32_t k = 0; k < out->stage_count; k++) other |= out->stage[k] != SP_STAGE_GATES && out->stage[k] != SP_STAGE_EXACT;
     if (other) return SP_E_UNSUPPORTED;
@@ -9373,7 +9406,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 }
 #endif
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* What a check keeps: the result's arrays, in front of everything that goes again. */
 typedef struct sp__kept {
     sp_real *f, *dq, *y0;
@@ -9441,7 +9474,7 @@ typedef struct sp__check {
 typedef struct sp__check { sp_settings set; sp_problem pb; sp_result r; } sp__check;
 #endif
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* Scratch of a problem and its symbolic step. */
 static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settings)
 {
@@ -9684,7 +9717,7 @@ static void sp__check_motion(const sp__judge *j, sp_real *dq)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* Flops that are left of the budget. */
 static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
 {
@@ -9861,7 +9894,7 @@ SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settin
     return SP_OK;
 }
 
-#endif /* SP_EXACT_ONLY */
+#endif /* SP_SMALL */
 
 /* 27 ---------------------------------------------------------------------------------------------------- reading a result */
 
@@ -9927,7 +9960,7 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
     return SP_OK;
 }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* Reading the force state: extremes over the interfaces, and the weakest of them. */
 SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
 {
@@ -10052,21 +10085,6 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
     r->verified = !b;
     r->islands = b ? 1 : 0;
-}
-
-/* What of an effect is in the scene. */
-static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
-{
-    int friction = 0;
-    for (int32_t k = 0; k < scene->count.interfaces; k++)
-        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
-    return effect == SP_EFFECT_FRICTION ? friction
-         : effect == SP_EFFECT_DEPTH ? 1
-         : effect == SP_EFFECT_TOGETHER ? islands < 2
-         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
-         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
-         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
-         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
 }
 
 /* Why an effect is on or off. */
@@ -10419,7 +10437,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-#endif /* SP_EXACT_ONLY */
+#endif /* SP_SMALL */
 
 /* 29 -------------------------------------------------------------------------------------------------------------- verify */
 
@@ -10566,7 +10584,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
 
 /* 30 --------------------------------------------------------------------------------------------------------------- plan */
 
-#ifndef SP_NO_PLAN
+#if !defined(SP_NO_PLAN) && !defined(SP_SMALL)
 /* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
  * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
  * near a limit), what a step costs is known. */
@@ -10971,7 +10989,7 @@ SP_API const char *sp_nbo_text(sp_nbo reason)
                     k >= 0 && k <= 4 ? k : 5);
 }
 
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 /* 32 ---------------------------------------------------------------------------------------------------------- build order */
 
 /* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
@@ -11964,17 +11982,7 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
     return SP_OK;
 }
 
-SP_API const char *sp_presence_text(sp_presence presence)
-{
-    const int k = (int)presence;
-    return sp__word("absent\0" "present\0" "held\0" "unknown", k >= 0 && k <= 2 ? k : 3);
-}
-
-SP_API const char *sp_held_proof_text(sp_held_proof proof)
-{
-    const int k = (int)proof;
-    return sp__word("minimal\0" "irreducible\0" "enough\0" "unknown", k >= 0 && k <= 2 ? k : 3);
-}
+#endif /* SP_SMALL */
 
 #ifndef SP_NO_IPM
 /* 34 ----------------------------------------------------------------------------------------------------- limit: both ends */
@@ -12071,6 +12079,7 @@ static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
 SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 {
     int32_t final;
+    if (!e->pb.live) return 1;
     sp__ends_mix(e, 1, 0);
     const sp_real dead = sp__load_unit(&e->pb);
     if (!sp__ends_open(e, 0, 1, &room)) return 0;
@@ -12082,6 +12091,20 @@ SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
     return final && sp__ends_work(e, e->dead) + e->set.force_bound * ratio * sp__ends_work(e, e->live) >= 0;
 }
 
+#ifdef SP_SMALL
+/* Does e->dq fall at lambda, and at every larger one, too? What moves in the best proof stays in e->dq, and in `all` (may be NULL)
+ * as a result has it. */
+SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
+{
+    sp_arena again = room;
+    if (!sp__ends_open(e, 1, lambda, &again)) return 0;
+    e->least = sp__judge_mechanism(&e->judge, e->dq, &e->final);
+    if (!(e->least > e->set.tol)) return 0;
+    if (all) sp__check_motion(&e->judge, all);
+    memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    return !beyond || sp__ends_beyond(e, room);
+}
+#else
 /* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
  * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
 SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
@@ -12116,6 +12139,7 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
     memcpy(e->dq, e->whole, bytes);
     return 0;
 }
+#endif
 
 /* Every end that the claim has. */
 SP__APART static int sp__ends_hold(sp__ends *e, const sp_limit_result *r, sp_arena room)
@@ -12167,6 +12191,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     return SP_OK;
 }
 
+#ifndef SP_SMALL
 /* 35 -------------------------------------------------------------------------------------------------------- limit: search */
 
 /* Section 19's embedding with one ray and one column more, for
@@ -12857,6 +12882,8 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
+#endif /* SP_SMALL */
+
 SP_API const char *sp_limit_text(sp_limit_kind kind)
 {
     const int k = (int)kind;
@@ -12922,12 +12949,11 @@ SP_API const char *sp_joint_text(sp_joint_kind kind)
     return sp__word("rigid\0" "hinge\0" "sliding\0" "open\0" "unknown", k >= 0 && k <= 3 ? k : 4);
 }
 #endif /* SP_NO_IPM */
-#endif /* SP_EXACT_ONLY */
 
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 /* 36 ------------------------------------------------------------------------------------------------------- smallest check */
 
-/* The exact stage of SP_EXACT_ONLY, in as little code as does it. The same Newton on the dual as in sections 14, 16 and 18,
+/* The exact stage of SP_SMALL, in as little code as does it. The same Newton on the dual as in sections 14, 16 and 18,
  *
  *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y,   f = S P_K(u)         [Qi, Sun 1993; Rockafellar 1976]
  *
@@ -12987,10 +13013,19 @@ static int sp__small_carve(sp__small *w, const sp_problem *pb, sp_arena *rows, s
     w->row = sp__take(rows, (size_t)pb->blocks, 6 * sizeof *w->row);
     const int64_t entries = sp__failed(rows) ? -1 : sp__small_rows(w, pb);
     if (entries < 0) return 0;
-    sp_real **const to[] = { &w->z, &w->y, &w->r, &w->d, &w->x, &w->base, &w->best };
-    for (int k = 0; k < 7; k++) *to[k] = sp__take(a, (size_t)pb->blocks, 6 * sizeof **to[k]);
+    const size_t n = 6 * (size_t)pb->blocks;
+    sp_real *v = sp__take(a, n, 7 * sizeof *v);
     w->H = sp__take(a, (size_t)entries, sizeof *w->H);
-    return !sp__failed(a);
+    if (sp__failed(a)) return 0;
+    if (!v) return 1;                                   /* counted */
+    w->z = v;
+    w->y = v += n;
+    w->r = v += n;
+    w->d = v += n;
+    w->x = v += n;
+    w->base = v += n;
+    w->best = v + n;
+    return 1;
 }
 
 /* y += s x */
@@ -13279,6 +13314,28 @@ SP__APART static void sp__small_path(sp__small *w)
     }
 }
 
+#ifndef SP_EXACT_ONLY
+/* A motion that capped forces might resist: what they resist by is rounding, if all that resists it lets it pass in a null vector
+ * of the Hessian there. */
+SP__APART static void sp__small_sharpen(sp__small *w)
+{
+    sp_result *r = w->to;
+    for (int it = 0; it < 3 && r->verdict == SP_UNSTABLE && !r->final; it++) {
+        const size_t n = 6 * (size_t)w->pb->blocks;
+        memcpy(w->base, w->j.x, n * sizeof *w->base);
+        for (size_t k = 0; k < n; k++) w->d[k] = w->z[k] > 0 ? -w->base[k] / w->z[k] : 0;
+        sp__small_sweep(w, w->d, SP__HESSIAN);
+        sp__small_factor(w, SP__SHIFT);
+        r->verdict = SP_UNDECIDED;
+        sp__small_purify(w, w->d);
+        if (r->verdict) continue;
+        r->verdict = SP_UNSTABLE;
+        r->least_imbalance = sp__judge_mechanism(&w->j, w->base, &r->final);
+        return;
+    }
+}
+#endif
+
 /* The search on a built problem, its arrays carved; the judge's behind them. */
 SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
 {
@@ -13297,6 +13354,9 @@ SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
     sp__small_plain(w);
     sp__small_path(w);
     sp__small_plain(w);
+#ifndef SP_EXACT_ONLY
+    sp__small_sharpen(w);
+#endif
     if (r->verdict != SP_STABLE) {
         sp__small_sweep(w, w->best, SP__GRADIENT);
         sp__small_look(w);
@@ -13329,17 +13389,18 @@ static size_t sp__small_numbers(const sp_scene *scene)
 
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
 {
-    if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    sp_arena *work = settings ? settings->work : NULL;
+    if (!scene || !arena || !arena->base || !result || (work && (work == arena || !work->base))) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    sp_arena a = *arena;
+    sp_arena kept = *arena;
     const size_t numbers = sp__small_numbers(scene), joints = (size_t)scene->count.interfaces;
-    sp_real *kept = sp__take(&a, numbers, sizeof *kept);
-    sp_demand *demand = sp__take(&a, joints, sizeof *demand);
-    const size_t used = a.used;
+    sp_real *number = sp__take(&kept, numbers, sizeof *number);
+    sp_demand *demand = sp__take(&kept, joints, sizeof *demand);
+    sp_arena a = work ? *work : kept;
     sp__check *c = sp__take(&a, 1, sizeof *c);
     sp__small *w = sp__take(&a, 1, sizeof *w);
-    if (sp__failed(&a)) return SP_E_MEMORY;
-    memset(kept, 0, numbers * sizeof *kept);
+    if (sp__failed(&kept) || sp__failed(&a)) return SP_E_MEMORY;
+    memset(number, 0, numbers * sizeof *number);
     memset(demand, 0, joints * sizeof *demand);
     memset(c, 0, sizeof *c);
     memset(w, 0, sizeof *w);
@@ -13347,7 +13408,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!status) status = sp_problem_build(scene, &a, &c->pb);
     if (status) return status;
     sp_result *r = &c->r;
-    r->f = kept;
+    r->f = number;
     r->dq = r->f + 3 * (size_t)scene->count.points;
     r->y0 = r->dq + 6 * (size_t)scene->count.blocks;
     r->demand = demand;
@@ -13364,33 +13425,65 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!sp__small_carve(w, &c->pb, &a, &a) || (r->islands && !sp__small_run(w, &a))) return SP_E_MEMORY;
     sp__small_told(r);
     r->by_stage[c->set.stage_count - 1] = r->cost;
-    r->peak_bytes = arena->peak = a.peak;
-    arena->used = used;
+    if (work) work->peak = a.peak; else kept.peak = a.peak;
+    r->peak_bytes = kept.peak;
+    *arena = kept;
     *result = *r;
     return SP_OK;
 }
 
-SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+/* What a search on problem pb takes from an arena: its own arrays, then the judge's; rows in scratch.     returns 0: no memory */
+static int sp__small_need(sp__small *w, const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp_arena *dry)
 {
-    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    sp__take(dry, (size_t)pb->blocks, 6 * sizeof *w->row);
+    if (!sp__small_carve(w, pb, &scratch, dry)) return 0;
+    if (pb->blocks) sp__take(dry, 1, sp__judge_need(pb, set));
+    return 1;
+}
+
+/* Bytes of a check: of its result, and of all else.                         flops: of a factor; may be NULL */
+static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, int64_t *flops, size_t part[2])
+{
+    if (!scene || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
-    if (!c) return SP_E_MEMORY;
+    sp__small *w = sp__take(&scratch, 1, sizeof *w);
+    if (!w) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
-    sp__small *w = sp__take(&scratch, 1, sizeof *w);
-    sp_arena dry = sp__arena_dry();
-    sp__take(&dry, sp__small_numbers(scene), sizeof(sp_real));
-    sp__take(&dry, (size_t)scene->count.interfaces, sizeof(sp_demand));
+    sp_arena kept = sp__arena_dry(), dry = kept;
+    sp__take(&kept, sp__small_numbers(scene), sizeof(sp_real));
+    sp__take(&kept, (size_t)scene->count.interfaces, sizeof(sp_demand));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sizeof *w);
     sp__take(&dry, 1, sp_problem_memory(scene));
-    sp__take(&dry, (size_t)c->pb.blocks, 6 * sizeof *w->row);
-    if (!w || !sp__small_carve(w, &c->pb, &scratch, &dry)) return SP_E_MEMORY;
-    if (c->pb.blocks) sp__take(&dry, 1, sp__judge_need(&c->pb, &c->set));
-    *bytes = dry.used;
+    if (!sp__small_need(w, &c->pb, &c->set, scratch, &dry)) return SP_E_MEMORY;
+    part[0] = kept.used;
+    part[1] = dry.used;
+    if (flops) *flops = w->flops;
     return SP_OK;
+}
+
+/* Both parts in one arena. */
+static size_t sp__small_sum(const size_t part[2]) { return ((part[0] + (SP_ALIGN - 1)) & ~(size_t)(SP_ALIGN - 1)) + part[1]; }
+
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    size_t part[2];
+    if (!bytes) return SP_E_ARGUMENT;
+    const sp_status status = sp__small_memory(scene, settings, scratch, NULL, part);
+    if (!status) *bytes = settings && settings->work ? part[0] : sp__small_sum(part);
+    return status;
+}
+
+SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    size_t part[2];
+    if (!bytes) return SP_E_ARGUMENT;
+    const sp_status status = sp__small_memory(scene, settings, scratch, NULL, part);
+    if (!status) *bytes = part[1];
+    return status;
 }
 
 SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
@@ -13399,6 +13492,451 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
     if (!scene) return 0;
     return sizeof(sp__check) + sizeof(sp__small) + sp_problem_memory(scene) + 24 * (size_t)scene->count.blocks + 5 * SP_ALIGN;
 }
+
+#ifndef SP_NO_PLAN
+/* A check by this search takes everything there is, all blocks together; its factor is known, its steps are a guess. */
+SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings) { return sp_memory_scratch(scene, settings); }
+
+SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out)
+{
+    size_t part[2];
+    int64_t flops;
+    if (!out) return SP_E_ARGUMENT;
+    const sp_status status = sp__small_memory(scene, settings, scratch, &flops, part);
+    if (status) return status;
+    sp_problem pb;
+    const int64_t points = sp__points_count(scene);
+    sp__problem_count(scene, &pb);
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < SP_EFFECTS; k++)
+        out->effect[k].why = k == SP_EFFECT_DYNAMICS ? SP_WHY_STATICS : k == SP_EFFECT_COUPLED ? SP_WHY_NOT_ASKED
+                           : sp__effect_present(scene, NULL, 1, (sp_effect)k) ? SP_WHY_CALLED : SP_WHY_ABSENT;
+    out->islands = pb.blocks > 0;
+    out->bytes = out->full_bytes = sp__small_sum(part);
+    out->unknowns = out->full_unknowns = 6 * (int64_t)pb.blocks + 3 * points;
+    out->flops = out->full_flops = 5 * flops + 20 * SP__FLOPS_VERTEX * points;
+    return SP_OK;
+}
+#endif
+
+#ifndef SP_NO_IPM
+/* 37 ------------------------------------------------------------------------------------------------------- smallest limit */
+
+/* sp_limit by that search alone. Forces that balance the live loads without the dead ones are a ray, and there is no end; or
+ * something falls under them, and the multiple at which its motion does no work, -(dead . dq) / (live . dq), is no less than
+ * lambda. From there Newton's method on the least imbalance over lambda: what falls just below has a lesser one, or, where live
+ * loads hold it, tells the least multiple.                                                             [Dinkelbach 1967] */
+typedef struct sp__limit {
+    sp__ends ends;
+    sp__small w;
+    sp_result at;                       /* of the search at hand */
+    sp_limit_result r;                  /* its dq: the motion of `best` */
+    sp_real best, unit, step;           /* least balance; multiple at which both loads are as large; how far below to ask */
+    int none;                           /* that motion falls at 0, too */
+} sp__limit;
+
+/* The search under d dead + l live; the ends' dq is the motion it ends with. */
+SP__APART static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real l, sp_arena room)
+{
+    sp__ends_mix(&L->ends, d, l);
+    L->at.verdict = SP_UNDECIDED;
+    L->w.metric = 0;
+    if (!L->ends.pb.blocks) return SP_STABLE;
+    sp__small_run(&L->w, &room);
+    sp__verify_motion(&L->ends.pb, L->at.dq, L->ends.dq);
+    return L->at.verdict;
+}
+
+/* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
+static sp_real sp__limit_balance(const sp__ends *e)
+{
+    const sp_real dead = sp__ends_work(e, e->dead), live = sp__ends_work(e, e->live);
+    return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
+}
+
+/* What falls at a: a better bound from above, or, where live loads would hold it, from below. Returns where to ask next; a itself
+ * where nothing is gained. */
+SP__APART static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room)
+{
+    const sp_real balance = sp__limit_balance(&L->ends);
+    const int beyond = sp__ends_beyond(&L->ends, room);
+    L->none = beyond && !(a > 0);
+    if (beyond && (L->none || balance < L->best)) {
+        L->best = balance;
+        memcpy(L->r.dq, L->at.dq, 6 * (size_t)L->ends.scene.count.blocks * sizeof *L->r.dq);
+        return L->none ? a : sp__max(0, balance - L->step);
+    }
+    const sp_real middle = balance < L->best ? (balance + L->best) / 2 : L->best;
+    const sp_real next = balance + L->step < middle ? balance + L->step : middle;
+    return !beyond && next > a ? next : a;
+}
+
+SP__APART static void sp__limit_search(sp__limit *L, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    sp_limit_result *r = &L->r;
+    sp__ends_mix(e, 1, 0);
+    const sp_real dead = sp__load_unit(&e->pb);
+    sp__ends_mix(e, 0, 1);
+    L->unit = dead / sp__load_unit(&e->pb);
+    if (sp__limit_ask(L, 0, 1, room) == SP_STABLE) {
+        r->kind = SP_LIMIT_UNBOUNDED;
+        L->at.f = r->f;                                 /* the others stay: the ray */
+    } else if (sp__ends_work(e, e->live) > 0) sp__limit_cut(L, 1, room);
+    L->step = 4 * r->tol * (L->unit + (L->best < SP__HUGE ? L->best : 0));
+    sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - L->step) : 0;
+    for (int it = 0; it < 24 && !L->none; it++) {
+        const sp_verdict verdict = sp__limit_ask(L, 1, a, room);
+        if (verdict == SP_STABLE) {
+            r->lower = a;
+            r->omega = L->at.omega;
+            memmove(r->f, L->at.f, 3 * (size_t)e->pb.points * sizeof *r->f);
+            if (r->kind == SP_LIMIT_UNBOUNDED || L->best < SP__HUGE) return;
+        }
+        const sp_real was = a;
+        if (verdict == SP_UNSTABLE) a = sp__limit_cut(L, a, room);
+        else if (verdict == SP_STABLE || !(L->best < SP__HUGE)) a = a > 0 ? 8 * a : L->unit;
+        else { L->step *= 10; a = sp__max(0, L->best - L->step); }
+        if (!(a < was) && !(a > was)) return;
+    }
+}
+
+/* Both ends of what was found, and what that makes of it. */
+SP__APART static void sp__limit_conclude(sp__limit *L, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    sp_limit_result *r = &L->r;
+    const sp_real wide = 1000 * r->tol * (L->unit + sp__abs(r->lower));
+    sp_real slack = wide / 500;
+    for (int it = 0; it < 10 && r->upper < 0 && (L->none || (!r->kind && L->best < SP__HUGE)); it++, slack *= 2) {
+        const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack);
+        sp__verify_motion(&e->pb, r->dq, e->dq);
+        if (!sp__ends_fall(e, lambda, 1, r->dq, room)
+            && (sp__limit_ask(L, 1, lambda, room) != SP_UNSTABLE || !sp__ends_fall(e, lambda, 1, r->dq, room))) continue;
+        r->upper = lambda;
+        r->least_imbalance = e->least;
+        r->final = e->final;
+    }
+    if (L->none) r->kind = SP_LIMIT_NONE;
+    else if (!r->kind && r->lower >= 0 && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
+    const sp_real balance = sp__limit_balance(e);
+    if (r->kind == SP_LIMIT_FOUND) r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
+    if (r->kind != SP_LIMIT_UNBOUNDED) memset(r->ray, 0, 3 * (size_t)e->pb.points * sizeof *r->ray);
+    r->verified = r->kind && sp__ends_hold(e, r, room);
+    if (!r->verified) { r->kind = SP_LIMIT_UNDECIDED; r->reason = SP_REASON_LIMIT; }
+}
+
+/* f, ray, dq */
+static size_t sp__limit_numbers(const sp_scene *scene)
+{
+    return 6 * ((size_t)scene->count.points + (size_t)scene->count.blocks);
+}
+
+SP_API size_t sp_limit_memory_scratch(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    return sizeof(sp__limit) + sp_limit_verify_memory(scene) + 24 * (size_t)scene->count.blocks + 2 * SP_ALIGN;
+}
+
+SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__limit *L = sp__take(&scratch, 1, sizeof *L);
+    if (!L) return SP_E_MEMORY;
+    const sp_status status = sp__ends_build(scene, settings, &L->ends, &scratch);
+    if (status) return status;
+    sp_real *at[5];
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, sp__limit_numbers(scene), sizeof(sp_real));
+    sp__take(&dry, 1, sizeof *L);
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__ends_carve(at, L->ends.pb.blocks, &dry);
+    sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
+    if (!sp__small_need(&L->w, &L->ends.pb, &L->ends.set, scratch, &dry)) return SP_E_MEMORY;
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result)
+{
+    if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp_arena a = *arena;
+    const size_t numbers = sp__limit_numbers(scene), forces = 3 * (size_t)scene->count.points;
+    sp_real *number = sp__take(&a, numbers, sizeof *number);
+    const size_t used = a.used;
+    sp__limit *L = sp__take(&a, 1, sizeof *L);
+    if (!L) return SP_E_MEMORY;
+    memset(number, 0, numbers * sizeof *number);
+    memset(L, 0, sizeof *L);
+    const sp_status status = sp__ends_build(scene, settings, &L->ends, &a);
+    if (status) return status;
+    sp_limit_result *r = &L->r;
+    r->f = number; r->ray = r->f + forces; r->dq = r->ray + forces;
+    r->lower = r->upper = -1;
+    r->tol = L->ends.set.tol;
+    r->force_bound = L->ends.set.force_bound;
+    L->best = SP__HUGE;
+    L->at.f = r->ray; L->at.y0 = L->ends.hint;
+    L->at.dq = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
+    L->w.pb = &L->ends.pb; L->w.set = &L->ends.set; L->w.to = &L->at;
+    sp_arena room = a;
+    if (!sp__small_carve(&L->w, &L->ends.pb, &a, &a)) return SP_E_MEMORY;
+    room = a;
+    sp__take(&a, 1, sp__judge_need(&L->ends.pb, &L->ends.set));
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    sp__limit_search(L, room);
+    sp__limit_conclude(L, room);
+    r->cost = L->at.cost;
+    r->peak_bytes = arena->peak = a.peak;
+    arena->used = used;
+    *result = *r;
+    return SP_OK;
+}
+#endif /* SP_NO_IPM */
+
+#ifndef SP_EXACT_ONLY
+/* 38 ------------------------------------------------------------------------------------------------- smallest build order */
+
+/* Every step is a check of all that is there: the scene with what is absent or held taken for a support, and joints of what is
+ * absent left out. */
+struct sp_sequence {
+    const sp_scene *scene;
+    sp_scene part;
+    sp_settings set;
+    sp_result r;                        /* of the last check */
+    sp_verdict verdict;                 /* of the last step */
+    sp_presence *who;                   /* per block; SP__TRIED: held to see what that does */
+    int32_t *answer, *must, *told;      /* per block */
+    sp_cost cost;                       /* of the call at hand */
+    int32_t tries;
+    sp_arena work;                      /* of a check */
+};
+
+#define SP__TRIED ((sp_presence)3)
+
+static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_t work, sp_arena *a)
+{
+    const size_t blocks = (size_t)scene->count.blocks;
+    q->part.block = sp__take(a, blocks, sizeof *q->part.block);
+    q->part.interface = sp__take(a, (size_t)scene->count.interfaces, sizeof *q->part.interface);
+    q->who = sp__take(a, blocks, sizeof *q->who);
+    q->answer = sp__take(a, 3 * blocks, sizeof *q->answer);
+    q->work.base = sp__take(a, 1, work);
+    q->work.cap = work;
+}
+
+/* Settings, and bytes of a check: one of the whole takes the most. */
+static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_settings *set, size_t *work)
+{
+    *set = settings ? *settings : sp_settings_default();
+    set->work = NULL;
+    return sp_memory(scene, set, scratch, work);
+}
+
+SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    const size_t most = sp_memory_scratch(scene, settings);
+    return most ? sizeof(sp_sequence) + SP_ALIGN + most : 0;
+}
+
+SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
+    size_t work = 0;
+    if (!q) return SP_E_MEMORY;
+    const sp_status status = sp__sequence_work(scene, settings, scratch, &q->set, &work);
+    if (status) return status;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof *q);
+    sp__sequence_carve(q, scene, work, &dry);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence)
+{
+    if (!scene || !arena || !arena->base || !sequence) return SP_E_ARGUMENT;
+    sp_arena a = *arena;
+    sp_sequence *q = sp__take(&a, 1, sizeof *q);
+    size_t work = 0;
+    if (!q) return SP_E_MEMORY;
+    memset(q, 0, sizeof *q);
+    const sp_status status = sp__sequence_work(scene, settings, a, &q->set, &work);
+    if (status) return status;
+    q->scene = scene;
+    q->part = *scene;
+    sp__sequence_carve(q, scene, work, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    q->must = q->answer + scene->count.blocks;
+    q->told = q->must + scene->count.blocks;
+    for (int32_t b = 0; b < scene->count.blocks; b++) q->who[b] = scene->block[b].fixed == SP_FIXED ? SP_PRESENT : SP_ABSENT;
+    *arena = a;
+    *sequence = q;
+    return SP_OK;
+}
+
+/* What is there, checked. */
+SP__APART static sp_verdict sp__sequence_check(sp_sequence *q)
+{
+    const sp_scene *s = q->scene;
+    sp_arena a = q->work;
+    q->part.count.interfaces = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        q->part.block[b] = s->block[b];
+        if (q->who[b] != SP_PRESENT) q->part.block[b].fixed = SP_FIXED;
+    }
+    for (int32_t k = 0; k < s->count.interfaces; k++)
+        if (q->who[s->interface[k].a] && q->who[s->interface[k].b]) q->part.interface[q->part.count.interfaces++] = s->interface[k];
+    q->r.verdict = SP_UNDECIDED;
+    sp_check(&q->part, &q->set, &a, &q->r);
+    q->cost.flops += q->r.cost.flops;
+    q->cost.iterations += q->r.cost.iterations;
+    q->cost.factorisations += q->r.cost.factorisations;
+    q->tries++;
+    return q->r.verdict;
+}
+
+static void sp__sequence_start(sp_sequence *q)
+{
+    memset(&q->cost, 0, sizeof q->cost);
+    q->tries = 0;
+}
+
+static int sp__loose(const sp_sequence *q, int32_t b) { return q->who[b] == SP_PRESENT && q->scene->block[b].fixed != SP_FIXED; }
+
+static void sp__sequence_step(sp_sequence *q, sp_step *step)
+{
+    const sp_result *r = &q->r;
+    sp_real most = -1;
+    sp__sequence_start(q);
+    q->verdict = sp__sequence_check(q);
+    memset(step, 0, sizeof *step);
+    step->verdict = r->verdict;
+    step->reason = r->reason;
+    step->final = r->final;
+    step->block = -1;
+    for (int32_t b = 0; b < q->scene->count.blocks && r->verdict != SP_STABLE; b++) {
+        const sp_real moves = sp__norm3(r->dq + 6 * (size_t)b);
+        if (sp__loose(q, b) && moves > most) { most = moves; step->block = b; }
+    }
+    step->islands = step->checked = r->islands;
+    step->blocks = step->again = r->free_blocks;
+    step->omega = r->omega;
+    step->least_imbalance = r->least_imbalance;
+    step->f = r->f;
+    step->dq = r->dq;
+    step->cost = q->cost;
+}
+
+static int sp__presence_valid(sp_presence p) { return p == SP_ABSENT || p == SP_PRESENT || p == SP_HELD; }
+
+SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step)
+{
+    if (!sequence || !step || !sp__presence_valid(presence)) return SP_E_ARGUMENT;
+    if (block < 0 || block >= sequence->scene->count.blocks) return SP_E_INDEX;
+    sequence->who[block] = presence;
+    sp__sequence_step(sequence, step);
+    return SP_OK;
+}
+
+SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step)
+{
+    if (!sequence || !presence || !step) return SP_E_ARGUMENT;
+    const int32_t blocks = sequence->scene->count.blocks;
+    for (int32_t b = 0; b < blocks; b++) if (!sp__presence_valid(presence[b])) return SP_E_ARGUMENT;
+    memcpy(sequence->who, presence, (size_t)blocks * sizeof *presence);
+    sp__sequence_step(sequence, step);
+    return SP_OK;
+}
+
+/* One of the blocks held on trial let go. */
+static sp_verdict sp__hold_without(sp_sequence *q, int32_t b, int64_t budget)
+{
+    if (budget > 0 && q->cost.flops >= budget) return SP_UNDECIDED;
+    q->who[b] = SP_PRESENT;
+    const sp_verdict verdict = sp__sequence_check(q);
+    q->who[b] = SP__TRIED;
+    return verdict;
+}
+
+/* A block that falls with all others held is in every set. Of the rest one after the other is let go again: holding more never
+ * harms, so what cannot be let go then never can, and with no more than one such block no set is smaller. */
+SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held)
+{
+    if (!sequence || !held || budget < 0) return SP_E_ARGUMENT;
+    sp_sequence *q = sequence;
+    const int32_t blocks = q->scene->count.blocks;
+    int sure = 1, others = 0;
+    sp__sequence_start(q);
+    memset(held, 0, sizeof *held);
+    for (int32_t b = 0; b < blocks && q->verdict != SP_STABLE; b++) if (sp__loose(q, b)) q->who[b] = SP__TRIED;
+    for (int32_t b = 0; b < blocks; b++) q->must[b] = q->who[b] == SP__TRIED && sp__hold_without(q, b, budget) == SP_UNSTABLE;
+    for (int32_t b = 0; b < blocks; b++) {
+        if (q->who[b] != SP__TRIED || q->must[b]) continue;
+        const sp_verdict verdict = sp__hold_without(q, b, budget);
+        if (verdict == SP_STABLE) q->who[b] = SP_PRESENT; else others++;
+        sure &= verdict != SP_UNDECIDED;
+    }
+    for (int32_t b = 0; b < blocks; b++) {
+        if (q->who[b] != SP__TRIED) continue;
+        q->told[held->count] = q->must[b];
+        q->answer[held->count++] = b;
+    }
+    for (int32_t k = 0; k < blocks; k++) if (q->who[k] == SP__TRIED) q->who[k] = SP_PRESENT;
+    held->block = q->answer;
+    held->must = q->told;
+    held->proof = !sure ? SP_HELD_ENOUGH : others > 1 ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
+    held->checks = q->tries;
+    held->cost = q->cost;
+    return SP_OK;
+}
+
+/* May block b be put there (add) or taken away? */
+static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
+{
+    if (q->scene->block[b].fixed == SP_FIXED) return 0;
+    if (!add) return q->who[b] == SP_PRESENT;
+    for (int32_t k = 0; k < q->scene->count.interfaces && !q->who[b]; k++) {
+        const sp_interface *t = &q->scene->interface[k];
+        if ((t->a == b && q->who[t->b]) || (t->b == b && q->who[t->a])) return 1;
+    }
+    return 0;
+}
+
+SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion)
+{
+    if (!sequence || !suggestion || budget < 0) return SP_E_ARGUMENT;
+    sp_sequence *q = sequence;
+    const int32_t blocks = q->scene->count.blocks;
+    sp__sequence_start(q);
+    memset(suggestion, 0, sizeof *suggestion);
+    suggestion->block = -1;
+    suggestion->all = 1;
+    for (int32_t b = 0; b < blocks; b++) q->answer[b] = sp__next_candidate(q, b, add);
+    while (suggestion->block < 0) {
+        int32_t next = -1;
+        sp_real least = 0;                              /* height, of a block to be taken away the depth */
+        for (int32_t b = 0; b < blocks; b++) {
+            const sp_real h = (add ? -1 : 1) * sp__dot3(q->scene->gravity, q->scene->block[b].centroid);
+            if (q->answer[b] && (next < 0 || h < least)) { next = b; least = h; }
+        }
+        if (next < 0) break;
+        suggestion->all = !(budget > 0 && q->cost.flops >= budget);
+        if (!suggestion->all) break;
+        const sp_presence was = q->who[next];
+        q->answer[next] = 0;
+        q->who[next] = add ? SP_PRESENT : SP_ABSENT;
+        if (sp__sequence_check(q) == SP_STABLE) suggestion->block = next;
+        q->who[next] = was;
+        suggestion->tried++;
+    }
+    suggestion->cost = q->cost;
+    return SP_OK;
+}
 #endif /* SP_EXACT_ONLY */
+#endif /* SP_SMALL */
 
 #endif /* SP_QP_ONLY */

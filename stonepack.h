@@ -37,8 +37,16 @@ extern "C" {
  *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_SMALL        defined: loops in place of kernels written out, every pair of blocks asked for contacts in place of a tree
- *                   of boxes; 1.6 kB less code, slower factors, the same bits
+ *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
+ *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
+ *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
+ *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
+ *                   (sp_interface_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
+ *                   one here; so sp_settings_seed, too), pyramids, the coupled check, contacts of faces that are not convex:
+ *                   SP_E_UNSUPPORTED. Overlaps are told of convex blocks only; every pair of blocks is asked for contacts.
+ *                   sp_limit leaves more undecided, and has no y0; sp_sequence checks all that is there at every step, and
+ *                   sp_sequence_hold searches no other sets than those it comes to by letting go. Quadratic programs: the dense
+ *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
  *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
@@ -47,14 +55,7 @@ extern "C" {
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
  *   SP_NO_QP        defined: no quadratic programs (section 10), none of the two above
  *   SP_QP_ONLY      defined: quadratic programs and nothing else
- *   SP_EXACT_ONLY   defined: the smallest check: true cone, joints without strength, all blocks together, by a search of its
- *                   own that stops at tol. Its factor is an envelope in the order of the blocks: number them so that what touches
- *                   is near. All that falls is a MECHANISM, fewer of them are final, what is undecided is at its LIMIT; demand,
- *                   effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1 (sp_interface_resultant
- *                   tells). No sp_sequence, no sp_memory_work; budgets, settings.work, effects left out, stages but the gates
- *                   and the exact one (which are one here), pyramids, the coupled check, contacts of faces that are not
- *                   convex: SP_E_UNSUPPORTED. Overlaps are told of convex blocks only.
- *                   With it go SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN, SP_SMALL
+ *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 #ifdef SP_EXACT_ONLY
 #undef SP_SMALL
@@ -63,10 +64,16 @@ extern "C" {
 #define SP_NO_IPM
 #undef SP_NO_PLAN
 #define SP_NO_PLAN
-#undef SP_NO_CRA
-#define SP_NO_CRA
 #undef SP_NO_QP
 #define SP_NO_QP
+#endif
+#ifdef SP_SMALL
+#undef SP_NO_CRA
+#define SP_NO_CRA
+#undef SP_QP_NO_CG
+#define SP_QP_NO_CG
+#undef SP_QP_NO_POLISH
+#define SP_QP_NO_POLISH
 #endif
 #ifndef SP_API
 #define SP_API extern
@@ -291,7 +298,7 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY, SP_E_CAPACITY;
- *             SP_E_UNSUPPORTED of SP_EXACT_ONLY: a patch that touches something is not one convex polygon */
+ *             SP_E_UNSUPPORTED of SP_SMALL: a patch that touches something is not one convex polygon */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report);
 
@@ -573,11 +580,9 @@ typedef struct sp_result {
  *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
 SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
-#ifndef SP_EXACT_ONLY
 /* The two parts of it where settings.work is to be used: what sp_memory tells of settings with a work, and what that arena has
  * to have, exact (whatever settings.work is). Status and scratch as there. */
 SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
-#endif
 
 /* Bytes of scratch that sp_memory needs for the chosen stages, an upper bound from counts alone; 0: too large to count, or
  * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
@@ -1223,7 +1228,7 @@ typedef struct sp_limit_result {
     sp_real *f;                 /* 3 x scene.count.points, at lower                                                   [N] */
     sp_real *ray;               /* 3 x scene.count.points, for the live loads alone; zero unless UNBOUNDED            [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: collapse mechanism; scaled as that of a check            [m, 1] */
-    sp_real *y0;                /* 24 x free blocks: hints for the verification of dead and live loads */
+    sp_real *y0;                /* 24 x free blocks: hints for the verification of dead and live loads; may be NULL */
     sp_cost cost;
     size_t peak_bytes;          /* of the arena */
 } sp_limit_result;

@@ -133,6 +133,20 @@ static void sp__qp_mend(sp_real *v, int32_t n)
 
 static sp_real sp__qp_told(sp_real x) { return sp__finite(x) ? x : SP__NEVER; }
 
+static void sp__qp_tell(const sp__qp *w, sp_qp_result *out)
+{
+    out->x = w->X;
+    out->y = w->Y;
+    out->objective = sp__qp_told(w->objective);
+    out->primal = sp__qp_told(w->primal);
+    out->dual = sp__qp_told(w->dual);
+    out->gap = sp__qp_told(w->gap);
+    out->rho = w->rho;
+    out->iterations = w->iterations;
+    out->factorisations = w->factorisations;
+    out->flops = w->flops;
+}
+
 /* What is left of the result, for a point or a certificate. No NaN leaves. */
 static void sp__qp_report(sp__qp *w, sp_qp_result *out)
 {
@@ -144,16 +158,7 @@ static void sp__qp_report(sp__qp *w, sp_qp_result *out)
         sp__qp_mend(w->Y, w->qp.m);
         sp__qp_judge(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
     }
-    out->x = w->X;
-    out->y = w->Y;
-    out->objective = sp__qp_told(w->objective);
-    out->primal = sp__qp_told(w->primal);
-    out->dual = sp__qp_told(w->dual);
-    out->gap = sp__qp_told(w->gap);
-    out->rho = w->rho;
-    out->iterations = w->iterations;
-    out->factorisations = w->factorisations;
-    out->flops = w->flops;
+    sp__qp_tell(w, out);
 }
 
 static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
@@ -279,7 +284,7 @@ static int sp__qp_semidefinite(sp__qp *w)
     w->sigma = sp__largest(w->b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
 #ifndef SP_QP_NO_CG
-    if (w->set.backend == SP_QP_CG) return sp__qp_minors(w, w->b) && sp__qp_no_descent(w);
+    if (sp__qp_backend(&w->set) == SP_QP_CG) return sp__qp_minors(w, w->b) && sp__qp_no_descent(w);
 #endif
     return w->broken == 0;
 }
@@ -366,7 +371,7 @@ SP__APART static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_bac
 SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set, sp_arena *a, int32_t *fill)
 {
     if (sp__qp_entries(qp) < 0) return NULL;
-    sp__qp *w = sp__qp_carve(qp, set->backend, a);
+    sp__qp *w = sp__qp_carve(qp, sp__qp_backend(set), a);
     if (!w) return NULL;
     w->qp = *qp;
     w->set = *set;
@@ -374,10 +379,10 @@ SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set
     w->stale = 1;
     w->products = 4 * ((int64_t)sp__qp_entries(qp) + qp->n) + 2 * (int64_t)sp__qp_a0(qp, qp->n);
     w->vectors = 14 * ((int64_t)qp->n + qp->m);
-    w->factoring = set->backend == SP_QP_DENSE ? qp->n * (w->products + (int64_t)qp->n * (qp->n / 3 + 1)) : w->products;
+    w->factoring = sp__qp_backend(set) == SP_QP_DENSE ? qp->n * (w->products + (int64_t)qp->n * (qp->n / 3 + 1)) : w->products;
     w->c = sp__ruiz(qp, set->passes, w->D, w->E, w->b, w->b + qp->n);
     *fill = 0;
-    if (set->backend != SP_QP_SPARSE) return w;
+    if (sp__qp_backend(set) != SP_QP_SPARSE) return w;
     sp_arena symbolic = *a;
     sp__qp_carve_symbolic(&w->ldl, &symbolic);
     if (sp__failed(&symbolic)) return NULL;
@@ -412,12 +417,17 @@ static const sp_qp_settings sp__qp_usual = {
     .cg_tol = sizeof(sp_real) == 4 ? (sp_real)1e-6 : (sp_real)1e-10
 };
 
-SP_API sp_qp_settings sp_qp_default(void) { return sp__qp_usual; }
+SP_API sp_qp_settings sp_qp_default(void)
+{
+    sp_qp_settings s;
+    memcpy(&s, &sp__qp_usual, sizeof s);                /* a call, where an assignment is written out */
+    return s;
+}
 
 SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
-    return sp__qp_check(qp, set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), set->backend, 0) : 0;
+    return sp__qp_check(qp, set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), sp__qp_backend(set), 0) : 0;
 }
 
 SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
@@ -426,11 +436,11 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
     const sp_status status = sp__qp_check(qp, set);
     int32_t fill = 0;
     if (status != SP_OK || !bytes) return status == SP_OK ? SP_E_ARGUMENT : status;
-    if (set->backend == SP_QP_SPARSE) {
+    if (sp__qp_backend(set) == SP_QP_SPARSE) {
         if (!scratch.base) return SP_E_ARGUMENT;
         if (!sp__qp_place(qp, set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), set->backend, fill);
+    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), sp__qp_backend(set), fill);
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;
@@ -445,7 +455,7 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     int32_t fill;
     sp__qp *w = sp__qp_place(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
-    if (set->backend == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
+    if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     if (!sp__finite(w->c) || !sp__qp_numbers(w->D, qp->n) || !sp__qp_numbers(w->E, qp->m)) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;

@@ -28,7 +28,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
 #endif
 
 /* Does the certificate check know pyramids and strength? In expressions: what is left out is compiled all the same, and gone. */
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 enum { SP__FULL = 0 };
 #else
 enum { SP__FULL = 1 };

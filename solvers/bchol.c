@@ -145,17 +145,10 @@ static void sp__bchol_block(sp__low *a, sp__low floor)
 }
 
 /* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
-#ifdef SP_SMALL
-SP__APART static void sp__less6(sp__low *z, const sp__low *l, sp__low s)
-{
-    for (int r = 0; r < 6; r++) z[r] -= l[r] * s;
-}
-#else
 static inline void sp__less6(sp__low *z, const sp__low *l, sp__low s)
 {
     z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
 }
-#endif
 
 /* X <- X L'^-1, column by column. */
 static void sp__bchol_right(sp__low *x, const sp__low *l)
@@ -168,23 +161,6 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
     }
 }
 
-#ifdef SP_SMALL
-/* C <- C - A B', all 6 x 6 by columns. */
-static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
-{
-    for (int q = 0; q < 6; q++)
-        for (int k = 0; k < 6; k++) sp__less6(c + 6 * q, a + 6 * k, b[6 * k + q]);
-}
-
-/* C <- C - A A', the lower triangle C. */
-static void sp__bchol_square(sp__low *c, const sp__low *a)
-{
-    for (int k = 0; k < 6; k++, a += 6)
-        for (int q = 0; q < 6; q++)
-            for (int r = q; r < 6; r++) c[sp__column[q] + r - q] -= a[r] * a[q];
-}
-
-#else                                                   /* the same numbers, with a column in registers */
 /* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
 static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
 {
@@ -212,7 +188,6 @@ static void sp__bchol_square(sp__low *c, const sp__low *a)
         c[20] -= a5 * a5;
     }
 }
-#endif
 
 SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 {

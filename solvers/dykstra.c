@@ -33,6 +33,87 @@ enum { SP__DYKSTRA_ROUNDS = 500 };
 #define SP__DYKSTRA_LOST  ((sp_real)1e-10)              /* a pivot below this part of its diagonal has lost its row */
 #endif
 
+#ifdef SP_SMALL
+/* The same without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement: slower, and no row
+ * is told to be lost. */
+
+/* Row i at x in X, its weight a W^-1 a' in *d; then x <- x - W^-1 a' t. */
+static sp_real sp__dykstra_row(sp__qp *w, int32_t i, sp_real t, sp_real *d)
+{
+    const sp_qp *qp = &w->qp;
+    sp_real s = 0;
+    *d = 0;
+    for (int32_t j = 0; j < qp->n; j++)
+        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
+            if (qp->Ai[k] != i) continue;
+            const sp_real a = qp->Ax[k], aw = a / w->x[j];
+            s += a * w->X[j];
+            *d += a * aw;
+            w->X[j] -= t * aw;
+        }
+    return s;
+}
+
+static void sp__dykstra_round(sp__qp *w)
+{
+    for (int32_t i = 0; i < w->qp.m; i++) {
+        sp_real d;
+        const sp_real s = sp__dykstra_row(w, i, 0, &d) + w->Y[i] * d;
+        if (!(d > 0)) continue;
+        const sp_real t = (s - sp__qp_clip(&w->qp, i, s, 1)) / d - w->Y[i];
+        w->Y[i] += t;
+        sp__dykstra_row(w, i, t, &d);
+    }
+    w->flops += w->products * w->qp.m;
+    w->iterations++;
+}
+
+static sp_qp_status sp__dykstra_run(sp__qp *w)
+{
+    const sp_qp *qp = &w->qp;
+    if (sp__qp_entries(qp) != sp__qp_a0(qp, qp->n)) return SP_QP_NUMERICAL;
+    for (int32_t j = 0; j < qp->n; j++) {
+        const int32_t end = sp__qp_p0(qp, j + 1);
+        w->x[j] = (end > sp__qp_p0(qp, j) ? qp->Px[end - 1] : 0) + SP__DYKSTRA_SMALL;
+        w->X[j] = -sp__qp_q(qp, j) / w->x[j];
+    }
+    for (int32_t i = 0; i < qp->m; i++) w->Y[i] = 0;
+    for (;;) {
+        sp__dykstra_round(w);
+        sp__qp_judge(w, NULL);
+        if (!(w->off < SP__NEVER)) return SP_QP_NUMERICAL;
+        const int last = w->iterations >= SP__DYKSTRA_ROUNDS || w->iterations >= w->set.iterations;
+        if (w->off <= (last ? (sp_real)1 : (sp_real)0.1)) return SP_QP_SOLVED;
+        if (last || (w->set.budget > 0 && w->flops >= w->set.budget))
+            return w->off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
+    }
+}
+
+static sp_status sp__dykstra_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                                   const sp_real *x0, const sp_real *y0, sp_qp_result *result)
+{
+    sp_qp_work *w;
+    (void)self; (void)x0; (void)y0;                     /* the point projected is no choice */
+    if (!settings || !result) return SP_E_ARGUMENT;
+    const sp_status status = sp_qp_setup(qp, settings, arena, &w);
+    if (status) return status;
+    memset(result, 0, sizeof *result);
+    w->iterations = w->factorisations = 0;
+    result->status = sp__dykstra_run(w);
+    if (result->status == SP_QP_NUMERICAL) {
+        memset(w->X, 0, (size_t)qp->n * sizeof *w->X);
+        memset(w->Y, 0, (size_t)qp->m * sizeof *w->Y);
+        sp__qp_judge(w, NULL);
+    }
+    sp__qp_tell(w, result);
+    return SP_OK;
+}
+
+static sp_status sp__dykstra_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__qp_plug_need(self, qp, settings, scratch, bytes);
+}
+#else
 typedef struct sp__dykstra {
     const sp_qp *qp;
     int32_t equations;
@@ -268,6 +349,7 @@ static sp_status sp__dykstra_need(void *self, const sp_qp *qp, const sp_qp_setti
     *bytes = dry.used;
     return SP_OK;
 }
+#endif /* SP_SMALL */
 
 SP_API sp_qp_solver sp_qp_dykstra(void)
 {

@@ -134,10 +134,10 @@ static void sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
 /* Flops of a solve with `rounds` of refinement; matrix-free: the least that makes sense. */
 static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
 {
-    if (w->set.backend == SP_QP_SPARSE)
+    if (sp__qp_backend(&w->set) == SP_QP_SPARSE)
         return w->ldl.solve_flops + (w->broken ? 2 : rounds) * (w->ldl.solve_flops + 4 * (int64_t)w->ldl.entries);
 #ifndef SP_QP_NO_CG
-    if (w->set.backend == SP_QP_CG) return w->products + SP__KKT_CG_LEAST * sp__kkt_cg_step_flops(w);
+    if (sp__qp_backend(&w->set) == SP_QP_CG) return w->products + SP__KKT_CG_LEAST * sp__kkt_cg_step_flops(w);
 #endif
     return w->products + 2 * (int64_t)w->qp.n * w->qp.n;
 }
@@ -145,8 +145,8 @@ static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
 /* Factor for sigma and row. */
 static void sp__kkt_factor(sp__qp *w)
 {
-    if (w->set.backend == SP_QP_SPARSE) sp__kkt_factor_sparse(w);
-    else if (w->set.backend == SP_QP_DENSE) sp__kkt_factor_dense(w);
+    if (sp__qp_backend(&w->set) == SP_QP_SPARSE) sp__kkt_factor_sparse(w);
+    else if (sp__qp_backend(&w->set) == SP_QP_DENSE) sp__kkt_factor_dense(w);
 #ifndef SP_QP_NO_CG
     else sp__kkt_factor_cg(w);
 #endif
@@ -164,10 +164,10 @@ static void sp__kkt_solve_eliminated(sp__qp *w, int exact)
     sp__qp_At(qp, nu, w->Aty);
     for (int32_t j = 0; j < qp->n; j++) {
         b[j] += w->D[j] * w->Aty[j];
-        if (w->set.backend == SP_QP_DENSE) s[j] = b[j];
+        if (sp__qp_backend(&w->set) == SP_QP_DENSE) s[j] = b[j];
         else if (exact) s[j] = 0;
     }
-    if (w->set.backend == SP_QP_DENSE) sp__chol_solve(w->M, qp->n, s);
+    if (sp__qp_backend(&w->set) == SP_QP_DENSE) sp__chol_solve(w->M, qp->n, s);
 #ifndef SP_QP_NO_CG
     else sp__kkt_cg(w, w->set.cg_steps, exact ? (sp_real)8 * SP_EPSILON : w->set.cg_tol);
 #endif
@@ -180,7 +180,7 @@ static void sp__kkt_solve_eliminated(sp__qp *w, int exact)
 static void sp__kkt_solve(sp__qp *w, int32_t rounds)
 {
     w->flops += sp__kkt_solve_flops(w, rounds);
-    if (w->set.backend == SP_QP_SPARSE) sp__ldl_solve(&w->ldl, w->b, w->s, w->broken ? 2 : rounds);
+    if (sp__qp_backend(&w->set) == SP_QP_SPARSE) sp__ldl_solve(&w->ldl, w->b, w->s, w->broken ? 2 : rounds);
     else sp__kkt_solve_eliminated(w, rounds > 0);
 }
 

@@ -13,6 +13,19 @@
 #define SP__FACES_MIN 3
 #define SP__FACES_MAX 64
 
+#ifdef SP_SMALL
+/* The same numbers by their series, to a rounding or two. */
+static void sp__turn_quarter(int32_t K, sp_real d[2])
+{
+    const sp_real x = (sp_real)1.5707963267948966192 / (sp_real)K;
+    sp_real term = 1;
+    d[0] = d[1] = 0;
+    for (int n = 0; n < 20; n++) {
+        d[n % 2] += n & 2 ? -term : term;
+        term *= x / (sp_real)(n + 1);
+    }
+}
+#else
 /* cos pi/(2K), sin pi/(2K) */
 #define SP__TURN(c, s) { (sp_real)c, (sp_real)s }
 static const sp_real sp__turn[SP__FACES_MAX - SP__FACES_MIN + 1][2] = {
@@ -50,10 +63,18 @@ static const sp_real sp__turn[SP__FACES_MAX - SP__FACES_MIN + 1][2] = {
 };
 #undef SP__TURN
 
+static void sp__turn_quarter(int32_t K, sp_real d[2])
+{
+    d[0] = sp__turn[K - SP__FACES_MIN][0];
+    d[1] = sp__turn[K - SP__FACES_MIN][1];
+}
+#endif
+
 /* d = cos, sin of g pi/(2K), 0 <= g <= K/2. Powers drift off the unit circle by g u/2; one Newton step for 1/|d| undoes it. */
 static void sp__turn_power(int32_t K, int32_t g, sp_real d[2])
 {
-    sp_real c = sp__turn[K - SP__FACES_MIN][0], s = sp__turn[K - SP__FACES_MIN][1];
+    sp__turn_quarter(K, d);
+    sp_real c = d[0], s = d[1];
     d[0] = (sp_real)1; d[1] = 0;
     if (g == 0) return;
     for (; g > 0; g /= 2) {
@@ -93,9 +114,10 @@ static void sp__pyramid_direction(int32_t K, int32_t k, sp_real d[2])
 /* c = cos pi/K, t = tan pi/K: half a face. */
 static void sp__pyramid_half(int32_t K, sp_real *c, sp_real *t)
 {
-    const sp_real a = sp__turn[K - SP__FACES_MIN][0], b = sp__turn[K - SP__FACES_MIN][1];
-    *c = (sp_real)1 - 2 * (b * b);
-    *t = 2 * a * b / *c;
+    sp_real d[2];
+    sp__turn_quarter(K, d);
+    *c = (sp_real)1 - 2 * (d[1] * d[1]);
+    *t = 2 * d[0] * d[1] / *c;
 }
 
 #endif /* SP__PYRAMID_C */

@@ -52,6 +52,17 @@ struct sp_qp_work {                     /* pointers first: near offsets make sho
 };
 typedef struct sp_qp_work sp__qp;
 
+/* The back end in use: SP_SMALL has the dense one alone. */
+static sp_qp_backend sp__qp_backend(const sp_qp_settings *set)
+{
+#ifdef SP_SMALL
+    (void)set;
+    return SP_QP_DENSE;
+#else
+    return set->backend;
+#endif
+}
+
 static int sp__qp_no_l(const sp_qp *qp, int32_t i) { return !(qp->l[i] > -SP_QP_INFINITY); }
 static int sp__qp_no_u(const sp_qp *qp, int32_t i) { return !(qp->u[i] < SP_QP_INFINITY); }
 /* Would the multiplier y of row i push at a bound that is not there? */

@@ -40,6 +40,15 @@ typedef struct test_entry { const char *name; void (*run)(void); } test_entry;
 #define RUN(name)       { #name, name },
 #define TEST_END        { NULL, NULL } };
 
+/* Tests of what SP_SMALL does without: pyramids, strength of joints, budgets, islands told apart, and engines that are quicker. */
+#ifdef SP_SMALL
+#define RUN_FULL(name)
+enum { TEST_SMALL = 1 };
+#else
+#define RUN_FULL(name) RUN(name)
+enum { TEST_SMALL = 0 };
+#endif
+
 #ifndef TEST_WORK
 #define TEST_WORK() ((uint64_t)0)                       /* steps taken so far, where they can be counted */
 #endif

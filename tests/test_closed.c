@@ -51,7 +51,7 @@ static void limit_digits(gen_scene *g, const char *param, double value, double d
 }
 
 /* The search of the smallest build has a third of a digit less in motions of long chains. */
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 enum { CHAIN = 2 };
 #else
 enum { CHAIN = 1 };
@@ -86,7 +86,7 @@ TEST(tilting_the_world_is_tilting_the_slope)
 }
 
 /* Pyramids are stronger or weaker than the cone, by direction: critical slope at azimuths 0, 22.5, 45 to t1, mu = .6. */
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
 TEST(pyramids_bend_the_sliding_angle_as_their_faces_say)
 {
     static const struct { int32_t faces, inscribed; double critical[3]; } table[] = {
@@ -350,7 +350,7 @@ TEST(wall_carries_the_printed_acceleration_in_its_plane)
 TEST_LIST(closed)
     RUN(block_slides_when_tan_of_the_slope_exceeds_mu_whatever_the_direction)
     RUN(tilting_the_world_is_tilting_the_slope)
-#ifndef SP_EXACT_ONLY
+#ifndef SP_SMALL
     RUN(pyramids_bend_the_sliding_angle_as_their_faces_say)
 #endif
     RUN(block_topples_when_tan_of_the_slope_exceeds_base_over_height)

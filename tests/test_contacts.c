@@ -106,7 +106,7 @@ static sp_status find(const sp_contact_settings *set)
 }
 
 /* The smallest build knows convex faces alone: another one that touches something is refused. */
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 enum { CONVEX_ONLY = 1 };
 #else
 enum { CONVEX_ONLY = 0 };

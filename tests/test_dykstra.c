@@ -273,11 +273,11 @@ TEST_LIST(dykstra)
     RUN(nearest_point_of_a_line_and_a_bound)
     RUN(solved_means_solved)
     RUN(what_has_no_solution_is_never_solved)
-    RUN(what_it_cannot_do_is_numerical)
+    RUN_FULL(what_it_cannot_do_is_numerical)
 #ifndef SP_QP_ONLY
-    RUN(mixed_scale_masonry_rows_end_as_numerical)
+    RUN_FULL(mixed_scale_masonry_rows_end_as_numerical)
 #ifndef SP_NO_ADMM
-    RUN(in_a_check_it_decides_nothing_wrongly)
+    RUN_FULL(in_a_check_it_decides_nothing_wrongly)
 #endif
 #endif
     RUN(dykstra_memory_is_exact)

@@ -152,7 +152,7 @@ TEST(a_couple_topples_at_weight_times_half_the_width)
 
 TEST(every_cone_slides_at_its_own_coefficient)
 {
-    for (int32_t faces = 0; faces <= 16; faces += 4)
+    for (int32_t faces = 0; faces <= (TEST_SMALL ? 0 : 16); faces += 4)
         for (int32_t inscribed = 0; inscribed < 2; inscribed++) {
             sp_settings set = sp_settings_default();
             sp_scene s = cube(sp_joint_friction(R(0.4)));
@@ -247,7 +247,7 @@ TEST(walls_in_their_plane_have_the_printed_multipliers)
         { 6, 4, 0.65, 0.59758 }, { 6, 4, 0.84, 0.70268 }, { 8, 4, 0.65, 0.56637 }, { 8, 4, 0.84, 0.66165 },
     };
     static const double along[3] = { 1, 0, 0 };
-    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+    for (size_t k = 0; k < sizeof table / sizeof *table - (TEST_SMALL && TOL(0, 1)); k++) {     /* the last stays undecided there */
         const double value[5] = { table[k].rows, table[k].bricks, 2, 1, 1 };
         CHECK_WITHIN(lateral("wall", wall_numbers, value, table[k].mu, along), table[k].lambda, TOL(5.1e-6, 2e-3));
     }
@@ -563,7 +563,7 @@ TEST(bisection_of_verdicts_ends_within_the_bracket)
         sp_settings set = sp_settings_default();
         sp_scene s = pile();
         if (trial % 10 == 0) { s.body[0] = s.body[1] = 0; s.body[2] = R(-5); }  /* presses on what stands already */
-        set.faces = trial % 3 == 0 ? 8 : 0;
+        set.faces = trial % 3 == 0 && !TEST_SMALL ? 8 : 0;
         const sp_limit_result x = limit_of(&s, &set);
         several[x.kind]++;
         if (x.kind == SP_LIMIT_NONE) {
@@ -585,7 +585,7 @@ TEST(bisection_of_verdicts_ends_within_the_bracket)
         CHECK(lo <= (double)x.upper * (1 + NEAR) + NEAR && hi >= (double)x.lower * (1 - NEAR) - NEAR);
     }
     CHECK(several[SP_LIMIT_FOUND] > 50 && several[SP_LIMIT_NONE] > 5 && several[SP_LIMIT_UNBOUNDED] > 0);
-    CHECK(several[SP_LIMIT_UNDECIDED] <= TOL(2, 10));
+    CHECK(several[SP_LIMIT_UNDECIDED] <= (TEST_SMALL ? 30 : TOL(2, 10)));
     if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 200 undecided\n", several[SP_LIMIT_UNDECIDED]);
 }
 
@@ -687,7 +687,7 @@ TEST(a_changed_claim_is_not_held)
 
 TEST(memory_is_exact_and_one_byte_less_refused)
 {
-    for (int32_t faces = 0; faces <= 8; faces += 8) {
+    for (int32_t faces = 0; faces <= (TEST_SMALL ? 0 : 8); faces += 8) {
         sp_settings set = sp_settings_default();
         sp_scene s = round_arch(0.15);
         sp_limit_result x;
@@ -769,8 +769,8 @@ TEST_LIST(limit)
     RUN(a_gripper_over_the_edge_topples_by_the_lever)
     RUN(a_couple_topples_at_weight_times_half_the_width)
     RUN(every_cone_slides_at_its_own_coefficient)
-    RUN(glue_and_crushing_have_their_closed_forms)
-    RUN(glue_that_holds_a_hundred_times_the_weight_slides_where_it_should)
+    RUN_FULL(glue_and_crushing_have_their_closed_forms)
+    RUN_FULL(glue_that_holds_a_hundred_times_the_weight_slides_where_it_should)
     RUN(a_stone_held_from_turning_slides_or_is_lifted)
     RUN(a_cantilever_tips_when_its_tip_bears_more_than_its_tail)
     RUN(walls_in_their_plane_have_the_printed_multipliers)
@@ -780,9 +780,9 @@ TEST_LIST(limit)
     RUN(what_slides_is_called_sliding)
     RUN(what_falls_whatever_the_live_load_has_no_multiplier)
     RUN(a_load_that_presses_has_no_end)
-    RUN(a_load_on_any_stone_has_an_end_or_none)
+    RUN_FULL(a_load_on_any_stone_has_an_end_or_none)
     RUN(a_load_that_lifts_everything_ends_at_its_weight)
-    RUN(what_its_own_weight_crushes_has_no_multiplier)
+    RUN_FULL(what_its_own_weight_crushes_has_no_multiplier)
     RUN(supports_alone_bear_any_load)
     RUN(without_live_load_it_is_all_or_nothing)
     RUN(a_live_load_on_a_support_changes_nothing)
@@ -791,10 +791,10 @@ TEST_LIST(limit)
     RUN(which_side_is_called_a_does_not_matter)
     RUN(the_multiple_at_which_the_scene_stands_is_not_read)
     RUN(bisection_of_verdicts_ends_within_the_bracket)
-    RUN(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
-    RUN(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
+    RUN_FULL(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
+    RUN_FULL(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
     RUN(a_changed_claim_is_not_held)
     RUN(memory_is_exact_and_one_byte_less_refused)
-    RUN(a_budget_that_is_too_small_is_told)
+    RUN_FULL(a_budget_that_is_too_small_is_told)
     RUN(what_is_no_question_is_refused)
 TEST_END

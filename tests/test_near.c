@@ -6,7 +6,7 @@
 
 #define BAND TOL(1e-8, 1e-3)                            /* declared: relative distance in load multiplier */
 #define TIGHTEST TOL(1e-12, 1e-6)                       /* tol that tells most */
-#ifdef SP_NO_IPM
+#if defined SP_NO_IPM || defined SP_SMALL
 #define MAY_BE_OPEN 1
 #else
 #define MAY_BE_OPEN 0

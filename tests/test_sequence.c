@@ -160,7 +160,7 @@ static void any_scene(sp_scene *s)
     }
     if (test_random_int(0, 3) == 0) s->block[test_random_int(0, s->count.blocks - 1)].fixed |= (uint32_t)test_random_int(1, 62);
     if (test_random_int(0, 3) == 0) s->gravity[0] = R(0.2) * s->gravity[2];
-    if (test_random_int(0, 5) == 0)
+    if (test_random_int(0, 5) == 0 && !TEST_SMALL)
         for (int32_t i = 0; i < s->count.interfaces; i++)
             if (s->interface[i].area > 0) s->interface[i].joint.cohesion = s->interface[i].joint.tension = 2000;
 }
@@ -191,7 +191,7 @@ static int step_agrees(const sp_scene *s, const sp_settings *set, const sp_step 
     static sp_presence island[MOST];
     const sp_verdict known = cold(s, set, presence);
     memcpy(island, presence, sizeof island);
-    if (step->verdict == SP_UNSTABLE) island_of(s, step->block, island);
+    if (step->verdict == SP_UNSTABLE && !TEST_SMALL) island_of(s, step->block, island);
     const int rounding = TOL(0, step->verdict == SP_UNDECIDED);         /* at the limit, by another order of elimination */
     int good = known == SP_UNDECIDED || rounding || CHECK_INT(step->verdict, known);
     *open += known != step->verdict;
@@ -211,7 +211,7 @@ TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
         any_scene(&s);
         int strong = 0;
         for (int32_t i = 0; i < s.count.interfaces; i++) strong |= s.interface[i].joint.cohesion > 0;
-        if (!strong && scene % 5 == 0) set.faces = 8;
+        if (!strong && scene % 5 == 0 && !TEST_SMALL) set.faces = 8;
         sp_sequence *q = open_sequence(&s, &set);
         NEED(q != NULL);
         const int32_t n = free_blocks(&s);
@@ -225,7 +225,7 @@ TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
             if (!step_agrees(&s, &set, &step, &open)) { CHECK_INT(scene, -1); CHECK_INT(k, -1); return; }
         }
     }
-    CHECK(seen[SP_STABLE] > 100 && seen[SP_UNSTABLE] > 100 && local > 50);
+    CHECK(seen[SP_STABLE] > 100 && seen[SP_UNSTABLE] > 100 && (local > 50 || TEST_SMALL));
     CHECK(open <= 5);                                   /* of about a thousand */
 }
 
@@ -423,7 +423,7 @@ TEST(no_block_of_a_large_held_set_can_be_let_go)
         NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
         NEED(held.count > 0);
         asked++;
-#if !defined SP_NO_IPM || !defined SP_REAL_FLOAT        /* there some falls stay undecided, so nothing is said of smaller sets */
+#if !defined SP_SMALL && (!defined SP_NO_IPM || !defined SP_REAL_FLOAT)         /* there some falls stay undecided, so nothing is said of smaller sets */
         CHECK(held.proof == SP_HELD_IRREDUCIBLE || held.proof == SP_HELD_MINIMAL);
         CHECK(held.count > 2 || held.proof == SP_HELD_MINIMAL);
 #endif
@@ -593,7 +593,7 @@ TEST(sequence_memory_is_exact)
         size_t bytes = 0, again = 0;
         test_arena.used = start;
         build(name[k / 2], NULL, 0, &s);
-        if (k % 2) {                                    /* another need: pyramids, or stages that factorise otherwise */
+        if (k % 2 && !TEST_SMALL) {                     /* another need: pyramids, or stages that factorise otherwise */
             set.faces = 5;
             set.stage_count = 3;
             set.stage[1] = SP_STAGE_DENSE;
@@ -690,14 +690,14 @@ TEST_LIST(sequence)
     RUN(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
     RUN(the_last_verdict_does_not_depend_on_the_order)
     RUN(a_wall_is_taken_down_from_the_top_and_stands_all_the_while)
-    RUN(an_untouched_island_is_not_looked_at_and_keeps_its_forces)
+    RUN_FULL(an_untouched_island_is_not_looked_at_and_keeps_its_forces)
     RUN(an_arch_without_centring_falls_until_it_is_closed)
-    RUN(held_sets_are_as_small_as_a_search_of_all_sets_finds)
+    RUN_FULL(held_sets_are_as_small_as_a_search_of_all_sets_finds)
     RUN(no_block_of_a_large_held_set_can_be_let_go)
-    RUN(what_is_undecided_proves_no_held_set_minimal)
+    RUN_FULL(what_is_undecided_proves_no_held_set_minimal)
     RUN(a_suggested_stone_keeps_everything_standing)
     RUN(asking_changes_nothing)
-    RUN(a_wall_stone_by_stone_costs_less_than_ten_checks)
+    RUN_FULL(a_wall_stone_by_stone_costs_less_than_ten_checks)
     RUN(a_budget_ends_the_search_with_a_set_that_stands)
     RUN(sequence_memory_is_exact)
     RUN(the_same_steps_give_the_same_bits)

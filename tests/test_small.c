@@ -1,10 +1,10 @@
-/* small: what a build with SP_EXACT_ONLY leaves out, it refuses; every other build does it. */
+/* small: what a build with SP_SMALL leaves out, it refuses; every other build does it. What it has, it does. */
 #include "test.h"
 #include "scenes/gen.h"
 
 #include <string.h>
 
-#ifdef SP_EXACT_ONLY
+#ifdef SP_SMALL
 #define LEFT_OUT SP_E_UNSUPPORTED
 #else
 #define LEFT_OUT SP_OK
@@ -71,27 +71,68 @@ TEST(strength_of_joints_is_refused_by_the_smallest_build)
     answered(&s, NULL, LEFT_OUT);
 }
 
-TEST(budgets_other_arenas_and_effects_left_out_are_refused_by_the_smallest_build)
+TEST(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
 {
     sp_scene s;
-    sp_arena work = test_arena;
     sp_settings set = sp_settings_default();
     arch(&s);
-    work.base += work.used;
-    work.cap -= work.used;
-    work.used = 0;
     set.budget = INT64_MAX;
     answered(&s, &set, LEFT_OUT);
     set.budget = 0;
     set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
     answered(&s, &set, LEFT_OUT);
-#ifdef SP_EXACT_ONLY
-    sp_result r;
-    set.effect[SP_EFFECT_FRICTION] = SP_PLANNED;
-    set.work = &work;
-    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
-#endif
 }
+
+/* The result in one arena and all else in another, each of the size that is told and no byte more than was said. */
+TEST(what_a_check_works_in_may_be_another_arena)
+{
+    sp_scene s;
+    sp_arena kept = test_arena, work;
+    sp_settings set = sp_settings_default();
+    sp_result r;
+    size_t bytes[2] = { 0, 0 };
+    arch(&s);
+    set.work = &work;
+    memset(&work, 0, sizeof work);
+    memset(&r, 0, sizeof r);
+    NEED(sp_memory(&s, &set, test_arena, &bytes[0]) == SP_OK);
+    NEED(sp_memory_work(&s, &set, test_arena, &bytes[1]) == SP_OK);
+    kept.base += (test_arena.used + 15) & ~(size_t)15;
+    kept.used = kept.peak = 0;
+    kept.cap = bytes[0];
+    work = kept;
+    work.base += (bytes[0] + 15) & ~(size_t)15;
+    work.cap = bytes[1] - 1;
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_MEMORY);
+    work.cap = bytes[1];
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK(work.used == 0 && work.peak == bytes[1] && kept.peak == bytes[0] && r.peak_bytes == bytes[0]);
+    set.work = &kept;
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_ARGUMENT);
+}
+
+#if !defined SP_NO_PLAN && defined SP_SMALL
+TEST(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
+{
+    sp_scene s;
+    sp_outlook o;
+    size_t bytes = 0;
+    arch(&s);
+    NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+    sp_arena scratch = test_arena;
+    scratch.base += (scratch.used + 15) & ~(size_t)15;
+    scratch.used = 0;
+    scratch.cap = sp_plan_memory(&s, NULL);
+    NEED(sp_plan(&s, NULL, scratch, &o) == SP_OK);
+    CHECK_INT(o.bytes, bytes);
+    CHECK_INT(o.islands, 1);
+    CHECK(o.flops > 0 && o.unknowns > 0);
+    CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_STRENGTH].why, SP_WHY_ABSENT);
+    CHECK_INT(o.effect[SP_EFFECT_DYNAMICS].why, SP_WHY_STATICS);
+}
+#endif
 
 /* The arena that sp_memory tells, all of it and, where no gate decides, no byte less; then a result that verifies. */
 static void fits(const sp_scene *s, sp_verdict want, int tight)
@@ -155,7 +196,11 @@ TEST_LIST(small)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
     RUN(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
     RUN(strength_of_joints_is_refused_by_the_smallest_build)
-    RUN(budgets_other_arenas_and_effects_left_out_are_refused_by_the_smallest_build)
+    RUN(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
+    RUN(what_a_check_works_in_may_be_another_arena)
+#if !defined SP_NO_PLAN && defined SP_SMALL
+    RUN(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
+#endif
     RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
     RUN(stones_without_contact_load_or_freedom_are_told)
 TEST_END

@@ -97,6 +97,9 @@ check_switches() {
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|ends|limit)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
+    small='small envelope order bchol chol scene contacts clip convex matrices closed verify near gen limit sequence qp dykstra place cone ruiz'
+    part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
+        -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
         'sp_sequence|sp__(polish|penalty|rigid|dense|sparse|yield|chol_|admm|ipm|cra|flat|dual|newton|bchol|order|island|gates)' \
         -DSP_EXACT_ONLY
@@ -106,6 +109,7 @@ check_switches() {
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
         count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small envelope order bchol chol scene contacts clip convex matrices closed verify near gen' \
             tests/scenes/gen.c -DSP_EXACT_ONLY $sw_real
+        count "tests, SP_SMALL $sw_real" tests_without "$small" tests/scenes/gen.c -DSP_SMALL $sw_real
         count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
         count "tests, SP_NO_IPM $sw_real" tests_without "$no_ipm" tests/scenes/gen.c -DSP_NO_IPM $sw_real
         count "tests, SP_NO_PLAN $sw_real" tests_without "$no_plan" tests/scenes/gen.c -DSP_NO_PLAN $sw_real
