@@ -1,6 +1,6 @@
 /* battery: the hard scenes and the corpus, or the scenes of files, in another arithmetic, one line each:
  *
- *     name | verdict | wrong, open or as it is | omega | largest force | ms | proved | final | far | truth
+ *     name | verdict | wrong, open, refused, capped (hard.h) or as it is | omega | largest force | ms | proved | final | far | truth
  *
  *     proved    least imbalance there is, of what falls;   far, truth: of the hard scenes
  *
@@ -103,7 +103,8 @@ static void hard(const hard_case *c)
     battery_shadow(&r);
     const int wrong = v && !hard_right(c, &r) && !(c->flags & HARD_LIMIT), missing = !v && !(c->flags & open);
     bad |= wrong || missing;
-    say(c->name, v, wrong ? "WRONG" : missing ? "OPEN" : v ? "" : "open", &r, c);
+    const int capped = v != c->truth && !(c->flags & HARD_LIMIT);
+    say(c->name, v, wrong ? "WRONG" : missing ? "OPEN" : !v ? "open" : capped ? "capped" : "", &r, c);
 }
 
 static void corpus_one(const char *name, int32_t k, const sp_scene *s, int32_t faces, sp_arena *arena, sp_status status)
