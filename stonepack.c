@@ -8940,6 +8940,14 @@ static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *omega)
     *omega = c->omega;
 }
 
+/* The judge's scales once more, from a hint or none. */
+static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
+{
+    const int32_t before = c->j.sweeps;
+    sp__judge_scales(&c->j, y0);
+    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)(c->j.sweeps - before) * c->pb->points;
+}
+
 /* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
  * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
  * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
@@ -8947,7 +8955,10 @@ SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_re
 {
     int slick = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
+    const int same = c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;
+    if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
+    if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !slick || c->out->reason != SP_COUPLING_LIMIT) return status;
     c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);

@@ -865,6 +865,26 @@ TEST(a_motion_is_looked_for_in_the_plane_first_and_what_is_not_there_is_decided_
     if (TELLS) CHECK(plane > 25 && refuted > 3 && 2 * flops < most);
 }
 
+/* Its tree does not hang on the rounding of the search before it, so any number of nodes is enough for both or for none. */
+TEST(a_coupled_check_is_decided_by_one_tree_in_the_plane_and_in_space)
+{
+    int decided = 0;
+    for (int k = 0; k < 20; k++) {
+        sp_settings set = sp_settings_default();
+        set.localise = 0;
+        set.coupled.asked = 1;
+        test_arena.used = 0;
+        const sp_scene s = part("keystone", "angle", 25 + k, 0.03 * k + 0.5);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), all = with_search(&s, set, &a);
+        CHECK_INT(r.verdict, all.verdict);
+        CHECK_INT(r.coupled.proof.nodes, all.coupled.proof.nodes);
+        CHECK_INT(r.coupled.proof.entries, all.coupled.proof.entries);
+        decided += r.coupled.proof.nodes > 0;
+    }
+    CHECK(decided > TOL(5, -1));
+}
+
 /* Without the third dimension what the plane does not explain stays open: the H model has no motion there. */
 TEST(without_the_third_dimension_a_motion_is_found_or_nothing_is_said)
 {
@@ -980,6 +1000,7 @@ TEST_LIST(plan)
     RUN(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
     RUN(a_coupled_check_agrees_with_its_search_on_random_scenes)
     RUN(a_motion_is_looked_for_in_the_plane_first_and_what_is_not_there_is_decided_in_space)
+    RUN(a_coupled_check_is_decided_by_one_tree_in_the_plane_and_in_space)
     RUN(without_the_third_dimension_a_motion_is_found_or_nothing_is_said)
     RUN(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
     RUN(a_ring_is_never_told_without_a_search)
