@@ -8955,7 +8955,7 @@ SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_re
 {
     int slick = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
-    const int same = c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;
+    const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
     if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
