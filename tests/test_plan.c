@@ -877,12 +877,16 @@ TEST(a_coupled_check_is_decided_by_one_tree_in_the_plane_and_in_space)
         const sp_scene s = part("keystone", "angle", 25 + k, 0.03 * k + 0.5);
         sp_arena a = test_arena;
         const sp_result r = check(&s, &set, &a), all = with_search(&s, set, &a);
-        if (TOL(1, 0)) CHECK_INT(r.verdict, all.verdict);
-        CHECK(TOL(0, 1) || r.coupled.proof.nodes == all.coupled.proof.nodes);
-        CHECK(TOL(0, 1) || r.coupled.proof.entries == all.coupled.proof.entries);
+#ifdef SP_REAL_FLOAT                    /* its scales keep what the search before rounded: one may be left open */
+        CHECK(r.verdict == all.verdict || !r.verdict || !all.verdict);
+#else
+        CHECK_INT(r.verdict, all.verdict);
+        CHECK_INT(r.coupled.proof.nodes, all.coupled.proof.nodes);
+        CHECK_INT(r.coupled.proof.entries, all.coupled.proof.entries);
+#endif
         decided += r.coupled.proof.nodes > 0;
     }
-    CHECK(decided > TOL(5, -1));
+    if (TOL(1, 0)) CHECK(decided > 5);                   /* float refutes none of them */
 }
 
 /* Without the third dimension what the plane does not explain stays open: the H model has no motion there. */
