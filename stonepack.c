@@ -12246,6 +12246,7 @@ typedef struct sp__limit {
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
+#define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 #ifdef SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* so many tol below a motion's balance forces are asked for: factors in float tell no nearer */
 #else
@@ -12709,7 +12710,8 @@ SP__APART static int sp__limit_upper(sp__limit *L, sp_arena room)
 static void sp__limit_conclude(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
-    const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->upper) + L->ref) + 4 * L->slack * L->ref;
+    const sp_real slack = L->slack < SP__LIMIT_SLACK ? L->slack : SP__LIMIT_SLACK;
+    const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->lower) + L->ref) + 4 * slack * L->ref;
     if (L->none) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
     else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;

@@ -143,7 +143,7 @@ static void print_multiplier(const report *r)
     switch (x->kind) {
     case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier); break;
     case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
-    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: it bears any multiple of the live loads"); break;
+    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: of the multiples of the live loads that it bears none is the largest"); break;
     default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
                                                                                     : "the ends stay apart at this tol");
     }
@@ -152,7 +152,7 @@ static void print_multiplier(const report *r)
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
     if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
     puts(x->verified ? "; verified" : "; NOT verified");
-    if (!any_friction(&r->scene->scene) || x->kind != SP_LIMIT_FOUND) return;
+    if (!any_friction(&r->scene->scene) || (x->kind != SP_LIMIT_FOUND && x->kind != SP_LIMIT_UNBOUNDED)) return;
     row("mind");
     puts("with friction this is an upper value: real sliding does not open joints, and may fall at less");
 }
@@ -199,7 +199,7 @@ static void print_tilt(const report *r, const tilt_margin *m)
         json_string(&j, "scene", r->scene->path);
         if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
         if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
-        json_bool(&j, "at_least", m->undecided > 0);
+        json_bool(&j, "at_least", m->undecided > 0 || m->least >= 90);
         json_int(&j, "undecided", m->undecided);
         json_string(&j, "cone", r->options->cone);
         json_open(&j, "angles", '[');
@@ -209,9 +209,10 @@ static void print_tilt(const report *r, const tilt_margin *m)
         putchar('\n');
         return;
     }
-    if (!m->stands) { printf("%s: does not stand while level\n", r->scene->path); return; }
-    printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->undecided ? "at least " : "",
-           m->least, m->azimuth);
+    if (!m->stands) { printf("%s: %s\n", r->scene->path, m->undecided ? "UNDECIDED while level" : "does not stand while level"); return; }
+    if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", r->scene->path);
+    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->undecided ? "at least " : "",
+                m->least, fmod(floor(10 * m->azimuth + 0.5) / 10, 360));
     row("how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }
@@ -224,7 +225,7 @@ static int tilt_command(report *r, text_error *error)
     if (!status && r->options->svg) status = draw(r, &m, error);
     if (!status) print_tilt(r, &m);
     free(memory);
-    return status ? status : !m.stands ? EXIT_UNSTABLE : m.undecided ? EXIT_UNDECIDED : 0;
+    return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
 }
 
 /* The live load of every block as --body asks: its weight times that vector. */

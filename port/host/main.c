@@ -22,7 +22,7 @@ static const char help_check[] =
 "  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided), NAME:\n"
-"                     friction, depth (the third dimension), together (islands) as planned, see `plan`;\n"
+"                     friction, depth (the third dimension), together (islands); those not named as planned, see `plan`;\n"
 "                     coupled: as --coupled; the other effects are the scene's\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ, level: from x to y  0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
@@ -58,7 +58,8 @@ static const char help_plan[] =
 "stonepack plan [options] SCENE\n\n"
 "Which effects does the scene call for, and what does leaving the others out save? `check` follows this plan.\n\n"
 "  --json             one JSON object\n"
-"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), NAME: friction, depth, together\n"
+"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), NAME: friction, depth, together,\n"
+"                     coupled (as --coupled)\n"
 "  --tol, --cone, --mu, --stages, --tilt, --coupled as in check\n\n"
 "Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 

@@ -52,7 +52,7 @@ static double nearest_line(const sp_scene *scene, const sp_limit_result *x, doub
 }
 
 /* Does it stand while level? */
-static int stands_level(const host_scene *s, const options *o, text_error *error, int *status)
+static int stands_level(const host_scene *s, const options *o, tilt_margin *m, text_error *error)
 {
     void *memory = NULL;
     sp_limit_result x;
@@ -62,8 +62,10 @@ static int stands_level(const host_scene *s, const options *o, text_error *error
     for (int k = 0; k < 3; k++) still.body[k] = 0;
     const sp_status e = limit_scene(&still, &o->settings, &x, &bytes, &seconds, &memory);
     free(memory);
-    *status = e == SP_OK ? 0 : text_fail_status(error, e, s->path, 0, "");
-    return e == SP_OK && x.kind == SP_LIMIT_UNBOUNDED;
+    if (e != SP_OK) return text_fail_status(error, e, s->path, 0, "");
+    m->stands = x.kind == SP_LIMIT_UNBOUNDED;
+    m->undecided = x.kind == SP_LIMIT_UNDECIDED;
+    return 0;
 }
 
 /* From the nearest line on, each azimuth's mechanism shows a nearer one, or none. */
@@ -104,7 +106,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0)
             return text_fail(error, EXIT_USAGE, s->path, 0, "--tilt-margin is for joints without strength; check --tilt takes it along");
     }
-    m->stands = stands_level(s, o, error, &status);
+    status = stands_level(s, o, m, error);
     if (status || !m->stands) return status;
     options_level(s->scene.gravity, h);
     m->least = 90;

@@ -298,6 +298,12 @@ pair_private() {                                        # pair_private FLAGS...
 pair_bits() {
     for pb_std in c99 c11 c2x; do (export LIBRARY=build/pair/stonepack.c STD=$pb_std; corpus "$CC" -O2 "$@") || return 1; done
 }
+pair_small() {                                          # its searches are others: the tree's own bits
+    for ps_real in double float; do
+        sh tests/corpus/corpus.sh $ps_real "$CC" -O0 -DSP_SMALL > $out/small.txt || return 1
+        LIBRARY=build/pair/stonepack.c sh tests/corpus/corpus.sh $ps_real "$CC" -O2 -DSP_SMALL | diff $out/small.txt - || return 1
+    done
+}
 check_pair() {
     sh port/pair/pair.sh stonepack.c build/pair || failed=$((failed + 1))
     part "pair: C99, C11, C2x, float" pair_standards
@@ -306,9 +312,10 @@ check_pair() {
     count "pair: tests, C2x, float" pair_tests -std=c2x -DSP_REAL_FLOAT
     count "pair: tests, SP_API static, C11" pair_private -std=c11
     part "pair: the bits of the tree, C99, C11, C2x" pair_bits
-    for pa_switch in $(grep -oE 'SP_(NO_[A-Z_]*|SMALL)' stonepack.h | sort -u | grep -vxE 'SP_NO_(IPM|PLAN)'); do    # these find other forces
+    for pa_switch in $(grep -oE 'SP_NO_[A-Z_]*' stonepack.h | sort -u | grep -vxE 'SP_NO_(IPM|PLAN)'); do    # these find other forces
         part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
     done
+    part "pair: the bits of the tree with SP_SMALL, not optimised" pair_small
 }
 
 check_package() { count "packages" sh port/package/check.sh; }

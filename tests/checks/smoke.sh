@@ -292,6 +292,8 @@ part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$t
 part "limit: a decided margin is no lower bound" says '"at_least": false' "$cli" limit --tilt-margin --json "$tmp/scene.obj"
 echo '#@ cohesion 2e4' | cat - "$tmp/scene.obj" > "$tmp/glued.obj"
 part "limit: no tilt margin of joints with strength" exits 64 "$cli" limit --tilt-margin "$tmp/glued.obj"
+gen arch t=0.2
+part "limit: what is undecided while level is not told to fall" exits 2 "$cli" limit --tilt-margin --budget 1e5 "$tmp/scene.obj"
 gen topple angle=15
 part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
 part "limit: does not stand level: 1" exits 1 "$cli" limit --tilt-margin "$tmp/scene.obj"
