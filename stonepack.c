@@ -6571,7 +6571,9 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
     }
 #ifndef SP_NO_IPM
     if ((coarse || (sp__newton_open(n) && whole)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
-        memcpy(coarse ? state->y : w->y, coarse ? w->y : state->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+        const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
+        if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
+        else memcpy(w->y, state->y, bytes);
         sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
         n->left--;
         n->found = 0;                                   /* then they are still those of y */
@@ -10250,8 +10252,10 @@ SP__APART static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     sp_coupled *out = &r->coupled;
     int32_t open = -1;
     if (out->tension_ratio < 0) out->tension_ratio = -1;
-    if (r->verdict == SP_UNSTABLE) out->proof.nodes = out->proof.leaves = out->proof.entries = out->proof.island = 0;
-    if (r->verdict == SP_UNSTABLE) out->margin = 0;
+    if (r->verdict == SP_UNSTABLE) {                    /* statics refute: what was proved of an island is not asked for */
+        out->proof.nodes = out->proof.leaves = out->proof.entries = out->proof.island = 0;
+        out->margin = 0;
+    }
     const int refuted = out->proof.nodes > 0;
     for (int32_t k = r->islands - 1; k >= 0; k--)
         if (r->part[k].coupling == SP_COUPLING_NOT_FOUND && r->part[k].coupling_reason != SP_COUPLING_STATICS) open = k;
@@ -12239,6 +12243,7 @@ typedef struct sp__limit {
 
 #define SP__LIMIT_NEAR SP__SCALE_TOL    /* gap of both ends, relative, at which forces at the limit are tried */
 #define SP__LIMIT_MOST 100              /* interior-point iterations: an optimum takes more than a verdict */
+#define SP__LIMIT_IDLE 8                /* steps of less than a tenth in a row that end them: rounding holds theta */
 #define SP__LIMIT_CLOSE ((sp_real)0.03) /* of the way that the predictor does not get: the end is near, and steps go farther */
 #ifdef SP_REAL_FLOAT
 #define SP__LIMIT_KEEP SP__IPM_KEEP
@@ -12248,7 +12253,7 @@ typedef struct sp__limit {
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 #ifdef SP_REAL_MIXED
-#define SP__LIMIT_STEP 400              /* so many tol below a motion's balance forces are asked for: factors in float tell no nearer */
+#define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
 #else
 #define SP__LIMIT_STEP 4
 #endif
@@ -12502,7 +12507,7 @@ SP__APART static int sp__limit_run(sp__limit *L)
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
     int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__limit_start(L);
-    for (int it = 0; it < SP__LIMIT_MOST && idle < 8 && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__LIMIT_MOST && idle < SP__LIMIT_IDLE && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
@@ -13897,8 +13902,8 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
         if (q->who[b] != SP__TRIED) continue;
         q->told[held->count] = q->must[b];
         q->answer[held->count++] = b;
+        q->who[b] = SP_PRESENT;
     }
-    for (int32_t k = 0; k < blocks; k++) if (q->who[k] == SP__TRIED) q->who[k] = SP_PRESENT;
     held->block = q->answer;
     held->must = q->told;
     held->proof = !sure ? SP_HELD_ENOUGH : others > 1 ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;

@@ -339,16 +339,62 @@ static int same_forces(const sp_result *r, int32_t point, const sp_result *alone
     return far <= 8 * (double)SP_EPSILON * most;
 }
 
+/* A check in no more than sp_memory tells, exactly that where it localises, and not in a byte less if `tight`. Its arrays stay. */
+static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int tight)
+{
+    sp_result r = { 0 };
+    size_t bytes = 0;
+    CHECK_INT(sp_memory(s, set, test_arena, &bytes), SP_OK);
+    sp_arena a = behind(bytes);
+    CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
+    if (set->localise) CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
+    CHECK(r.peak_bytes <= bytes);
+    a = behind(r.peak_bytes - 1);
+    if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_E_MEMORY);
+    a = behind(bytes);
+    if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0)
+                   + SP_COUPLED_BYTES(s->count.blocks, s->count.points, 48000));
+    test_arena.used += bytes + SP_ALIGN;
+    return r;
+}
+
+static void claim_holds(const sp_scene *s, const sp_settings *set, const sp_result *r)
+{
+    sp_evidence e;
+    sp_arena scratch = behind(sp_verify_memory(s));
+    CHECK_INT(sp_verify(s, set, r, scratch, &e), SP_OK);
+    CHECK(r->verdict == SP_UNDECIDED || e.verdict == r->verdict);
+    CHECK(r->verdict != SP_STABLE || (e.level == SP_COUPLED && r->level == SP_COUPLED));
+}
+
+/* Island q of r, whose contact vertices begin at `first`, against a check of that piece alone.     returns its verdict */
+static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const sp_scene *piece, sp_settings set, int32_t seen[4])
+{
+    const sp_island *p = &r->part[q];
+    sp_scene alone = room(piece->count.blocks, piece->count.interfaces, piece->count.points);
+    add(&alone, piece, 0, plain);
+    set.coupled.eps = r->coupled.eps;
+    set.coupled.eta = 0;                                /* 100 eps, as of the whole */
+    sp_arena rest = test_arena;
+    const sp_result o = check(&alone, &set, &rest);
+    CHECK_INT(p->verdict, o.verdict);
+    CHECK_INT(p->reason, o.reason);
+    CHECK_INT(p->coupling, o.coupled.verdict);
+    CHECK_INT(p->coupling_reason, o.coupled.reason);
+    if (o.coupled.verdict == SP_COUPLING_COUPLED) CHECK(same_forces(r, first, &o, alone.count.points));
+    seen[o.coupled.verdict]++;
+    return o.verdict;
+}
+
 TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
 {
     int32_t coupled = 0, refuted = 0, open = 0, whole = 0, beyond = 0, seen[4] = { 0, 0, 0, 0 };
     for (int32_t k = 0; k < 24; k++) {
         sp_scene piece[5], s;
         const int32_t pieces = test_random_int(2, 5);
-        int32_t blocks = 0, interfaces = 0, points = 0, island = 0;
-        size_t bytes = 0;
+        int32_t blocks = 0, interfaces = 0, points = 0;
         sp_settings set = sp_settings_default();
-        sp_result r;
         test_arena.used = 0;
         for (int32_t q = 0; q < pieces; q++) {
             piece[q] = some_part();
@@ -358,41 +404,13 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         for (int32_t q = 0; q < pieces; q++) add(&s, &piece[q], 0, plain);
         set.coupled.asked = 1;
         set.localise = k % 3 != 0;
-        NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
-        sp_arena a = behind(bytes);
-        CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
-        if (set.localise) CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
-        CHECK(r.peak_bytes <= bytes);
-        a = behind(r.peak_bytes - 1);
-        if (k < 3) CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_MEMORY);
-        a = behind(bytes);
-        if (k < 3) CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
-        const size_t most = SP_MEMORY_BYTES(blocks, interfaces, points, 0) + SP_COUPLED_BYTES(blocks, points, 48000);
-        CHECK(bytes <= most);
-        CHECK_INT(r.islands, pieces);
-        test_arena.used += bytes + SP_ALIGN;
-        sp_evidence e;
-        sp_arena scratch = behind(sp_verify_memory(&s));
-        CHECK_INT(sp_verify(&s, &set, &r, scratch, &e), SP_OK);
-        CHECK(r.verdict == SP_UNDECIDED || e.verdict == r.verdict);
-        CHECK(r.verdict != SP_STABLE || (e.level == SP_COUPLED && r.level == SP_COUPLED));
+        const sp_result r = checked_exactly(&s, &set, k < 3);
+        NEED(r.islands == pieces);
+        claim_holds(&s, &set, &r);
         sp_verdict worst = SP_STABLE;
         for (int32_t q = 0, first = 0; q < pieces; first += piece[q].count.points, q++) {
-            const sp_island *p = &r.part[island++];
-            sp_settings own = set;
-            sp_scene alone = room(piece[q].count.blocks, piece[q].count.interfaces, piece[q].count.points);
-            add(&alone, &piece[q], 0, plain);
-            own.coupled.eps = r.coupled.eps;
-            own.coupled.eta = 0;                        /* 100 eps, as of the whole */
-            sp_arena rest = test_arena;
-            const sp_result o = check(&alone, &own, &rest);
-            CHECK_INT(p->verdict, o.verdict);
-            CHECK_INT(p->reason, o.reason);
-            CHECK_INT(p->coupling, o.coupled.verdict);
-            CHECK_INT(p->coupling_reason, o.coupled.reason);
-            if (o.coupled.verdict == SP_COUPLING_COUPLED) CHECK(same_forces(&r, first, &o, alone.count.points));
-            if (o.verdict == SP_UNSTABLE || worst == SP_STABLE) worst = o.verdict;
-            seen[o.coupled.verdict]++;
+            const sp_verdict alone = as_alone(&r, q, first, &piece[q], set, seen);
+            if (alone == SP_UNSTABLE || worst == SP_STABLE) worst = alone;
         }
         CHECK_INT(r.verdict, worst);
         coupled += r.verdict == SP_STABLE;

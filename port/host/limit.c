@@ -199,7 +199,7 @@ static void print_tilt(const report *r, const tilt_margin *m)
         json_string(&j, "scene", r->scene->path);
         if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
         if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
-        json_bool(&j, "at_least", m->undecided > 0 || m->least >= 90);
+        json_bool(&j, "at_least", tilt_at_least(m));
         json_int(&j, "undecided", m->undecided);
         json_string(&j, "cone", r->options->cone);
         json_open(&j, "angles", '[');
@@ -211,8 +211,8 @@ static void print_tilt(const report *r, const tilt_margin *m)
     }
     if (!m->stands) { printf("%s: %s\n", r->scene->path, m->undecided ? "UNDECIDED while level" : "does not stand while level"); return; }
     if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", r->scene->path);
-    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %.4g (from x to y)\n", r->scene->path, m->undecided ? "at least " : "",
-                m->least, fmod(floor(10 * m->azimuth + 0.5) / 10, 360));
+    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", r->scene->path, tilt_at_least(m) ? "at least " : "",
+                m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
     row("how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }

@@ -23,6 +23,9 @@ typedef struct tilt_margin {
 /* returns 0 or an exit status; the arrays of m->worst lie in *memory, freed by the caller in every case */
 int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error);
 
+/* Is the margin only what is known to stand: an azimuth was not decided, or farther than 90 degrees was not asked? */
+int tilt_at_least(const tilt_margin *m);
+
 /* A polar plot of the angles.              returns 1, 0: can't write */
 int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margin *m);
 

@@ -89,6 +89,8 @@ static sp_status refine(const host_scene *s, const options *o, double h[2][3], d
     return SP_OK;
 }
 
+int tilt_at_least(const tilt_margin *m) { return m->undecided > 0 || m->least >= 90; }
+
 int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error)
 {
     double h[2][3], nearest = HUGE_VAL, worst = 0;
@@ -174,7 +176,7 @@ int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margi
             SIDE, SIDE + 20, SIDE, SIDE + 20);
     fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by %s %.3g&#176;</text>\n"
             "<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); %s cone</text>\n",
-            m->undecided ? "at least" : "up to", m->least, m->azimuth, o->cone);
+            tilt_at_least(m) ? "at least" : "up to", m->least, m->azimuth, o->cone);
     grid(out, most, step);
     fputs("<path fill=\"#1b7837\" fill-opacity=\"0.25\" stroke=\"#1b7837\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"", out);
     for (int k = 0; k < TILT_AZIMUTHS; k++) {
