@@ -102,6 +102,12 @@
 
 /* 1 ---------------------------------------------------------------------------------------------------------------- words */
 
+#ifdef SP_SMALL
+#define SP__TOLD(text) ""                               /* told by other builds only */
+#else
+#define SP__TOLD(text) text
+#endif
+
 /* The k-th of zero-terminated words that follow each other: no table of pointers, so nothing to relocate. */
 static const char *sp__word(const char *words, int k)
 {
@@ -117,22 +123,23 @@ SP_API const char *sp_status_text(sp_status status)
 {
     const int k = -(int)status;
     return sp__word("no error\0"
-                    "bad argument: a null pointer, a negative count or an unknown choice\0"
-                    "not enough memory in the arena\0"
+                    "bad argument" SP__TOLD(": a null pointer, a negative count or an unknown choice") "\0"
+                    "not enough memory" SP__TOLD(" in the arena") "\0"
                     "the scene is full\0"
-                    "a number is infinite, not a number, or too large to be squared\0"
-                    "a block, vertex or interface of that number does not exist\0"
-                    "a number is outside its range\0"
-                    "the mesh is open: an edge lacks its opposite\0"
-                    "the mesh is inside out: its faces look inward\0"
-                    "the mesh encloses no volume, or a face has fewer than three corners\0"
+                    SP__TOLD("a number is ") "infinite" SP__TOLD(", not a number, or too large to be squared") "\0"
+                    SP__TOLD("a block, vertex or interface of ") "that number does not exist\0"
+                    SP__TOLD("a number is ") "outside its range\0"
+                    "the mesh is open" SP__TOLD(": an edge lacks its opposite") "\0"
+                    SP__TOLD("the mesh is inside out: ") "its faces look inward\0"
+                    "the mesh encloses no volume" SP__TOLD(", or a face has fewer than three corners") "\0"
                     "a face is out of plane\0"
-                    "the interface polygon is out of plane\0"
-                    "the interface has no area, or its normal no length\0"
-                    "an interface between a block and itself\0"
-                    "the scene has no block\0"
-                    "not supported here: strength of joints with the coupled check, or a part this build leaves out\0"
-                    "P of the quadratic program is not positive semidefinite\0"
+                    "the interface" SP__TOLD(" polygon") " is out of plane\0"
+                    "the interface has no area" SP__TOLD(", or its normal no length") "\0"
+                    SP__TOLD("an interface ") "between a block and itself\0"
+                    SP__TOLD("the scene has ") "no block\0"
+                    "not supported here"
+                    SP__TOLD(": strength of joints with the coupled check, or a part this build leaves out") "\0"
+                    "P" SP__TOLD(" of the quadratic program") " is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
 
@@ -200,10 +207,11 @@ SP_API const char *sp_effect_why_text(sp_effect_why why)
 {
     const int k = (int)why;
     return sp__word("the scene calls for it\0" "the caller asks for it\0" "left out by the caller\0" "not in this scene\0"
-                    "not asked for\0" "statics asks for none\0" "they share no free block; each is solved alone\0"
-                    "stages or a budget that a plan leaves alone\0" "everything has one mirror plane: 3 rows a block\0"
-                    "level joints under plumb loads: pressure alone comes first\0"
-                    "contacts form a forest, or nothing need move: no search\0"
+                    "not asked for\0" "statics asks for none\0" SP__TOLD("they share no free block; ") "each is solved alone\0"
+                    "stages or a budget that a plan leaves alone\0"
+                    SP__TOLD("everything has ") "one mirror plane" SP__TOLD(": 3 rows a block") "\0"
+                    "level joints" SP__TOLD(" under plumb loads: pressure alone comes first") "\0"
+                    SP__TOLD("contacts form ") "a forest" SP__TOLD(", or nothing need move: no search") "\0"
                     "unknown", k >= 0 && k <= (int)SP_WHY_FOREST ? k : (int)SP_WHY_FOREST + 1);
 }
 
@@ -395,7 +403,7 @@ static void sp__local_mean(const sp__local *l, const int32_t *pick, int32_t coun
     for (int32_t k = 0; k < count; k++) {
         sp_real p[3];
         sp__local_pick(l, pick, k, p);
-        for (int c = 0; c < 3; c++) m[c] += p[c];
+        sp__add3(m, 1, p);
     }
     sp__scale3((sp_real)1 / (sp_real)count, m, m);
 }
@@ -428,11 +436,13 @@ SP__APART static void sp__solid_triangle(sp__solid *t, const sp__local *l, const
     sp__cross3_add(p, q, n);
     const sp_real v = sp__dot3(m, n);                   /* m . (p x q) */
     t->mass->volume += v;
-    for (int k = 0; k < 3; k++) t->mass->centroid[k] += v * (m[k] + p[k] + q[k]);
     sp__cross3_add(m, p, n);
     sp__cross3_add(q, m, n);                            /* m x p + p x q + q x m = (p - m) x (q - m) */
+    sp__add3(p, 1, m);
+    sp__add3(p, 1, q);
+    sp__add3(t->mass->centroid, v, p);
     t->area += sp__norm3(n);
-    for (int k = 0; k < 3; k++) t->n[k] += n[k];
+    sp__add3(t->n, 1, n);
 }
 
 /* A triangle as it is, a larger polygon fanned about its vertex mean m. Then each of its corners p has to be within 1e-2 of the
@@ -605,7 +615,7 @@ static sp_status sp__joint_check(const sp_joint *joint)
 }
 
 /* Has a joint strength beyond friction, or less than any? */
-static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
+SP__CALLED static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
 
 static int sp__scene_strong(const sp_scene *scene)
 {
@@ -614,15 +624,22 @@ static int sp__scene_strong(const sp_scene *scene)
 }
 
 /* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
- *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb] */
+ *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb]
+ * endless: only its directions without end, forces that may be added as often as one likes: as if it had no area. */
 typedef struct sp__strength { sp_real C, T, N; } sp__strength;
 
-static sp__strength sp__vertex_strength(const sp_interface *f)
+static sp__strength sp__vertex_strength(const sp_interface *f, int endless)
 {
-    const sp_real share = f->area / (sp_real)f->points;
+    const sp_real share = endless ? 0 : f->area / (sp_real)f->points;
     sp__strength k = { f->joint.cohesion * share, f->joint.tension * share, f->joint.cap > 0 ? f->joint.cap * share : SP__HUGE };
     if (k.T * f->joint.mu > k.C) k.T = k.C / f->joint.mu;
     return k;
+}
+
+/* Is K_v of a contact more or less than a cone? */
+static int sp__contact_strong(const sp_problem *pb, const sp_contact *t)
+{
+    return pb->endless ? t->joint->joint.cap > 0 : sp__joint_strong(&t->joint->joint);
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
@@ -651,7 +668,8 @@ static void sp__polygon_tangent(const sp__local *l, int32_t points, sp_real peri
         sp__local_get(l, k < points ? k : 0, q);
         sp__sub3(q, p, t);
         const sp_real length = sp__norm3(t), out = sp__dot3(t, n);
-        for (int c = 0; c < 3; c++) { t[c] -= out * n[c]; p[c] = q[c]; }
+        sp__add3(t, -out, n);
+        memcpy(p, q, sizeof p);
         const sp_real in = sp__norm3(t);
         if (length > (sp_real)1e-9 * perimeter && in > length / 2) {
             sp__unit3(t, t);
@@ -773,24 +791,20 @@ static int sp__face_area(const sp_scene *scene, const sp_face *face, sp_real are
 {
     const int32_t *corner = scene->corner + face->corner;
     const sp_real *o = scene->vertex[corner[0]];
-    sp_real n[3] = { 0, 0, 0 }, sum = 0;
+    sp_real sum = 0;
+    for (int q = 0; q < 3; q++) area[q] = centroid[q] = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int32_t k = 1; k + 1 < face->corners; k++) {
             sp_real b[3], c[3], t[3];
             sp__sub3(scene->vertex[corner[k]], o, b);
             sp__sub3(scene->vertex[corner[k + 1]], o, c);
             sp__cross3(b, c, t);
-            const sp_real weight = pass ? sp__dot3(t, n) : 0;
-            for (int q = 0; q < 3; q++) {
-                if (pass) centroid[q] += weight * (b[q] + c[q]);
-                else n[q] += t[q] / (sp_real)2, centroid[q] = 0;
-            }
-            sum += weight;
+            const sp_real weight = sp__dot3(t, area);
+            sp__add3(b, 1, c);
+            if (pass) { sp__add3(centroid, weight, b); sum += weight; }
+            else sp__add3(area, (sp_real)0.5, t);
         }
-    for (int q = 0; q < 3; q++) {
-        area[q] = n[q];
-        centroid[q] = o[q] + centroid[q] / ((sp_real)3 * sum);
-    }
+    for (int q = 0; q < 3; q++) centroid[q] = o[q] + centroid[q] / ((sp_real)3 * sum);
     return sum > 0 && sp__finite3(centroid);
 }
 
@@ -823,12 +837,20 @@ SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face,
  *
  * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything
  * costs its own pairs and no more.
+ *
+ * SP_SMALL takes every face for a patch, and for what the patches of one plane share with a block its convex hull: that carries
+ * the same, for a force at a point of it is a sum of forces at its corners. How narrow it is, is asked of the hull, for faces may
+ * be narrow that together are not; a narrow piece of two faces that are not is an edge contact. Nothing is sorted, every pair of
+ * blocks is asked.
  */
 
 typedef struct sp__patch {
     sp_real n[3], o[3];         /* plane: outward unit normal and a point of the largest face */
     sp_real lo[3], hi[3];       /* box */
     int32_t edge, edges;        /* its part of bound */
+#ifdef SP_SMALL
+    int32_t plane;              /* the first patch of its block in its plane */
+#endif
 } sp__patch;
 
 typedef struct sp__body {       /* what the search knows of a block */
@@ -839,6 +861,7 @@ typedef struct sp__body {       /* what the search knows of a block */
     int32_t convex;             /* closed and nothing beyond any of its faces */
 } sp__body;
 
+#ifndef SP_SMALL
 typedef struct sp__found { int32_t start, size; } sp__found;    /* a polygon of the present pair */
 
 /* The largest of a number over the blocks, and the largest of the others. */
@@ -846,18 +869,19 @@ typedef struct sp__two { int32_t first, second; } sp__two;
 
 /* Edges of one patch, of a block; patches of a block. */
 typedef struct sp__most { sp__two side, total, patches; } sp__most;
+#endif
 
 /* Memory of the search. */
 typedef struct sp__all {
     sp__body *body;
     sp__patch *patch;
     int32_t (*bound)[2];
+#ifndef SP_SMALL
     int32_t *same;                              /* vertex -> the vertex that stands for all at its place */
     int32_t *order, *mine;                      /* of one block: vertices, faces or edges in order; face -> patch */
     int32_t (*edge)[2];                         /* of one block */
     sp_real (*normal)[3], (*middle)[3], *area;  /* of the faces of one block */
     int32_t *hit;                               /* blocks that may touch the present one */
-#ifndef SP_SMALL
     int32_t width;                              /* of the tree: power of two, not below the number of blocks */
     sp_real (*box)[6];                          /* of the tree's nodes, 1 the top, children 2k and 2k + 1 */
     int32_t *leaf;                              /* block of each leaf */
@@ -867,11 +891,16 @@ typedef struct sp__all {
 
 /* Memory of one pair of blocks. */
 typedef struct sp__pair {
+    sp_real (*point)[3];                        /* polygons found; of SP_SMALL one */
+#ifdef SP_SMALL
+    sp__hull hull;                              /* that one, in its plane */
+    int32_t corners, parts;                     /* of it; of the same plane, appended before it for want of room */
+#else
     int32_t *near_a, *near_b;                   /* patches near the other block's box */
-    sp_real (*point)[3];                        /* polygons found */
     sp__found *found;
     int32_t *rank;                              /* their order */
-    int32_t room;                               /* of the last three */
+    int32_t room;                               /* of them, and of points */
+#endif
 } sp__pair;
 
 typedef struct sp__touch {
@@ -884,32 +913,56 @@ typedef struct sp__touch {
     sp__all all;
     sp__clip clip;
     sp__pair pair;
+#ifndef SP_SMALL
     sp__most most;
-    int32_t patches, bounds, leaves;
+    int32_t leaves, edges;                      /* of the tree; of the faces of a patch */
     sp_real lo[3], hi[3];                       /* box of everything */
-    int32_t block, vertex0, face0, edges;       /* of the block whose patches are being made */
-    int32_t a, b, points, founds;               /* present pair, and what was found */
+    int32_t points, founds;                     /* what was found of the present pair */
+#endif
+    int32_t patches, bounds;
+    int32_t block, vertex0, face0;              /* of the block whose patches are being made */
+    int32_t a, b;                               /* present pair */
     sp_real near, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
     sp_real e1[3], e2[3];                       /* axes of that plane */
 } sp__touch;
 
-static void sp__contact_default(sp_contact_settings *s)
-{
-    memset(s, 0, sizeof *s);
-    s->distance = (sp_real)1e-6;
-    s->angle = (sp_real)1e-3;
-    s->joint.mu = (sp_real)0.84;
-}
-
 SP_API sp_contact_settings sp_contact_settings_default(void)
 {
     sp_contact_settings s;
-    sp__contact_default(&s);
+    memset(&s, 0, sizeof s);
+    s.distance = (sp_real)1e-6;
+    s.angle = (sp_real)1e-3;
+    s.joint.mu = (sp_real)0.84;
     return s;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- memory */
 
+#ifdef SP_SMALL
+/* Everything: of a pair there are never more than two faces at once, and the hull of what some of them share. */
+static void sp__touch_carve(sp__all *l, sp__clip *clip, sp__pair *pair, const sp_scene *scene, sp_arena *a)
+{
+    const sp_capacity *n = &scene->count;
+    int32_t side = 16;                          /* at least: for the hull of many small faces */
+    for (int32_t f = 0; f < n->faces; f++) if (scene->face[f].corners > side) side = scene->face[f].corners;
+    l->body = sp__take(a, (size_t)n->blocks, sizeof *l->body);
+    l->patch = sp__take(a, (size_t)n->faces, sizeof *l->patch);
+    l->bound = sp__take(a, (size_t)n->corners, sizeof *l->bound);
+    sp__clip_carve(clip, side, side, a);
+    pair->point = sp__take(a, (size_t)clip->cap, sizeof *pair->point);
+    sp__hull_carve(&pair->hull, clip->cap, a);
+}
+
+SP_API size_t sp_contacts_memory(const sp_scene *scene)
+{
+    sp_arena dry = sp__arena_dry();
+    struct { sp__all all; sp__clip clip; sp__pair pair; } none;
+    if (!scene) return 0;
+    (void)sp__take(&dry, 1, sizeof(sp__touch));
+    sp__touch_carve(&none.all, &none.clip, &none.pair, scene, &dry);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+#else
 /* Crossings of boundaries of p and q edges that there is room for: all up to 16-gons; otherwise 8 (p + q), four times what a
  * convex one can have with any other. Combs across combs may need more: SP_E_MEMORY. */
 static int64_t sp__crossings(const sp__two *t)
@@ -955,12 +1008,10 @@ static void sp__all_carve(sp__all *l, const sp_scene *scene, sp_arena *a)
     l->middle = sp__take(a, face, sizeof *l->middle);
     l->area = sp__take(a, face, sizeof *l->area);
     l->hit = sp__take(a, blocks, sizeof *l->hit);
-#ifndef SP_SMALL
     for (l->width = 1; l->width < n->blocks && l->width < 1 << 29; l->width *= 2) { }
     l->box = sp__take(a, 2 * (size_t)l->width, sizeof *l->box);
     l->leaf = sp__take(a, blocks, sizeof *l->leaf);
     l->code = sp__take(a, blocks, sizeof *l->code);
-#endif
 }
 
 static void sp__pair_carve(sp__pair *p, const sp__most *most, sp_arena *a)
@@ -1000,6 +1051,7 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene)
     sp__pair_carve(&none.pair, &most, &dry);
     return sp__failed(&dry) ? 0 : dry.used;
 }
+#endif
 
 /* ------------------------------------------------------------------------------------------------------------ patches */
 
@@ -1013,6 +1065,92 @@ static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
     return 0;
 }
 
+/* Plane of a face through its vertex mean; normal 0 without one.     returns twice the area */
+SP__APART static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
+{
+    const sp_face *face = &t->scene->face[t->face0 + f];
+    const int32_t *corner = t->scene->corner + face->corner;
+    sp__local l;
+    (void)sp__local_start(&l, t->scene->vertex[0], corner, face->corners);
+    (void)sp__polygon_normal(&l, corner, face->corners, n);
+    sp__local_mean(&l, corner, face->corners, m);
+    const sp_real twice = sp__norm3(n);
+    for (int c = 0; c < 3; c++) {
+        n[c] = twice > 0 ? n[c] / twice : 0;
+        m[c] = l.o[c] + l.s * m[c];
+    }
+    return twice * l.s * l.s;
+}
+
+/* What is that near to a plane lies in it. */
+static sp_real sp__body_flat(const sp__touch *t, const sp__body *body)
+{
+    return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
+}
+
+/* Farthest corner of a face from a plane. */
+static sp_real sp__touch_off(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
+{
+    const sp_face *face = &t->scene->face[t->face0 + f];
+    sp_real most = 0;
+    for (int32_t k = 0; k < face->corners; k++) {
+        sp_real d[3];
+        sp__sub3(t->scene->vertex[t->scene->corner[face->corner + k]], o, d);
+        most = sp__max(most, sp__abs(sp__dot3(d, n)));
+    }
+    return most;
+}
+
+static void sp__box_start(sp_real lo[3], sp_real hi[3], const sp_real p[3])
+{
+    for (int c = 0; c < 3; c++) lo[c] = hi[c] = p[c];
+}
+
+static void sp__box_add(sp_real lo[3], sp_real hi[3], const sp_real p[3])
+{
+    for (int c = 0; c < 3; c++) {
+        lo[c] = p[c] < lo[c] ? p[c] : lo[c];
+        hi[c] = hi[c] < p[c] ? p[c] : hi[c];
+    }
+}
+
+/* Box of boundary edges from..to-1. */
+static void sp__bound_box(const sp__touch *t, int32_t from, int32_t to, sp_real lo[3], sp_real hi[3])
+{
+    for (int32_t e = from; e < to; e++) {
+        const sp_real *x = t->scene->vertex[t->all.bound[e][0]];
+        if (e == from) sp__box_start(lo, hi, x);
+        sp__box_add(lo, hi, x);
+    }
+}
+
+#ifdef SP_SMALL
+/* Patches of a block: its faces that have an area. */
+static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
+{
+    const sp_real flat = sp__body_flat(t, body);
+    for (int32_t f = 0; f < faces; f++) {
+        const sp_face *face = &t->scene->face[t->face0 + f];
+        const int32_t *corner = t->scene->corner + face->corner;
+        sp__patch *p = &t->all.patch[t->patches];
+        if (!(sp__touch_plane(t, f, p->n, p->o) > 0)) continue;
+        body->warp = sp__max(body->warp, sp__touch_off(t, f, p->n, p->o));
+        p->edge = t->bounds;
+        p->edges = face->corners;
+        for (int32_t k = 0; k < p->edges; k++) {
+            t->all.bound[t->bounds][0] = corner[k];
+            t->all.bound[t->bounds++][1] = corner[k + 1 < p->edges ? k + 1 : 0];
+        }
+        sp__bound_box(t, p->edge, t->bounds, p->lo, p->hi);
+        p->plane = body->patch;
+        for (const sp__patch *q; p->plane < t->patches; p->plane++) {
+            q = &t->all.patch[p->plane];
+            if (q->plane == p->plane && sp__dot3(q->n, p->n) > 0 && sp__touch_off(t, f, q->n, q->o) <= flat) break;
+        }
+        t->patches++;
+    }
+}
+#else
 /* Larger faces first: the largest of a plane is the most exact. Equal ones by place, so face order does not matter. */
 static int sp__face_before(const void *what, int32_t i, int32_t j)
 {
@@ -1035,16 +1173,6 @@ static int sp__edge_before(const void *what, int32_t i, int32_t j)
 }
 
 /* same[v]: the first vertex at v's place. */
-#ifdef SP_SMALL
-static void sp__touch_weld(sp__touch *t)
-{
-    for (int32_t v = t->vertex0, end = v + t->scene->block[t->block].vertices; v < end; v++) {
-        int32_t first = t->vertex0;
-        while (sp__place_order(t->scene->vertex[first], t->scene->vertex[v], 0)) first++;
-        t->all.same[v] = first;
-    }
-}
-#else
 static int sp__vertex_before(const void *what, int32_t i, int32_t j)
 {
     const sp__touch *t = what;
@@ -1064,49 +1192,13 @@ static void sp__touch_weld(sp__touch *t)
         t->all.same[v] = first;
     }
 }
-#endif
-
-/* Plane of a face through its vertex mean; normal 0 and area 0 without one. */
-SP__APART static void sp__touch_plane(sp__touch *t, int32_t f)
-{
-    const sp_face *face = &t->scene->face[t->face0 + f];
-    const int32_t *corner = t->scene->corner + face->corner;
-    sp_real *n = t->all.normal[f], *m = t->all.middle[f], p[3];
-    sp__local l;
-    (void)sp__local_start(&l, t->scene->vertex[0], corner, face->corners);
-    (void)sp__polygon_normal(&l, corner, face->corners, n);
-    memset(m, 0, sizeof p);
-    for (int32_t k = 0; k < face->corners; k++) {
-        sp__local_get(&l, corner[k], p);
-        for (int c = 0; c < 3; c++) m[c] += p[c];
-    }
-    const sp_real twice = sp__norm3(n);
-    t->all.area[f] = twice * l.s * l.s;
-    for (int c = 0; c < 3; c++) {
-        n[c] = twice > 0 ? n[c] / twice : 0;
-        m[c] = l.o[c] + l.s * (m[c] / (sp_real)face->corners);
-    }
-}
-
-/* Farthest corner of a face from a plane. */
-static sp_real sp__touch_off(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
-{
-    const sp_face *face = &t->scene->face[t->face0 + f];
-    sp_real most = 0;
-    for (int32_t k = 0; k < face->corners; k++) {
-        sp_real d[3];
-        sp__sub3(t->scene->vertex[t->scene->corner[face->corner + k]], o, d);
-        most = sp__max(most, sp__abs(sp__dot3(d, n)));
-    }
-    return most;
-}
 
 /* Give each face with area its patch: the first whose plane all its corners keep to, or a new one. */
 static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
 {
-    const sp_real flat = sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
+    const sp_real flat = sp__body_flat(t, body);
     for (int32_t f = 0; f < faces; f++) {
-        sp__touch_plane(t, f);
+        t->all.area[f] = sp__touch_plane(t, f, t->all.normal[f], t->all.middle[f]);
         body->warp = sp__max(body->warp, sp__touch_off(t, f, t->all.normal[f], t->all.middle[f]));
         t->all.order[f] = f;
     }
@@ -1141,19 +1233,6 @@ static void sp__touch_edges(sp__touch *t, int32_t f)
     }
 }
 
-static void sp__box_start(sp_real lo[3], sp_real hi[3], const sp_real p[3])
-{
-    for (int c = 0; c < 3; c++) lo[c] = hi[c] = p[c];
-}
-
-static void sp__box_add(sp_real lo[3], sp_real hi[3], const sp_real p[3])
-{
-    for (int c = 0; c < 3; c++) {
-        lo[c] = p[c] < lo[c] ? p[c] : lo[c];
-        hi[c] = hi[c] < p[c] ? p[c] : hi[c];
-    }
-}
-
 /* Boundary of a patch from t->all.edge: of the edges between two vertices those that their opposites do not cancel. */
 static void sp__touch_bound(sp__touch *t, sp__patch *p)
 {
@@ -1176,18 +1255,27 @@ static void sp__touch_bound(sp__touch *t, sp__patch *p)
         }
     }
     p->edges = t->bounds - p->edge;
-    for (int32_t k = 0; k < p->edges; k++) {
-        const sp_real *x = t->scene->vertex[t->all.bound[p->edge + k][0]];
-        if (k == 0) sp__box_start(p->lo, p->hi, x);
-        sp__box_add(p->lo, p->hi, x);
+    sp__bound_box(t, p->edge, t->bounds, p->lo, p->hi);
+}
+
+/* Patches of a block: its faces by plane. */
+static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
+{
+    sp__touch_weld(t);
+    sp__touch_group(t, body, faces);
+    for (int32_t p = body->patch; p < t->patches; p++) {
+        t->edges = 0;
+        for (int32_t f = 0; f < faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
+        sp__touch_bound(t, &t->all.patch[p]);
     }
 }
+#endif
 
 /* Nothing of a closed block beyond a face of it? */
 static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 {
     const sp_block *k = &t->scene->block[t->block];
-    const sp_real flat = sp__max(body->noise, (sp_real)1e-6 * k->diameter / 8) + 2 * body->warp;
+    const sp_real flat = sp__body_flat(t, body) + 2 * body->warp;
     if (!(k->volume > 0)) return 0;
     for (int32_t p = body->patch; p < body->patch + body->patches; p++)
         for (int32_t e = body->edge; e < body->edge + body->edges; e++) {
@@ -1221,19 +1309,10 @@ static void sp__touch_block(sp__touch *t, int32_t block)
     body->patch = t->patches;
     body->edge = t->bounds;
     sp__touch_size(t, body);
-    sp__touch_weld(t);
-    sp__touch_group(t, body, k->faces);
+    sp__touch_patches(t, body, k->faces);
     body->patches = t->patches - body->patch;
-    for (int32_t p = body->patch; p < t->patches; p++) {
-        t->edges = 0;
-        for (int32_t f = 0; f < k->faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
-        sp__touch_bound(t, &t->all.patch[p]);
-    }
     body->edges = t->bounds - body->edge;
-    for (int32_t e = body->edge; e < t->bounds; e++) {
-        if (e == body->edge) sp__box_start(body->lo, body->hi, t->scene->vertex[t->all.bound[e][0]]);
-        sp__box_add(body->lo, body->hi, t->scene->vertex[t->all.bound[e][0]]);
-    }
+    sp__bound_box(t, body->edge, t->bounds, body->lo, body->hi);
     body->convex = sp__touch_convex(t, body);
 }
 
@@ -1246,20 +1325,7 @@ static int sp__boxes_near(const sp_real lo[3], const sp_real hi[3], const sp_rea
     return 1;
 }
 
-#ifdef SP_SMALL
-static void sp__tree_build(const sp__touch *t) { (void)t; }
-
-/* Blocks above a whose boxes come near a's: without a tree every one is asked. Returns how many. */
-static int32_t sp__tree_ask(const sp__touch *t, int32_t a)
-{
-    const sp__body *body = t->all.body;
-    int32_t hits = 0;
-    for (int32_t b = a + 1; b < t->scene->count.blocks; b++)
-        if (body[a].edges && body[b].edges
-            && sp__boxes_near(body[a].lo, body[a].hi, body[b].lo, body[b].hi, body[a].reach + body[b].reach)) t->all.hit[hits++] = b;
-    return hits;
-}
-#else
+#ifndef SP_SMALL
 /* Every third bit from bit 0. */
 static uint32_t sp__spread(uint32_t x)
 {
@@ -1364,6 +1430,13 @@ static void sp__pair_flat(const sp__touch *t, const sp__patch *p, const sp_real 
 /* Give the boundary of a patch to the clipper: A's as it is, B's in A's plane, turned round. */
 static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patch *p, int32_t side)
 {
+#ifdef SP_SMALL
+    for (int32_t k = 0; k < p->edges; k++) {
+        sp_real x[2];
+        sp__pair_flat(t, plane, t->scene->vertex[t->all.bound[p->edge + (side ? p->edges - 1 - k : k)][0]], x);
+        sp__clip_add(&t->clip, side, x);
+    }
+#else
     for (int32_t e = p->edge; e < p->edge + p->edges; e++) {
         const int32_t u = t->all.bound[e][side], v = t->all.bound[e][1 - side];
         sp_real from[2], to[2];
@@ -1371,19 +1444,29 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
         sp__pair_flat(t, plane, t->scene->vertex[v], to);
         sp__clip_add(&t->clip, side, from, to, u, v);
     }
+#endif
 }
 
+/* A place in the plane of patch p in space. */
+static void sp__pair_place(const sp__touch *t, const sp__patch *p, const sp_real xy[2], sp_real x[3])
+{
+    for (int c = 0; c < 3; c++) x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
+}
+
+#ifdef SP_SMALL
+static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
+{
+    sp__pair_place(t, p, t->clip.corner[corner], x);
+}
+#else
 /* A corner of the result in space: on A's plane; a vertex that is there already stays what it is, to the bit. */
 static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
 {
-    const sp_real *xy = t->clip.corner[corner].x;
     const int32_t name = t->clip.corner[corner].name;
-    int exact = name >= 0;
-    for (int c = 0; c < 3; c++) {
-        x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
-        if (exact && sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) exact = 0;
-    }
-    for (int c = 0; c < 3 && exact; c++) x[c] = t->scene->vertex[name][c];
+    sp__pair_place(t, p, t->clip.corner[corner].x, x);
+    if (name < 0) return;
+    for (int c = 0; c < 3; c++) if (sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) return;
+    memcpy(x, t->scene->vertex[name], 3 * sizeof *x);
 }
 
 static void sp__reverse(sp_real (*p)[3], int32_t from, int32_t to)
@@ -1397,34 +1480,81 @@ static void sp__reverse(sp_real (*p)[3], int32_t from, int32_t to)
 }
 
 /* Start the polygon at its first corner in order of x, y, z. */
-static void sp__pair_canonical(sp__touch *t, int32_t start, int32_t size)
+static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size)
 {
-    sp_real (*p)[3] = t->pair.point + start;
     int32_t first = 0;
     for (int32_t k = 1; k < size; k++) if (sp__place_order(p[k], p[first], t->snap) < 0) first = k;
     sp__reverse(p, 0, first);
     sp__reverse(p, first, size);
     sp__reverse(p, 0, size);
 }
+#endif
+
+/* Append a polygon to the scene; where there is no room, count. */
+static void sp__pair_add(sp__touch *t, int32_t size, sp_real (*point)[3])
+{
+    const sp_status s = sp_scene_interface(t->scene, t->a, t->b, size, point[0], &t->set.joint, NULL);
+    if (s != SP_OK && s != SP_E_CAPACITY) return;                   /* too small for its coordinates */
+    t->full |= s == SP_E_CAPACITY;
+    t->report.interfaces++;
+    t->report.points += size;
+}
+
+#ifdef SP_SMALL
+/* Append what was gathered in the plane of patch p, unless that is all and narrower than `near`. */
+static void sp__pair_close(sp__touch *t, const sp__patch *p)
+{
+    const int32_t n = t->pair.corners;
+    for (int32_t k = 0; k < n; k++) sp__pair_place(t, p, t->pair.hull.p[k], t->pair.point[k]);
+    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->near / t->unit) > 0)) sp__pair_add(t, n, t->pair.point);
+    t->pair.corners = 0;
+}
+
+/* Gather the clipper's polygon: the hull of it and what there is. Without room for that what there is goes by itself. */
+static void sp__pair_gather(sp__touch *t, const sp__patch *p)
+{
+    sp__clip *c = &t->clip;
+    sp__hull *h = &t->pair.hull;
+    if (t->pair.corners + c->corners > c->cap) {
+        t->pair.parts++;
+        sp__pair_close(t, p);
+    }
+    h->points = t->pair.corners + c->corners;
+    memcpy(h->p + t->pair.corners, c->corner, (size_t)c->corners * sizeof *h->p);
+    sp__hull_run(h);
+    c->corners = h->corners;
+    for (int32_t k = 0; k < h->corners; k++) memcpy(c->corner[k], h->p[h->corner[k]], sizeof *h->p);
+    sp__clip_straighten(c);
+    t->pair.corners = c->corners;
+    memcpy(h->p, c->corner, (size_t)c->corners * sizeof *h->p);
+}
+#endif
 
 /* Keep loop l of the clipper if B's plane is near in its middle: gap g along n_A, n_B . (o_B - m - g n_A) = 0. */
 static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
     const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
-    sp_real m[3] = { 0, 0, 0 };
+    sp_real m[3] = { 0, 0, 0 }, (*point)[3] = t->pair.point;
+#ifndef SP_SMALL
     if (size > t->pair.room - t->points || t->founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
+    point += t->points;
+#endif
     for (int32_t k = 0; k < size; k++) {
         sp_real d[3];
-        sp__pair_corner(t, p, from + k, t->pair.point[t->points + k]);
-        sp__sub3(q->o, t->pair.point[t->points + k], d);
-        for (int c = 0; c < 3; c++) m[c] += d[c] / (sp_real)size;
+        sp__pair_corner(t, p, from + k, point[k]);
+        sp__sub3(q->o, point[k], d);
+        sp__add3(m, 1 / (sp_real)size, d);
     }
     if (sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->near) return;
-    sp__pair_canonical(t, t->points, size);
+#ifdef SP_SMALL
+    sp__pair_gather(t, p);
+#else
+    sp__pair_canonical(t, point, size);
     t->pair.found[t->founds].start = t->points;
     t->pair.found[t->founds].size = size;
     t->points += size;
     t->founds++;
+#endif
 }
 
 /* Can patches p and q touch: opposed to within the angle, boxes and planes near? Between planes at angle s the distance
@@ -1440,13 +1570,13 @@ static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__pa
     return sp__abs(sp__dot3(d, p->n)) <= 2 * t->near + 2 * s * sp__norm3(d);
 }
 
-/* Polygons of two patches. */
-static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
+/* Polygons of two patches, u of A and q of B, in the plane of patch p: u, or of SP_SMALL the first in u's plane. */
+static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, const sp__patch *q)
 {
     sp__across3(p->n, t->e1);
     sp__cross3(p->n, t->e1, t->e2);
     sp__clip_clear(&t->clip);
-    sp__pair_region(t, p, p, 0);
+    sp__pair_region(t, p, u, 0);
     sp__pair_region(t, p, q, 1);
     if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
 #ifdef SP_SMALL
@@ -1455,6 +1585,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
 
+#ifndef SP_SMALL
 /* Patches of one block near the box of another. Returns how many. */
 static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__body *other, int32_t *list)
 {
@@ -1484,13 +1615,10 @@ static void sp__pair_append(sp__touch *t)
     sp__sort(t->pair.rank, t->founds, sp__found_before, t);
     for (int32_t k = 0; k < t->founds; k++) {
         const sp__found *f = &t->pair.found[t->pair.rank[k]];
-        const sp_status s = sp_scene_interface(t->scene, t->a, t->b, f->size, t->pair.point[f->start], &t->set.joint, NULL);
-        if (s != SP_OK && s != SP_E_CAPACITY) continue;             /* too small for its coordinates */
-        t->full |= s == SP_E_CAPACITY;
-        t->report.interfaces++;
-        t->report.points += f->size;
+        sp__pair_add(t, f->size, t->pair.point + f->start);
     }
 }
+#endif
 
 /* Tolerances of the pair. */
 static void sp__pair_start(sp__touch *t, int32_t b)
@@ -1498,7 +1626,6 @@ static void sp__pair_start(sp__touch *t, int32_t b)
     const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
     const sp_real d = t->scene->block[t->a].diameter, e = t->scene->block[b].diameter, small = d < e ? d : e;
     t->b = b;
-    t->points = t->founds = 0;
     t->noise = sp__max(p->noise, q->noise);
     t->near = sp__max(t->noise, p->reach < q->reach ? p->reach : q->reach);
     t->snap = (sp_real)1e-6 * small < t->near ? (sp_real)1e-6 * small : t->near;
@@ -1545,6 +1672,16 @@ static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
     return least;
 }
 
+/* One of an edge and its opposite? */
+static int sp__edge_once(const sp__touch *t, const int32_t *e)
+{
+#ifdef SP_SMALL
+    return sp__place_order(t->scene->vertex[e[0]], t->scene->vertex[e[1]], 0) < 0;
+#else
+    return (void)t, e[0] <= e[1];
+#endif
+}
+
 /* The same along the cross products of their edges: with the normals that is all a convex pair can be kept apart by. */
 static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
 {
@@ -1553,7 +1690,7 @@ static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
         for (int32_t j = q->edge; j < q->edge + q->edges; j++) {
             const int32_t *u = t->all.bound[i], *v = t->all.bound[j];
             sp_real d[3], e[3];
-            if (u[0] > u[1] || v[0] > v[1]) continue;               /* each edge once */
+            if (!sp__edge_once(t, u) || !sp__edge_once(t, v)) continue;
             sp__sub3(t->scene->vertex[u[1]], t->scene->vertex[u[0]], d);
             sp__sub3(t->scene->vertex[v[1]], t->scene->vertex[v[0]], e);
             const sp_real size = sp__norm3(d) * sp__norm3(e);
@@ -1657,7 +1794,7 @@ static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer,
         const sp_real *p = t->scene->vertex[t->all.bound[e][0]], *q = t->scene->vertex[t->all.bound[e][1]];
         sp_real s[2], x[3];
         most = sp__max(most, sp__depth(t, outer, p, flat));
-        if (t->all.bound[e][0] > t->all.bound[e][1]) continue;
+        if (!sp__edge_once(t, t->all.bound[e])) continue;
         sp__edge_in_box(p, q, &t->all.body[outer], s);
         for (int i = 1; i < steps && s[0] < s[1]; i++) {
             const sp_real at = s[0] + (s[1] - s[0]) * (sp_real)i / (sp_real)steps;
@@ -1692,7 +1829,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     return most < least ? most : least;
 }
 
-static void sp__pair_overlap(sp__touch *t)
+SP__CALLED static void sp__pair_overlap(sp__touch *t)
 {
     const sp_real flat = t->near + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
     const sp_real depth = sp__pair_depth(t, flat);
@@ -1712,17 +1849,33 @@ static void sp__touch_pair(sp__touch *t, int32_t b)
     const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
     if (t->scene->block[t->a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
     sp__pair_start(t, b);
+#ifdef SP_SMALL
+    if (!p->edges || !q->edges || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, p->reach + q->reach)) return;
+    for (int32_t plane = p->patch; plane < p->patch + p->patches; plane++) {
+        const sp__patch *first = &t->all.patch[plane];
+        t->pair.parts = 0;
+        for (int32_t i = plane; i < p->patch + p->patches; i++)
+            for (int32_t j = q->patch; j < q->patch + q->patches && !t->status; j++) {
+                const sp__patch *u = &t->all.patch[i], *v = &t->all.patch[j];
+                if (u->plane == plane && sp__pair_opposed(t, u, v)) sp__pair_clip(t, first, u, v);
+            }
+        sp__pair_close(t, first);
+    }
+#else
+    t->points = t->founds = 0;
     const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < m && !t->status; j++) {
             const sp__patch *u = &t->all.patch[t->pair.near_a[i]], *v = &t->all.patch[t->pair.near_b[j]];
-            if (sp__pair_opposed(t, u, v)) sp__pair_clip(t, u, v);
+            if (sp__pair_opposed(t, u, v)) sp__pair_clip(t, u, u, v);
         }
     if (t->status) return;
     sp__pair_append(t);
-    sp__pair_overlap(t);
+#endif
+    if (!t->status) sp__pair_overlap(t);
 }
 
+#ifndef SP_SMALL
 /* Patches of all blocks, then what the largest pair needs. */
 static void sp__touch_blocks(sp__touch *t, sp_arena *scratch)
 {
@@ -1740,6 +1893,7 @@ static void sp__touch_blocks(sp__touch *t, sp_arena *scratch)
     sp__pair_carve(&t->pair, most, scratch);
     if (sp__failed(scratch)) t->status = SP_E_MEMORY;
 }
+#endif
 
 static sp_status sp__contact_settings_check(const sp_contact_settings *s)
 {
@@ -1755,14 +1909,20 @@ SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *se
     sp__touch *t = sp__take(&scratch, 1, sizeof *t);
     if (!t) return SP_E_MEMORY;
     memset(t, 0, sizeof *t);
-    if (settings) t->set = *settings;
-    else sp__contact_default(&t->set);
+    t->set = settings ? *settings : sp_contact_settings_default();
     t->status = sp__contact_settings_check(&t->set);
     if (t->status) return t->status;
     t->scene = scene;
     t->before = scene->count;
     t->report.overlap = report->overlap;
     t->report.overlap_cap = report->overlap_cap;
+#ifdef SP_SMALL
+    sp__touch_carve(&t->all, &t->clip, &t->pair, scene, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    for (int32_t i = 0; i < scene->count.blocks; i++) sp__touch_block(t, i);
+    for (t->a = 0; t->a < scene->count.blocks; t->a++)
+        for (int32_t b = t->a + 1; b < scene->count.blocks && !t->status; b++) sp__touch_pair(t, b);
+#else
     sp__all_carve(&t->all, scene, &scratch);
     if (sp__failed(&scratch)) return SP_E_MEMORY;
     sp__touch_blocks(t, &scratch);
@@ -1771,6 +1931,7 @@ SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *se
         const int32_t hits = sp__tree_ask(t, t->a);
         for (int32_t h = 0; h < hits && !t->status; h++) sp__touch_pair(t, t->all.hit[h]);
     }
+#endif
     if (t->status || t->full) scene->count = t->before;
     if (t->status) return t->status;
     *report = t->report;
@@ -1791,6 +1952,18 @@ static int sp__scene_live(const sp_scene *scene)
     for (int32_t k = 0; k < scene->count.loads; k++) if (scene->load[k].live) return 1;
     for (int k = 0; k < 3; k++) if (scene->body[k] < 0 || scene->body[k] > 0) return 1;
     return 0;
+}
+
+/* A vector of a joint's frame (n, t1, t2) in space, and back. */
+static void sp__joint_force(const sp_interface *t, const sp_real f[3], sp_real F[3])
+{
+    for (int k = 0; k < 3; k++) F[k] = f[0] * t->n[k] + f[1] * t->t1[k] + f[2] * t->t2[k];
+}
+
+static void sp__joint_frame(const sp_interface *t, const sp_real u[3], sp_real d[3])
+{
+    const sp_real x = sp__dot3(u, t->n), y = sp__dot3(u, t->t1), z = sp__dot3(u, t->t2);
+    d[0] = x; d[1] = y; d[2] = z;
 }
 
 /* Contact vertices that take part. */
@@ -1824,7 +1997,7 @@ static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
     problem->scene = scene;
     problem->blocks = problem->contacts = 0;
     problem->points = scene->count.points;
-    problem->ordered = 0;
+    problem->ordered = problem->endless = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
     for (int32_t k = 0; k < scene->count.interfaces; k++)
@@ -1871,16 +2044,14 @@ static void sp__contact_local(const sp_problem *problem, const sp_interface *f, 
     mean[0] = mean[1] = mean[2] = 0;
     for (int32_t k = 1; k < f->points; k++) {
         sp__sub3(point[k], point[0], x);
-        for (int c = 0; c < 3; c++) mean[c] += x[c];
+        sp__add3(mean, 1, x);
     }
     sp__scale3((sp_real)1 / (sp_real)f->points, mean, mean);
     for (int32_t k = 0; k < f->points; k++) {
         sp_real *local = problem->local[f->point + k];
         sp__sub3(point[k], point[0], x);
         sp__sub3(x, mean, x);
-        local[0] = sp__dot3(x, f->n);
-        local[1] = sp__dot3(x, f->t1);
-        local[2] = sp__dot3(x, f->t2);
+        sp__joint_frame(f, x, local);
     }
 }
 
@@ -1895,12 +2066,13 @@ static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact 
     contact->point = f->point;
     contact->points = f->points;
     contact->joint = f;
-    sp__contact_local(problem, f, contact->ra);
+    sp_real mean[3];
+    sp__contact_local(problem, f, mean);
     const sp_real *first = scene->point[f->point], *ca = scene->block[f->a].centroid, *cb = scene->block[f->b].centroid;
-    for (int c = 0; c < 3; c++) {
-        contact->rb[c] = (first[c] - cb[c]) + contact->ra[c];
-        contact->ra[c] = (first[c] - ca[c]) + contact->ra[c];
-    }
+    sp__sub3(first, ca, contact->ra);
+    sp__add3(contact->ra, 1, mean);
+    sp__sub3(first, cb, contact->rb);
+    sp__add3(contact->rb, 1, mean);
 }
 
 /* p += (F, M + (x - c) x F) of a force F at x with a couple M. */
@@ -1909,10 +2081,8 @@ static void sp__load_add(sp_real *p, const sp_real F[3], const sp_real M[3], con
     sp_real r[3];
     sp__sub3(x, c, r);
     sp__cross3_add(r, F, p + 3);
-    for (int k = 0; k < 3; k++) {
-        p[k] += F[k];
-        p[3 + k] += M[k];
-    }
+    sp__add3(p, 1, F);
+    sp__add3(p + 3, 1, M);
 }
 
 /* One load: what always acts goes to p, what counts scene.live times to problem.live. */
@@ -1928,6 +2098,32 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
     sp__load_add(load->live ? live : p, weight, none, load->point, c);
     sp__scale3(load->mass, scene->body, weight);
     sp__load_add(live, weight, none, load->point, c);
+}
+
+/* What rounding leaves of terms that cancel is no load: q = (F, M) on a block, a sum of its weight, `share` of this load, others.
+ * A point is known no better than its place.
+ *   g: what the load's mass weighs by, `share` times [m/s^2]
+ *   own: acceleration of the block and of all masses on it [m/s^2] */
+static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, sp_real g, sp_real own, const sp_block *block)
+{
+    const sp_real force = share * (sp__norm3(load->force) + g * load->mass) + own * (load->mass + block->mass);
+    const sp_real couple = share * sp__norm3(load->couple) + force * (sp__norm3(load->point) + sp__norm3(block->centroid));
+    for (int k = 0; k < 6; k += 3) {
+        if (sp__norm3(q + k) > 16 * (sp_real)SP_EPSILON * (k ? couple : force)) return;
+        q[k] = q[k + 1] = q[k + 2] = 0;
+    }
+}
+
+/* The same in the sums that a load is part of. The smallest build knows no body force here, nor what live loads leave of each
+ * other. */
+static void sp__load_settle(const sp_problem *problem, const sp_load *load, int32_t row)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_block *block = &scene->block[load->block];
+    const sp_real times = sp__abs(scene->live), share = load->live ? times : 1;
+    const sp_real g = sp__norm3(scene->gravity), body = SP__FULL ? sp__norm3(scene->body) : 0;
+    sp__load_cancel(problem->p + 6 * (size_t)row, load, share, g, g + times * body, block);
+    if (SP__FULL && problem->live && load->live) sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, g, body, block);
 }
 
 /* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
@@ -1949,6 +2145,10 @@ static sp_status sp__problem_loads(sp_problem *problem)
     for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
         if (problem->live) problem->p[k] += scene->live * problem->live[k];
         if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
+    }
+    for (int32_t k = 0; k < scene->count.loads; k++) {
+        const int32_t row = sp__problem_row(problem, scene->load[k].block);
+        if (row >= 0) sp__load_settle(problem, &scene->load[k], row);
     }
     return SP_OK;
 }
@@ -2010,10 +2210,10 @@ static void sp__triplets_put(sp_triplets *t, int32_t i, int32_t j, sp_real x)
 /* The column of force s e at arm r on the rows of one block:  [ s e ; s r x e ]. */
 static void sp__aeq_column(sp_triplets *t, int32_t row, int32_t column, sp_real s, const sp_real r[3], const sp_real e[3])
 {
-    sp_real m[3];
-    sp__cross3(r, e, m);
-    for (int32_t c = 0; c < 3; c++) sp__triplets_put(t, 6 * row + c, column, s * e[c]);
-    for (int32_t c = 0; c < 3; c++) sp__triplets_put(t, 6 * row + 3 + c, column, s * m[c]);
+    sp_real x[6];
+    sp__scale3(s, e, x);
+    sp__cross3(r, x, x + 3);
+    for (int32_t c = 0; c < 6; c++) sp__triplets_put(t, 6 * row + c, column, x[c]);
 }
 
 /* Column c of one contact vertex, rows ascending: f on B with arm r - c_B, -f on A with arm r - c_A. */
@@ -2338,7 +2538,7 @@ static void sp__judge_weigh(const sp__judge *j, sp_real *row)
 static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
 {
     const sp_problem *pb = j->pb;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) out[k] = 0;
+    memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -2365,7 +2565,8 @@ static void sp__add(sp_real *a, sp_real s, sp_real t, const sp_real *b, size_t n
 }
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
- * is small, or as small as it can be (G times it vanishes), or without progress.                                  [Stiefel 1955] */
+ * is small, or as small as it can be (G times it vanishes), or without progress: rounding holds both over as many steps as news
+ * takes along half the blocks.                                                                                    [Stiefel 1955] */
 SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
@@ -2373,10 +2574,15 @@ SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
     sp__judge_normal(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
-    sp_real rg = sp__dot(j->r, j->g, n);
+    sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
         if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
+        if (it % (100 + j->pb->blocks / 2) == 0) {
+            if (rr > (sp_real)0.9 * last_r && gg > last_g / 2) return;
+            last_r = rr;
+            last_g = gg;
+        }
         const sp_real alpha = rg / qq;
         sp__add(to, 1, alpha, j->p, n);
         sp__add(j->r, 1, -alpha, j->q, n);
@@ -2439,12 +2645,21 @@ static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
     }
 }
 
-/* Nothing can make the residual j->r (weighted) smaller: G r vanishes. */
-static int sp__judge_optimal(sp__judge *j)
+/* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
+ * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
+static int sp__judge_optimal(sp__judge *j, int last)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
+    sp_real sum = 0;
+    for (int32_t i = 0; SP__FULL && last && i < j->pb->blocks; i++) {
+        const sp__scale *s = &j->scale[i];
+        const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
+        sum += f * f + m * m;
+    }
     sp__judge_normal(j, j->r, j->g);
-    return sp__dot(j->g, j->g, n) <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n);
+    const sp_real gg = sp__dot(j->g, j->g, n);
+    return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
+        || (SP__FULL && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
 }
 
 /* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
@@ -2458,7 +2673,7 @@ static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
             if (!sp__judge_sums(j)) return 1;
             sp__judge_weigh(j, j->r);
-            if ((round || !own) && sp__judge_optimal(j)) return 1;
+            if ((round || !own) && sp__judge_optimal(j, round == 3)) return 1;
             if (!own || round == 3 || j->sweeps + 2 > j->most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
             sp__judge_solve(j, round ? j->e : j->x);
@@ -2505,8 +2720,8 @@ static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
 {
     const sp__strength none = { 0, 0, SP__HUGE };
-    if (!SP__FULL || !sp__joint_strong(&t->joint->joint)) return none;
-    sp__strength k = sp__vertex_strength(t->joint);
+    if (!SP__FULL || !sp__contact_strong(j->pb, t)) return none;
+    sp__strength k = sp__vertex_strength(t->joint, j->pb->endless);
     k.C *= j->mu_factor / j->unit;
     k.T /= j->unit;
     k.N = sp__ratio(k.N, j->unit);
@@ -2549,7 +2764,7 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
             sp_real g[3], F[3];
             for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
             sp__judge_admit(j, t, g, g);
-            for (int k = 0; k < 3; k++) F[k] = g[0] * t->joint->n[k] + g[1] * t->joint->t1[k] + g[2] * t->joint->t2[k];
+            sp__joint_force(t->joint, g, F);
             sp__vertex_force(pb, t, v, F, j->r, j->q);
             if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
         }
@@ -2676,10 +2891,10 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];
             sp__vertex_velocity(pb, NULL, t, v, j->x, w);
-            const sp_real u[3] = { -sp__dot3(w, t->joint->n), -sp__dot3(w, t->joint->t1), -sp__dot3(w, t->joint->t2) };
-            const sp_real P = sp__judge_resist(j, t, u);
+            sp__joint_frame(t->joint, w, w);
+            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__judge_resist(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
-            resist += SP__FULL && sp__joint_strong(&t->joint->joint) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
+            resist += SP__FULL && sp__contact_strong(pb, t) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
             if (capped) *final = 0;
         }
     }
@@ -3934,6 +4149,13 @@ static sp_real sp__dual_work(const sp__dual *w, const sp_real *y)
     return s;
 }
 
+/* Is K_v of any contact no cone? */
+static int sp__problem_strong(const sp_problem *pb)
+{
+    for (int32_t c = 0; c < pb->contacts; c++) if (sp__contact_strong(pb, &pb->contact[c])) return 1;
+    return 0;
+}
+
 /* Coefficient of contact c in force. */
 static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->joint.mu * w->factor; }
 
@@ -3941,14 +4163,14 @@ static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact
  * w->yield until the next call. */
 static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
 {
-    const sp_interface *f = w->pb->contact[c].joint;
+    const sp_contact *t = &w->pb->contact[c];
     sp__yield *k = w->yield;
     k->mu = sp__dual_mu(w, c);
-    k->plain = !sp__joint_strong(&f->joint);
+    k->plain = !sp__contact_strong(w->pb, t);
     k->C = k->T = 0;
     k->N = SP__HUGE;
     if (k->plain) return k;
-    const sp__strength strength = sp__vertex_strength(f);
+    const sp__strength strength = sp__vertex_strength(t->joint, w->pb->endless);
     const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
     k->C = strength.C * scale * w->factor;
     k->T = strength.T * scale;
@@ -5191,7 +5413,7 @@ SP__APART static void sp__flat_open(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     sp__flat_mates(w->flat, pb, w->set);
-    w->flat->plain = !sp__scene_strong(pb->scene);
+    w->flat->plain = !sp__problem_strong(pb);
     for (int32_t c = 0; c < pb->contacts; c++) sp__flat_contact(w->flat, &w->cone, &pb->contact[c], w->flat->g + SP__FLAT_G * (size_t)c);
     w->L.flops = 0;
     for (int32_t k = 0; k < w->L.n; k++) {
@@ -5307,12 +5529,22 @@ static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp_
 #define SP__IPM_MOST 60                 /* interior-point iterations */
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
+#define SP__IPM_NOWHERE ((sp_real)0.1)  /* length of a step that gets nowhere */
+#define SP__IPM_IDLE 8                  /* so many of them one after the other end it: rounding holds theta */
+#ifdef SP_REAL_MIXED
+#define SP__IPM_LAST 0                  /* factors in float hold them, but other ways refine in double */
+#else
+#define SP__IPM_LAST 1                  /* where they get nowhere nothing else does */
+#endif
 #if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
 #define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
 #else
 #define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more */
 #endif
 
+#ifdef SP_SMALL
+SP_API const sp_seed *sp_seed_table(void) { return NULL; }
+#else
 /* The seed's constants, each with its section; what a float can't reach is float's own. */
 #ifdef SP_REAL_FLOAT
 #define SP__SEED(d, f) ((sp_real)f)
@@ -5349,7 +5581,6 @@ static const sp_seed sp__seed = {
 
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
-#ifndef SP_SMALL
 /* 13 --------------------------------------------------------------------------------------------------------------- gates */
 
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
@@ -6491,13 +6722,15 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
     w->inner = m;
 }
 
-/* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid. */
-SP__APART static void sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+/* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
+ *   returns 1 where SP__IPM_IDLE steps one after the other got nowhere and no other way does: factors have too few digits */
+SP__APART static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
+    int idle = 0;
     m->stake = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
-    for (int it = 0; it < SP__IPM_MOST && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         if (m->theta < SP__IPM_LATE) m->stake = 3 * cones;
@@ -6509,13 +6742,15 @@ SP__APART static void sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_sta
         if (m->outside) break;
         m->mu = (m->gap + m->tau * m->kappa) / (cones + m->stake);
         sp__ipm_forces(w, m, n, state);
-        if (n->found) return;
+        if (n->found) return 0;
         sp__newton_try(w, n, w->y, state);
         if (!n->proved) sp__ipm_motion(w, m, n, state);
-        if (n->proved || w->spent) return;
+        if (n->proved || w->spent) return 0;
         sp__ipm_step(w, m, state);
+        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }
     sp__newton_look(w, n, state);
+    return idle == SP__IPM_IDLE && SP__IPM_LAST;
 }
 #endif
 
@@ -6552,6 +6787,7 @@ SP__APART static int sp__newton_bonded(sp__dual *w, sp_state *state)
 static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *state)
 {
     const int whole = sp__dual_whole(w);
+    int idle = 0;                                       /* too long for these factors: no other way gets there, either */
     if (w->singular) sp__newton_loose(w, n, state);
     if (sp__dual_metric(w)) { sp__dual_bilateral(w); looked = 0; }
     if (whole) sp__newton_try(w, n, w->y, state);
@@ -6560,17 +6796,17 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
 #ifndef SP_NO_IPM
-    const int cones = !sp__scene_strong(w->pb->scene);         /* with strength K is none */
+    const int cones = !sp__problem_strong(w->pb);              /* with strength K is none */
     const int coarse = n->found && n->best > SP__FINE;  /* within tol, but not to rounding */
-    if (sp__newton_open(n) && whole && cones) sp__ipm_run(w, w->inner, n, state);
+    if (sp__newton_open(n) && whole && cones) idle = sp__ipm_run(w, w->inner, n, state);
 #endif
-    if (sp__newton_open(n) && whole) {
+    if (sp__newton_open(n) && whole && !idle) {
         sp__newton_path(w, n, state);
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
     }
 #ifndef SP_NO_IPM
-    if ((coarse || (sp__newton_open(n) && whole)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
+    if ((coarse || (sp__newton_open(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
         else memcpy(w->y, state->y, bytes);
@@ -6653,7 +6889,7 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        const sp__strength k = sp__vertex_strength(t->joint);
+        const sp__strength k = sp__vertex_strength(t->joint, 0);
         sp_demand *o = &demand[t->id];
         sp_real V[3], W[3];
         sp__dual_twist(w, t, w->y, V, W);
@@ -9301,18 +9537,20 @@ SP_API sp_settings sp_settings_default(void)
 SP_API sp_settings sp_settings_seed(void)
 {
     sp_settings s = sp_settings_default();
+#ifndef SP_SMALL
     s.tol = sp__seed.tension;
     s.faces = sp__seed.faces;
     s.inscribed = sp__seed.inscribed;
     s.net = sp__seed.net;
     s.gamma = sp__seed.gamma;
     s.tau = sp__seed.tau;
+    s.seed = &sp__seed;
+    s.coupled.rounds = sp__seed.turns;
+#endif
     s.stage_count = 4;
     s.stage[1] = SP_STAGE_LEAST_SQUARES;
     s.stage[2] = SP_STAGE_POLISH;
     s.stage[3] = SP_STAGE_ADMM;
-    s.seed = &sp__seed;
-    s.coupled.rounds = sp__seed.turns;
     s.coupled.nodes = 0;
     return s;
 }
@@ -9411,7 +9649,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->iterations < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
     int other = out->faces || out->budget || out->seed || out->coupled.asked || sp__scene_strong(scene);
-    for (int k = 0; k < 2; k++) other |= out->effect[k] == SP_WITHOUT;          /* friction, depth */
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) other |= (uint32_t)out->effect[k] > (uint32_t)SP_WITH;
     for (int32_t k = 0; k < out->stage_count; k++) other |= out->stage[k] != SP_STAGE_GATES && out->stage[k] != SP_STAGE_EXACT;
     if (other) return SP_E_UNSUPPORTED;
     sp__settings_fit(scene, out);
@@ -9655,6 +9893,9 @@ SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands,
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
 typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
+#ifndef SP_NO_PLAN
+typedef char sp__memory_bytes_holds_flat[sizeof(sp_real) > 8 || SP__FLAT_G <= 20 ? 1 : -1];
+#endif
 #ifndef SP_NO_IPM
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 #endif
@@ -9737,6 +9978,19 @@ static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
     return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
 }
 
+/* Where what is not loaded has dust for forces, which no balance of its own forgives: those below a millionth of the largest are
+ * none.     returns omega of what is left */
+static sp_real sp__check_dust(sp__judge *j, sp_real *f)
+{
+    const size_t n = 3 * (size_t)j->pb->points;
+    sp_real most = 0;
+    for (size_t k = 0; k < n; k++) most = sp__max(most, sp__abs(f[k]));
+    for (size_t k = 0; k < n; k += 3)
+        if (sp__max(sp__abs(f[k]), sp__max(sp__abs(f[k + 1]), sp__abs(f[k + 2]))) < (sp_real)1e-6 * most)
+            f[k] = f[k + 1] = f[k + 2] = 0;
+    return sp__judge_forces(j, f, f);
+}
+
 /* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
  * Forces are judged unless a motion is claimed, and a motion unless forces are. */
 SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
@@ -9746,7 +10000,8 @@ SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_ve
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     const int own = state->f != r->f;                   /* on a budget */
-    const sp_real omega = sp__judge_forces(j, state->f, state->f);
+    sp_real omega = sp__judge_forces(j, state->f, state->f);
+    if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) omega = sp__check_dust(j, state->f);
     if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
     if (!own || omega < r->omega) r->omega = omega;
     if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
@@ -9931,19 +10186,19 @@ SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *f = result->f + 3 * (size_t)v;
         const int first = v == t->point;
-        for (int k = 0; k < 3; k++) sum[k] += f[k];
+        sp__add3(sum, 1, f);
         size += sp__abs(f[0]);
         if (first || f[0] < o.min_fn) o.min_fn = f[0];
         if (first || f[0] > o.max_fn) o.max_fn = f[0];
     }
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real share = size > 0 ? sp__abs(result->f[3 * (size_t)v]) / size : 1 / (sp_real)t->points;
-        for (int k = 0; k < 3; k++) o.point[k] += share * (scene->point[v][k] - scene->point[t->point][k]);
+        sp_real away[3];
+        sp__sub3(scene->point[v], scene->point[t->point], away);
+        sp__add3(o.point, share, away);
     }
-    for (int k = 0; k < 3; k++) {
-        o.point[k] += scene->point[t->point][k];
-        o.force[k] = sum[0] * t->n[k] + sum[1] * t->t1[k] + sum[2] * t->t2[k];
-    }
+    sp__add3(o.point, 1, scene->point[t->point]);
+    sp__joint_force(t, sum, o.force);
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
     const sp_real held = sp__max(0, t->joint.mu * sum[0] + t->joint.cohesion * t->area);
     o.utilisation = size + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, held) : 0;
@@ -9962,12 +10217,12 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
         if (t->a != block && t->b != block) continue;
         const sp_real sign = t->b == block ? (sp_real)1 : (sp_real)-1;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *f = result->f + 3 * (size_t)v;
             sp_real F[3], arm[3], m[3];
-            for (int q = 0; q < 3; q++) F[q] = sign * (f[0] * t->n[q] + f[1] * t->t1[q] + f[2] * t->t2[q]);
+            sp__joint_force(t, result->f + 3 * (size_t)v, F);
             sp__sub3(scene->point[v], scene->block[block].centroid, arm);
             sp__cross3(arm, F, m);
-            for (int q = 0; q < 3; q++) { force[q] += F[q]; moment[q] += m[q]; }
+            sp__add3(force, sign, F);
+            sp__add3(moment, sign, m);
         }
     }
     return SP_OK;
@@ -10088,7 +10343,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     r->tension_ratio = r->coupled.tension_ratio = -1;
     if (r->coupled.penalty) memset(r->coupled.penalty, 0, 4 * (size_t)scene->count.points * sizeof *r->coupled.penalty);
-    if (c->set.budget > 0) r->omega = b ? 1 : 0;        /* of no forces at all */
+    if (c->set.budget > 0 || c->set.effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->omega = b ? 1 : 0;     /* of no forces at all */
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
@@ -10802,7 +11057,7 @@ SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const 
 {
     if ((!xyz && points) || points < 0 || !com || !gravity || !support || !scratch.base) return SP_E_ARGUMENT;
     if (!sp__finite3(com) || !sp__finite3(gravity)) return SP_E_NOT_FINITE;
-    for (int32_t i = 0; i < points; i++) if (!sp__finite3(xyz + 3 * (size_t)i)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(xyz, 3 * (size_t)points)) return SP_E_NOT_FINITE;
     if (!(sp__norm3(gravity) > 0)) return SP_E_RANGE;
     sp_real up[3];
     sp__hull h;
@@ -10822,10 +11077,10 @@ SP_API sp_seat_weights sp_seat_weights_default(void)
 
 static sp_status sp__seat_check(const sp_seat *s, const sp_seat_weights *w)
 {
-    const sp_real sizes[3] = { s->footprint, s->height, s->width }, rest[3] = { s->trapped, s->seat, s->support.clearance };
-    const sp_real support[3] = { s->support.area, s->support.offset, 0 }, first[3] = { w->area, w->offset, w->trapped };
-    if (!sp__finite3(sizes) || !sp__finite3(rest) || !sp__finite3(support)) return SP_E_NOT_FINITE;
-    if (!sp__finite3(first) || !sp__finite(w->seat)) return SP_E_NOT_FINITE;
+    sp_real x[sizeof *s / sizeof s->seat], y[sizeof *w / sizeof w->seat];           /* they are nothing but numbers */
+    memcpy(x, s, sizeof x);
+    memcpy(y, w, sizeof y);
+    if (!sp__all_finite(x, sizeof x / sizeof *x) || !sp__all_finite(y, sizeof y / sizeof *y)) return SP_E_NOT_FINITE;
     if (!(s->footprint > 0 && s->height > 0 && s->width > 0 && s->trapped >= 0)) return SP_E_RANGE;
     return w->area >= 0 && w->offset >= 0 && w->trapped >= 0 && w->seat >= 0 ? SP_OK : SP_E_RANGE;
 }
@@ -10885,17 +11140,12 @@ static sp_real sp__outside(const sp_real n[3], const sp_real o[3], const sp_real
     return sp__dot3(n, d);
 }
 
-/* Unit normal of a face, its corners taken about the first [Newell].     returns 0 where it has no area */
+/* Unit normal of a face.     returns 0 where it has no area */
 static int sp__face_normal(const sp_mesh *mesh, const int32_t *corner, int32_t size, sp_real n[3])
 {
-    const sp_real *o = mesh->xyz + 3 * (size_t)corner[0];
-    n[0] = n[1] = n[2] = 0;
-    for (int32_t k = 1; k + 1 < size; k++) {
-        sp_real a[3], b[3];
-        sp__sub3(mesh->xyz + 3 * (size_t)corner[k], o, a);
-        sp__sub3(mesh->xyz + 3 * (size_t)corner[k + 1], o, b);
-        sp__cross3_add(a, b, n);
-    }
+    sp__local l;
+    if (sp__local_start(&l, mesh->xyz, corner, size)) return 0;
+    (void)sp__polygon_normal(&l, corner, size, n);
     if (!(sp__norm3(n) > 0)) return 0;
     sp__unit3(n, n);
     return 1;
@@ -10999,8 +11249,8 @@ SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], cons
 SP_API const char *sp_nbo_text(sp_nbo reason)
 {
     const int k = (int)reason;
-    return sp__word("accepted\0" "centre of mass outside its support\0" "too shallow for its height\0"
-                    "resting face tilted\0" "too near the edge of its support\0" "unknown",
+    return sp__word("accepted\0" SP__TOLD("centre of mass ") "outside its support\0" "too shallow" SP__TOLD(" for its height") "\0"
+                    "resting face tilted\0" "too near the edge" SP__TOLD(" of its support") "\0" "unknown",
                     k >= 0 && k <= 4 ? k : 5);
 }
 
@@ -12013,7 +12263,7 @@ typedef struct sp__ends {
     const sp_real *y0;                  /* 24b: hints for both; may be NULL */
     sp_real *hint;                      /* 12b: for the loads at hand */
     sp_real *dq, *whole;                /* 6b: the motion; with what is held in dq */
-    sp_real omega, least, resist;       /* resist: work that strength of joints takes [N m] */
+    sp_real omega, least, resist;       /* resist: work that joints with strength take of the motion judged last [N m] */
     int32_t final;
     int64_t limit;                      /* flops in all */
     sp_cost cost;
@@ -12040,6 +12290,7 @@ static sp_status sp__ends_build(const sp_scene *scene, const sp_settings *settin
     e->limit = e->set.budget > 0 ? e->set.budget : INT64_MAX / 4;
     memset(&e->cost, 0, sizeof e->cost);
     e->spent = 0;
+    e->resist = 0;
     sp_real *at[5];
     sp__ends_carve(at, e->pb.blocks, a);
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -12051,10 +12302,11 @@ static sp_status sp__ends_build(const sp_scene *scene, const sp_settings *settin
     return SP_OK;
 }
 
-/* p = d dead + l live */
+/* p = d dead + l live. Live loads without dead ones stand for ever more of them: what they want of joints is there without end. */
 static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
 {
     const size_t n = 6 * (size_t)e->pb.blocks;
+    e->pb.endless = !(d > 0);
     for (size_t k = 0; k < n; k++) e->pb.p[k] = d * e->dead[k] + l * e->live[k];
     for (size_t k = 0; k < 2 * n && e->y0; k++) e->hint[k] = d * e->y0[k] + l * e->y0[2 * n + k];
 }
@@ -12070,7 +12322,7 @@ static int sp__ends_open(sp__ends *e, sp_real d, sp_real l, sp_arena *room)
                           room);
 }
 
-static void sp__ends_close(sp__ends *e)
+SP__CALLED static void sp__ends_close(sp__ends *e)
 {
     e->cost.flops += SP__FLOPS_JUDGE * (int64_t)e->judge.sweeps * e->pb.points;
 }
@@ -12089,8 +12341,9 @@ static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
     return sp__dot(load, e->dq, 6 * (size_t)e->pb.blocks);
 }
 
-/* Where it falls, does it fall at every larger multiple, too? Live loads push on it; or nothing resists it, and they hinder it
- * so little that force_bound times a multiple at which they are as large as the dead ones does not hold it. */
+/* Where it falls, does it fall at every larger multiple, too? Live loads push on it, more than joints resist without end; or
+ * nothing resists it but strength, and they hinder it so little that force_bound times a multiple at which they are as large as
+ * the dead ones does not hold it. */
 SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 {
     int32_t final;
@@ -12103,7 +12356,8 @@ SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
     sp__ends_close(e);
     if (pushes) return 1;
     const sp_real ratio = sp__ratio(dead, e->judge.unit);
-    return final && sp__ends_work(e, e->dead) + e->set.force_bound * ratio * sp__ends_work(e, e->live) >= 0;
+    if (!final || (e->resist > 0 && !e->final)) return 0;
+    return sp__ends_work(e, e->dead) - e->resist + e->set.force_bound * ratio * sp__ends_work(e, e->live) >= 0;
 }
 
 #ifdef SP_SMALL
@@ -12144,7 +12398,7 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
         }
         if (!(value[k] > e->set.tol)) break;
         e->least = sp__judge_motion(j, e->whole, sp__judge_rest[k], &e->final);
-        e->resist = sp__scene_strong(&e->scene) ? j->resist * j->unit : 0;
+        e->resist = sp__problem_strong(&e->pb) ? j->resist * j->unit : 0;
         if (all) sp__check_motion(j, all);
         memcpy(e->dq, j->x, bytes);
         sp__ends_close(e);
@@ -12155,6 +12409,13 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
     return 0;
 }
 #endif
+
+/* By how much the multiplier may be off. dq proves (upper - balance) live . dq = least scale, and forces within tol carry at most
+ * tol scale / (live . dq) more than they should. */
+static sp_real sp__ends_within(const sp_limit_result *r)
+{
+    return r->upper - r->lower + r->tol * sp__ratio(r->upper - r->multiplier, r->least_imbalance);
+}
 
 /* Every end that the claim has. */
 SP__APART static int sp__ends_hold(sp__ends *e, const sp_limit_result *r, sp_arena room)
@@ -12231,6 +12492,7 @@ typedef struct sp__limit {
     sp__flat *flat;                     /* NULL: in 6 rows a block */
     sp_arena room;                      /* for judging */
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
+    sp_real *f;                         /* 3 x points: forces that are tried when all others are kept */
     sp_real ref;                        /* multiplier that counts as 1 below */
     sp_real at;                         /* a: the loads at hand are dead + a live */
     sp_real l, s, dl, ds;
@@ -12243,13 +12505,16 @@ typedef struct sp__limit {
 
 #define SP__LIMIT_NEAR SP__SCALE_TOL    /* gap of both ends, relative, at which forces at the limit are tried */
 #define SP__LIMIT_MOST 100              /* interior-point iterations: an optimum takes more than a verdict */
-#define SP__LIMIT_IDLE 8                /* steps of less than a tenth in a row that end them: rounding holds theta */
 #define SP__LIMIT_CLOSE ((sp_real)0.03) /* of the way that the predictor does not get: the end is near, and steps go farther */
 #ifdef SP_REAL_FLOAT
 #define SP__LIMIT_KEEP SP__IPM_KEEP
 #else
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
+#define SP__LIMIT_FAR 1000              /* in ref: from there on forces may be a ray */
+#define SP__CLIMB_MOST 240              /* factorisations of that, at most */
+#define SP__CLIMB_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends it */
+#define SP__CLIMBED SP__TIE             /* omega from which on y is taken for that of its c */
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 #ifdef SP_REAL_MIXED
@@ -12425,7 +12690,7 @@ SP__APART static void sp__limit_step(sp__limit *L)
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
-/* Forces E x / t, balanced for d dead + l live (in ref) with the factor at hand. */
+/* Forces E x / t, or those of w->y (t = 0), balanced for d dead + l live (in ref) with the factor at hand. */
 SP__APART static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_real t, sp_real *f)
 {
     const sp_real tau = L->m.tau;
@@ -12434,7 +12699,7 @@ SP__APART static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_rea
     L->n.found = 0;
     L->state.f = f;
     L->m.tau = t;
-    sp__ipm_forces(L->w, &L->m, &L->n, &L->state);
+    sp__ipm_forces(L->w, t > 0 ? &L->m : NULL, &L->n, &L->state);
     L->m.tau = tau;
 #ifndef SP_NO_PLAN
     if (L->flat) sp__flat_spread(L->flat, &L->ends.pb, f);
@@ -12472,6 +12737,69 @@ static int sp__limit_ray(sp__limit *L)
     return 1;
 }
 
+/* K that is no cone, and what interior points leave open, by the exact stage's own dual with lambda in it:
+ *
+ *   max c lambda - 1/2 sum |f_v|^2 / S_v,  Aeq f + p + lambda q = 0,  f in K         dual: min D(y) with p alone, q . y = -c
+ *
+ * The larger c, the nearer lambda is to the limit (it lacks |f|^2 / 2c at most, and nothing from some c on if K is polyhedral) and y
+ * to a multiple of the mechanism, along which D is flat; but q is not across it, so a bordered Newton step is regular there:
+ * d = -H^-1 (r + dlambda q), q . d = 0.                                              [Mangasarian, Meyer 1979: exact for large c] */
+SP__APART static sp_real sp__climb_step(sp__limit *L, sp_real c)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp__dual_factor(w, SP__ADMISSIBLE, w->y, L->n.prox + L->n.shift);
+    if (w->spent) return 0;
+    L->n.left--;
+    L->ends.cost.iterations++;
+    sp__dual_solve(w, L->q, L->Vq);
+    L->G[0] = sp__dot(L->q, L->Vq, n);
+    if (!(L->G[0] > 0)) return 0;
+    const sp_real off = (c + sp__dot(L->q, w->y, n)) / L->G[0];
+    if (sp__abs(off) * L->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
+        sp__dual_axpy(w, -off, L->Vq, w->y);
+        sp__newton_look(w, &L->n, &L->state);
+        return 1;
+    }
+    for (size_t k = 0; k < n; k++) w->d[k] = -w->r[k] - L->n.prox * w->y[k];
+    sp__dual_solve(w, w->d, w->d);
+    for (int pass = 0; pass < 2; pass++) {              /* what rounding leaves along Vq, too */
+        const sp_real a = sp__dot(L->q, w->d, n) / L->G[0];
+        sp__dual_axpy(w, -a, L->Vq, w->d);
+        if (!pass) { L->at += a; sp__dual_axpy(w, a, L->q, w->r); }
+    }
+    sp__limit_at(L, L->at);
+    return sp__newton_move(w, &L->n, &L->state);
+}
+
+/* y for that c: by Newton, and where that stalls and `far` by the proximal path.     returns 1: it is found */
+SP__APART static int sp__climb_at(sp__limit *L, sp_real c, int far)
+{
+    const sp__dual *w = L->w;
+    sp__newton *n = &L->n;
+    n->omega = SP__HUGE;
+    n->prox = 0;
+    n->shift = SP__SHIFT;
+    for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && tiny < 2; it++)
+        tiny += sp__newton_damp(n, sp__climb_step(L, c));
+    if (n->omega <= SP__CLIMBED || !far) return n->omega <= SP__CLIMBED;
+    n->shift = 0;
+    n->level = SP__HUGE;
+    n->prox = (sp_real)0.1;
+    for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal; ) {
+        sp__climb_step(L, c);
+        if (n->prox <= SP__SHIFT) extra--;
+        else if (sp__newton_level(L->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+    }
+    return n->omega <= SP__CLIMBED;
+}
+
+/* Are both ends found, and no farther apart than so much? */
+static int sp__limit_near(const sp__limit *L, sp_real apart)
+{
+    return L->best < SP__HUGE && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= apart * (1 + sp__abs(L->best));
+}
+
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
 SP__APART static void sp__limit_settle(sp__limit *L)
 {
@@ -12488,13 +12816,74 @@ SP__APART static void sp__limit_settle(sp__limit *L)
     sp__limit_candidate(L, L->Vq);
 }
 
+/* What y at that c says: its motion, that of a larger c, that since the c before (in Vp), and the best of these sharpened, as upper
+ * ends; its forces as a lower one.                                                                returns 1: they meet */
+SP__APART static int sp__climb_ends(sp__limit *L, int sharpen)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const sp_real a = L->at;
+    sp__limit_sizes(L);
+    sp__limit_candidate(L, w->y);
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t k = 0; k < n; k++) w->d[k] = pass ? w->y[k] - L->Vp[k] : -L->Vq[k];
+        sp__limit_candidate(L, w->d);
+    }
+    sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+    L->n.left--;
+    if (!w->spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
+        L->r.lower = a * L->ref;
+        L->r.omega = L->ends.omega;
+        memcpy(L->r.f, L->r.ray, 3 * (size_t)L->ends.pb.points * sizeof *L->r.f);
+    }
+    if (sharpen && L->best < SP__HUGE && !sp__limit_near(L, SP__CLIMB_NEAR)) sp__limit_settle(L);
+    return sp__limit_near(L, SP__CLIMB_NEAR);
+}
+
+/* Both ends, by larger and larger c, until they meet or lambda stays where it is: from a y that Newton misses back to the last one
+ * and a smaller step.                                                     returns 1: they are near enough to close the bracket */
+SP__APART static int sp__limit_climb(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real most = 0, sum = 0, last = -SP__HUGE;
+    for (int32_t i = 0; i < w->pb->blocks; i++) {
+        sum += w->size[2 * (size_t)i];
+        most = sp__max(most, w->size[2 * (size_t)i]);
+    }
+    memset(w->y, 0, n * sizeof *w->y);
+    sp__limit_at(L, 0);
+    L->n.best = SP__HUGE;
+    sp_real c = sum * most, times = 10;
+    const int32_t others = L->n.left > SP__CLIMB_MOST ? L->n.left - SP__CLIMB_MOST : 0;
+    L->n.left -= others;
+    int met = 0;
+    for (int stage = 0, still = 0; stage < 24 && still < 3 && !met; stage++) {
+        memcpy(L->Vp, w->y, n * sizeof *L->Vp);
+        if (!sp__climb_at(L, c, !stage)) {              /* back, and not so far */
+            if (!sp__newton_left(w, &L->n) || !stage || times < (sp_real)1.2) break;
+            memcpy(w->y, L->Vp, n * sizeof *w->y);
+            c /= times;
+            times = SP_SQRT(times);
+            sp__limit_at(L, last);
+        } else {
+            still = sp__abs(L->at - last) <= SP__LIMIT_NEAR * (1 + sp__abs(last)) ? still + 1 : 0;
+            last = L->at;
+            met = sp__climb_ends(L, still);
+            sp__limit_at(L, last);
+            times = times * times < 10 ? times * times : 10;
+        }
+        c *= times;
+    }
+    L->n.left += others;
+    return sp__limit_near(L, SP__LIMIT_WIDE * L->r.tol);
+}
+
 /* x = z = e, y = 0, l = s = tau = kappa = 1. */
 static void sp__limit_start(sp__limit *L)
 {
     sp__ipm_start(L->w, &L->m);
     L->l = L->s = 1;
-    sp__ends_mix(&L->ends, 0, L->ref);
-    sp__dual_load(L->w, L->q);
 }
 
 /* Interior points, until the ends meet.     returns 1: lower and best meet, the live loads have no end, or nothing stands */
@@ -12507,7 +12896,7 @@ SP__APART static int sp__limit_run(sp__limit *L)
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
     int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__limit_start(L);
-    for (int it = 0; it < SP__LIMIT_MOST && idle < SP__LIMIT_IDLE && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__LIMIT_MOST && idle < SP__IPM_IDLE && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
@@ -12525,7 +12914,7 @@ SP__APART static int sp__limit_run(sp__limit *L)
         if (L->none && sp__ends_fall(e, 0, 1, NULL, L->room)) return 1;
         sp__limit_step(L);
         if (w->spent) return 0;
-        idle = m->reach < (sp_real)0.1 ? idle + 1 : 0;
+        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }
     sp__limit_lower(L, 1000 * SP__LIMIT_NEAR);
     return 0;
@@ -12584,16 +12973,35 @@ SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     sp__limit_apart(L, 1);
     sp__limit_sizes(L);
     if (sp__dual_metric(L->w)) sp__dual_weights(L->w);
+    sp__ends_mix(e, 0, L->ref);
+    sp__dual_load(L->w, L->q);
     return SP_OK;
 }
 
-/* Gates and the exact stage at dead + a live.     returns what they claim; state.dq, or f, says it */
-SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real a, sp_real *f, sp_arena room)
+/* The exact stage under the loads at hand, first in 3 rows where they let it. */
+SP__APART static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdict *claim)
+{
+    sp__ends *e = &L->ends;
+#ifndef SP_NO_PLAN
+    sp_arena again = room;
+    sp__flat *o = sp__take(&again, 1, sizeof *o);
+    if (!o) return SP_E_MEMORY;
+    if (sp__flat_choose(&e->pb, &e->wide, o)) {    /* with as many iterations as were asked for */
+        const sp_status status = sp__exact_search(&e->pb, &e->set, o, &L->state, &again, claim);
+        if (status || *claim == SP_STABLE || (*claim == SP_UNSTABLE && (o->mode == SP__PLANE || o->forest))) return status;
+        *claim = SP_UNDECIDED;
+    }
+#endif
+    return sp__exact_run(&e->pb, &e->set, &L->state, &room, claim);
+}
+
+/* Gates and the exact stage at d dead + a live.     returns what they claim; state.dq, or f, says it */
+SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_verdict claim = SP_UNDECIDED;
     sp_arena again = room;
-    sp__limit_at(L, a);
+    sp__ends_mix(e, d, a * L->ref);
     e->set.iterations = L->n.left;
     e->set.localise = 1;
     L->state.f = f;
@@ -12603,7 +13011,7 @@ SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real a, sp_real *f,
     L->state.left = sp__limit_left(e);
     if (L->state.left <= 0) { e->spent = 1; return SP_UNDECIDED; }
     sp_status status = sp__gates_run(&e->pb, &e->set, &L->state, &room, &claim);
-    if (!status && !claim) status = sp__exact_run(&e->pb, &e->set, &L->state, &again, &claim);
+    if (!status && !claim) status = sp__limit_stage(L, again, &claim);
     L->n.left -= L->state.cost.factorisations;
     sp__cost_add(&e->cost, &L->state.cost);
     if (status) claim = SP_UNDECIDED;
@@ -12653,6 +13061,61 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
     return beyond ? *a < last : *a > last;
 }
 
+/* Live loads alone, before there is an upper end: forces that balance them are a ray, and there is none; or something falls under
+ * them, and its power balance is one. */
+SP__APART static void sp__limit_endless(sp__limit *L, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    sp_real a = 1;
+    const sp_verdict claim = sp__limit_exact(L, 0, 1, L->r.ray, room);
+    if (claim == SP_STABLE && sp__ends_stand(e, 0, L->ref, L->r.ray, L->r.ray, L->room)) {
+        for (size_t k = 0; k < 3 * (size_t)e->pb.points; k++) L->r.ray[k] /= L->ref;
+        L->r.kind = SP_LIMIT_UNBOUNDED;
+    }
+    for (int it = 0; it < 3 && claim == SP_UNSTABLE && a < SP__HUGE; it++) {    /* what joints resist hangs on caps, and those on a */
+        int32_t final;
+        sp_arena again = L->room;
+        if (!sp__ends_open(e, 1, a * L->ref, &again)) return;
+        sp__judge_motion(&e->judge, e->dq, 0, &final);
+        e->resist = sp__problem_strong(&e->pb) ? e->judge.resist * e->judge.unit : 0;
+        memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+        sp__ends_close(e);
+        L->best = a = sp__ends_work(e, e->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
+    }
+}
+
+/* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
+SP__APART static int sp__limit_rises(sp__limit *L, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
+    memcpy(L->Vp, e->dq, bytes);
+    const sp_verdict claim = sp__limit_exact(L, 1, 0, L->r.f, room);
+    L->none = claim == SP_UNSTABLE && sp__ends_fall(e, 0, 1, NULL, L->room);
+    if (!L->none) memcpy(e->dq, L->Vp, bytes);
+    if (claim != SP_STABLE || !sp__ends_stand(e, 1, 0, L->r.f, L->r.f, L->room)) return 0;
+    L->r.lower = 0;
+    L->r.omega = e->omega;
+    L->r.dead = SP_STABLE;
+    return 1;
+}
+
+/* Of forces in r.ray that carry a large multiple little is due to dead loads: are they a ray without what is so small? */
+SP__APART static int sp__limit_far(sp__limit *L)
+{
+    const size_t n = 3 * (size_t)L->ends.pb.points;
+    sp_real *ray = L->r.ray, most = 0;
+    for (size_t k = 0; k < n; k++) most = sp__max(most, sp__abs(ray[k]));
+    for (size_t k = 0; k < n; k++) {
+        const size_t v = k - k % 3;
+        if (k == v && sp__norm3(ray + v) * L->r.lower < 100 * L->ref * most) memset(ray + v, 0, 3 * sizeof *ray);
+        ray[k] /= L->r.lower;
+    }
+    if (!sp__ends_stand(&L->ends, 0, 1, L->r.ray, L->r.ray, L->room)) return 0;
+    L->r.kind = SP_LIMIT_UNBOUNDED;
+    return 1;
+}
+
 /* Where interior points leave an end open: the exact stage just below the best motion's power balance. Each collapse it finds
  * gives a better one, as Newton's method on the least imbalance over lambda would: few steps.            [Dinkelbach 1967]
  *     returns 1: lower is found (of an UNBOUNDED any), or nothing stands */
@@ -12666,14 +13129,15 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
     memcpy(L->Vq, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
-        const sp_verdict claim = sp__limit_exact(L, a, f, room);
+        const sp_verdict claim = sp__limit_exact(L, 1, a, f, room);
         if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, f, f, L->room)) {
+            if (!(a > 0)) L->r.dead = SP_STABLE;
             if (a * L->ref > L->r.lower) {
                 L->r.lower = a * L->ref;
                 L->r.omega = L->ends.omega;
                 memmove(L->r.f, f, 3 * (size_t)L->ends.pb.points * sizeof *f);
             }
-            if (any || L->best < SP__HUGE) return 1;
+            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__limit_far(L))) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
         }
@@ -12691,6 +13155,7 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
             a = sp__max(0, L->best - step);
         } else a = a > 0 ? 8 * a : 1;
     }
+    if (L->best < SP__HUGE) memcpy(L->ends.dq, L->Vq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
     return 0;
 }
 
@@ -12701,7 +13166,7 @@ SP__APART static int sp__limit_upper(sp__limit *L, sp_arena room)
     sp_real slack = sp__max(L->slack, L->ends.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
     for (int it = 0; it < 8; it++, slack *= 2) {
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
-        if (it == 2 && !L->none) sp__limit_exact(L, L->best + slack, r->ray, room);
+        if (it == 2 && !L->none) sp__limit_exact(L, 1, L->best + slack, r->ray, room);
         if (!sp__ends_fall(&L->ends, lambda, 1, r->dq, L->room)) continue;
         r->upper = lambda;
         r->least_imbalance = L->ends.least;
@@ -12717,7 +13182,8 @@ static void sp__limit_conclude(sp__limit *L)
     sp_limit_result *r = &L->r;
     const sp_real slack = L->slack < SP__LIMIT_SLACK ? L->slack : SP__LIMIT_SLACK;
     const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->lower) + L->ref) + 4 * slack * L->ref;
-    if (L->none) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
+    const int never = L->none || (r->lower < 0 && !(r->upper > 0));
+    if (never) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
     else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
     const int spent = L->ends.spent || L->n.left <= 0 || sp__limit_left(&L->ends) <= 0;
@@ -12729,6 +13195,38 @@ static void sp__limit_conclude(sp__limit *L)
         r->omega = L->ends.omega;
     }
     r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
+    r->within = sp__ends_within(r);
+}
+
+/* What of all that stands, or falls, under the dead loads alone, and from where on? Where live loads must hold it, each collapse
+ * tells a least multiple, by Newton's method on the least imbalance, from below. */
+SP__APART static void sp__limit_lowest(sp__limit *L, sp_arena room)
+{
+    sp__ends *e = &L->ends;
+    sp_limit_result *r = &L->r;
+    sp_real a = 0;
+    r->lowest = r->lower;
+    if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
+    else if (!(r->lower > 0) && r->lower >= 0) r->dead = SP_STABLE;
+    if (r->dead == SP_STABLE) r->lowest = 0;
+    for (int it = 0; it < 12 && r->lowest > a * L->ref && L->n.left > 0; it++) {
+        const sp_real last = a;
+        const sp_verdict claim = sp__limit_exact(L, 1, a, L->f, room);
+        if (claim == SP_STABLE && sp__ends_stand(e, 1, a * L->ref, L->f, NULL, L->room)) {
+            r->lowest = a * L->ref;
+            if (!it) r->dead = SP_STABLE;
+            if (r->kind != SP_LIMIT_UNBOUNDED) return;
+            r->lower = r->lowest;                       /* every multiple from there on */
+            r->omega = e->omega;
+            memcpy(r->f, L->f, 3 * (size_t)e->pb.points * sizeof *r->f);
+            return;
+        }
+        if (claim == SP_UNSTABLE && sp__ends_fall(e, a * L->ref, 0, NULL, L->room)) {
+            r->dead = SP_UNSTABLE;
+            a = sp__limit_balance(L) + SP__LIMIT_STEP * e->set.tol * (1 + a);
+        } else if (!it) return;
+        if (!(a > last)) a = (last + r->lowest / L->ref) / 2;
+    }
 }
 
 /* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
@@ -12758,8 +13256,7 @@ SP__APART static int sp__limit_search(sp__limit *L)
     if (!L->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_settle(L);
     if (L->none && !done) done = L->none = sp__ends_fall(e, 0, 1, NULL, L->room);
     e->spent |= L->w->spent;
-    if (done || !(L->best < SP__HUGE) || L->r.lower < 0) return done;
-    return L->best - L->r.lower / L->ref <= SP__LIMIT_WIDE * L->r.tol * (1 + sp__abs(L->best));
+    return done || sp__limit_near(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 /* Search, then both ends; `a` is used up. */
@@ -12770,17 +13267,26 @@ SP__APART static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
     int done = 0, live = 0;
     for (size_t k = 0; k < 6 * (size_t)e->pb.blocks; k++) live |= e->live[k] < 0 || e->live[k] > 0;
     if (!live) L->r.kind = SP_LIMIT_UNBOUNDED;                  /* does it stand at all? */
-    else if (!sp__scene_strong(&e->scene)) {                    /* strength: no longer cones, left to Newton */
+    else if (!sp__problem_strong(&e->pb)) {
         const sp_status status = sp__limit_open(L, a);
         if (status) return status;
         done = sp__limit_search(L);
     }
     if (!done) {
         L->none = 0;
-        sp__limit_newton(L, rest);
+        if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_endless(L, rest);
+        const int strong = sp__problem_strong(&e->pb) && L->r.kind != SP_LIMIT_UNBOUNDED;
+        if (strong && sp__limit_rises(L, rest) && L->best >= 0) {
+            a->used = rest.used;
+            const sp_status status = sp__limit_open(L, a);
+            if (status) return status;
+            done = sp__limit_climb(L);
+        }
+        if (!done && !L->none) done = sp__limit_newton(L, rest);
     }
     if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L, rest);
     sp__limit_conclude(L);
+    sp__limit_lowest(L, rest);
     if (L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)e->scene.count.blocks * sizeof *L->r.dq);
     if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)e->pb.points * sizeof *L->r.ray);
     return SP_OK;
@@ -12796,8 +13302,9 @@ static void sp__limit_carve_kept(sp__limit_kept *r, const sp_scene *scene, int32
     r->y0 = sp__take(a, (size_t)blocks, 24 * sizeof *r->y0);
 }
 
-static void sp__limit_carve(sp__limit *L, int32_t blocks, sp_arena *a)
+static void sp__limit_carve(sp__limit *L, const sp_scene *scene, int32_t blocks, sp_arena *a)
 {
+    L->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *L->f);
     L->state.y = sp__take(a, (size_t)blocks, 6 * sizeof *L->state.y);
     L->state.dq = sp__take(a, (size_t)blocks, 6 * sizeof *L->state.dq);
     L->q = sp__take(a, (size_t)blocks, 6 * sizeof *L->q);
@@ -12826,6 +13333,9 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     L->ends.y0 = NULL;
     L->ref = sp__limit_reference(&L->ends);
     sp__limit_flat(L, &scratch);
+#ifndef SP_NO_PLAN
+    if (!L->flat) L->flat = sp__take(&scratch, 1, sizeof *L->flat);    /* of other loads there may be one */
+#endif
     const size_t search = pb->blocks ? sp__dual_most(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), L->flat, scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;
@@ -12835,7 +13345,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp_real *at[5];
     sp__ends_carve(at, pb->blocks, &dry);
-    sp__limit_carve(L, pb->blocks, &dry);
+    sp__limit_carve(L, scene, pb->blocks, &dry);
     sp__take(&dry, 1, sp__judge_need(pb, &L->ends.set));
     sp__take(&dry, 1, search);
     *bytes = dry.used;
@@ -12856,7 +13366,7 @@ SP__APART static sp_status sp__limit_build(const sp_scene *scene, const sp_setti
     memset(L, 0, sizeof *L);
     const sp_status status = sp__ends_build(scene, settings, &L->ends, a);
     if (status) return status;
-    sp__limit_carve(L, count.blocks, a);
+    sp__limit_carve(L, scene, count.blocks, a);
     const size_t need = sp__judge_need(&L->ends.pb, &L->ends.set);
     L->room.base = sp__take(a, 1, need);
     L->room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
@@ -12868,11 +13378,11 @@ SP__APART static sp_status sp__limit_build(const sp_scene *scene, const sp_setti
     memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     memset(r->y0, 0, 24 * (size_t)count.blocks * sizeof *r->y0);
     memset(L->state.y, 0, 6 * (size_t)count.blocks * sizeof *L->state.y);
-    r->lower = r->upper = -1;
+    r->lower = r->upper = r->lowest = -1;
     r->tol = L->ends.set.tol;
     r->force_bound = L->ends.set.force_bound;
     L->n.goal = r->tol / 4;
-    L->n.left = L->ends.set.iterations;
+    L->n.left = (sp__problem_strong(&L->ends.pb) ? 2 : 1) * L->ends.set.iterations;
     L->best = SP__HUGE;
     L->ref = sp__limit_reference(&L->ends);
     *limit = L;
@@ -12916,7 +13426,7 @@ static sp_real sp__joint_displace(const sp_scene *scene, const sp_real *dq, int3
     sp_real arm[3];
     sp__sub3(scene->point[v], scene->block[block].centroid, arm);
     sp__cross3(m + 3, arm, u);
-    for (int k = 0; k < 3; k++) u[k] += m[k];
+    sp__add3(u, 1, m);
     return sp__norm3(m) + (1 + sp__norm3(m + 3)) * sp__norm3(arm);
 }
 
@@ -12926,9 +13436,9 @@ static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_i
     sp_real u[3], w[3];
     const sp_real rest = SP__PLAY * (sp__joint_displace(scene, dq, f->b, v, u) + sp__joint_displace(scene, dq, f->a, v, w));
     sp__sub3(u, w, u);
-    const sp_real x = sp__dot3(u, f->t1), y = sp__dot3(u, f->t2);
-    d[0] = sp__dot3(u, f->n);
-    d[1] = SP_SQRT(x * x + y * y);
+    sp__joint_frame(f, u, w);
+    d[0] = w[0];
+    d[1] = SP_SQRT(w[1] * w[1] + w[2] * w[2]);
     if (sp__norm3(u) <= rest) return 0;
     return d[0] <= f->joint.mu * d[1] * (sp_real)1.001 + rest ? 1 : 2;
 }
@@ -13049,7 +13559,7 @@ static int sp__small_carve(sp__small *w, const sp_problem *pb, sp_arena *rows, s
 /* y += s x */
 static void sp__small_axpy(const sp__small *w, sp_real s, const sp_real *x, sp_real *y)
 {
-    for (int32_t k = 0; k < 6 * w->pb->blocks; k++) y[k] += s * x[k];
+    sp__add(y, 1, s, x, 6 * (size_t)w->pb->blocks);
 }
 
 static sp_real sp__small_dot(const sp__small *w, const sp_real *x, const sp_real *y)
@@ -13387,7 +13897,7 @@ SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
 }
 
 /* A result's numbers, its arrays in place. */
-static void sp__small_told(sp_result *r)
+SP__APART static void sp__small_told(sp_result *r)
 {
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verdict && r->free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;
@@ -13550,6 +14060,7 @@ typedef struct sp__limit {
     sp_result at;                       /* of the search at hand */
     sp_limit_result r;                  /* its dq: the motion of `best` */
     sp_real best, unit, step;           /* least balance; multiple at which both loads are as large; how far below to ask */
+    sp_verdict dead;                    /* without live loads */
     int none;                           /* that motion falls at 0, too */
 } sp__limit;
 
@@ -13605,6 +14116,7 @@ SP__APART static void sp__limit_search(sp__limit *L, sp_arena room)
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - L->step) : 0;
     for (int it = 0; it < 24 && !L->none; it++) {
         const sp_verdict verdict = sp__limit_ask(L, 1, a, room);
+        if (!(a > 0)) L->dead = verdict;
         if (verdict == SP_STABLE) {
             r->lower = a;
             r->omega = L->at.omega;
@@ -13616,6 +14128,26 @@ SP__APART static void sp__limit_search(sp__limit *L, sp_arena room)
         else if (verdict == SP_STABLE || !(L->best < SP__HUGE)) a = a > 0 ? 8 * a : L->unit;
         else { L->step *= 10; a = sp__max(0, L->best - L->step); }
         if (!(a < was) && !(a > was)) return;
+    }
+}
+
+/* Does it stand under the dead loads alone, and if not, from where on? */
+SP__APART static void sp__limit_lowest(sp__limit *L, sp_arena room)
+{
+    sp_limit_result *r = &L->r;
+    sp_real a = 0;
+    r->lowest = r->lower;
+    if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
+    else if (!(r->lower > 0)) r->dead = r->lower < 0 ? SP_UNDECIDED : SP_STABLE;
+    if (r->kind == SP_LIMIT_UNBOUNDED && r->lower > 0) r->dead = L->dead;       /* asked already, and no room for other forces */
+    for (int it = 0; it < 12 && r->kind == SP_LIMIT_FOUND && r->lower > a; it++) {
+        const sp_real last = a;
+        const sp_verdict verdict = sp__limit_ask(L, 1, a, room);
+        if (!it) r->dead = verdict;
+        if (verdict == SP_STABLE) r->lowest = a;
+        if (verdict != SP_UNSTABLE) return;
+        a = sp__limit_balance(&L->ends) + L->step;
+        if (!(a > last)) return;
     }
 }
 
@@ -13638,7 +14170,11 @@ SP__APART static void sp__limit_conclude(sp__limit *L, sp_arena room)
     if (L->none) r->kind = SP_LIMIT_NONE;
     else if (!r->kind && r->lower >= 0 && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
     const sp_real balance = sp__limit_balance(e);
-    if (r->kind == SP_LIMIT_FOUND) r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
+    if (r->kind == SP_LIMIT_FOUND) {
+        r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
+        r->within = sp__ends_within(r);
+    }
+    sp__limit_lowest(L, room);
     if (r->kind != SP_LIMIT_UNBOUNDED) memset(r->ray, 0, 3 * (size_t)e->pb.points * sizeof *r->ray);
     r->verified = r->kind && sp__ends_hold(e, r, room);
     if (!r->verified) { r->kind = SP_LIMIT_UNDECIDED; r->reason = SP_REASON_LIMIT; }
@@ -13692,7 +14228,7 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     if (status) return status;
     sp_limit_result *r = &L->r;
     r->f = number; r->ray = r->f + forces; r->dq = r->ray + forces;
-    r->lower = r->upper = -1;
+    r->lower = r->upper = r->lowest = -1;
     r->tol = L->ends.set.tol;
     r->force_bound = L->ends.set.force_bound;
     L->best = SP__HUGE;

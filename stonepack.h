@@ -42,9 +42,16 @@ extern "C" {
  *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
  *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
  *                   (sp_interface_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
- *                   one here; so sp_settings_seed, too), pyramids, the coupled check, contacts of faces that are not convex:
- *                   SP_E_UNSUPPORTED. Overlaps are told of convex blocks only; every pair of blocks is asked for contacts.
- *                   sp_limit leaves more undecided, and has no y0; sp_sequence checks all that is there at every step, and
+ *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
+ *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
+ *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.
+ *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
+ *                   out is a hull narrower than the distance, and a piece as narrow of two faces that are both more than four
+ *                   times as wide, where other builds ask each polygon. A hull of very many corners is several contacts.
+ *                   Contacts of two blocks are in the order of faces. Overlaps are told of convex blocks only; every pair of
+ *                   blocks is asked for contacts, every pair of their faces. Texts of statuses are shorter.
+ *                   sp_limit leaves more undecided, and has no y0; what another build's sp_limit claims is for that build's
+ *                   sp_limit_verify, for this one may leave it open. sp_sequence checks all that is there at every step, and
  *                   sp_sequence_hold searches no other sets than those it comes to by letting go. Quadratic programs: the dense
  *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
@@ -293,12 +300,14 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
 
 /* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
  * exact common polygon(s), one interface each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
- * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners.
+ * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
+ * SP_SMALL the convex hull of what faces share in one plane).
  *   scratch   by value: all of it may be overwritten
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY, SP_E_CAPACITY;
- *             SP_E_UNSUPPORTED of SP_SMALL: a patch that touches something is not one convex polygon */
+ *             SP_E_UNSUPPORTED of SP_SMALL: a face that is not convex lies in one plane with an opposed one, and their boxes meet,
+ *             whether or not they touch */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report);
 
@@ -615,20 +624,25 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 #else
 #define SP_MIXED_BYTES(blocks, interfaces) 0
 #endif
+/* The factor in 6 rows a block, or a quarter of it in 3 and what those know of joints and of mirror images: the larger. */
+#define SP_SEARCH_BYTES(blocks, interfaces, vertices) \
+    (SP_PAIRS_BYTES(blocks, 9) + (SP_PAIRS_BYTES(blocks, 27) > SP_MIRROR_BYTES(interfaces, vertices) \
+                                  ? SP_PAIRS_BYTES(blocks, 27) : SP_MIRROR_BYTES(interfaces, vertices)))
+#define SP_PAIRS_BYTES(blocks, each) (sizeof(sp_real) * (each) * ((size_t)(blocks) + 1) * ((size_t)(blocks) + 1) / 2)
+#define SP_MIRROR_BYTES(interfaces, vertices) (20 * sizeof(sp_real) * (size_t)(interfaces) + 4 * (size_t)(vertices))
 #define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
     ((stages) & ~126 ? SIZE_MAX \
      : ((stages) & 1 << SP_STAGE_ADMM ? SP_ADMM_BYTES(blocks, vertices, 8) : 0) \
-     + sizeof(sp_real) * (12 * (size_t)(vertices) + (18 * ((size_t)(blocks) + 1) + 85) * ((size_t)(blocks) + 1) + 102 \
+     + sizeof(sp_real) * (15 * (size_t)(vertices) + 85 * ((size_t)(blocks) + 1) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
-     + SP_MIXED_BYTES(blocks, interfaces) \
+     + SP_MIXED_BYTES(blocks, interfaces) + SP_SEARCH_BYTES(blocks, interfaces, vertices) \
      + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
      + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_interface)) * (size_t)(interfaces) \
      + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
-     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776 \
-     + 11 * sizeof(sp_real) * (size_t)(interfaces) + 4 * (size_t)(vertices))
+     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776)
 #define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (size_t)(faces) * ((size_t)(vertices) + 4) + 64)
 #define SP_COUPLED_BYTES(blocks, vertices, nodes) \
-    (sizeof(sp_real) * (27 * (size_t)(vertices) + 73 * (size_t)(blocks)) + 1000 \
+    (sizeof(sp_real) * (32 * (size_t)(vertices) + 79 * (size_t)(blocks)) + 1000 \
      + ((nodes) ? SP_PROOF_BYTES(SP_EXACT_MOST(blocks), SP_EXACT_MOST(vertices), nodes) : 0))
 #define SP_EXACT_MOST(count) ((size_t)(count) < SP_EXACT_POINTS ? (size_t)(count) : (size_t)SP_EXACT_POINTS)
 #define SP_PROOF_BYTES(b, v, nodes) \
@@ -746,6 +760,7 @@ typedef struct sp_problem {
                                            scene.live times the live ones [N, N m] */
     sp_real *live;                      /* 6b: the live ones once; NULL where there are none */
     int32_t ordered;                    /* 1: blocks are eliminated in the order they stand in, 0: in that of least fill */
+    int32_t endless;                    /* 1: of strength only what loads without end leave: friction, of a capped joint nothing */
 } sp_problem;
 
 /* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
@@ -1074,7 +1089,8 @@ typedef struct sp_seed {
     sp_qp_settings native;      /* what settings.qp_solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
 } sp_seed;
 
-/* The one table of all of them; static storage. Copy it, change what you like and point settings.seed to the copy. */
+/* The one table of all of them; static storage. Copy it, change what you like and point settings.seed to the copy. NULL of
+ * SP_SMALL, which refuses every one. */
 SP_API const sp_seed *sp_seed_table(void);
 
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
@@ -1209,7 +1225,7 @@ typedef enum sp_limit_kind {
     SP_LIMIT_UNDECIDED = 0,     /* an end of the bracket was not found, or they are too far apart; see reason */
     SP_LIMIT_FOUND,             /* lower and upper are verified and close */
     SP_LIMIT_NONE,              /* no lambda >= 0 works: dq falls under the dead loads, and live loads do not hinder it */
-    SP_LIMIT_UNBOUNDED          /* every lambda >= lower works: ray balances the live loads alone */
+    SP_LIMIT_UNBOUNDED          /* every lambda >= lower works: ray balances the live loads alone, without strength */
 } sp_limit_kind;
 
 typedef struct sp_limit_result {
@@ -1220,6 +1236,10 @@ typedef struct sp_limit_result {
     sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
     sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
                                    Of a NONE 0 */
+    sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives forces
+                                   at lower in the mechanism; it counts against the loads, not against a small multiplier */
+    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
+    sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
     sp_real omega;              /* largest relative imbalance of f */
     sp_real least_imbalance;    /* that dq proves at upper */
     int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
@@ -1239,11 +1259,13 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
 SP_API size_t sp_limit_memory_scratch(const sp_scene *scene);
 
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
- * is made exact and then verified from both sides. What that leaves open, and joints with strength, is left to the exact stage, by
- * Newton's method on the power balance; such joints are never called UNBOUNDED.
+ * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction, of a
+ * capped one nothing) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
+ * What either leaves open is left to the exact stage, by Newton's method on the power balance.
  *   scene     its `live` is not read
- *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations, budget, and effect of the third
- *             dimension, which is left out as by a check: 3 rows a block where joints, dead and live loads share a mirror
+ *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
+ *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where joints,
+ *             dead and live loads share a mirror
  *   result    its arrays live in the arena, before anything else taken from it later
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);

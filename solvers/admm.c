@@ -203,7 +203,7 @@ static sp_status sp__qp_check_vectors(const sp_qp *qp)
 static int sp__qp_settings_fit(const sp_qp_settings *s)
 {
     if (s->backend != SP_QP_SPARSE && s->backend != SP_QP_DENSE && s->backend != SP_QP_CG) return 0;
-#ifdef SP_QP_NO_CG
+#if defined(SP_QP_NO_CG) && !defined(SP_SMALL)
     if (s->backend == SP_QP_CG) return 0;
 #endif
 #ifdef SP_QP_NO_POLISH
@@ -273,7 +273,7 @@ static int sp__qp_no_descent(sp__qp *w)
 #endif
 
 /* Is P semidefinite? A diagonal one shows; of others cDPD + shift I has a factor, the shift above what rounding can do. */
-static int sp__qp_semidefinite(sp__qp *w)
+SP__CALLED static int sp__qp_semidefinite(sp__qp *w)
 {
     const int diagonal = sp__qp_entries(&w->qp) == sp__qp_a0(&w->qp, w->qp.n);
     for (int32_t j = 0; diagonal && j < w->qp.n; j++)

@@ -10,6 +10,12 @@
 
 #define SP__NEVER ((sp_real)1e30)
 
+#ifdef SP_SMALL
+#include "envelope.c"
+
+static int32_t sp__chol_factor(sp_real *a, int32_t n, sp_real floor) { return sp__envelope_factor(a, NULL, n, floor); }
+static void sp__chol_solve(const sp_real *a, int32_t n, sp_real *x) { sp__envelope_solve(a, NULL, n, x); }
+#else
 /* In place; n^3 / 3 flops. Returns how many pivots were below the floor. */
 static int32_t sp__chol_factor(sp_real *a, int32_t n, sp_real floor)
 {
@@ -42,5 +48,6 @@ static void sp__chol_solve(const sp_real *a, int32_t n, sp_real *x)
         for (int32_t k = 0; k < i; k++) x[k] -= ri[k] * x[i];
     }
 }
+#endif
 
 #endif /* SP__CHOL_C */

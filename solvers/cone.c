@@ -79,9 +79,10 @@ static void sp__cone_frame(const sp__cone *k, const sp_real u[3], sp__foot *o)
 /* Of the set with strength, from the frame of u: where is its foot? A true cone has b = tan(pi/K) = 0. */
 static void sp__yield_foot(const sp__cone *k, const sp__yield *y, sp_real x, sp__foot *o)
 {
-    const sp_real mu = y->mu, e = mu * k->tan_half, at = x < -y->T ? -y->T : x > y->N ? y->N : x;
-    if (o->a <= sp__max(0, y->C + mu * at)) {
-        o->region = x < -y->T || x > y->N ? SP__WALL : SP__INSIDE;
+    const sp_real mu = y->mu, e = mu * k->tan_half, at = x < -y->T ? -y->T : x > y->N ? y->N : x, room = sp__max(0, y->C + mu * at);
+    const int beyond = x < -y->T || x > y->N;
+    if (o->a <= room && (room > 0 || !beyond)) {        /* a wall without width is a rim */
+        o->region = beyond ? SP__WALL : SP__INSIDE;
         o->t = at;
         return;
     }

@@ -1,11 +1,12 @@
 /* csc: a sparse matrix by columns from its entries in any order.                                     [Davis 2006, ch. 2]
  *
- * Two stable counting sorts, by row and then by column, bring the entries into place; equal places are added in their order.
+ * They are sorted by column, row and their order; equal places are added as they follow each other.
  */
 #ifndef SP__CSC_C
 #define SP__CSC_C
 
 #include "real.c"
+#include "sort.c"
 
 static void sp__csc_carve(sp_csc *m, int32_t count, sp_arena *a)
 {
@@ -14,44 +15,26 @@ static void sp__csc_carve(sp_csc *m, int32_t count, sp_arena *a)
     m->x = sp__take(a, (size_t)count, sizeof *m->x);
 }
 
-/* order: the entries by ascending key, equal keys in their order; start: keys + 1 of scratch.        [counting sort] */
-static void sp__counting_order(const int32_t *key, int32_t count, int32_t keys, int32_t *start, int32_t *order)
+static int sp__csc_before(const void *what, int32_t k, int32_t q)
 {
-    memset(start, 0, ((size_t)keys + 1) * sizeof *start);
-    for (int32_t k = 0; k < count; k++) start[key[k] + 1]++;
-    for (int32_t k = 0; k < keys; k++) start[k + 1] += start[k];
-    for (int32_t k = 0; k < count; k++) order[start[key[k]]++] = k;
+    const sp_triplets *t = what;
+    if (t->j[k] != t->j[q]) return t->j[k] < t->j[q];
+    return t->i[k] != t->i[q] ? t->i[k] < t->i[q] : k < q;
 }
 
-/* Entries go to their columns in the order of their rows, so each column ends up sorted; p is cursor, then shifted back. */
+/* Entries in order to their places; p[j + 1] is where column j ends, or the column before it where it has none. */
 static void sp__csc_fill(sp_csc *m, const sp_triplets *t, const int32_t *order)
 {
-    memset(m->p, 0, ((size_t)m->cols + 1) * sizeof *m->p);
-    for (int32_t k = 0; k < t->count; k++) m->p[t->j[k] + 1]++;
-    for (int32_t k = 0; k < m->cols; k++) m->p[k + 1] += m->p[k];
-    for (int32_t q = 0; q < t->count; q++) {
-        const int32_t k = order[q], to = m->p[t->j[k]]++;
-        m->i[to] = t->i[k];
-        m->x[to] = t->x[k];
-    }
-    for (int32_t k = m->cols; k > 0; k--) m->p[k] = m->p[k - 1];
-    m->p[0] = 0;
-}
-
-/* Add up neighbours at the same place and close the gaps. */
-static void sp__csc_merge(sp_csc *m)
-{
     int32_t to = 0;
-    for (int32_t j = 0, from = 0; j < m->cols; j++) {
-        const int32_t first = to, end = m->p[j + 1];
-        m->p[j] = first;
-        for (; from < end; from++) {
-            if (to > first && m->i[to - 1] == m->i[from]) { m->x[to - 1] += m->x[from]; continue; }
-            m->i[to] = m->i[from];
-            m->x[to++] = m->x[from];
-        }
+    memset(m->p, 0, ((size_t)m->cols + 1) * sizeof *m->p);
+    for (int32_t q = 0; q < t->count; q++) {
+        const int32_t k = order[q], i = t->i[k], j = t->j[k];
+        if (m->p[j + 1] && m->i[to - 1] == i) { m->x[to - 1] += t->x[k]; continue; }
+        m->i[to] = i;
+        m->x[to++] = t->x[k];
+        m->p[j + 1] = to;
     }
-    m->p[m->cols] = to;
+    for (int32_t j = 0; j < m->cols; j++) if (!m->p[j + 1]) m->p[j + 1] = m->p[j];
 }
 
 SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out)
@@ -65,11 +48,10 @@ SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out)
     sp__csc_carve(&m, t->count, &a);
     const size_t kept = a.used;
     int32_t *order = sp__take(&a, (size_t)t->count, sizeof *order);
-    int32_t *start = sp__take(&a, (size_t)t->rows + 1, sizeof *start);
     if (sp__failed(&a)) return SP_E_MEMORY;
-    sp__counting_order(t->i, t->count, t->rows, start, order);
+    for (int32_t k = 0; k < t->count; k++) order[k] = k;
+    sp__sort(order, t->count, sp__csc_before, t);
     sp__csc_fill(&m, t, order);
-    sp__csc_merge(&m);
     a.used = kept;                                      /* the rest was scratch */
     *arena = a;
     *out = m;

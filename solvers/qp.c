@@ -86,12 +86,7 @@ SP__APART static void sp__qp_scale(sp_real *out, const sp_real *a, const sp_real
 }
 
 /* Are they numbers? NULL is. */
-static int sp__qp_numbers(const sp_real *v, int32_t n)
-{
-    for (int32_t k = 0; v && k < n; k++)
-        if (!sp__finite(v[k])) return 0;
-    return 1;
-}
+static int sp__qp_numbers(const sp_real *v, int32_t n) { return !v || sp__all_finite(v, (size_t)n); }
 
 /* v onto e [l_i, u_i], e = 1 or the scale of the row. */
 static sp_real sp__qp_clip(const sp_qp *qp, int32_t i, sp_real v, sp_real e)

@@ -32,9 +32,15 @@ static sp_real sp__abs(sp_real x) { return __builtin_fabs(x); }
 #else
 static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x + (sp_real)0; }
 #endif
-static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
+SP__CALLED static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
 
 /* x - x is 0 for a number, NaN for an infinity or a NaN. */
-static int sp__finite(sp_real x) { return x - x >= 0; }
+SP__CALLED static int sp__finite(sp_real x) { return x - x >= 0; }
+
+static int sp__all_finite(const sp_real *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
+    return 1;
+}
 
 #endif /* SP__REAL_C */

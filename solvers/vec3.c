@@ -21,12 +21,6 @@ static sp_real sp__norm3(const sp_real a[3])
     return m * SP_SQRT(sp__dot3(s, s));
 }
 
-static int sp__all_finite(const sp_real *x, size_t n)
-{
-    for (size_t k = 0; k < n; k++) if (!sp__finite(x[k])) return 0;
-    return 1;
-}
-
 static int sp__finite3(const sp_real a[3]) { return sp__all_finite(a, 3); }
 
 /* c = a - b, c = s a, c = a x b; c may be a, in the first two also b. */
@@ -38,6 +32,12 @@ static void sp__sub3(const sp_real a[3], const sp_real b[3], sp_real c[3])
 static void sp__scale3(sp_real s, const sp_real a[3], sp_real c[3])
 {
     for (int k = 0; k < 3; k++) c[k] = s * a[k];
+}
+
+/* a += s b */
+static void sp__add3(sp_real a[3], sp_real s, const sp_real b[3])
+{
+    for (int k = 0; k < 3; k++) a[k] += s * b[k];
 }
 
 static void sp__cross3(const sp_real a[3], const sp_real b[3], sp_real c[3])

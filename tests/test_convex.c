@@ -8,7 +8,6 @@
 #include "../solvers/clip.c"
 
 #define sp__clip sp__convex                             /* the two have the same names: only one is ever in a build */
-#define sp__clip_corner sp__convex_corner
 #define sp__clip_carve sp__convex_carve
 #define sp__clip_clear sp__convex_clear
 #define sp__clip_add sp__convex_add
@@ -16,7 +15,6 @@
 #define sp__clip_run sp__convex_run
 #include "../solvers/convex.c"
 #undef sp__clip
-#undef sp__clip_corner
 #undef sp__clip_carve
 #undef sp__clip_clear
 #undef sp__clip_add
@@ -35,7 +33,7 @@ static pair *open(void)
     pair *c = sp__take(&test_arena, 1, sizeof *c);
     if (!CHECK(c != NULL)) return NULL;
     sp__clip_carve(&c->all, MANY, MANY, MANY * MANY, &test_arena);
-    sp__convex_carve(&c->convex, MANY, MANY, 0, &test_arena);
+    sp__convex_carve(&c->convex, MANY, MANY, &test_arena);
     CHECK(!sp__failed(&test_arena));
     return c;
 }
@@ -46,13 +44,13 @@ static void clear(pair *c)
     sp__convex_clear(&c->convex);
 }
 
-/* Add the polygon xy[0..n) from its side `first` on: the order of segments must not matter. */
+/* Add the polygon xy[0..n) from its side `first` on: where it starts must not matter, nor the order of segments. */
 static void add(pair *c, int32_t side, int32_t n, sp_real (*xy)[2], int32_t first)
 {
     for (int32_t i = 0; i < n; i++) {
         const int32_t k = (first + 5 * i) % n, m = (k + 1) % n;     /* n is no multiple of 5 */
         sp__clip_add(&c->all, side, xy[k], xy[m], k, m);
-        sp__convex_add(&c->convex, side, xy[k], xy[m], k, m);
+        sp__convex_add(&c->convex, side, xy[(first + i) % n]);
     }
 }
 
@@ -79,9 +77,9 @@ static double area(int32_t from, int32_t to, const sp_real *(*at)(const pair *, 
 }
 
 static const sp_real *at_all(const pair *c, int32_t k) { return c->all.corner[k].x; }
-static const sp_real *at_convex(const pair *c, int32_t k) { return c->convex.corner[k].x; }
+static const sp_real *at_convex(const pair *c, int32_t k) { return c->convex.corner[k]; }
 
-/* The two agree: the same corners with the same numbers, in turn, so the same region. */
+/* The two agree: the same corners in turn, so the same region. */
 static int agree(const pair *c, double tol)
 {
     const int32_t n = c->convex.corners;
@@ -94,8 +92,8 @@ static int agree(const pair *c, double tol)
         int same = 1;
         for (int32_t k = 0; k < n && same; k++) {
             const sp__clip_corner *p = &c->all.corner[(k + turn) % n];
-            const sp__convex_corner *q = &c->convex.corner[k];
-            same = p->name == q->name && fabs((double)(p->x[0] - q->x[0])) + fabs((double)(p->x[1] - q->x[1])) < tol;
+            const sp_real *q = c->convex.corner[k];
+            same = fabs((double)(p->x[0] - q[0])) + fabs((double)(p->x[1] - q[1])) < tol;
         }
         if (same) return 1;
     }
@@ -148,7 +146,7 @@ static void grid(double shake)
             for (int32_t k = 0; k < n; k++) for (int d = 0; d < 2; d++) xy[k][d] += R(shake * (double)test_random_real(-1, 1));
             for (int32_t k = 0; k < n; k++) {
                 sp__clip_add(&c->all, side, xy[k], xy[(k + 1) % n], k, (k + 1) % n);
-                sp__convex_add(&c->convex, side, xy[k], xy[(k + 1) % n], k, (k + 1) % n);
+                sp__convex_add(&c->convex, side, xy[k]);
             }
         }
         if (!run(c, 0.02) || !agree(c, 100 * (double)EPS)) return;

@@ -153,19 +153,15 @@ static void found_as_given(const gen_scene *g)
         NEED(sp_scene_block(&t, &mesh, k->density, k->fixed, NULL) == SP_OK);
     }
     const sp_status status = sp_contacts_find(&t, &settings, test_arena, &report);
-#ifdef SP_SMALL
-    if (strcmp(g->entry->name, "dome") == 0) { CHECK_INT(status, SP_E_UNSUPPORTED); return; }    /* it stands on a ring */
-#endif
     NEED(status == SP_OK);
     CHECK_INT(report.overlaps, 0);
     found = t.interface;
     if (!CHECK_INT(report.interfaces, given) || !CHECK(report.points >= points)) CHECK_TEXT("", g->entry->name);
     for (int32_t i = 0; i < given; i++) {
-        int32_t j = 0;
+        double area = 0;
         const int32_t a = want[i].a < want[i].b ? want[i].a : want[i].b, b = want[i].a + want[i].b - a;
-        while (j < t.count.interfaces && !((found[j].a == a && found[j].b == b) || (found[j].a == b && found[j].b == a))) j++;
-        if (!CHECK(j < t.count.interfaces)) return;
-        CHECK_NEAR(found[j].area, want[i].area, TOL(1e-9, 1e-3));
+        for (int32_t j = 0; j < t.count.interfaces; j++) if (found[j].a == a && found[j].b == b) area += (double)found[j].area;
+        CHECK_NEAR(area, want[i].area, TOL(1e-9, 1e-3));
     }
 }
 

@@ -38,8 +38,16 @@ static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
     return made;
 }
 
+/* A search that gets nowhere ends, and so does the judge's own for the bilateral force: in float the leaning chain of 1000, which
+ * stays undecided, took 384 factorisations and 1e10 flop, most of them in iterations that rounding held. */
+#ifdef SP_NO_IPM
+#define ENDED 1
+#else
+#define ENDED (r.cost.factorisations <= 120 && r.cost.flops <= (int64_t)4e9)
+#endif
+
 /* No wrong verdict, undecided only where its row allows it. */
-TEST(hard_scenes_are_decided_as_they_are)
+TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
 {
     for (int k = 0; k < HARD_CASES; k++) {
         const hard_case *c = &hard_cases[k];
@@ -51,6 +59,7 @@ TEST(hard_scenes_are_decided_as_they_are)
         if (c->flags & SKIP || !hard_check(c, &set, &r)) continue;
         const int held = CHECK(hard_right(c, &r) || c->flags & HARD_LIMIT || (c->flags & OPEN && !r.verdict));
         if (r.verdict) CHECK(r.verified);
+        if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.cost.factorisations, (double)r.cost.flops);
         if (!held) TEST_PRINT("    %s: %s, omega %.2g, proved %.2g\n", c->name, sp_verdict_text(r.verdict), (double)r.omega, (double)r.least_imbalance);
     }
 }
@@ -121,7 +130,7 @@ TEST(hard_scenes_are_bracketed_by_pyramids)
 }
 
 TEST_LIST(hard)
-    RUN(hard_scenes_are_decided_as_they_are)
+    RUN(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
     RUN(forces_of_hard_scenes_balance_to_a_few_roundings)
     RUN(no_tolerance_is_too_fine_for_what_stands)
     RUN(a_stone_turns_about_its_edge_and_leaves_it_where_it_is)

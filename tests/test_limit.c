@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define NEAR TOL(1e-6, 2e-3)            /* relative accuracy of a multiplier */
+#define LOWEST (10 * NEAR)              /* and of the least one: no forces are sought nearer than the mechanism's balance and some tol */
 
 static const double weight = 2400 * 9.80665;            /* of the cube of 1 m */
 
@@ -178,6 +179,91 @@ TEST(glue_and_crushing_have_their_closed_forms)
         s = cube(soft);
         push(&s, 1, weight, 0, 0, 0, 0.5, 1);           /* W (1/2 + lambda) on two corners of cap / 4 each */
         found(&s, &set, 0.3);
+    }
+}
+
+/* Pressed down, glue makes no difference: nothing ends that but a cap. A slope steeper than friction bears what presses and pulls by
+ * its glue only, so that has an end again: |ft| = lambda W sin = mu lambda W cos + c A. */
+TEST(a_load_that_presses_on_glue_has_no_end_but_a_cap)
+{
+    for (int k = 0; k < 6; k++) {
+        const sp_joint glue = { R(0.5), R(1e3 * pow(10, k % 3)), k < 3 ? 0 : R(500), 0 };
+        const double cap = 1.6 * weight;
+        sp_joint soft = glue;
+        soft.cap = R(cap);
+        sp_scene s = cube(glue);
+        push(&s, 1, 0, 0, -weight, 0.5, 0.5, 1);
+        const sp_limit_result x = limit_of(&s, NULL);
+        CHECK_INT(x.kind, SP_LIMIT_UNBOUNDED);
+        CHECK_WITHIN((double)(x.ray[0] + x.ray[3] + x.ray[6] + x.ray[9]) / weight, 1, TOL(1e-9, 1e-4));
+        CHECK_INT(x.dead, SP_STABLE);
+        s = cube(soft);
+        push(&s, 1, 0, 0, -weight, 0.5, 0.5, 1);
+        found(&s, NULL, 0.6);
+        s = cube(glue);
+        push(&s, 1, weight, 0, -weight, 0.5, 0.5, 0);   /* (lambda W - c A) = mu (1 + lambda) W */
+        found(&s, NULL, ((double)glue.cohesion / weight + 0.5) / (1 - 0.5));
+    }
+}
+
+/* What forces without end may be added is a cone of its own: a claim with forces that only strength carries is not held. */
+TEST(a_ray_is_without_strength)
+{
+    const sp_joint glue = { R(0.5), R(1e6), R(1e6), 0 };
+    sp_scene s = cube(glue);
+    int32_t held = 1;
+    push(&s, 1, 0, 0, weight, 0.5, 0.5, 1);             /* lifted: by glue, to an end */
+    sp_limit_result x = limit_of(&s, NULL);
+    CHECK_INT(x.kind, SP_LIMIT_FOUND);
+    CHECK_NEAR(x.multiplier, (1e6 + weight) / weight, NEAR);
+    for (int k = 0; k < 12; k++) x.ray[k] = k % 3 ? 0 : R(-weight / 4);
+    x.kind = SP_LIMIT_UNBOUNDED;
+    CHECK_INT(sp_limit_verify(&s, NULL, &x, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+}
+
+TEST(what_stands_only_with_its_live_load_is_told)
+{
+    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    slope(&s, 0.3);                                     /* held up the slope from .104 to .487 */
+    push(&s, 1, -weight, 0, 0, 0, 0.5, 0);
+    sp_limit_result x = limit_of(&s, NULL);
+    CHECK_INT(x.kind, SP_LIMIT_FOUND);
+    CHECK_INT(x.dead, SP_UNSTABLE);
+    CHECK_NEAR(x.lowest, sin(0.3) - 0.2 * cos(0.3), LOWEST);
+    s = cube(sp_joint_friction(R(0.2)));
+    slope(&s, 0.3);                                     /* pressed on: without end */
+    push(&s, 1, 0, 0, -weight, 0.5, 0.5, 0);
+    x = limit_of(&s, NULL);
+    CHECK_INT(x.kind, SP_LIMIT_UNBOUNDED);
+    CHECK_INT(x.dead, SP_UNSTABLE);
+    CHECK_NEAR(x.lower, x.lowest, TOL(1e-12, 1e-6));    /* and every multiple beyond */
+    if (!TEST_SMALL) CHECK_NEAR(x.lowest, (sin(0.3) - 0.2 * cos(0.3)) / 0.2, LOWEST);
+    s = cube(sp_joint_friction(0));
+    slope(&s, 0.3);                                     /* without friction: at one multiple only */
+    push(&s, 1, -weight, 0, 0, 0, 0.5, 0);
+    x = limit_of(&s, NULL);
+    CHECK_INT(x.dead, SP_UNSTABLE);
+    CHECK_NEAR(x.lowest, sin(0.3), LOWEST);
+    s = cube(sp_joint_friction(R(0.5)));
+    push(&s, 1, weight, 0, 0, 0, 0.5, 0);
+    x = limit_of(&s, NULL);
+    CHECK_INT(x.dead, SP_STABLE);
+    CHECK(!(x.lowest < 0) && !(x.lowest > 0));
+}
+
+/* tol can't follow every friction: how far the multiplier may be off is told, and is little where friction is not. */
+TEST(a_multiplier_is_told_no_nearer_than_tol_lets_it)
+{
+    for (int k = 0; k <= TOL(12, 5); k++) {
+        const double mu = 0.5 * pow(10, -k);
+        sp_scene s = cube(sp_joint_friction(R(mu)));
+        push(&s, 1, weight, 0, 0, 0, 0.5, 0);
+        const sp_limit_result x = limit_of(&s, NULL);
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK(fabs((double)x.multiplier - mu) <= (double)x.within * 1.001 + mu * TOL(1e-9, 1e-5));
+        CHECK((double)x.within < TOL(3e-6, 0.3));
+        CHECK(x.tol <= R(mu / 8) || x.tol <= 4 * SP_EPSILON);
     }
 }
 
@@ -589,6 +675,65 @@ TEST(bisection_of_verdicts_ends_within_the_bracket)
     if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 200 undecided\n", several[SP_LIMIT_UNDECIDED]);
 }
 
+#ifdef SP_REAL_MIXED
+#define GLUED_OPEN 5
+#else
+#define GLUED_OPEN TOL(2, 18)
+#endif
+
+/* Scenes of joints with strength, some with a held stone, pushed as a whole or at one stone: against verdicts beside both ends. Of
+ * what is left open little may be told by verdicts. */
+TEST(glued_and_crushed_scenes_end_where_verdicts_change)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "two-cubes", "offset", 0.3 }, { "wall", "rows", 2 }, { "tower", "n", 3 }, { "diamond", "rows", 3 }, { "arch", "n", 8 },
+        { "keystone", "angle", 20 }, { "cantilever", "reach", 1.2 }, { "overhang", "factor", 0.9 }, { "incline", "angle", 20 },
+        { "flat-arch", "n", 5 }
+    };
+    enum { SCENES = sizeof scene / sizeof *scene };
+    int several[4] = { 0, 0, 0, 0 };
+    for (int trial = 0; trial < 80; trial++) {
+        const int k = test_random_int(0, SCENES - 1), type = test_random_int(1, 7), load = test_random_int(0, 5);
+        sp_load at;
+        sp_scene s;
+        double mass = 0, area = 0;
+        test_arena.used = 0;
+        NEED(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s) == SP_OK);
+        for (int32_t b = 0; b < s.count.blocks; b++) if (s.block[b].fixed != SP_FIXED) mass += (double)s.block[b].mass;
+        for (int32_t i = 0; i < s.count.interfaces; i++) area += (double)s.interface[i].area;
+        const double p = 9.80665 * mass / area, c = p * pow(10, (double)test_random_real(-1, 3)), cap = p * pow(10, (double)test_random_real(0, 2));
+        for (int32_t i = 0; i < s.count.interfaces; i++) {
+            s.interface[i].joint.cohesion = type & 1 ? R(c) : 0;
+            s.interface[i].joint.tension = (type & 3) == 3 ? R(c / 4) : 0;
+            s.interface[i].joint.cap = type & 4 ? R(cap) : 0;
+        }
+        int32_t b = test_random_int(0, s.count.blocks - 1);
+        if (trial % 3 == 0 && s.block[b].fixed != SP_FIXED) s.block[b].fixed = test_random_int(1, 62);
+        while (s.block[b].fixed == SP_FIXED) b = test_random_int(0, s.count.blocks - 1);
+        memset(&at, 0, sizeof at);
+        at.block = b;
+        at.live = 1;
+        for (int x = 0; x < 3; x++) {
+            const sp_real d = load == 0 ? R(-(x == 2)) : load == 1 ? R(x == 0) : test_random_real(-1, 1);
+            if (load < 4) s.body[x] = R(9.80665) * d;
+            at.force[x] = s.block[b].mass * R(9.80665) * d;
+            at.point[x] = s.block[b].centroid[x] + test_random_real(-0.2, 0.2) * s.block[b].diameter;
+        }
+        if (load > 3) { s.load = &at; s.count.loads = s.cap.loads = 1; }
+        const sp_limit_result x = limit_of(&s, NULL);
+        several[x.kind]++;
+        if (x.kind == SP_LIMIT_NONE || x.dead == SP_UNSTABLE) CHECK(verdict_at(s, NULL, 0) != SP_STABLE);
+        if (x.dead == SP_STABLE) CHECK(verdict_at(s, NULL, 0) != SP_UNSTABLE);
+        for (double more = 1; x.kind == SP_LIMIT_UNBOUNDED && more < 1e5; more *= 100) CHECK(verdict_at(s, NULL, (double)x.lower + more) != SP_UNSTABLE);
+        for (double more = 1e-3; x.kind == SP_LIMIT_NONE && more < 1e5; more *= 10) CHECK(verdict_at(s, NULL, more) != SP_STABLE);
+        if (x.upper >= 0) CHECK(verdict_at(s, NULL, (double)x.upper * (1 + TOL(1e-6, 1e-3)) + TOL(1e-9, 1e-4)) != SP_STABLE);
+        if (x.lower > 0 && x.dead == SP_STABLE) CHECK(verdict_at(s, NULL, (double)x.lower * (1 - TOL(1e-6, 1e-3))) != SP_UNSTABLE);
+    }
+    CHECK(several[SP_LIMIT_FOUND] > 30 && several[SP_LIMIT_UNBOUNDED] > 8 && several[SP_LIMIT_NONE] > 2);
+    CHECK(several[SP_LIMIT_UNDECIDED] <= GLUED_OPEN);
+    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 80 undecided\n", several[SP_LIMIT_UNDECIDED]);
+}
+
 /* Scenes with a mirror that live loads share, and without. */
 static const struct { const char *name, *param; double value, x, y; int planar; } mirrored[] = {
     { "wall", "size", 40, 1, 0, 1 }, { "wall", "size", 40, -1, 0, 1 }, { "wall", "size", 40, 0, 1, 0 }, { "wall", "size", 150, 1, 0, 1 },
@@ -626,7 +771,7 @@ TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
         CHECK_INT(all.kind, SP_LIMIT_FOUND);
         CHECK_NEAR(x.multiplier, all.multiplier, NEAR);
         const double times = (double)all.cost.flops / (double)x.cost.flops;     /* in float either may end sooner: by 1.4 at least */
-        if (!CHECK(PLANS && mirrored[k / 3].planar ? times > TOL(2, 1.2) : times >= 1 && times <= 1))
+        if (!CHECK(PLANS && mirrored[k / 3].planar ? times > TOL(2, 1.2) : times > 0.9 && times < 1.1))       /* dead loads may have one */
             TEST_PRINT("    %s, %s %g, %d faces: %.2f\n", mirrored[k / 3].name, mirrored[k / 3].param, mirrored[k / 3].value, (int)set.faces, times);
     }
 }
@@ -770,6 +915,10 @@ TEST_LIST(limit)
     RUN(a_couple_topples_at_weight_times_half_the_width)
     RUN(every_cone_slides_at_its_own_coefficient)
     RUN_FULL(glue_and_crushing_have_their_closed_forms)
+    RUN_FULL(a_load_that_presses_on_glue_has_no_end_but_a_cap)
+    RUN_FULL(a_ray_is_without_strength)
+    RUN(what_stands_only_with_its_live_load_is_told)
+    RUN(a_multiplier_is_told_no_nearer_than_tol_lets_it)
     RUN_FULL(glue_that_holds_a_hundred_times_the_weight_slides_where_it_should)
     RUN(a_stone_held_from_turning_slides_or_is_lifted)
     RUN(a_cantilever_tips_when_its_tip_bears_more_than_its_tail)
@@ -791,6 +940,7 @@ TEST_LIST(limit)
     RUN(which_side_is_called_a_does_not_matter)
     RUN(the_multiple_at_which_the_scene_stands_is_not_read)
     RUN(bisection_of_verdicts_ends_within_the_bracket)
+    RUN_FULL(glued_and_crushed_scenes_end_where_verdicts_change)
     RUN_FULL(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
     RUN_FULL(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
     RUN(a_changed_claim_is_not_held)

@@ -377,6 +377,69 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
     for (int q = 0; q < ADMM; q++) CHECK(s[q].least < 2);       /* of one island; where there are several none takes much */
 }
 
+/* Stones in `islands`, or one with nearly all joints and the others loose; joints of many vertices any way, in one plane (odd
+ * vertices mirror images), or all level. */
+static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int32_t interfaces, int32_t most)
+{
+    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, most * interfaces, 1 };
+    const int32_t shape = test_random_int(0, 2), supports = test_random_int(0, 1);
+    const int32_t large = test_random_int(0, 1) ? blocks - islands : 0;
+    NEED(most <= 60 && sp_scene_create(scene, &cap, &test_arena) == SP_OK);
+    for (int32_t k = 0; k < blocks; k++) {
+        const sp_real c[3] = { test_random_real(-1, 1), shape ? 0 : test_random_real(-1, 1), test_random_real(-1, 1) };
+        CHECK_INT(sp_scene_body(scene, R(100), c, k || !supports ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < interfaces; k++) {
+        const int32_t a = test_random_int(1, large && k > islands ? large : blocks - 1), c = test_random_int(1, blocks - 1);
+        const int joined = large ? a <= large && c <= large : a % islands == c % islands;
+        const int32_t b = joined && a != c && test_random_int(0, 2) ? c : 0, points = test_random_int(1, most);
+        const sp_real n[3] = { shape < 2 ? test_random_real(-1, 1) : 0, shape ? 0 : test_random_real(-1, 1), 1 };
+        const sp_joint joint = sp_joint_friction(R(0.5));
+        sp_real xyz[180];
+        for (int32_t i = 0; i < 3 * points; i++) xyz[i] = test_random_real(-1, 1);
+        for (int32_t i = 0; i < points && shape; i++) {
+            sp_real *x = xyz + 3 * i;
+            x[1] = i % 2 ? 1 : -1;
+            if (shape == 2) x[2] = 0;
+            if (i % 2) { x[0] = x[-3]; x[2] = x[-1]; }
+        }
+        if (supports || b) CHECK_INT(sp_scene_points(scene, a, b, n, points, xyz, &joint, NULL), SP_OK);
+    }
+    const sp_load load = { blocks - 1, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
+    if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
+}
+
+TEST(islands_of_few_stones_with_many_joints_are_bounded)
+{
+    enum { PLAIN, DENSE, PYRAMID, COUPLED, ALL };
+    spread s[ALL] = { { "plain", 0, 0 }, { "all stages", 0, 0 }, { "pyramids", 0, 0 }, { "coupled", 0, 0 } };
+    for (int k = 0; k < 400; k++) {
+        const int32_t blocks = test_random_int(2, k % 8 ? 8 : 30), islands = test_random_int(1, blocks - 1);
+        const int32_t interfaces = test_random_int(0, k % 3 ? 40 : 300);
+        sp_scene scene;
+        test_arena.used = 0;
+        random_islands(&scene, blocks, islands, interfaces, k % 4 ? 4 : 60);
+        const int32_t i = scene.count.interfaces, v = scene.count.points, faces = test_random_int(3, 64);
+        const size_t plain = SP_MEMORY_BYTES(blocks, i, v, 0);
+        sp_settings set = sp_settings_default();
+        within(&s[PLAIN], &scene, &set, plain);
+#ifndef SP_NO_CRA
+        set.coupled.asked = 1;
+        set.coupled.nodes = v <= SP_EXACT_POINTS ? test_random_int(0, 300) : 0;
+        within(&s[COUPLED], &scene, &set, plain + SP_COUPLED_BYTES(blocks, v, set.coupled.nodes));
+        set.coupled.asked = 0;
+#endif
+        set.faces = faces;
+        within(&s[PYRAMID], &scene, &set, plain + SP_PYRAMID_BYTES(v, faces));
+        set.faces = 0;
+        set.stage_count = 5;
+        for (int q = 0; q < 5; q++) set.stage[q] = (sp_stage_id)(SP_STAGE_GATES + q);
+        within(&s[DENSE], &scene, &set, SP_MEMORY_BYTES(blocks, i, v, ALL_STAGES));
+    }
+    for (int q = 0; q < ALL; q++) TEST_PRINT("    %-21s bound / need  %.3f .. %.2f\n", s[q].what, s[q].least, s[q].most);
+    CHECK(s[PLAIN].least < 1.25);                       /* and where one has nearly all, there is not much to spare */
+}
+
 TEST(scene_memory_by_counts_is_exact)
 {
     for (int k = 0; k < 100; k++) {
@@ -416,6 +479,7 @@ TEST_LIST(memory)
     RUN(contacts_memory_is_enough_and_less_is_refused)
     RUN(memory_by_counts_bounds_what_is_taken)
     RUN(pyramids_coupling_and_admm_by_counts_are_bounded)
+    RUN(islands_of_few_stones_with_many_joints_are_bounded)
     RUN(scene_memory_by_counts_is_exact)
     RUN(a_static_array_sized_by_counts_is_enough)
 TEST_END

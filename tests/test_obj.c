@@ -116,7 +116,19 @@ TEST(vertices_no_face_uses_are_left_out)
     scene_free(&s);
 }
 
-/* Written, read and written again: the same bytes; and in between the same numbers. */
+/* Written, read as t and written again: the same bytes. */
+static void writes_again(const host_scene *s, host_scene *t)
+{
+    char *first = written(s);
+    CHECK(first != NULL);
+    CHECK_INT(parse(first ? first : "", -1, SCENE_GIVEN, t), 0);
+    char *second = written(t);
+    CHECK(first && second && strcmp(first, second) == 0);
+    free(first);
+    free(second);
+}
+
+/* And in between the same numbers. */
 TEST(what_is_written_reads_back_the_same)
 {
     static const char text[] = "#@ gravity 0.1 -1e-3 -9.7\n" GROUND STONE "#@ density 1234.5678901234567\n#@ fixed y rz\n" JOINT
@@ -124,9 +136,7 @@ TEST(what_is_written_reads_back_the_same)
                                "#@ points ground stone 0 0 2 0.333333333333333333 0.1 0\n#@ mu 0.2\n";
     host_scene s, t;
     CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
-    char *first = written(&s);
-    CHECK(first != NULL);
-    CHECK_INT(parse(first ? first : "", -1, SCENE_GIVEN, &t), 0);
+    writes_again(&s, &t);
     CHECK_INT(memcmp(s.scene.vertex, t.scene.vertex, (size_t)s.scene.count.vertices * sizeof *s.scene.vertex), 0);
     CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
     CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
@@ -140,10 +150,6 @@ TEST(what_is_written_reads_back_the_same)
     CHECK_NEAR(t.scene.load[0].point[2], 6, 0);
     CHECK_NEAR(t.scene.load[1].point[2], 0.5, TOL(1e-15, 1e-6));
     CHECK_NEAR(t.scene.load[2].couple[1], 0.2, TOL(1e-15, 1e-6));
-    char *second = written(&t);
-    CHECK(first && second && strcmp(first, second) == 0);
-    free(first);
-    free(second);
     scene_free(&s);
     scene_free(&t);
 }
@@ -162,13 +168,84 @@ TEST(every_refusal_tells_line_and_block)
     refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
     refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");
     refuse("#@ cohesion -1\n", "t.obj:1: must not be negative: 'cohesion'");
-    refuse("#@ tension 5e4\n" GROUND STONE, "t.obj: tension counts up to cohesion / mu: without cohesion it is nothing");
-    refuse(GROUND STONE "#@ interface ground stone 0 0 0 1 0 0 1 1 0\n#@ tension 5e4\n",
-           "t.obj:32: tension counts up to cohesion / mu: without cohesion it is nothing");
+    refuse("#@ tension 5e4\n" GROUND STONE, "t.obj:1: contacts: tension counts up to cohesion / mu: without cohesion it is nothing");
+    refuse(GROUND STONE JOINT "#@ mu 0.5\n#@ tension 5e4\n",
+           "t.obj:34: contact 'ground' 'stone': tension counts up to cohesion / mu: without cohesion it is nothing");
+    refuse("#@ tension 5e4\n" GROUND STONE JOINT,
+           "t.obj:1: contact 'ground' 'stone': tension counts up to cohesion / mu: without cohesion it is nothing");
     refuse("#@ crushing\n", "t.obj:1: strength of a joint needs a number");
     refuse("#@ live a 0 0\n", "t.obj:1: a load needs a force of three numbers");
     refuse("#@ load a 0 0 1 0 0 0 pair\n", "t.obj:1: unexpected 'pair'");
     refuse("o a\n#@ fixed x w\n", "t.obj:2: fixed knows x y z rx ry rz, not 'w' in block 'a'");
+    refuse("#@ mass a 1 0 0\n", "t.obj:1: a mass needs kilograms and a point");
+    refuse("#@ mass a -1 0 0 0\n", "t.obj:1: a mass must not be negative");
+    refuse("#@ mass a 1 0 0 0 dead\n", "t.obj:1: unexpected 'dead'");
+    refuse("#@ pressure a 0 5\n", "t.obj:1: faces are counted from 1, not by '0'");
+    refuse("#@ pressure a 1\n", "t.obj:1: a pressure needs the number of a face and pascals");
+    refuse(GROUND STONE "#@ pressure stone 7 5\n", "t.obj:32: load on 'stone': it has no face 7");
+    refuse("#@ pressure wall 1 5\n" GROUND, "t.obj:1: load on block 'wall', which does not exist");
+}
+
+TEST(masses_and_pressures_are_loads)
+{
+    host_scene s, t;
+    CHECK_INT(parse(GROUND STONE JOINT "#@ mass stone 12.5 0.1 0.2 1 live # gripper\n#@ mass stone 3 0 0 1\n#@ pressure stone 2 500\n"
+                    "#@ pressure stone 4 -7 live\n", -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.loads, 4);
+    CHECK_NEAR(s.scene.load[0].mass, 12.5, 0);
+    CHECK_NEAR(s.scene.load[0].point[1], (sp_real)0.2, 0);
+    CHECK_INT(s.scene.load[0].live, 1);
+    CHECK_INT(s.scene.load[1].live, 0);
+    CHECK_NEAR(s.scene.load[2].force[2], -500, TOL(1e-9, 1e-3));        /* on the top */
+    CHECK_NEAR(s.scene.load[2].point[0], 0.5, TOL(1e-12, 1e-6));
+    CHECK_NEAR(s.scene.load[3].force[0], 7, TOL(1e-9, 1e-3));           /* outwards from the face at x = 1 */
+    CHECK_INT(s.scene.load[3].live, 1);
+    writes_again(&s, &t);
+    CHECK_INT(t.scene.count.loads, 4);
+    CHECK_NEAR(t.scene.load[0].mass, 12.5, 0);
+    CHECK_INT(t.scene.load[0].live, 1);
+    scene_free(&s);
+    scene_free(&t);
+}
+
+/* A scene that is read, but of which a check says `why`: that, too, is told with its line. */
+static void refuse_later(const char *format, int coupled, sp_status why, const char *message)
+{
+    const char *large = sizeof(sp_real) == 8 ? "1e300" : "1e38", *far = sizeof(sp_real) == 8 ? "1e200" : "1e30";
+    sp_settings set = sp_settings_default();
+    char text[1600];
+    host_scene s;
+    sp_result x;
+    set.coupled.asked = coupled;
+    snprintf(text, sizeof text, format, strstr(format, "points") ? far : large);
+    CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
+    test_arena.used = 0;
+    CHECK_INT(sp_check(&s.scene, &set, &test_arena, &x), why);
+    CHECK_INT(scene_refused(&s, &set, why, &error), EXIT_SCENE);
+    CHECK_TEXT(error.line, message);
+    scene_free(&s);
+}
+
+TEST(what_a_check_refuses_is_told_with_its_line)
+{
+    const char *const weight = "weight of block 'stone': a number is too large to be squared";
+    char line[128];
+    refuse_later(GROUND STONE JOINT "#@ load stone 1 0 0 0 0 0\n#@ load stone %s 0 0 0 0 0\n#@ load stone 2 0 0 0 0 0\n", 0, SP_E_NOT_FINITE,
+                 "t.obj:34: loads on 'stone': a number is too large to be squared");
+    refuse_later(GROUND STONE "#@ live stone 0 0 1 0 %s 0 couple\n", 0, SP_E_NOT_FINITE,
+                 "t.obj:32: loads on 'stone': a number is too large to be squared");
+    snprintf(line, sizeof line, "t.obj:2: %s", weight);
+    refuse_later("#@ mu 0.5\n#@ gravity 0 0 -%s\n" GROUND STONE JOINT, 0, SP_E_NOT_FINITE, line);
+    snprintf(line, sizeof line, "t.obj:17: %s", weight);
+    refuse_later(GROUND STONE "#@ density %s\n" JOINT, 0, SP_E_NOT_FINITE, line);
+    refuse_later(GROUND STONE JOINT "#@ points ground stone 0 0 1 %s 0 0\n" JOINT, 0, SP_E_NOT_FINITE,
+                 "t.obj:33: contact 'ground' 'stone': a number is too large to be squared");
+#ifndef SP_NO_CRA
+    refuse_later("#@ crushing 0\n" GROUND STONE JOINT JOINT "#@ mu 0.5\n#@ cohesion 400\n#@ crushing 2e6\n", 1, SP_E_UNSUPPORTED,
+                 "t.obj:36: strength of joints (cohesion, tension, crushing): a coupled check knows friction alone");
+    refuse_later("#@ crushing 1e6\n" GROUND STONE, 1, SP_E_UNSUPPORTED,
+                 "t.obj:1: strength of joints (cohesion, tension, crushing): a coupled check knows friction alone");
+#endif
 }
 
 static text_number real(const char *text, sp_real *x)
@@ -264,6 +341,8 @@ TEST_LIST(obj)
     RUN(vertices_no_face_uses_are_left_out)
     RUN(what_is_written_reads_back_the_same)
     RUN(every_refusal_tells_line_and_block)
+    RUN(what_a_check_refuses_is_told_with_its_line)
+    RUN(masses_and_pressures_are_loads)
     RUN(numbers_are_strict)
     RUN(the_shortest_decimal_reads_back)
     RUN(json_strings_are_escaped_and_valid)

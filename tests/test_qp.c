@@ -8,7 +8,7 @@
 enum { N = 40, M = 90, MOST = 3600 };
 
 static const sp_qp_backend all[] = { SP_QP_SPARSE, SP_QP_DENSE,
-#ifndef SP_QP_NO_CG
+#if !defined SP_QP_NO_CG || defined SP_SMALL
                                      SP_QP_CG
 #endif
 };
@@ -283,7 +283,7 @@ static void battery(sp_qp_backend backend, int each)
 }
 TEST(battery_sparse) { battery(SP_QP_SPARSE, EACH); }
 TEST(battery_dense)  { battery(SP_QP_DENSE, EACH); }
-#ifndef SP_QP_NO_CG
+#if !defined SP_QP_NO_CG || defined SP_SMALL
 TEST(battery_cg)     { battery(SP_QP_CG, EACH); }
 #endif
 
@@ -695,7 +695,7 @@ TEST_LIST(qp)
     RUN(plugged_in_our_solver_is_the_same)
     RUN(battery_sparse)
     RUN(battery_dense)
-#ifndef SP_QP_NO_CG
+#if !defined SP_QP_NO_CG || defined SP_SMALL
     RUN(battery_cg)
 #endif
 TEST_END

@@ -123,7 +123,7 @@ TEST(every_status_has_its_own_sentence)
     CHECK(strstr(sp_status_text(SP_E_MEMORY), "memory") != NULL);
     CHECK(strstr(sp_status_text(SP_E_INWARD), "inward") != NULL);
     CHECK(strstr(sp_status_text(SP_E_OPEN), "open") != NULL);
-    CHECK(strstr(sp_status_text(SP_E_UNSUPPORTED), "strength") != NULL);
+    CHECK(strstr(sp_status_text(SP_E_UNSUPPORTED), "not supported") != NULL);
 }
 
 TEST(words_follow_their_enumerators)

@@ -47,8 +47,16 @@ TEST(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
     set.faces = 8;
     answered(&s, &set, LEFT_OUT);
     set.faces = 0;
-    set.seed = sp_seed_table();
+    sp_seed table;
+    memset(&table, 0, sizeof table);
+    CHECK((sp_seed_table() == NULL) == TEST_SMALL);
+    if (sp_seed_table()) table = *sp_seed_table();
+    set.seed = &table;
     answered(&s, &set, LEFT_OUT);
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+    set = sp_settings_seed();
+    answered(&s, &set, LEFT_OUT);
+#endif
 }
 
 TEST(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
@@ -79,8 +87,35 @@ TEST(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
     set.budget = INT64_MAX;
     answered(&s, &set, LEFT_OUT);
     set.budget = 0;
-    set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
-    answered(&s, &set, LEFT_OUT);
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
+#ifdef SP_NO_PLAN
+        if (k == SP_EFFECT_DEPTH) continue;
+#endif
+        set.effect[k] = SP_WITHOUT;
+        answered(&s, &set, LEFT_OUT);
+        set.effect[k] = SP_WITH;
+        answered(&s, &set, SP_OK);
+        set.effect[k] = SP_PLANNED;
+    }
+}
+
+/* What the smallest build does not know it does not look into: there it is left out, not wrong. */
+TEST(what_is_wrong_in_what_is_left_out_is_refused_too)
+{
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    set.faces = 2;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_RANGE);
+    set.faces = 0;
+    set.budget = -1;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_RANGE);
+    set.budget = 0;
+    set.stage[1] = SP_STAGE_CUSTOM;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_ARGUMENT);
+    set = sp_settings_default();
+    memset(&set.effect[SP_EFFECT_TOGETHER], 7, 1);
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_ARGUMENT);
 }
 
 /* The result in one arena and all else in another, each of the size that is told and no byte more than was said. */
@@ -191,16 +226,50 @@ TEST(stones_without_contact_load_or_freedom_are_told)
     }
 }
 
+/* Two stones on each other by many joints, loose ones beside them: an island that has nearly everything. */
+TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
+{
+    for (int32_t k = 0; k < 120; k++) {
+        const int32_t loose = k % 4, each = 10 * (k / 4), corners = k % 3 ? 3 : 9;
+        const sp_capacity cap = { 3 + loose, 0, 0, 0, 2 * each + loose, corners * (2 * each + loose), 0 };
+        const sp_joint joint = sp_joint_friction(R(0.6));
+        const sp_real up[3] = { 0, 0, 1 };
+        size_t bytes = 0;
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int32_t b = 0; b < 3 + loose; b++) {
+            const sp_real c[3] = { R(b > 2 ? 3 * b : 0), 0, R(b > 2 ? 0.5 : b - 0.5) };
+            NEED(sp_scene_body(&s, 1000, c, b ? 0 : SP_FIXED, NULL) == SP_OK);
+        }
+        for (int32_t q = 0; q < 2 * each + loose; q++) {
+            const int32_t b = q < 2 * each ? 1 + q % 2 : 3 + q - 2 * each;
+            sp_real xyz[27];
+            for (int c = 0; c < 9; c++) {
+                xyz[3 * c] = test_random_real(-0.5, 0.5) + s.block[b].centroid[0];
+                xyz[3 * c + 1] = test_random_real(-0.5, 0.5);
+                xyz[3 * c + 2] = b == 2;
+            }
+            NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &joint, NULL) == SP_OK);
+        }
+        NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+        if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.interfaces, s.count.points, 0)))
+            TEST_PRINT("  %d loose, %d joints each of %d: %lu\n", (int)loose, (int)each, (int)corners, (unsigned long)bytes);
+    }
+}
+
 TEST_LIST(small)
     RUN(the_default_settings_are_taken_by_every_build)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
     RUN(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
     RUN(strength_of_joints_is_refused_by_the_smallest_build)
     RUN(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
+    RUN(what_is_wrong_in_what_is_left_out_is_refused_too)
     RUN(what_a_check_works_in_may_be_another_arena)
 #if !defined SP_NO_PLAN && defined SP_SMALL
     RUN(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
 #endif
     RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
     RUN(stones_without_contact_load_or_freedom_are_told)
+    RUN(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
 TEST_END

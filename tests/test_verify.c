@@ -239,6 +239,79 @@ TEST(a_pebble_is_judged_by_its_own_weight)
     }
 }
 
+#ifndef SP_SMALL
+/* A level joint between x0 and x1 at height z, 1 deep. */
+static void bed(sp_scene *s, int32_t a, int32_t b, double x0, double x1, double z)
+{
+    const sp_real v[12] = { R(x0), 0, R(z), R(x1), 0, R(z), R(x1), 1, R(z), R(x0), 1, R(z) };
+    const sp_joint joint = sp_joint_friction(R(0.6));
+    CHECK_INT(sp_scene_interface(s, a, b, 4, v, &joint, NULL), SP_OK);
+}
+
+static int32_t cube_at(sp_scene *s, double mass, double x, double z)
+{
+    const sp_real c[3] = { R(x), R(0.5), R(z) };
+    int32_t id = -1;
+    CHECK_INT(sp_scene_body(s, R(mass), c, 0, &id), SP_OK);
+    return id;
+}
+
+enum { FOOT_NONE, FOOT_EDGE, FOOT_POINT };
+
+/* A wall of 5 courses of 4 stones, and beside it a pile of 12 cubes, which rests as `foot` says 0.3 off its middle. */
+static sp_scene wall_and_pile(double wall, double pile, int foot)
+{
+    const sp_capacity cap = { 40, 0, 0, 0, 80, 320, 0 };
+    const sp_real ground[3] = { 0, 0, R(-1) }, up[3] = { 0, 0, 1 };
+    const sp_joint joint = sp_joint_friction(R(0.6));
+    sp_scene s;
+    int32_t id[5][4], last = 0;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    for (int r = 0; r < 5; r++)
+        for (int k = 0; k < 4; k++) {
+            const double x = 2 * k + r % 2;
+            id[r][k] = cube_at(&s, wall, x + 1, r + 0.5);
+            if (!r) bed(&s, 0, id[r][k], x, x + 2, 0);
+            else bed(&s, id[r - 1][k], id[r][k], 2 * k + 1, 2 * k + 2, r);
+            if (r && r % 2 && k < 3) bed(&s, id[r - 1][k + 1], id[r][k], x + 1, x + 2, r);
+            if (r && r % 2 == 0 && k) bed(&s, id[r - 1][k - 1], id[r][k], x, x + 1, r);
+        }
+    for (int k = 0; k < 12; k++) {
+        const sp_real edge[6] = { R(20.2), 0, 0, R(20.2), 1, 0 }, point[3] = { R(20.2), R(0.5), 0 };
+        const int32_t stone = cube_at(&s, pile, 20.5, k + 0.5);
+        if (k) bed(&s, last, stone, 20, 21, k);
+        else if (foot != FOOT_NONE)
+            CHECK_INT(sp_scene_points(&s, 0, stone, up, foot == FOOT_EDGE ? 2 : 1, foot == FOOT_EDGE ? edge : point, &joint, NULL), SP_OK);
+        last = stone;
+    }
+    return s;
+}
+
+/* A pile that not even joints that pull could balance, beside a wall that stands, up to 1e12 apart in weight: the pile's motion
+ * proves what it proves alone, with and without the hint, and the check says so, islands apart and together. */
+TEST(a_pile_that_turns_about_its_foot_falls_whatever_stands_beside_it)
+{
+    static const double ratio[] = { 1, 1e3, 1e6, 1e12 };
+    for (int k = 0; k < 2 * 3 * TOL(4, 2); k++) {
+        const double r = ratio[k / 6];
+        const sp_scene s = wall_and_pile(k % 2 ? r : 1, k % 2 ? 1 : r, k / 2 % 3);
+        for (int together = 0; together < 2; together++) {
+            sp_settings set = sp_settings_default();
+            sp_result x;
+            set.effect[SP_EFFECT_TOGETHER] = together ? SP_WITH : SP_PLANNED;
+            set.localise = 0;
+            CHECK_INT(sp_check(&s, &set, &test_arena, &x), SP_OK);
+            if (!CHECK_INT(x.verdict, SP_UNSTABLE)) TEST_PRINT("    foot %d, wall %g, together %d\n", k / 2 % 3, k % 2 ? r : 1 / r, together);
+            CHECK_INT(judged(&s, &x), SP_UNSTABLE);
+            x.y0 = NULL;
+            CHECK_INT(judged(&s, &x), SP_UNSTABLE);
+        }
+    }
+}
+#endif
+
 TEST(verify_says_which_argument_it_cannot_use)
 {
     sp_scene s;
@@ -265,5 +338,8 @@ TEST_LIST(verify)
     RUN(the_length_of_a_mechanism_does_not_matter)
     RUN(a_squeezed_block_in_a_slippery_slot_does_not_stand)
     RUN(a_pebble_is_judged_by_its_own_weight)
+#ifndef SP_SMALL
+    RUN(a_pile_that_turns_about_its_foot_falls_whatever_stands_beside_it)
+#endif
     RUN(verify_says_which_argument_it_cannot_use)
 TEST_END

@@ -44,7 +44,7 @@ compare() {
             for (k = n - 1; k <= n; k++) if (f[k] + 0 > most) { print key ": more than " most; bad = 1 }
         }
         /everything, SP_SMALL/ {                        # every public call in its smallest form
-            for (k = n - 1; k <= n; k++) if (f[k] + 0 > 53248) { print key ": more than 53248"; bad = 1 }
+            for (k = n - 1; k <= n; k++) if (f[k] + 0 > 49152) { print key ": more than 49152"; bad = 1 }
         }
         /painted/ { for (k = n - 1; k <= n; k++) if (f[k] + 0 > bound[k]) { print key ": more than its bound"; bad = 1 } }
         /bound: sp_check/ { for (k = n - 1; k <= n; k++) bound[k] = f[k] + 0 }

@@ -68,9 +68,9 @@ static int by_worker(report *r, void **memory, text_error *error)
     r->bytes = a.cost.bytes;
     r->seconds = a.cost.seconds;
     if (a.end > WORKER_REFUSED && !a.fell_back) return text_fail(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
-    if (status == SP_E_UNSUPPORTED)
+    if (status == SP_E_UNSUPPORTED && !(o->settings.coupled.asked && r->scene->strength_line))
         return text_fail(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s", sp_status_text(status));
-    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
 static int by_us(report *r, void **memory, text_error *error)
@@ -79,7 +79,7 @@ static int by_us(report *r, void **memory, text_error *error)
     const sp_status status = check_scene(&r->scene->scene, &r->options->settings, &r->result, &cost, memory);
     r->bytes = cost.bytes;
     r->seconds = cost.seconds;
-    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
 int report_check(report *r, void **memory, text_error *error)
@@ -108,7 +108,7 @@ static int publish(report *r, solvers_published *p, text_error *error)
     progress("asking Ipopt about", r->scene->path);
     status = solvers_publish(&r->scene->scene, &r->options->settings, &r->result, p);
     r->published = p;
-    return status == SP_OK ? 0 : text_fail_status(error, status, r->scene->path, 0, "");
+    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
 /* Read, turn, check, tell. */
@@ -184,9 +184,5 @@ int command_check(int argc, char **argv)
         worst = worse(worst, status);
     }
     done_free(&done);
-    if (ferror(stdout)) {
-        fputs("stonepack: can't write\n", stderr);
-        return EXIT_INTERNAL;
-    }
     return worst;
 }

@@ -221,7 +221,7 @@ int command_cost(int argc, char **argv)
     if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
     if (!code) options_tilt(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);
-    if (status) code = text_fail_status(&error, status, s.path, 0, "");
+    if (status) code = scene_refused(&s, &o.settings, status, &error);
     if (!code && o.svg) code = draw(o.svg, &s, &table, &error);
     if (!code) {
         if (o.json) cost_json(stdout, &s, &table);

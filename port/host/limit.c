@@ -46,6 +46,12 @@ static void json_end(json_out *j, const char *key, sp_real x)
     else json_null(j, key);
 }
 
+/* Is the multiplier so small that tol leaves little of it? tol counts against the loads. */
+static int is_vague(const sp_limit_result *x)
+{
+    return x->kind == SP_LIMIT_FOUND && (double)x->within > 1e-3 * (double)x->multiplier;
+}
+
 /* What moves, and what the joints do meanwhile. */
 static void json_motion(json_out *j, const host_scene *s, const sp_limit_result *x)
 {
@@ -88,7 +94,7 @@ static void print_json(const report *r)
     json_out j = { stdout, 0 };
     json_open(&j, NULL, '{');
     json_string(&j, "scene", r->scene->path);
-    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "multiplier", (double)x->multiplier);
+    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "multiplier", (double)x->multiplier + 0.0);   /* no -0 */
     else if (x->kind == SP_LIMIT_NONE) json_null(&j, "multiplier");
     else json_string(&j, "multiplier", sp_limit_text(x->kind));
     json_string(&j, "kind", sp_limit_text(x->kind));
@@ -96,10 +102,17 @@ static void print_json(const report *r)
     json_bool(&j, "verified", x->verified);
     json_end(&j, "lower", x->lower);
     json_end(&j, "upper", x->upper);
+    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "within", (double)x->within);
+    else json_null(&j, "within");
+    json_bool(&j, "vague", is_vague(x));
+    if (x->dead == SP_UNDECIDED) json_null(&j, "falls_under_dead_loads");
+    else json_bool(&j, "falls_under_dead_loads", x->dead == SP_UNSTABLE);
+    json_end(&j, "lowest", x->lowest);
     json_bool(&j, "upper_value_by_friction", any_friction(&r->scene->scene));
     json_string(&j, "cone", r->options->cone);
     json_bool(&j, "final", x->final);
     json_real(&j, "tol", (double)x->tol);
+    json_string(&j, "tol_by", report_tol_by(r));
     json_real(&j, "force_bound", (double)x->force_bound);
     json_real(&j, "omega", (double)x->omega);
     json_real(&j, "least_imbalance", (double)x->least_imbalance);
@@ -141,7 +154,7 @@ static void print_multiplier(const report *r)
     const sp_limit_result *x = r->limit;
     printf("%s: ", r->scene->path);
     switch (x->kind) {
-    case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier); break;
+    case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier + 0.0); break;
     case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
     case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: of the multiples of the live loads that it bears none is the largest"); break;
     default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
@@ -152,6 +165,19 @@ static void print_multiplier(const report *r)
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
     if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
     puts(x->verified ? "; verified" : "; NOT verified");
+    if (is_vague(x)) {
+        row("how near");
+        printf("known to within %.2g only: tol %.2g counts against the loads, and the multiplier is small beside that\n",
+               (double)x->within, (double)x->tol);
+    }
+    report_tol(stdout, r);
+    if (x->dead == SP_UNSTABLE && x->lowest >= 0) {
+        row("mind");
+        printf("it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n", (double)x->lowest);
+    } else if (x->dead == SP_UNDECIDED && x->kind) {
+        row("mind");
+        puts("whether it stands under the dead loads alone was not decided");
+    }
     if (!any_friction(&r->scene->scene) || (x->kind != SP_LIMIT_FOUND && x->kind != SP_LIMIT_UNBOUNDED)) return;
     row("mind");
     puts("with friction this is an upper value: real sliding does not open joints, and may fall at less");
@@ -199,6 +225,7 @@ static void print_tilt(const report *r, const tilt_margin *m)
         json_string(&j, "scene", r->scene->path);
         if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
         if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
+        if (m->stands && m->least < 90) json_real(&j, "within", m->within); else json_null(&j, "within");
         json_bool(&j, "at_least", tilt_at_least(m));
         json_int(&j, "undecided", m->undecided);
         json_string(&j, "cone", r->options->cone);
@@ -213,6 +240,11 @@ static void print_tilt(const report *r, const tilt_margin *m)
     if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", r->scene->path);
     else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", r->scene->path, tilt_at_least(m) ? "at least " : "",
                 m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
+    if (m->least < 90 && m->within > 1e-3 * m->least) {
+        row("how near");
+        printf("known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n", m->within);
+    }
+    if (m->worst.tol > 0) report_tol(stdout, r);
     row("how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }
@@ -223,6 +255,7 @@ static int tilt_command(report *r, text_error *error)
     void *memory;
     int status = tilt_measure(r->scene, r->options, &m, &memory, error);
     if (!status && r->options->svg) status = draw(r, &m, error);
+    r->result.tol = m.worst.tol;
     if (!status) print_tilt(r, &m);
     free(memory);
     return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
@@ -249,7 +282,7 @@ static int limit_command(report *r, text_error *error)
     void *memory = NULL;
     int status = 0;
     const sp_status e = limit_scene(&r->scene->scene, &r->options->settings, &x, &r->bytes, &r->seconds, &memory);
-    if (e != SP_OK) status = text_fail_status(error, e, r->scene->path, 0, "");
+    if (e != SP_OK) status = scene_refused(r->scene, &r->options->settings, e, error);
     if (!status) {
         r->limit = &x;
         r->result.f = x.f;
@@ -257,6 +290,7 @@ static int limit_command(report *r, text_error *error)
         r->result.verdict = x.upper >= 0 ? SP_UNSTABLE : SP_UNDECIDED;
         r->result.weakest = -1;
         r->result.verified = x.verified;
+        r->result.tol = x.tol;
         if (r->options->svg) status = draw(r, NULL, error);
     }
     if (!status && r->options->json) print_json(r);

@@ -16,6 +16,7 @@ typedef struct tilt_margin {
     int stands;                 /* it does while level; without that all angles are 0 */
     double angle[TILT_AZIMUTHS];        /* [degree] towards azimuth 360 k / TILT_AZIMUTHS; 90: at any angle below */
     double least, azimuth;      /* the smallest of all azimuths, and its own [degree] */
+    double within;              /* by so much it may be less, for what tol forgives [degree] */
     int undecided;              /* so many azimuths were not decided; their angle is what is proved to stand; level: 1 */
     sp_limit_result worst;      /* the limit at `azimuth`: its mechanism */
 } tilt_margin;

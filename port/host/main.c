@@ -166,11 +166,14 @@ static void help(void)
          "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
          "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
          "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
-         "  #@ fixed                           after an o line: this block is a support\n"
+         "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these directions\n"
          "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
          "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n"
          "  #@ load A fx fy fz px py pz        force at a point; fx fy fz mx my mz couple: force and couple\n"
-         "  #@ live A ...                      the same, scaled by `limit`\n\n"
+         "  #@ live A ...                      the same, scaled by `limit`\n"
+         "  #@ mass A kg px py pz [live]       weight at a point, a gripper for instance\n"
+         "  #@ pressure A FACE p [live]        [Pa] on its FACE-th f line, from 1\n"
+         "  #@ cohesion c                      [Pa] of joints, as mu; also tension, crushing\n\n"
          "Without interface and points lines contacts are found.");
 }
 
@@ -179,6 +182,14 @@ static int wants_help(int argc, char **argv)
     for (int i = 2; i < argc; i++)
         if (strcmp(argv[i], "--help") == 0) return 1;
     return 0;
+}
+
+/* What was printed has to arrive.      returns status, or EXIT_INTERNAL */
+static int arrived(int status)
+{
+    if ((!fflush(stdout) && !ferror(stdout)) || status == EXIT_INTERNAL) return status;
+    fputs("stonepack: can't write\n", stderr);
+    return EXIT_INTERNAL;
 }
 
 int main(int argc, char **argv)
@@ -193,9 +204,9 @@ int main(int argc, char **argv)
     }
     for (int k = 0; argc > 1 && k < COMMANDS; k++) {
         if (strcmp(argv[1], command[k].name)) continue;
-        if (!wants_help(argc, argv)) return command[k].run(argc, argv);
+        if (!wants_help(argc, argv)) return arrived(command[k].run(argc, argv));
         fputs(command[k].help, stdout);
-        return 0;
+        return arrived(0);
     }
     if (argc > 1) fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", argv[1]);
     else fputs("stonepack: a command is missing, see stonepack --help\n", stderr);

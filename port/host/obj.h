@@ -10,6 +10,8 @@
  *   #@ points A B nx ny nz x y z ...   point or edge contact with its normal
  *   #@ load NAME fx fy fz px py pz     force [N] at a point; fx fy fz mx my mz couple: at the centroid, and a moment [N m]
  *   #@ live ...                        as load, counts scene.live times
+ *   #@ mass NAME kg px py pz           weight [kg] at a point that goes with the block; `live` at its end: counts scene.live times
+ *   #@ pressure NAME FACE p            [Pa] on the block's FACE-th f line, from 1; < 0 pulls; `live` likewise
  *
  * Reading gives tables in the order of the file, indices resolved and checked, names as places in the text. Whether blocks
  * are closed and contacts plane is for the library to say, when scene.c builds them.
@@ -37,13 +39,18 @@ typedef struct obj_contact {
     int polygon;                /* 0: points that share the normal n */
     sp_real n[3];
     sp_real mu, strength[3];    /* cohesion, tension, crushing [Pa]; -1: the scene's */
+    int32_t strength_line[3];   /* where they are told, 0: nowhere */
 } obj_contact;
+
+typedef enum obj_load_kind { OBJ_FORCE, OBJ_COUPLE, OBJ_MASS, OBJ_PRESSURE } obj_load_kind;
 
 typedef struct obj_load {
     text_word name;
     int32_t block, line;
-    int live, couple;           /* couple: x is a moment, the force acts at the centroid */
-    sp_real f[3], x[3];         /* force; point or moment */
+    int live;
+    obj_load_kind kind;
+    int32_t face;               /* that is pressed, from 0 */
+    sp_real f[3], x[3];         /* force, or f[0]: mass or pressure; point, or moment where the force acts at the centroid */
 } obj_load;
 
 typedef struct obj_file {
@@ -52,6 +59,7 @@ typedef struct obj_file {
     size_t length;
     int32_t lines;
     sp_real mu, strength[3], density, gravity[3];
+    int32_t strength_line[3], gravity_line;             /* 0: not told */
     int32_t blocks, faces, corners, vertices, contacts, points, loads;
     obj_block *block;
     obj_face *face;

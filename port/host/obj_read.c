@@ -225,13 +225,16 @@ static int read_strength(reader *r, int k, text_word w)
     int status = reals(r, 1, &x, "strength of a joint needs a number");
     if (status) return status;
     if (x < 0) return fail_word(r, "must not be negative:", w);
-    *(r->f->contacts > 0 ? &r->f->contact[r->f->contacts - 1].strength[k] : &r->f->strength[k]) = x;
+    obj_contact *c = r->f->contacts > 0 ? &r->f->contact[r->f->contacts - 1] : NULL;
+    *(c ? &c->strength[k] : &r->f->strength[k]) = x;
+    *(c ? &c->strength_line[k] : &r->f->strength_line[k]) = r->at.line;
     return line_is_over(r);
 }
 
 static int read_gravity(reader *r)
 {
     int status = reals(r, 3, r->f->gravity, "gravity needs three numbers");
+    r->f->gravity_line = r->at.line;
     return status ? status : line_is_over(r);
 }
 
@@ -270,7 +273,7 @@ static int read_fixed(reader *r)
 
 static int read_load(reader *r, int live)
 {
-    obj_load load = { { NULL, 0 }, -1, r->at.line, live, 0, { 0, 0, 0 }, { 0, 0, 0 } };
+    obj_load load = { { NULL, 0 }, -1, r->at.line, live, OBJ_FORCE, 0, { 0, 0, 0 }, { 0, 0, 0 } };
     text_word w;
     int status;
 
@@ -279,8 +282,37 @@ static int read_load(reader *r, int live)
     if (!status) status = reals(r, 3, load.x, "a load needs a point, or a moment and the word 'couple'");
     if (status) return status;
     if (text_next_word(&r->at, &w) && w.s[0] != '#') {
-        load.couple = text_is(w, "couple");
-        status = load.couple ? line_is_over(r) : fail_word(r, "unexpected", w);
+        if (!text_is(w, "couple")) return fail_word(r, "unexpected", w);
+        load.kind = OBJ_COUPLE;
+        status = line_is_over(r);
+        if (status) return status;
+    }
+    APPEND(r, load, loads, room.load, load);
+    return 0;
+}
+
+/* NAME kg px py pz, or NAME FACE Pa, either with `live` behind it. */
+static int read_weight(reader *r, obj_load_kind kind)
+{
+    const char *what = kind == OBJ_MASS ? "a mass needs kilograms and a point" : "a pressure needs the number of a face and pascals";
+    obj_load load = { { NULL, 0 }, -1, r->at.line, 0, kind, 0, { 0, 0, 0 }, { 0, 0, 0 } };
+    text_word w;
+    int status = 0;
+
+    if (!text_next_word(&r->at, &load.name)) return fail(r, "a load needs the name of a block");
+    if (kind == OBJ_PRESSURE) {
+        if (!text_next_word(&r->at, &w)) return fail(r, what);
+        if (text_int(w, &load.face) != TEXT_NUMBER || load.face < 1) return fail_word(r, "faces are counted from 1, not by", w);
+        load.face--;
+    }
+    status = reals(r, 1, load.f, what);
+    if (!status && kind == OBJ_MASS) status = reals(r, 3, load.x, what);
+    if (status) return status;
+    if (kind == OBJ_MASS && load.f[0] < 0) return fail(r, "a mass must not be negative");
+    if (text_next_word(&r->at, &w) && w.s[0] != '#') {
+        if (!text_is(w, "live")) return fail_word(r, "unexpected", w);
+        load.live = 1;
+        status = line_is_over(r);
         if (status) return status;
     }
     APPEND(r, load, loads, room.load, load);
@@ -291,7 +323,7 @@ static int read_load(reader *r, int live)
 static int read_contact(reader *r, int polygon)
 {
     obj_contact c = { { { NULL, 0 }, { NULL, 0 } }, -1, -1, r->at.line, r->f->points, 0, polygon, { 0, 0, 0 }, -1,
-                      { -1, -1, -1 } };
+                      { -1, -1, -1 }, { 0, 0, 0 } };
     text_word w;
     int status;
 
@@ -330,6 +362,8 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "points")) return read_contact(r, 0);
     if (text_is(w, "load")) return read_load(r, 0);
     if (text_is(w, "live")) return read_load(r, 1);
+    if (text_is(w, "mass")) return read_weight(r, OBJ_MASS);
+    if (text_is(w, "pressure")) return read_weight(r, OBJ_PRESSURE);
     return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
 }
 

@@ -69,18 +69,25 @@ static int is_zero(const sp_real x[3])
     return 1;
 }
 
-/* A force at its point, then a couple by itself: the form has one of the two in a line. */
+/* A force at its point, a couple by itself, a mass: the form has one of them in a line. */
 static void write_load(FILE *out, const sp_load *load, const char *const *name)
 {
     const sp_real none[3] = { 0, 0, 0 };
     for (int couple = 0; couple < 2; couple++) {
-        if (couple ? is_zero(load->couple) : is_zero(load->force) && !is_zero(load->couple)) continue;
+        if (couple ? is_zero(load->couple) : is_zero(load->force) && (!is_zero(load->couple) || load->mass > 0)) continue;
         fputs(load->live ? "#@ live" : "#@ load", out);
         name_of(out, name, load->block);
         triple(out, "", couple ? none : load->force);
         triple(out, "", couple ? load->couple : load->point);
         fputs(couple ? " couple\n" : "\n", out);
     }
+    if (!(load->mass > 0)) return;
+    char kg[32];
+    fputs("#@ mass", out);
+    name_of(out, name, load->block);
+    fprintf(out, " %s", text_shortest(load->mass, kg));
+    triple(out, "", load->point);
+    fputs(load->live ? " live\n" : "\n", out);
 }
 
 static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
@@ -99,9 +106,6 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
     }
     for (int32_t i = 1; i < s->count.interfaces; i++)
         one_mu = one_mu && same(s->interface[i].joint.mu, s->interface[0].joint.mu);
-    for (int32_t i = 0; i < s->count.loads; i++)
-        if (s->load[i].mass > 0)
-            return text_fail(error, EXIT_SCENE, path, 0, "load %ld is a mass, which a scene file can't say", (long)i);
     if (one_mu) setting(out, "mu", s->interface[0].joint.mu);
     if (one_density && density > 0) setting(out, "density", density);
     triple(out, "#@ gravity", s->gravity);

@@ -82,7 +82,7 @@ int command_plan(int argc, char **argv)
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
             options_tilt(o.tilt, o.azimuth, s.scene.gravity);
             const sp_status status = plan_scene(&s.scene, &o.settings, &outlook);
-            if (status) text_fail_status(&error, status, s.path, 0, "");
+            if (status) scene_refused(&s, &o.settings, status, &error);
             else if (o.json) print_json(&s, &outlook);
             else print_table(&s, &outlook);
         }

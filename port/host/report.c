@@ -227,6 +227,18 @@ static void json_forces(json_out *j, const report *r)
     json_close(j, ']');
 }
 
+const char *report_tol_by(const report *r)
+{
+    const sp_scene *s = &r->scene->scene;
+    sp_real least = 1;
+    if (!(r->result.tol < r->options->settings.tol)) return "asked";
+    for (int32_t i = 0; i < s->count.interfaces; i++) {
+        const sp_real mu = s->interface[i].joint.mu;
+        if (mu > 0 && mu < least) least = mu;
+    }
+    return least / 8 <= r->result.tol ? "least friction" : "coupled";
+}
+
 void report_json(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
@@ -240,6 +252,7 @@ void report_json(FILE *out, const report *r)
     json_bool(&j, "verified", x->verified);
     json_bool(&j, "final", x->final);
     json_real(&j, "tol", (double)x->tol);
+    json_string(&j, "tol_by", report_tol_by(r));
     json_real(&j, "force_bound", (double)x->force_bound);
     json_int(&j, "blocks", r->scene->scene.count.blocks);
     json_int(&j, "free_blocks", x->free_blocks);
@@ -321,6 +334,16 @@ static void text_certainty(FILE *out, const report *r)
     else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fprintf(out, x->verified ? "; verified" : "; NOT verified");
     fputc('\n', out);
+}
+
+void report_tol(FILE *out, const report *r)
+{
+    const char *by = report_tol_by(r);
+    if (strcmp(by, "asked") == 0) return;
+    row(out, "tol");
+    fprintf(out, "%.2g instead of %.2g: %s\n", (double)r->result.tol, (double)r->options->settings.tol,
+            strcmp(by, "coupled") ? "an eighth of the least friction, or slopes too steep for it would pass"
+                                  : "a coupled check is asked with no coarser one");
 }
 
 static void text_coupled(FILE *out, const report *r)
@@ -412,6 +435,7 @@ void report_text(FILE *out, const report *r)
     row(out, "why");
     fprintf(out, "%s\n", why(x->reason));
     text_certainty(out, r);
+    report_tol(out, r);
     text_coupled(out, r);
     text_published(out, r->published);
     text_weakest(out, r);

@@ -29,6 +29,12 @@ int report_check(report *r, void **memory, text_error *error);
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
 
+/* Who told the tol in force, r->result.tol: "asked", "least friction" whose eighth is less, or "coupled". */
+const char *report_tol_by(const report *r);
+
+/* A line on that where it was not asked for. */
+void report_tol(FILE *out, const report *r);
+
 /* Is the motion to be shown the virtual one of the coupled check, not a mechanism? And that motion, 6 x blocks. */
 int report_virtual(const report *r);
 const sp_real *report_dq(const report *r);

@@ -2,6 +2,7 @@
 #include "scene.h"
 #include "obj.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -110,6 +111,11 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
     return text_fail_status(error, status, f->path, block->line, what);
 }
 
+static void contact_words(const obj_contact *c, char what[192])
+{
+    snprintf(what, 192, "contact '%.*s%s' '%.*s%s'", NAME(c->name[0]), NAME(c->name[1]));
+}
+
 /* A joint with this friction and strength; of strength the scene's where a number is below 0 (points have none: no area). */
 static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
 {
@@ -119,11 +125,16 @@ static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], in
     return joint;
 }
 
-/* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing.     returns 0, or fails */
-static int joint_counts(const obj_file *f, const sp_joint *j, int32_t line, text_error *error)
+/* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact, NULL:
+ * of those that are found.     returns 0, or fails */
+static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact *c, text_error *error)
 {
+    const int32_t line = c && c->strength_line[1] ? c->strength_line[1] : f->strength_line[1];
+    char what[192] = "contacts";
     if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
-    return text_fail(error, EXIT_SCENE, f->path, line, "tension counts up to cohesion / mu: without cohesion it is nothing");
+    if (c) contact_words(c, what);
+    return text_fail(error, EXIT_SCENE, f->path, line, "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
+                     what);
 }
 
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, text_error *error)
@@ -131,13 +142,13 @@ static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene
     const obj_contact *c = &f->contact[i];
     const sp_joint joint = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
-    if (joint_counts(f, &joint, c->line, error)) return error->status;
+    if (joint_counts(f, &joint, c, error)) return error->status;
     const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &joint, NULL)
                                         : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &joint, NULL);
     char what[192];
 
     if (status == SP_OK) return 0;
-    snprintf(what, sizeof what, "contact '%.*s%s' '%.*s%s'", NAME(c->name[0]), NAME(c->name[1]));
+    contact_words(c, what);
     return text_fail_status(error, status, f->path, c->line, what);
 }
 
@@ -150,12 +161,15 @@ static int add_load(const obj_file *f, int32_t i, sp_scene *scene, text_error *e
 
     load.block = l->block;
     load.live = l->live;
-    memcpy(load.force, l->f, sizeof load.force);
-    memcpy(load.point, l->couple ? scene->block[l->block].centroid : l->x, sizeof load.point);
-    if (l->couple) memcpy(load.couple, l->x, sizeof load.couple);
-    status = sp_scene_load(scene, &load, NULL);
+    if (l->kind == OBJ_MASS) load.mass = l->f[0];
+    else memcpy(load.force, l->f, sizeof load.force);
+    memcpy(load.point, l->kind == OBJ_COUPLE ? scene->block[l->block].centroid : l->x, sizeof load.point);
+    if (l->kind == OBJ_COUPLE) memcpy(load.couple, l->x, sizeof load.couple);
+    if (l->kind == OBJ_PRESSURE) status = sp_scene_pressure(scene, l->block, l->face, l->f[0], l->live, NULL);
+    else status = sp_scene_load(scene, &load, NULL);
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "load on '%.*s%s'", NAME(l->name));
+    if (status == SP_E_INDEX) return text_fail(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
     return text_fail_status(error, status, f->path, l->line, what);
 }
 
@@ -208,7 +222,7 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
     sp_arena scratch;
 
     settings.joint = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
-    if (joint_counts(f, &settings.joint, 0, error)) {
+    if (joint_counts(f, &settings.joint, NULL, error)) {
         free(memory);
         return error->status;
     }
@@ -249,6 +263,29 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     return 0;
 }
 
+/* *line: the first where something above 0 is told. */
+static void first_line(sp_real x, int32_t told, int32_t *line)
+{
+    if (x > 0 && told && (!*line || told < *line)) *line = told;
+}
+
+/* Where what stands in the file, for messages after the file is let go. */
+static int keep_lines(const obj_file *f, int given, host_scene *s, text_error *error)
+{
+    int32_t *line = malloc(((size_t)f->blocks + (size_t)f->contacts + (size_t)f->loads + 1) * sizeof *line);
+    s->line = line;
+    if (!line) return out_of_memory(f, error);
+    s->given = given ? f->contacts : 0;
+    s->gravity_line = f->gravity_line;
+    for (int32_t b = 0; b < f->blocks; b++) *line++ = f->block[b].line;
+    for (int32_t i = 0; i < s->given; i++) *line++ = f->contact[i].line;
+    for (int32_t i = 0; i < f->loads; i++) *line++ = f->load[i].line;
+    for (int k = 0; k < 3; k++) first_line(f->strength[k], f->strength_line[k], &s->strength_line);
+    for (int32_t i = 0; i < s->given; i++)
+        for (int k = 0; k < 3; k++) first_line(f->contact[i].strength[k], f->contact[i].strength_line[k], &s->strength_line);
+    return 0;
+}
+
 static int keep_names(const obj_file *f, host_scene *s, text_error *error)
 {
     size_t bytes = 0;
@@ -272,6 +309,7 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
     sp_capacity cap = { 0, 0, 0, 0, 0, 0, 0 };
     int status = keep_names(f, s, error);
 
+    if (!status) status = keep_lines(f, given, s, error);
     s->mu = mu >= 0 ? mu : f->mu;
     if (status) return status;
     if (!make_room(f, m) || !count_meshes(f, &cap, m)) return out_of_memory(f, error);
@@ -319,8 +357,82 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
     return finish(&f, obj_parse(path, text, length, &f, error), mu, contacts, s, error);
 }
 
+/* ------------------------------------------------------------------------------------------------- what the library refuses */
+
+#define LARGEST (sizeof(sp_real) == 8 ? DBL_MAX : (double)FLT_MAX)
+
+/* Is a number of this scene too large? Not where there is no memory to tell. */
+static int too_large(const sp_scene *scene)
+{
+    const size_t bytes = sp_problem_memory(scene);
+    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    sp_arena a;
+    sp_problem problem;
+    const int yes = memory && sp_arena_init(&a, memory, bytes + SP_ALIGN) == SP_OK
+                 && sp_problem_build(scene, &a, &problem) == SP_E_NOT_FINITE;
+    free(memory);
+    return yes;
+}
+
+/* The first `*count` of something, of which none is too much and all are: one that makes it so.     returns its number */
+static int32_t culprit(const sp_scene *part, int32_t *count)
+{
+    int32_t low = 0, high = *count;
+    while (high - low > 1) {
+        *count = low + (high - low) / 2;
+        if (too_large(part)) high = *count; else low = *count;
+    }
+    return high - 1;
+}
+
+/* A block whose weight alone is too large, -1: none. */
+static int32_t heavy(const sp_scene *scene)
+{
+    for (int32_t b = 0; b < scene->count.blocks; b++)
+        for (int k = 0; k < 3 && scene->block[b].fixed != SP_FIXED; k++) {
+            const double w = (double)(scene->block[b].mass * scene->gravity[k]);
+            if (!(w * w <= LARGEST)) return b;
+        }
+    return -1;
+}
+
+static int too_large_where(const host_scene *s, text_error *error)
+{
+    const char *const why = "a number is too large to be squared";
+    sp_scene part = s->scene;
+    const int32_t blocks = part.count.blocks, loads = part.count.loads;
+    part.count.loads = part.count.interfaces = 0;
+    if (too_large(&part)) {
+        const int32_t b = heavy(&part);
+        if (b < 0) return text_fail(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
+        const int32_t line = s->gravity_line ? s->gravity_line : s->line[b];
+        return text_fail(error, EXIT_SCENE, s->path, line, "weight of block '%.60s': %s", s->name[b], why);
+    }
+    part.count.loads = loads;
+    if (too_large(&part)) {
+        const int32_t k = culprit(&part, &part.count.loads);
+        return text_fail(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
+                         s->name[s->scene.load[k].block], why);
+    }
+    part.count.interfaces = s->scene.count.interfaces;
+    const int32_t i = culprit(&part, &part.count.interfaces);
+    const sp_interface *f = &s->scene.interface[i];
+    return text_fail(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
+                     s->name[f->a], s->name[f->b], why);
+}
+
+int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, text_error *error)
+{
+    if (why == SP_E_NOT_FINITE && too_large(&s->scene)) return too_large_where(s, error);
+    if (why == SP_E_UNSUPPORTED && settings->coupled.asked && s->strength_line)
+        return text_fail(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a coupled "
+                         "check knows friction alone");
+    return text_fail_status(error, why, s->path, 0, "");
+}
+
 void scene_free(host_scene *s)
 {
+    free(s->line);
     free(s->path);
     free(s->memory);
     free(s->name);

@@ -16,6 +16,9 @@ typedef struct host_scene {
     int found;                  /* the contacts were found, not given */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */
+    int32_t *line;              /* of the file: of each block, of each contact given, of each load */
+    int32_t given;              /* contacts given */
+    int32_t gravity_line, strength_line;        /* where they are told first, 0: nowhere */
 } host_scene;
 
 typedef enum scene_contacts { SCENE_GIVEN, SCENE_FIND } scene_contacts;
@@ -31,8 +34,12 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
 
 /* Write a scene as a file that reads back as the same scene, contacts as `#@ interface` and `#@ points`.
  *   name      of each block, or NULL: b0 b1 ...
- *   returns   0; an exit status where a block has no mesh, or a load is a mass, which the form can't say */
+ *   returns   0; an exit status where a block has no mesh, which the form can't say */
 int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, text_error *error);
+
+/* What the library refuses of a scene that was read, with the line that is to blame: the load, gravity, block or contact whose
+ * numbers are too large, the strength that a coupled check does not know.     returns an exit status, never 0 */
+int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, text_error *error);
 
 void scene_free(host_scene *s);
 

@@ -8,7 +8,6 @@
 #include "scene.h"
 #include "svg.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -376,13 +375,12 @@ static void caption(const run *r, const told *t, int32_t k, char text[SVG_CAPTIO
 static int draw(const run *r, text_error *error)
 {
     const char *path = r->options->svg;
-    FILE *out = strcmp(path, "-") ? fopen(path, "wb") : stdout;
+    FILE *out = text_create(path, error);
     svg_frame frame[STRIP];
     int32_t step[STRIP];
     char title[96];
-    int failed;
     const int n = shown(r, step);
-    if (!out) return text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
+    if (!out) return error->status;
     for (int i = 0; i < n; i++) {
         const told *t = &r->told[step[i]];
         frame[i].vertex = r->scene.scene.vertex;
@@ -392,9 +390,8 @@ static int draw(const run *r, text_error *error)
     }
     if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
     else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
-    failed = !svg_sheet(out, &r->scene.scene, n, frame, title);
-    failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || failed;
-    return failed ? text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture") : 0;
+    const int drawn = svg_sheet(out, &r->scene.scene, n, frame, title);
+    return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
 static void forget(run *r)
@@ -421,14 +418,15 @@ int command_sequence(int argc, char **argv)
     status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove"
                           " --suggest ", &o, &error);
     if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
+    for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
+        if (o.settings.stage[k] == SP_STAGE_ADMM)
+            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
     if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
     if (!status) options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);
     if (!status) {
         const sp_status s = all_steps(&r);
-        if (s == SP_E_UNSUPPORTED)
-            status = text_fail(&error, EXIT_USAGE, r.scene.path, 0, "sequence can't: of the stages admm, or what this build leaves out");
-        else if (s) status = text_fail_status(&error, s, r.scene.path, 0, "");
+        if (s) status = scene_refused(&r.scene, &o.settings, s, &error);
     }
     if (!status && o.svg && r.steps) status = draw(&r, &error);
     if (!status) {
@@ -436,7 +434,7 @@ int command_sequence(int argc, char **argv)
         else print_text(&r);
     }
     if (status) fprintf(stderr, "%s\n", error.line);
-    else status = fflush(stdout) ? EXIT_INTERNAL : report_exit(r.worst);
+    else status = report_exit(r.worst);
     forget(&r);
     return status;
 }

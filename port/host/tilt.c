@@ -62,7 +62,7 @@ static int stands_level(const host_scene *s, const options *o, tilt_margin *m, t
     for (int k = 0; k < 3; k++) still.body[k] = 0;
     const sp_status e = limit_scene(&still, &o->settings, &x, &bytes, &seconds, &memory);
     free(memory);
-    if (e != SP_OK) return text_fail_status(error, e, s->path, 0, "");
+    if (e != SP_OK) return scene_refused(s, &o->settings, e, error);
     m->stands = x.kind == SP_LIMIT_UNBOUNDED;
     m->undecided = x.kind == SP_LIMIT_UNDECIDED;
     return 0;
@@ -83,6 +83,7 @@ static sp_status refine(const host_scene *s, const options *o, double h[2][3], d
         m->worst = x;
         best = lambda;
         m->least = atan(lambda) / DEGREE;
+        m->within = (atan(lambda + (double)x.within) - atan(lambda)) / DEGREE;
         m->azimuth = azimuth / DEGREE;
         if (!(nearest_line(&s->scene, &x, h, &azimuth) < HUGE_VAL)) return SP_OK;
     }
@@ -118,7 +119,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
         sp_limit_result x;
         double lambda, at, line;
         const sp_status e = towards(&s->scene, o, azimuth, h, &x, &lambda, &now);
-        if (e != SP_OK) { free(now); return text_fail_status(error, e, s->path, 0, ""); }
+        if (e != SP_OK) { free(now); return scene_refused(s, &o->settings, e, error); }
         m->angle[k] = atan(lambda) / DEGREE;
         m->undecided += x.kind == SP_LIMIT_UNDECIDED;
         line = nearest_line(&s->scene, &x, h, &at);
@@ -127,7 +128,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
     }
     if (nearest < HUGE_VAL) {
         const sp_status e = refine(s, o, h, worst, m, memory);
-        if (e != SP_OK) return text_fail_status(error, e, s->path, 0, "");
+        if (e != SP_OK) return scene_refused(s, &o->settings, e, error);
     }
     for (int k = 0; k < TILT_AZIMUTHS; k++)
         if (m->angle[k] < m->least) { m->least = m->angle[k]; m->azimuth = 360.0 * k / TILT_AZIMUTHS; }

@@ -4,7 +4,8 @@
     words.py [README.md]
 
 Times of a bench, factorisations, bytes (tests/bench/results/*/bench.csv); what accuracy costs (figures/cost.csv); how near to a
-limit both sides are told (figures/near.csv). Counts and distances to the digits written, times and bytes within a tenth.
+limit both sides are told (figures/near.csv); code by switch (port/board/footprint.csv). Counts and distances to the digits
+written, times and bytes within a tenth.
 """
 import csv
 import glob
@@ -94,10 +95,34 @@ def near(text):
                 differs(f"{scene}, {real}, tol {tol:.0e}", written, f"{rows[real, scene, tol]:.0e}")
 
 
+def footprint(text):
+    """Code by switch and part, and the deepest stack of a check: kB of 1024 bytes to the digits written."""
+    with open(os.path.join(HERE, "..", "..", "port", "board", "footprint.csv"), encoding="utf-8") as f:
+        rows = {r[0]: [float(x or "nan") for x in r[1:]] for r in list(csv.reader(f))[1:]}
+    names = {"code and constants": ["all"], "(`SP_NO_ADMM`)": ["SP_NO_ADMM"], "(`SP_NO_PLAN`)": ["SP_NO_PLAN"], "(`SP_NO_IPM`)": ["SP_NO_IPM"],
+             "(`SP_NO_CRA`)": ["SP_NO_CRA"], "(`SP_NO_QP`)": ["SP_NO_QP"], "(`SP_SMALL`": ["everything, SP_SMALL"],
+             "without any of": ["SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN"], "of that a linker": ["check, interfaces given"],
+             "for meshes": ["check, contacts found"], "(`SP_EXACT_ONLY`)": ["smallest check, interfaces given", "smallest check, contacts found"],
+             "`sp_verify` alone": ["smallest verification, interfaces given"], "(`SP_QP_ONLY`)": ["SP_QP_ONLY"],
+             "the same without": ["SP_QP_ONLY, no Dykstra, CG, polish"]}
+    found = 0
+    for name, *cells in table(text, "| | Cortex-M7, double | Cortex-M4F, float |"):
+        parts = next((p for key, p in names.items() if key in name), None)
+        if name.startswith("deepest stack"):
+            for column, cell in enumerate(cells): rounded(name, cell.split()[0], rows["stack, bound: sp_check"][column])
+        if parts is None: continue
+        found += 1
+        for column, cell in enumerate(cells):
+            for part, written in zip(parts, re.findall(r"\d+", cell)):
+                bytes_ = rows.get("text: " + part, rows.get("text, linked: " + part))[column]
+                rounded(f"{name}, column {column + 1}", written, bytes_ / 1024)
+    if found != len(names): differs("rows of the footprint", found, len(names))
+
+
 def main():
     with open(sys.argv[1] if len(sys.argv) > 1 else "README.md", encoding="utf-8") as f:
         text = f.read()
-    for part in (bench, cost, near):
+    for part in (bench, cost, near, footprint):
         part(text)
     for line in said:
         print(line)

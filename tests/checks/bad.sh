@@ -169,6 +169,8 @@ bad load_short 'three numbers' '#@ load stone 0 0'
 bad live_pointless 'point' '#@ live stone 10 0 0 0 0'
 bad load_nan 'not a number' '#@ load stone 0 0 nan 0 0 0'
 bad load_word 'unexpected' '#@ load stone 0 0 1 0 0 0 couples'
+bad mass_nobody 'does not exist' '#@ mass nobody 1 0 0 1'
+bad pressure_face 'no face 99' '#@ pressure stone 99 1'
 
 # ----------------------------------------------------------------------------------------------------------------- contacts
 bad interface_bare 'two blocks' '#@ interface'

@@ -230,7 +230,10 @@ part "effects: in two lists, too"   exits 64 "$cli" check --effects +depth --eff
 part "effects: +coupled asks"       says '^coupled *on' "$cli" plan --effects +coupled "$tmp/scene.obj"
 part "effects: -coupled does not"   says '^coupled *off' "$cli" plan --effects -coupled "$tmp/scene.obj"
 part "effects: -coupled, --coupled: 64" exits 64 "$cli" check --coupled --effects -coupled "$tmp/scene.obj"
-part "sequence: admm is named: 64"  sh -c "'$cli' sequence --stages admm '$tmp/scene.obj' 2>&1 | grep -q 'of the stages admm'"
+part "sequence: admm is named: 64"  sh -c "'$cli' sequence --stages admm '$tmp/scene.obj' 2>&1 | grep -q 'a sequence has no stage admm'"
+part "tol: friction brings it down" sh -c "'$cli' check --mu 8e-11 '$tmp/scene.obj' | grep -q '^  tol .*1e-11 instead of 1e-09: an eighth of the least friction'"
+part "tol: a coupled check does"    sh -c "'$cli' check --tol 1e-3 --coupled '$tmp/scene.obj' | grep -q '^  tol .*1e-06 instead of 0.001: a coupled check'"
+part "tol: as asked"                says '"tol_by": *"asked"' "$cli" check --json "$tmp/scene.obj"
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
@@ -243,6 +246,7 @@ part "sequence: the last one closes it" says '^ *20 + b20  *stable' "$cli" seque
 part "sequence: taken down by half" says '^ *2 - b19  *UNSTABLE' "$cli" sequence --remove --order b20,b19 "$tmp/scene.obj"
 part "sequence: a strip"            exits 1 "$cli" sequence --svg "$tmp/strip.svg" "$tmp/scene.obj"
 part "sequence: the strip has an end" sh -c "grep -q 'to be held' '$tmp/strip.svg' && tail -1 '$tmp/strip.svg' | grep -q '</svg>'"
+part "sequence: nothing half written" half "$cli" sequence --svg "$tmp/half" "$tmp/scene.obj"
 part "sequence: unknown name: 64"   exits 64 "$cli" sequence --order b1,none "$tmp/scene.obj"
 part "sequence: two orders: 64"     exits 64 "$cli" sequence --order b1 --order-file x "$tmp/scene.obj"
 part "sequence: no order file: 66"  exits 66 "$cli" sequence --order-file "$tmp/none.txt" "$tmp/scene.obj"
@@ -273,6 +277,14 @@ part "cost: table, picture, JSON"     costs arch n=5
 gen arch n=20 t=0.15
 part "limit: a number"              says '"multiplier": 0.1' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
 part "limit: both ends verified"    says 'a mechanism falls at 0.1.*; verified' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
+"$cli" gen incline angle=20 mu=0.2 > "$tmp/slips.obj"
+part "limit: held by its live load" says 'falls under the dead loads alone.*0.15284' "$cli" limit --body -1,0,0 "$tmp/slips.obj"
+part "limit: and so in JSON"       says '"falls_under_dead_loads": true, "lowest": 0.15284' "$cli" limit --json --body -1,0,0 "$tmp/slips.obj"
+"$cli" gen two-cubes mu=1e-9 > "$tmp/slick.obj"
+part "limit: not nearer than tol"  says 'known to within .* only' "$cli" limit --body 1,0,0 "$tmp/slick.obj"
+part "limit: why tol was lowered"  says 'an eighth of the least friction' "$cli" limit --body 1,0,0 "$tmp/slick.obj"
+part "tilt margin: nor that"       says 'known to within .* only' "$cli" limit --tilt-margin "$tmp/slick.obj"
+part "limit: that in JSON"          says '"tol_by": "least friction"' "$cli" limit --json --body 1,0,0 "$tmp/slick.obj"
 part "limit: hinges by name"        says '^  hinges  *b' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
 part "limit: says that friction makes it an upper value" says 'upper value' "$cli" limit --body 1,0,0 "$tmp/scene.obj"
 part "limit: down has no end, 0"    exits 0 "$cli" limit --body 0,0,-1 "$tmp/scene.obj"
@@ -297,6 +309,13 @@ part "limit: what is undecided while level is not told to fall" exits 2 "$cli" l
 gen topple angle=15
 part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
 part "limit: does not stand level: 1" exits 1 "$cli" limit --tilt-margin "$tmp/scene.obj"
+arrives() {                                             # every command tells that its output could not be written
+    for arrives_of in check 'check --json' plan contacts sequence 'limit --tilt-margin' 'limit --json --body 1,0,0' convert; do
+        $cli $arrives_of "$tmp/scene.obj" > /dev/full 2> "$tmp/err"
+        test $? -eq 70 && test "$(wc -l < "$tmp/err")" -eq 1 || { echo "$arrives_of"; return 1; }
+    done
+}
+if [ -e /dev/full ]; then part "a full disc is told: 70" arrives; fi
 gen wall size=2000
 part "limit: on a budget: 2"        exits 2 "$cli" limit --budget 1e7 --body 1,0,0 "$tmp/scene.obj"
 part "check on a budget"               on_a_budget

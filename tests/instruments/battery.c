@@ -1,12 +1,15 @@
 /* battery: the hard scenes and the corpus, or the scenes of files, in another arithmetic, one line each:
  *
- *     name | verdict | wrong, open, refused, capped (hard.h) or as it is | omega | largest force | ms | proved | final | far | truth
+ *     name | verdict | how | omega | largest force | ms | proved | final | far | truth
  *
- *     proved    least imbalance there is, of what falls;   far, truth: of the hard scenes
+ *     how       wrong, open, refused, capped (hard.h), short, or as it is
+ *     proved    least imbalance there is, of what falls;   far, truth: of the hard scenes;   short: the last digit of a weight
+ *               is more than tol of it
  *
- * battery [up|down|zero] [traps] [flush] [light] [short] [fine] [tol=X] [FILE.obj...]
+ * battery [up|down|zero] [traps] [flush] [light] [short] [fine] [far] [only=NAME] [tol=X] [FILE.obj...]
  *     rounding mode; SIGFPE on invalid, division by zero, overflow; denormals are zero; without the three heaviest; without
  *     the corpus; files: these instead; fine: what stands and does not balance to 1e-12 is OPEN; asked at tol X
+ *     far: instead, name | relative distance from its limit in load;   only: that hard scene
  *
  * One file with the library, beside those that read scenes, so that a compiler flag or a header put before it changes all
  * arithmetic: SP_REAL_QUAD, a class in place of double (random.hpp), -fsanitize=numerical. instruments.sh has the lines. Exit
@@ -61,7 +64,8 @@ static void battery_shadow(const sp_result *r)
 #endif
 
 static uint64_t room[(64u << 20) / 8];
-static int bad, flushed, light, without_corpus, fine;
+static int bad, flushed, light, without_corpus, fine, far;
+static const char *only;                                        /* of the hard scenes */
 static double tol;                                              /* asked for; 0: what the scenes are asked at */
 static clock_t started;
 
@@ -69,8 +73,66 @@ static void say(const char *name, sp_verdict verdict, const char *is, const sp_r
 {
     printf("%-38s| %-9s | %-5s | %7.1e | %.17g | %.3g | %.1e | %d | %g | %s\n", name, sp_verdict_text(verdict), is, (double)r->omega,
            (double)r->max_compression, 1e3 * (double)(clock() - started) / CLOCKS_PER_SEC, (double)r->least_imbalance,
-           (int)r->final, c ? c->far : 0, c && !(c->flags & HARD_LIMIT) ? sp_verdict_text(c->truth) : "");
+           (int)r->final, c ? c->far : 0, c && (c->far > 0 || !(c->flags & HARD_LIMIT)) ? sp_verdict_text(c->truth) : "");
     fflush(stdout);
+}
+
+/* The scene with a share of every weight added to it: along an axis, ways 0 to 5, or, way 6, by hands: each block is held at its
+ * centroid by a force of any direction up to that (a made-up joint of one point, the force its strength). */
+static sp_verdict changed(const sp_scene *s, const sp_settings *set, int way, double share, sp_arena arena)
+{
+    sp_scene t = *s;
+    sp_result r;
+    const sp_real *g = s->gravity;
+    const double much = share * (double)sp__norm3(g);
+    const int32_t blocks = s->count.blocks, joints = s->count.interfaces, points = s->count.points;
+    int32_t support = 0;
+    memset(&r, 0, sizeof r);
+    while (support < blocks && s->block[support].fixed != SP_FIXED) support++;
+    if (way < 6) t.gravity[way / 2] += (sp_real)(way % 2 ? -much : much);
+    else {
+        t.interface = sp__take(&arena, (size_t)(joints + blocks), sizeof *t.interface);
+        t.point = sp__take(&arena, (size_t)(points + blocks), sizeof *t.point);
+        if (support == blocks || sp__failed(&arena)) return SP_UNDECIDED;
+        memcpy(t.interface, s->interface, (size_t)joints * sizeof *t.interface);
+        memcpy(t.point, s->point, (size_t)points * sizeof *t.point);
+    }
+    for (int32_t k = 0; k < blocks && way == 6; k++) {
+        const sp_real hold = (sp_real)much * s->block[k].mass;
+        const sp_interface hand = { support, k, t.count.points, 1, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, { 0, hold, hold, hold } };
+        if (s->block[k].fixed || !(hold > 0)) continue;
+        t.interface[t.count.interfaces++] = hand;
+        memcpy(t.point[t.count.points++], s->block[k].centroid, sizeof *t.point);
+    }
+    t.cap = t.count;
+    return sp_check(&t, set, &arena, &r) ? SP_UNDECIDED : r.verdict;
+}
+
+/* Relative distance from the limit in load, from above: the first share of the weights, each twice the one before, that changes
+ * the verdict, for what falls also by hands. 1: none up to a tenth does. */
+static double distance(const sp_scene *s, const sp_settings *set, sp_arena arena)
+{
+    const sp_verdict is = changed(s, set, 0, 0, arena);
+    const int ways = is == SP_UNSTABLE ? 7 : 6;
+    for (double share = 1e-9; share < 0.15; share *= 2)
+        for (int way = 0; way < ways; way++) {
+            const sp_verdict other = changed(s, set, way, share, arena);
+            if (other && other != is) return share;
+        }
+    return 1;
+}
+
+/* The largest of what the last digit of a weight is to it: more than a few roundings below the normal range. */
+static double last_digit(const sp_scene *s)
+{
+    double most = 0;
+    for (int32_t k = 0; k < s->count.blocks; k++) {
+        const sp_real whole = s->block[k].mass;
+        sp_real last = whole;
+        while (last / 2 > 0 && whole + last / 2 > whole) last /= 2;
+        if (whole > 0 && (double)(last / whole) > most) most = (double)(last / whole);
+    }
+    return most;
 }
 
 /* One hard scene against its truth. */
@@ -85,6 +147,7 @@ static void hard(const hard_case *c)
     if (c->flags & HARD_BAND_FLOAT && !(tol > 0)) return;
 #endif
     if (light && c->flags & HARD_HEAVY) return;
+    if (only && strcmp(only, c->name)) return;
     memset(&r, 0, sizeof r);
     sp_arena_init(&arena, room, sizeof room);
     sp_settings set = hard_settings();
@@ -98,13 +161,15 @@ static void hard(const hard_case *c)
     }
 #endif
     started = clock();
+    if (far) { printf("%s|%.3g\n", c->name, status ? 1 : distance(&s, &set, arena)); return; }
     if (!status) status = sp_check(&s, &set, &arena, &r);
     const sp_verdict v = status ? SP_UNDECIDED : r.verdict;
     battery_shadow(&r);
-    const int wrong = v && !hard_right(c, &r) && !(c->flags & HARD_LIMIT), missing = !v && !(c->flags & open);
+    const int is_short = !v && last_digit(&s) > (double)set.tol;
+    const int wrong = v && !hard_right(c, &r) && !(c->flags & HARD_LIMIT), missing = !v && !(c->flags & open) && !is_short;
     bad |= wrong || missing;
     const int capped = v != c->truth && !(c->flags & HARD_LIMIT);
-    say(c->name, v, wrong ? "WRONG" : missing ? "OPEN" : !v ? "open" : capped ? "capped" : "", &r, c);
+    say(c->name, v, wrong ? "WRONG" : missing ? "OPEN" : is_short ? "short" : !v ? "open" : capped ? "capped" : "", &r, c);
 }
 
 static void corpus_one(const char *name, int32_t k, const sp_scene *s, int32_t faces, sp_arena *arena, sp_status status)
@@ -158,6 +223,7 @@ static void file(const char *path)
     int status = scene_read(path, -1, SCENE_GIVEN, &s, &error);
     if (tol > 0) set.tol = (sp_real)tol;
     started = clock();
+    if (far) { printf("%s|%.3g\n", name, status ? 1 : distance(&s.scene, &set, arena)); scene_free(&s); return; }
     if (!status) status = sp_check(&s.scene, &set, &arena, &r);
     const int coarse = fine && r.verdict == SP_STABLE && r.omega > (sp_real)1e-12;
     bad |= status || coarse;
@@ -180,6 +246,8 @@ int main(int argc, char **argv)
         else if (strcmp(argv[k], "light") == 0) light = 1;
         else if (strcmp(argv[k], "short") == 0) without_corpus = 1;
         else if (strcmp(argv[k], "fine") == 0) fine = 1;
+        else if (strcmp(argv[k], "far") == 0) far = 1;
+        else if (strncmp(argv[k], "only=", 5) == 0) only = argv[k] + 5;
         else if (strncmp(argv[k], "tol=", 4) == 0) tol = atof(argv[k] + 4);
         else files = k;
     }

@@ -1,30 +1,29 @@
 #!/usr/bin/env python3
 """The same verdict from double, mixed, quad and float, each at its default and at its finest tol.
 
-  precisions.py FOLDER [CASES]      FOLDER/PRECISION-TOL.txt as battery.c writes them; CASES: ../shared/cases, for its files
+  precisions.py FOLDER [CASES]      FOLDER/PRECISION-TOL.txt as battery.c writes them; CASES: ../shared/cases, for its files;
+                                    FOLDER/double: battery.c in double, FOLDER/files: the cases unpacked
 
-One row a scene: relative distance from its limit (load, friction, overhang; - where none is known), what is true, and for every
-precision and tol S, U or ? and omega. Behind a verdict:
+One row a scene: relative distance from its limit in what it is named by (friction, overhang, lean; - where none is known), the
+same in load where a precision leaves it undecided, what is true, and for every precision and tol S, U or ? and omega.
 
-  b    within the declared band of its limit (double 1e-8, mixed 1e-6, quad 1e-12, float 1e-3; 1000 tol where that is more)
+In load: the least share of its weight that, added to every block's along an axis, makes what stands fall; that, or in any direction
+chosen for every block, makes what falls stand. Measured here, in double at tol 1e-12 (battery.c, far). Behind a verdict:
+
+  b    undecided, and the distance in load is within the declared band: double 1e-8, mixed 1e-6, quad 1e-12, float 1e-3 at the
+       finest tol; 1000 tol where that is more at the default
   t    within tol: it falls, but there are forces that miss balance by less than tol (at most omega where it is called stable; the
-       least there are, proved in double or quad, where it is undecided)
-  c    unstable as far as force_bound goes, not final
-  r    refused, or at the end of its numbers: the row says why (hard.h), or weights whose squares no float holds
+       least there are, proved in double or quad, where it is undecided outside the band)
+  c    unstable as far as force_bound goes, not final, within the band by the first distance
+  r    refused (hard.h says why), weights whose squares no float holds, weights whose own last digit is more than tol (battery.c)
   X    anything else: it fails
 
 Exit status 1: an X. A wrong verdict is one however near its limit: unstable where it stands (but c), stable beyond tol.
 """
-import json, os, sys
+import json, os, subprocess, sys
 
 BANDS = {"double": 1e-8, "mixed": 1e-6, "quad": 1e-12, "float": 1e-3}
 TOLS = {"double": ("1e-9", "1e-12"), "mixed": ("1e-9", "1e-12"), "quad": ("1e-9", "1e-15"), "float": ("1e-4", "3e-6")}
-# Undecided in float with a reason of its own; none of these is a verdict.
-OPEN = {
-    ("float", "longer needle leans half"),              # height 1e4 x base: 1e4^2 u is 6
-    ("float", "weights below the normal range"),        # 13 bits each
-    ("float", "c_chain300_lean_m1.obj"),                # height 300 x base: 300^2 u of a block's forces
-}
 HUGE = "c_wall_huge_"
 
 
@@ -49,22 +48,34 @@ def known(folder, name):
     return {True: "stable", False: "unstable", None: ""}[stands], far
 
 
-def mark(p, tol, name, r, truth, far, least):
-    band = max(BANDS[p], 1000 * tol)
-    if r["told"] == "refused" or (p == "float" and HUGE in name):
-        return "r" if p == "float" and r["verdict"] == "undecided" else "X"
+def measured(folder, name):
+    """Distance from the limit in load."""
+    words = [os.path.join(folder, "files", name)] if name.endswith(".obj") else ["only=" + name, "short"]
+    out = subprocess.run([os.path.join(folder, "double"), "far", "tol=1e-12"] + words, stdout=subprocess.PIPE, universal_newlines=True).stdout
+    return float(out.split("|")[1])
+
+
+def refused(p, name, r):
+    """Told by battery.c, with the reason in hard.h; or a file whose weights' squares no float holds."""
+    return r["verdict"] == "undecided" and p == "float" and (r["told"] in ("refused", "short") or HUGE in name)
+
+
+def mark(p, tol, name, r, truth, far, load, least):
     v, t = r["verdict"], tol * 1.01
+    band = BANDS[p] if "%g" % tol == "%g" % float(TOLS[p][1]) else max(BANDS[p], 1000 * tol)
+    if refused(p, name, r):
+        return "r"
+    if r["told"] == "refused":
+        return "X"
     if not truth or v == truth:
         return ""
     if v == "unstable":
         return "c" if not r["final"] and far <= band else "X"
     if v == "stable":
         return "t" if r["omega"] <= t else "X"
-    if far and far <= band * 1.0001:
+    if load <= band:
         return "b"
-    if truth == "unstable" and least <= t:
-        return "t"
-    return "r" if (p, name) in OPEN else "X"
+    return "t" if truth == "unstable" and least <= t else "X"
 
 
 def main():
@@ -74,7 +85,7 @@ def main():
     names = list(told[columns[0]])
     count = {c: {} for c in columns}
     bad = 0
-    print("%-38s %8s %-8s " % ("scene", "distance", "truth") + " ".join("%-11s" % (p + " " + t) for p, t in columns))
+    print("%-38s %8s %8s %-8s " % ("scene", "distance", "in load", "truth") + " ".join("%-11s" % (p + " " + t) for p, t in columns))
     for n in names:
         rows = [told[c].get(n) for c in columns]
         if None in rows:
@@ -83,13 +94,15 @@ def main():
             continue
         truth, far = known(cases, n) if n.endswith(".obj") else (rows[0]["truth"], rows[0]["far"])
         least = max([r["proved"] for c, r in zip(columns, rows) if c[0] in ("double", "quad") and r["verdict"] == "unstable"], default=1)
+        open_in = [c for c, r in zip(columns, rows) if r["verdict"] == "undecided" and truth and not refused(c[0], n, r)]
+        load = measured(folder, n) if open_in else 0
         cells = []
         for c, r in zip(columns, rows):
-            m = mark(c[0], float(c[1]), n, r, truth, far, least)
+            m = mark(c[0], float(c[1]), n, r, truth, far, load, least)
             count[c][m] = count[c].get(m, 0) + 1
             bad += m == "X"
             cells.append("%s%-1s %-8.1e" % ({"stable": "S", "unstable": "U"}.get(r["verdict"], "?"), m, r["omega"]))
-        print("%-38s %8s %-8s %s" % (n, "%.1g" % far if far else "-", truth or "-", " ".join(cells)))
+        print("%-38s %8s %8s %-8s %s" % (n, "%.1g" % far if far else "-", "%.1g" % load if load else "-", truth or "-", " ".join(cells)))
     for c in columns:
         k = count[c]
         print("%-6s at tol %-5s: %d as it is, %d in its band, %d within tol, %d beyond force_bound, %d refused or at the end of numbers, %d else"

@@ -249,7 +249,7 @@ static const hard_case hard_cases[] = {
     { "joints of 10 m and of 1e-6 m", "edges seven orders apart", SP_STABLE, HARD_NO_FLOAT, hard_edges, 0, 1e-6, 0 },
     { "needle leans half", "height 1e3 x base", SP_STABLE, HARD_LONG | HARD_FORCES_FLOAT, hard_slender, 1e3, 0.5, 0.5 },
     { "needle leans too far", "height 1e3 x base", SP_UNSTABLE, 0, hard_slender, 1e3, 2, 1 },
-    { "longer needle leans half", "height 1e4 x base, at the end of double", SP_STABLE, HARD_LIMIT, hard_slender, 1e4, 0.5, 0.5 },
+    { "longer needle leans half", "height 1e4 x base, at the end of double; 5e-5 of its weight topples it", SP_STABLE, HARD_LIMIT, hard_slender, 1e4, 0.5, 0.5 },
     { "longer needle leans too far", "height 1e4 x base", SP_UNSTABLE, 0, hard_slender, 1e4, 2, 1 },
     { "plate on a steep slope", "height 1e-4 x base", SP_STABLE, 0, hard_slender, 1e-2, 0.5, 0.5 },
     { "joint of 64 corners", "many forces, few rows", SP_STABLE, 0, hard_gon, 64, 0.9, 0.1 },
