@@ -150,7 +150,7 @@ static void hard(const hard_case *c)
     if (only && strcmp(only, c->name)) return;
     memset(&r, 0, sizeof r);
     sp_arena_init(&arena, room, sizeof room);
-    sp_settings set = hard_settings();
+    sp_settings set = hard_settings(c->flags);
     if (tol > 0) set.tol = (sp_real)tol;
     sp_status status = c->build(c, &arena, &s);
 #ifdef SP_REAL_FLOAT
@@ -174,7 +174,7 @@ static void hard(const hard_case *c)
 
 static void corpus_one(const char *name, int32_t k, const sp_scene *s, int32_t faces, sp_arena *arena, sp_status status)
 {
-    sp_settings set = hard_settings();
+    sp_settings set = hard_settings(0);
     sp_result r;
     char numbered[64];
     memset(&r, 0, sizeof r);
