@@ -7,7 +7,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 groups='warnings switches cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
-longest='sanitizers warnings switches settle oracle pair'              # these begin first
+longest='switches sanitizers pair instruments warnings settle oracle'  # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
 CC=${CC:-gcc}
