@@ -103,7 +103,7 @@
 /* 1 ---------------------------------------------------------------------------------------------------------------- words */
 
 #ifdef SP_SMALL
-#define SP__TOLD(text) ""                               /* told by other builds only */
+#define SP__TOLD(text) ""                               /* told by other builds only, most of it of what this one does without */
 #else
 #define SP__TOLD(text) text
 #endif
@@ -170,27 +170,30 @@ SP_API const char *sp_reason_text(sp_reason reason)
 {
     const int k = (int)reason;
     return sp__word("forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0"
-                    "no consistent motion\0" "no coupled certificate\0" "tension\0" "unverified\0" "effect left out\0" "unknown",
+                    SP__TOLD("no consistent motion") "\0" SP__TOLD("no coupled certificate") "\0" "tension\0" "unverified\0"
+                    SP__TOLD("effect left out") "\0" "unknown",
                     k >= 0 && k <= 12 ? k : 13);
 }
 
 SP_API const char *sp_coupling_text(sp_coupling coupling)
 {
     const int k = (int)coupling;
-    return sp__word("not asked\0" "coupled\0" "refuted\0" "not found\0" "unknown", k >= 0 && k <= 3 ? k : 4);
+    return sp__word("not asked\0" SP__TOLD("coupled") "\0" SP__TOLD("refuted") "\0" SP__TOLD("not found") "\0" "unknown", k >= 0 && k <= 3 ? k : 4);
 }
 
 SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason)
 {
     const int k = (int)reason;
-    return sp__word("not asked\0" "motion\0" "statics\0" "no consistent motion\0" "limit\0" "budget\0" "unknown",
+    return sp__word("not asked\0" SP__TOLD("motion") "\0" SP__TOLD("statics") "\0" SP__TOLD("no consistent motion") "\0" SP__TOLD("limit") "\0"
+                    SP__TOLD("budget") "\0" "unknown",
                     k >= 0 && k <= 5 ? k : 6);
 }
 
 SP_API const char *sp_stage_text(sp_stage_id stage)
 {
     const int k = (int)stage;
-    return sp__word("none\0" "gates\0" "least squares\0" "dense\0" "polish\0" "exact\0" "ADMM\0" "custom\0" "unknown",
+    return sp__word("none\0" "gates\0" SP__TOLD("least squares") "\0" SP__TOLD("dense") "\0" SP__TOLD("polish") "\0" "exact\0"
+                    SP__TOLD("ADMM") "\0" SP__TOLD("custom") "\0" "unknown",
                     k >= 0 && k <= 7 ? k : 8);
 }
 
@@ -206,12 +209,12 @@ SP_API int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why 
 SP_API const char *sp_effect_why_text(sp_effect_why why)
 {
     const int k = (int)why;
-    return sp__word("the scene calls for it\0" "the caller asks for it\0" "left out by the caller\0" "not in this scene\0"
+    return sp__word("the scene calls for it\0" "the caller asks for it\0" SP__TOLD("left out by the caller") "\0" "not in this scene\0"
                     "not asked for\0" "statics asks for none\0" SP__TOLD("they share no free block; ") "each is solved alone\0"
-                    "stages or a budget that a plan leaves alone\0"
-                    SP__TOLD("everything has ") "one mirror plane" SP__TOLD(": 3 rows a block") "\0"
-                    "level joints" SP__TOLD(" under plumb loads: pressure alone comes first") "\0"
-                    SP__TOLD("contacts form ") "a forest" SP__TOLD(", or nothing need move: no search") "\0"
+                    SP__TOLD("stages or a budget that a plan leaves alone") "\0"
+                    SP__TOLD("everything has one mirror plane: 3 rows a block") "\0"
+                    SP__TOLD("level joints under plumb loads: pressure alone comes first") "\0"
+                    SP__TOLD("contacts form a forest, or nothing need move: no search") "\0"
                     "unknown", k >= 0 && k <= (int)SP_WHY_FOREST ? k : (int)SP_WHY_FOREST + 1);
 }
 
@@ -2101,17 +2104,20 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 }
 
 /* What rounding leaves of terms that cancel is no load: q = (F, M) on a block, a sum of its weight, `share` of this load, others.
- * A point is known no better than its place.
+ * Each component has rounding of its own, for a push sideways hides no weight. A point is known no better than its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
-static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, sp_real g, sp_real own, const sp_block *block)
+static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
+                            const sp_block *block)
 {
-    const sp_real force = share * (sp__norm3(load->force) + g * load->mass) + own * (load->mass + block->mass);
-    const sp_real couple = share * sp__norm3(load->couple) + force * (sp__norm3(load->point) + sp__norm3(block->centroid));
-    for (int k = 0; k < 6; k += 3) {
-        if (sp__norm3(q + k) > 16 * (sp_real)SP_EPSILON * (k ? couple : force)) return;
-        q[k] = q[k + 1] = q[k + 2] = 0;
+    const sp_real noise = 16 * (sp_real)SP_EPSILON, near = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
+    sp_real F[3];
+    for (int k = 0; k < 3; k++) {
+        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * (load->mass + block->mass);
+        if (sp__abs(q[k]) > noise * F[k]) return;
     }
+    q[0] = q[1] = q[2] = 0;
+    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * near)) q[3] = q[4] = q[5] = 0;
 }
 
 /* The same in the sums that a load is part of. The smallest build knows no body force here, nor what live loads leave of each
@@ -2120,10 +2126,16 @@ static void sp__load_settle(const sp_problem *problem, const sp_load *load, int3
 {
     const sp_scene *scene = problem->scene;
     const sp_block *block = &scene->block[load->block];
-    const sp_real times = sp__abs(scene->live), share = load->live ? times : 1;
-    const sp_real g = sp__norm3(scene->gravity), body = SP__FULL ? sp__norm3(scene->body) : 0;
-    sp__load_cancel(problem->p + 6 * (size_t)row, load, share, g, g + times * body, block);
-    if (SP__FULL && problem->live && load->live) sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, g, body, block);
+    const sp_real times = sp__abs(scene->live);
+    const sp_real *own = scene->gravity;
+    sp_real both[3];
+    if (SP__FULL) {
+        for (int k = 0; k < 3; k++) both[k] = sp__abs(own[k]) + times * sp__abs(scene->body[k]);
+        own = both;
+    }
+    sp__load_cancel(problem->p + 6 * (size_t)row, load, load->live ? times : 1, scene->gravity, own, block);
+    if (SP__FULL && problem->live && load->live)
+        sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
 }
 
 /* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
@@ -2830,12 +2842,15 @@ SP__APART static sp_real sp__judge_support(const sp__judge *j, const sp_contact 
     return shut < open ? shut : open;
 }
 
+/* Longest arm of block i to a joint; where nothing touches it 1, for it may turn. */
+static sp_real sp__judge_arm(const sp__judge *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
+
 /* Largest displacement of a joint of block i. */
 static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
 {
     if (i < 0) return 0;
     const sp_real *m = j->x + 6 * (size_t)i;
-    return sp__norm3(m) + sp__norm3(m + 3) * j->scale[i].arm;
+    return sp__norm3(m) + sp__norm3(m + 3) * sp__judge_arm(j, i);
 }
 
 /* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
@@ -5526,7 +5541,7 @@ static sp__dual *sp__dual_open(const sp_problem *pb, const sp_settings *set, sp_
 #define SP__GAIN ((sp_real)0.5)
 #endif
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
-#define SP__PLAY_IDLE ((sp_real)0.1)    /* the same where rounding has ended the search */
+#define SP__PLAY_IDLE ((sp_real)0.1)    /* SP__PLAY where rounding has ended the search */
 #define SP__IPM_MOST 60                 /* interior-point iterations */
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
@@ -10004,7 +10019,7 @@ static void sp__check_motion(const sp__judge *j, sp_real *dq)
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
         block = sp__max(block, j->scale[i].arm);
-        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * j->scale[i].arm));
+        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__judge_arm(j, i)));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
     memset(dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *dq);
@@ -12453,9 +12468,9 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
 
 /* By how much the multiplier may be off. dq proves (upper - balance) live . dq = least scale, and forces within tol carry at most
  * tol scale / (live . dq) more than they should. */
-static sp_real sp__ends_within(const sp_limit_result *r)
+static sp_real sp__ends_within(const sp_limit_result *r, sp_real balance)
 {
-    return r->upper - r->lower + r->tol * sp__ratio(r->upper - r->multiplier, r->least_imbalance);
+    return r->upper - r->lower + r->tol * sp__ratio(r->upper - balance, r->least_imbalance);
 }
 
 /* Every end that the claim has. */
@@ -13165,11 +13180,12 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
-    sp_real step = SP__LIMIT_STEP * L->ends.set.tol * (1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0));
+    const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), far = (sp_real)0.01 * size;
+    sp_real step = SP__LIMIT_STEP * L->ends.set.tol * size;
     L->least = -SP__HUGE;
     memcpy(L->Vq, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
-    for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < (sp_real)0.01; it++) {
+    for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < far; it++) {
         const sp_verdict claim = sp__limit_exact(L, 1, a, f, room);
         if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, f, f, L->room)) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
@@ -13209,6 +13225,10 @@ SP__APART static int sp__limit_upper(sp__limit *L, sp_arena room)
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
         if (it == 2 && !L->none) sp__limit_exact(L, 1, L->best + slack, r->ray, room);
         if (!sp__ends_fall(&L->ends, lambda, 1, r->dq, L->room)) continue;
+        if (L->ends.least < (sp_real)1.1 * L->ends.set.tol) {   /* by a hair: so that it is proof as it is told, too */
+            sp__verify_motion(&L->ends.pb, r->dq, L->ends.dq);
+            if (!sp__ends_fall(&L->ends, lambda, 1, NULL, L->room)) continue;
+        }
         r->upper = lambda;
         r->least_imbalance = L->ends.least;
         r->final = L->ends.final;
@@ -13236,7 +13256,7 @@ static void sp__limit_conclude(sp__limit *L)
         r->omega = L->ends.omega;
     }
     r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
-    r->within = sp__ends_within(r);
+    r->within = sp__ends_within(r, balance);
 }
 
 /* What of all that stands, or falls, under the dead loads alone, and from where on? Where live loads must hold it, each collapse
@@ -14213,7 +14233,7 @@ SP__APART static void sp__limit_conclude(sp__limit *L, sp_arena room)
     const sp_real balance = sp__limit_balance(e);
     if (r->kind == SP_LIMIT_FOUND) {
         r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
-        r->within = sp__ends_within(r);
+        r->within = sp__ends_within(r, balance);
     }
     sp__limit_lowest(L, room);
     if (r->kind != SP_LIMIT_UNBOUNDED) memset(r->ray, 0, 3 * (size_t)e->pb.points * sizeof *r->ray);

@@ -660,7 +660,8 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 /* Does it stand? settings NULL: the default ones.
  *   result    its arrays live in the arena, before anything else taken from it later
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
- *             result untouched), SP_E_NOT_FINITE (loads overflow) */
+ *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (strength of a joint in a coupled check; what
+ *             this build leaves out) */
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
 
 /* What the evidence of a claim proves, recomputed from the scene by code that shares nothing with the search. */
@@ -677,7 +678,7 @@ SP_API size_t sp_verify_memory(const sp_scene *scene);
 
 /* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
  * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (coupled, in a build without it),
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (as sp_check),
  *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
@@ -778,7 +779,7 @@ SP_API sp_status sp_matrix_aeq(const sp_problem *problem, int32_t columns, sp_ar
 
 /* Afr, (K v) x (columns v): Afr f <= 0, row k of a vertex cos(2 pi k/K) ft1 + sin(2 pi k/K) ft2 - mu_eff fn.   [seed 1.4]
  *   settings  faces K = 3..64, inscribed; net: the normal term of 4 columns is fp - fm instead of fp
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY */
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (strength of a joint) */
 SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *settings, int32_t columns, sp_arena *arena,
                                sp_triplets *out);
 

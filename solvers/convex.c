@@ -93,6 +93,23 @@ static void sp__clip_straighten(sp__clip *c)
     }
 }
 
+/* Back into the box of the sides: beyond the tip of a needle its sides' lines, eps wide, keep what is far from it. */
+static void sp__clip_box(sp__clip *c)
+{
+    for (int k = 0; k < 2; k++) {
+        sp_real lo = c->side[0][k], hi = lo;
+        for (int32_t s = 1; s < c->sides; s++) {
+            lo = lo < c->side[s][k] ? lo : c->side[s][k];
+            hi = sp__max(hi, c->side[s][k]);
+        }
+        for (int32_t p = 0; p < c->corners; p++) {
+            sp_real *x = &c->corner[p][k];
+            if (*x < lo - c->eps) *x = lo;
+            if (*x > hi + c->eps) *x = hi;
+        }
+    }
+}
+
 /* Twice the area of n corners less `thin` times their perimeter. */
 static sp_real sp__clip_wide(sp_real (*corner)[2], int32_t n, sp_real thin)
 {
@@ -112,6 +129,7 @@ SP__CALLED static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
     if (!(sp__clip_wide(c->corner, c->corners, 4 * thin) > 0 && sp__clip_wide(c->side, c->sides, 4 * thin) > 0)) thin = 0;
     c->bent = !sp__clip_convex(c, c->corner, c->corners) || !sp__clip_convex(c, c->side, c->sides);
     for (int32_t s = 0; s < c->sides; s++) sp__clip_cut(c, c->side[s], c->side[s + 1 < c->sides ? s + 1 : 0]);
+    if (c->sides) sp__clip_box(c);
     sp__clip_straighten(c);
     c->loop[0] = 0;
     c->loop[1] = c->corners;

@@ -303,6 +303,42 @@ TEST(pulls_along_one_line_cancel)
     CHECK_INT(verdict(&s), SP_STABLE);
 }
 
+/* Pushed from both sides, as much as one likes: that cancels, but its rounding hides no weight of what nothing carries. */
+TEST(opposed_pushes_hide_no_weight)
+{
+    for (int k = 0; k < 5; k++) {
+        double push = TOL(1e18, 1e6);
+        const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 2 };
+        const sp_real at[3] = { 0, 0, 0 };
+        sp_scene s;
+        for (int q = 0; q < k; q++) push *= 10;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1, at, 0, NULL), SP_OK);
+        for (int side = -1; side <= 1; side += 2) {
+            sp_load load = force(side * push, 0, 0, 0, 0, 0);
+            load.block = 0;
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        CHECK_INT(verdict(&s), SP_UNSTABLE);
+    }
+}
+
+/* Lifted, but not at its centroid: it turns. */
+TEST(a_couple_on_what_touches_nothing_turns_it)
+{
+    const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 1 };
+    const sp_real at[3] = { 0, 0, 0 };
+    sp_load lift = force(0, 0, 1, R(0.1), 0, 0);
+    sp_scene s;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 1, at, 0, NULL), SP_OK);
+    s.gravity[2] = -1;
+    lift.block = 0;
+    CHECK_INT(sp_scene_load(&s, &lift, NULL), SP_OK);
+    CHECK_INT(verdict(&s), SP_UNSTABLE);
+}
+
 /* A pull of a millionth of a newton, or a couple, a huge number of times: what is rounding is asked of the loads as they come to
  * be, not of the weight as often. */
 TEST(a_large_multiple_of_a_small_load_counts)
@@ -421,6 +457,8 @@ TEST_LIST(loads)
     RUN(a_couple_turns_what_nothing_holds)
     RUN(loads_that_cancel_are_none_in_any_order)
     RUN(pulls_along_one_line_cancel)
+    RUN(opposed_pushes_hide_no_weight)
+    RUN(a_couple_on_what_touches_nothing_turns_it)
     RUN(a_large_multiple_of_a_small_load_counts)
     RUN(bad_loads_are_refused)
     RUN(memory_is_exact_with_live_loads)

@@ -145,7 +145,7 @@ static int check_one(const char *path, const options *o, text_error *error)
 static int worse(int a, int b)
 {
     static const int order[] = { EXIT_STABLE, EXIT_UNSTABLE, EXIT_UNDECIDED, EXIT_NO_INPUT, EXIT_SCENE, EXIT_USAGE,
-                                 EXIT_MEMORY, EXIT_INTERNAL };
+                                 EXIT_UNAVAILABLE, EXIT_MEMORY, EXIT_INTERNAL };
     int rank_a = 0, rank_b = 0;
     for (int k = 0; k < (int)(sizeof order / sizeof *order); k++) {
         if (order[k] == a) rank_a = k;

@@ -189,7 +189,7 @@ static void print_text(const report *r)
     const sp_capacity *n = &r->scene->scene.count;
     int32_t moving = 0;
     print_multiplier(r);
-    for (int32_t b = 0; b < n->blocks; b++) moving += report_motion(r, b) > 0;
+    for (int32_t b = 0; b < n->blocks; b++) moving += report_motion(r, b) > REPORT_STILL;
     if (moving) {
         row("mechanism");
         printf("%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");

@@ -21,9 +21,9 @@ static const char help_check[] =
 "                     its alternation for --coupled; other options change it       default\n"
 "  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
-"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided), NAME:\n"
-"                     friction, depth (the third dimension), together (islands); those not named as planned, see `plan`;\n"
-"                     coupled: as --coupled; the other effects are the scene's\n"
+"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided),\n"
+"                     where NAME is one of friction, depth (the third dimension), together (islands), coupled (as\n"
+"                     --coupled); those not named as planned, see `plan`; the other effects are the scene's\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ, level: from x to y  0\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
@@ -35,7 +35,8 @@ static const char help_check[] =
 "  --fallback         a worker that does not answer does not matter: check here\n"
 "  --skip-done FILE   leaves out scenes with a result in FILE (JSON Lines); what they were counts for the exit status\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
-"66 can't read, 64 usage, 70 internal, 71 out of memory; of several scenes the worst.\n";
+"66 can't read, 64 usage, 69 a solver that is not in this build, 70 internal, 71 out of memory; of several scenes the\n"
+"worst, undecided before unstable.\n";
 
 static const char help_limit[] =
 "stonepack limit [options] SCENE\n\n"
@@ -58,8 +59,8 @@ static const char help_plan[] =
 "stonepack plan [options] SCENE\n\n"
 "Which effects does the scene call for, and what does leaving the others out save? `check` follows this plan.\n\n"
 "  --json             one JSON object\n"
-"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), NAME: friction, depth, together,\n"
-"                     coupled (as --coupled)\n"
+"  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), where NAME is one of friction, depth,\n"
+"                     together, coupled (as --coupled)\n"
 "  --tol, --cone, --mu, --stages, --tilt, --coupled as in check\n\n"
 "Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 
@@ -110,7 +111,8 @@ static const char help_qp[] =
 "  --backend NAME     sparse, dense or cg                        sparse\n"
 "  --solver NAME      admm, dykstra; osqp, ipopt where built in  admm\n"
 "  --json             one JSON object, with x\n\n"
-"Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file.\n";
+"Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file,\n"
+"69 a solver that is not in this build.\n";
 
 static const char help_settle[] =
 "stonepack settle [options] SCENE -o OUT.obj\n"

@@ -395,7 +395,7 @@ static void text_mechanism(FILE *out, const report *r)
     if (r->result.verdict != SP_UNSTABLE || r->result.reason == SP_REASON_NO_MOTION) return;
     row(out, "moving");
     for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
-        if (report_motion(r, b) > 0 && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
+        if (report_motion(r, b) > REPORT_STILL && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
     if (moving > SHOWN) fprintf(out, " and %ld more", (long)(moving - SHOWN));
     fputc('\n', out);
 }

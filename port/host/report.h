@@ -41,6 +41,7 @@ const sp_real *report_dq(const report *r);
 
 /* How block b moves in it: fastest point's speed relative to the largest dq (virtual: way, in eps), 0: at rest. */
 double report_motion(const report *r, int32_t b);
+#define REPORT_STILL 1e-6       /* what moves less than this is told as still: rounding of what goes with a support */
 
 /* Exit status of a verdict. */
 int report_exit(sp_verdict verdict);

@@ -2,7 +2,7 @@
 # readme: README.md shows what happens.      readme.sh [build/stonepack]
 #
 # Its first C block is a program. Its console blocks are run in a folder where that program is arch.c: the first one must say
-# what README says, the others in the same words (numbers and units' prefixes may differ: times, the last digits of a search).
+# what README says, the others the same but for times, memory (pointers are of the host), powers of ten, and digits beyond a search's fifth.
 # Its links lead somewhere.
 . "$(dirname "$0")/program.sh"
 root=$(pwd)
@@ -28,7 +28,7 @@ session() {                                             # session N > what happe
     } > "$tmp/script"
     (cd "$tmp/run" && sh "$tmp/script" 2>&1)
 }
-words() { sed -E 's/-?[0-9][0-9.]*(e[-+]?[0-9]+)?/#/g; s/# [pnumkMGT](s|flop|N|m)([^a-z]|$)/# \1\2/g' "$1"; }
+words() { sed -E 's/[0-9][0-9.]* [pnum]?s([^a-z]|$)/# s\1/g; s/[0-9.]+ KiB/# KiB/g; s/[0-9.]+e[-+]?[0-9]+/#/g; s/([0-9]\.[0-9]{5})[0-9]+/\1/g' "$1"; }
 
 same() { session "$1" > "$tmp/got"; diff "$tmp/block.$1" "$tmp/got"; }
 alike() {

@@ -138,7 +138,7 @@ goes_on() {                                             # a bad scene between tw
 plugged() {                                             # plugged FILE: same objective, or a line that says what is missing
     for pl in osqp ipopt; do
         if "$cli" qp --solver $pl "$1" > "$tmp/said" 2>&1; then grep -q 'objective 8.37[12]' "$tmp/said" || return 1
-        else [ $? -eq 64 ] && grep -q "^stonepack: --solver $pl is not in this build: .*install" "$tmp/said" || return 1; fi
+        else [ $? -eq 69 ] && grep -q "^stonepack: --solver $pl is not in this build: .*install" "$tmp/said" || return 1; fi
     done
 }
 form() {                                                # form OBJECTIVE HEAD ROW RHS-AND-RANGES BOUNDS: of (x - 3)^2, or HEAD
