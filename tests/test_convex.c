@@ -159,6 +159,33 @@ TEST(shared_sides_and_corners_are_as_those_of_any_polygons) { grid(0); }
 
 TEST(shaken_below_eps_they_still_are) { grid(0.1 * (double)EPS); }
 
+/* Sides of a needle, eps wide as lines are here, part only far beyond its tip: nothing out there is common. */
+TEST(nothing_is_common_beyond_the_tip_of_a_needle)
+{
+    sp_real square[4][2] = { { -2, -2 }, { 2, -2 }, { 2, 2 }, { -2, 2 } };
+    int found = 0;
+    for (int k = 0; k < 200; k++) {
+        const double turn = 0.031 * k, width = (double)EPS * (0.25 + 0.05 * (k % 80)), c = cos(turn), d = sin(turn);
+        const double u[3] = { -0.5, 0.5, 0.5 }, v[3] = { 0, -0.2 * width, 0.8 * width };
+        sp_real needle[3][2];
+        test_arena.used = 0;
+        pair *p = open();
+        if (!p) return;
+        clear(p);
+        for (int i = 0; i < 3; i++) {
+            needle[i][0] = R(c * u[i] - d * v[i]);
+            needle[i][1] = R(d * u[i] + c * v[i]);
+        }
+        for (int i = 0; i < 4; i++) sp__convex_add(&p->convex, 0, square[i]);
+        for (int i = 0; i < 3; i++) sp__convex_add(&p->convex, 1, needle[i]);
+        CHECK(sp__convex_run(&p->convex, EPS, 0));
+        for (int32_t i = 0; i < p->convex.corners; i++)
+            for (int q = 0; q < 2; q++) CHECK(sp__abs(p->convex.corner[i][q]) <= R(0.5) + 4 * EPS);
+        found += p->convex.corners > 2;
+    }
+    CHECK(found > 0);
+}
+
 TEST(what_is_not_one_convex_polygon_is_told)
 {
     sp_real square[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, ell[6][2] = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 1, 1 }, { 1, 3 },
@@ -199,6 +226,7 @@ TEST_LIST(convex)
     RUN(convex_polygons_have_the_common_corners_that_any_polygons_have)
     RUN(shared_sides_and_corners_are_as_those_of_any_polygons)
     RUN(shaken_below_eps_they_still_are)
+    RUN(nothing_is_common_beyond_the_tip_of_a_needle)
     RUN(what_is_not_one_convex_polygon_is_told)
     RUN(too_little_room_is_told_and_nothing_is_written_past_it)
 TEST_END
