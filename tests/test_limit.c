@@ -671,14 +671,14 @@ TEST(bisection_of_verdicts_ends_within_the_bracket)
         CHECK(lo <= (double)x.upper * (1 + NEAR) + NEAR && hi >= (double)x.lower * (1 - NEAR) - NEAR);
     }
     CHECK(several[SP_LIMIT_FOUND] > 50 && several[SP_LIMIT_NONE] > 5 && several[SP_LIMIT_UNBOUNDED] > 0);
-    CHECK(several[SP_LIMIT_UNDECIDED] <= (TEST_SMALL ? 30 : TOL(2, 10)));
+    CHECK(several[SP_LIMIT_UNDECIDED] <= (TEST_SMALL ? 30 : TOL(2, 4)));
     if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 200 undecided\n", several[SP_LIMIT_UNDECIDED]);
 }
 
 #ifdef SP_REAL_MIXED
 #define GLUED_OPEN 5
 #else
-#define GLUED_OPEN TOL(2, 18)
+#define GLUED_OPEN TOL(2, 4)
 #endif
 
 /* Scenes of joints with strength, some with a held stone, pushed as a whole or at one stone: against verdicts beside both ends. Of
