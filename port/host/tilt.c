@@ -131,11 +131,7 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
         if (e != SP_OK) return scene_refused(s, &o->settings, e, error);
     }
     for (int k = 0; k < TILT_AZIMUTHS; k++)
-        if (m->angle[k] < m->least) {                   /* undecided there: a bound, within nothing */
-            m->least = m->angle[k];
-            m->azimuth = 360.0 * k / TILT_AZIMUTHS;
-            m->within = 0;
-        }
+        if (m->angle[k] < m->least) { m->least = m->angle[k]; m->azimuth = 360.0 * k / TILT_AZIMUTHS; }
     m->azimuth = fmod(floor(1e9 * m->azimuth + 0.5) / 1e9 + 360, 360);     /* a billionth of a degree: 0 is 0 */
     return 0;
 }
