@@ -10034,17 +10034,13 @@ static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
     return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
 }
 
-/* Where what is not loaded has dust for forces, which no balance of its own forgives: those below a millionth of the largest are
- * none.     returns omega of what is left */
-static sp_real sp__check_dust(sp__judge *j, sp_real *f)
+/* Forces smaller than `share` of the largest component are none: dust on what is not loaded no balance of its own forgives. */
+static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
 {
-    const size_t n = 3 * (size_t)j->pb->points;
+    const size_t n = 3 * (size_t)points;
     sp_real most = 0;
     for (size_t k = 0; k < n; k++) most = sp__max(most, sp__abs(f[k]));
-    for (size_t k = 0; k < n; k += 3)
-        if (sp__max(sp__abs(f[k]), sp__max(sp__abs(f[k + 1]), sp__abs(f[k + 2]))) < (sp_real)1e-6 * most)
-            f[k] = f[k + 1] = f[k + 2] = 0;
-    return sp__judge_forces(j, f, f);
+    for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
 }
 
 /* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
@@ -10057,7 +10053,10 @@ SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_ve
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     const int own = state->f != r->f;                   /* on a budget */
     sp_real omega = sp__judge_forces(j, state->f, state->f);
-    if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) omega = sp__check_dust(j, state->f);
+    if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
+        sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
+        omega = sp__judge_forces(j, state->f, state->f);
+    }
     if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
     if (!own || omega < r->omega) r->omega = omega;
     if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
@@ -12430,6 +12429,14 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
     return !beyond || sp__ends_beyond(e, room);
 }
 #else
+/* The motion just judged into e->dq, and what joints with strength take of it. */
+static void sp__ends_keep(sp__ends *e)
+{
+    e->resist = sp__problem_strong(&e->pb) ? e->judge.resist * e->judge.unit : 0;
+    memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    sp__ends_close(e);
+}
+
 /* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
  * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
 SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
@@ -12454,10 +12461,8 @@ SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_r
         }
         if (!(value[k] > e->set.tol)) break;
         e->least = sp__judge_motion(j, e->whole, sp__judge_rest[k], &e->final);
-        e->resist = sp__problem_strong(&e->pb) ? j->resist * j->unit : 0;
         if (all) sp__check_motion(j, all);
-        memcpy(e->dq, j->x, bytes);
-        sp__ends_close(e);
+        sp__ends_keep(e);
         if (!beyond || sp__ends_beyond(e, room)) return 1;
         value[k] = 0;
     }
@@ -12567,9 +12572,9 @@ typedef struct sp__limit {
 #else
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
-#define SP__LIMIT_FAR 1000              /* in ref: from there on forces may be a ray */
-#define SP__CLIMB_MOST 240              /* factorisations of that, at most */
-#define SP__CLIMB_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends it */
+#define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
+#define SP__CLIMB_MOST 240              /* factorisations of a climb in c, at most */
+#define SP__CLIMB_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
 #define SP__CLIMBED SP__TIE             /* omega from which on y is taken for that of its c */
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
@@ -13133,9 +13138,7 @@ SP__APART static void sp__limit_endless(sp__limit *L, sp_arena room)
         sp_arena again = L->room;
         if (!sp__ends_open(e, 1, a * L->ref, &again)) return;
         sp__judge_motion(&e->judge, e->dq, 0, &final);
-        e->resist = sp__problem_strong(&e->pb) ? e->judge.resist * e->judge.unit : 0;
-        memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
-        sp__ends_close(e);
+        sp__ends_keep(e);
         L->best = a = sp__ends_work(e, e->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
     }
 }
@@ -13159,14 +13162,9 @@ SP__APART static int sp__limit_rises(sp__limit *L, sp_arena room)
 /* Of forces in r.ray that carry a large multiple little is due to dead loads: are they a ray without what is so small? */
 SP__APART static int sp__limit_far(sp__limit *L)
 {
-    const size_t n = 3 * (size_t)L->ends.pb.points;
-    sp_real *ray = L->r.ray, most = 0;
-    for (size_t k = 0; k < n; k++) most = sp__max(most, sp__abs(ray[k]));
-    for (size_t k = 0; k < n; k++) {
-        const size_t v = k - k % 3;
-        if (k == v && sp__norm3(ray + v) * L->r.lower < 100 * L->ref * most) memset(ray + v, 0, 3 * sizeof *ray);
-        ray[k] /= L->r.lower;
-    }
+    sp_real *ray = L->r.ray;
+    sp__forces_dust(ray, L->ends.pb.points, 100 * L->ref / L->r.lower);
+    for (size_t k = 0; k < 3 * (size_t)L->ends.pb.points; k++) ray[k] /= L->r.lower;
     if (!sp__ends_stand(&L->ends, 0, 1, L->r.ray, L->r.ray, L->room)) return 0;
     L->r.kind = SP_LIMIT_UNBOUNDED;
     return 1;

@@ -942,7 +942,8 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
                              const sp_real *y0, sp_qp_result *result);
 
-/* The same in steps, for many problems with the same P and A. The work lives in the arena and refers to the arrays of *qp. */
+/* The same in steps, for many problems with the same P and A. The work lives in the arena and refers to the arrays of *qp.
+ *   returns as sp_qp_solve, and SP_E_NOT_FINITE also where scaling overflows */
 typedef struct sp_qp_work sp_qp_work;
 SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, sp_qp_work **work);
 
@@ -1068,7 +1069,8 @@ SP_API const char *sp_nbo_text(sp_nbo reason);
  *
  * "Seed" is the document the system was specified by, [n.m] its sections. It asks least squares, then polish, then ADMM, and
  * reads a verdict off the third one's tension; here the same stages, constants and gates only propose, and verdicts are proved
- * as ever (DESIGN: a finite gamma buys a little tension even where none is needed). */
+ * as ever (DESIGN: a finite gamma buys a little tension even where none is needed). Told are the values of double; what a float
+ * can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5, reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
 
 typedef struct sp_seed {
     int32_t faces, inscribed;   /* friction pyramid, mu_eff = mu cos(pi/faces)                             8, 1     [1.4] */

@@ -467,7 +467,22 @@ TEST(a_static_array_sized_by_counts_is_enough)
     CHECK_INT(r.verdict, SP_STABLE);
 }
 
+/* The scene with its meshes and all that a check takes. */
+TEST(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
+{
+    sp_arena a = test_arena;
+    sp_scene s;
+    sp_result r;
+    a.cap = a.used + TOL(128, 64) * 1024;
+    CHECK_INT(gen_make("wall", "size", 54, &a, &s), SP_OK);
+    CHECK_INT(s.count.interfaces, 64);
+    CHECK_INT(sp_check(&s, NULL, &a, &r), SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK(a.used <= a.cap);
+}
+
 TEST_LIST(memory)
+    RUN(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
     RUN(sp_memory_is_exact)
     RUN(stages_can_work_in_another_memory)
     RUN(every_smaller_capacity_is_refused_cleanly)

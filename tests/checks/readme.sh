@@ -2,7 +2,8 @@
 # readme: README.md shows what happens.      readme.sh [build/stonepack]
 #
 # Its first C block is a program. Its console blocks are run in a folder where that program is arch.c: the first one must say
-# what README says, the others the same but for times, memory (pointers are of the host), powers of ten, and digits beyond a search's fifth.
+# what README says, the others the same but for times, memory (pointers are of the host), powers of ten, and digits of a search
+# beyond the fifth.
 # Its links lead somewhere.
 . "$(dirname "$0")/program.sh"
 root=$(pwd)
