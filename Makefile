@@ -13,10 +13,10 @@ ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
 PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
-READ     = port/host/scene.c port/host/obj_read.c port/host/text.c
+READ     = $(wildcard port/host/files/*.c)
 MAIN     = port/host/main.c
-HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c)) $(GEN)
-HOST_H   = stonepack.h $(wildcard port/*/*.h settle/*.h) tests/scenes/gen.h
+HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c port/host/*/*.c)) $(GEN)
+HOST_H   = stonepack.h $(wildcard port/*/*.h port/host/*/*.h settle/*.h) tests/scenes/gen.h
 
 # Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it has no .pc file).
 PLUGINS  =
@@ -121,7 +121,7 @@ RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
 $(foreach p,double float mixed,build/$p/tests/test_plugins.o build/$p/tests/test_settle.o \
-  build/$p/port/host/solvers.o build/$p/port/host/settle.o): build/plugins
+  build/$p/port/host/solvers.o build/$p/port/host/command/settle.o): build/plugins
 build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 

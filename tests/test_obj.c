@@ -1,8 +1,8 @@
 /* Scene files: what is read, what is written, what is refused and where. Host only. */
 #include "test.h"
-#include "../port/host/json_in.h"
-#include "../port/host/json_out.h"
-#include "../port/host/scene.h"
+#include "../port/host/files/json_in.h"
+#include "../port/host/files/json_out.h"
+#include "../port/host/files/scene.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,9 +2,9 @@
  * not answer. Host only. */
 #define _POSIX_C_SOURCE 200809L
 #include "test.h"
-#include "../port/host/report.h"
-#include "../port/host/worker.h"
-#include "../port/host/worker_client.h"
+#include "../port/host/command/report.h"
+#include "../port/host/worker/worker.h"
+#include "../port/host/worker/worker_client.h"
 #include "scenes/gen.h"
 
 #include <errno.h>

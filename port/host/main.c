@@ -1,6 +1,6 @@
 /* stonepack: the program. */
-#include "commands.h"
-#include "text.h"
+#include "command/commands.h"
+#include "files/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -132,7 +132,7 @@ static const char help_worker[] =
 "stonepack worker\n"
 "stonepack worker --selftest | --roundtrip SCENE\n\n"
 "Answers checks that other programs send to its standard input, one after the other, on its standard output, until the input\n"
-"ends; port/host/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a scene\n"
+"ends; port/host/worker/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a scene\n"
 "come through as it was? `check --worker SECONDS` starts one for each scene.\n";
 
 static const char help_gen[] =

@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_SOLVERS_H
 #define STONEPACK_HOST_SOLVERS_H
 
-#include "text.h"
+#include "files/text.h"
 #include "../ipopt/ipopt_cra.h"
 
 /* The solver of this name: "admm", "dykstra", "osqp" or "ipopt".

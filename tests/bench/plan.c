@@ -9,7 +9,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "../scenes/kinds.h"
-#include "../../port/host/scene.h"
+#include "../../port/host/files/scene.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -20,7 +20,7 @@ host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
  -Wwrite-strings -Werror'
 suites=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
 core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')      # these test the program
-host_c="$(ls port/host/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
+host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
 test_c="tests/run.c $(ls tests/test_*.c | tr '\n' ' ')"
 
 run_build() {                                           # run_build COMPILER LIBRARY.c OUTPUT FLAGS...
@@ -435,7 +435,7 @@ settle_flags() {
 settle_warnings() {
     for sw_real in '' -DSP_REAL_FLOAT; do
         # shellcheck disable=SC2086
-        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/command/settle.c -o $out/warn.o &&
         "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/test_settle.c -o $out/warn.o &&
         for sw_c in settle/*.c; do "$1" $host $sw_real -O2 -c $sw_c -o $out/warn.o || return 1; done || return 1
     done

@@ -47,7 +47,7 @@ static double battery_sqrt(double x)
 #include "../corpus/corpus.c"
 #undef main
 #include "../scenes/hard.h"
-#include "../../port/host/scene.h"
+#include "../../port/host/files/scene.h"
 
 #ifdef BATTERY_SHADOW
 void __nsan_check_double(double x);                             /* of clang's runtime: says where x and its shadow differ */

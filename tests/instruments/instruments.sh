@@ -26,7 +26,7 @@ cc=${CC:-gcc}
 out=build/instruments
 own=tests/instruments
 flags="-ffp-contract=off -fno-math-errno -Ibuild -w"
-battery="$own/battery.c port/host/text.c port/host/obj_read.c port/host/scene.c"
+battery="$own/battery.c port/host/files/*.c"
 mkdir -p $out
 awk -f tests/corpus/scenes.awk tests/scenes/*.obj > build/scenes.h.new && mv build/scenes.h.new build/scenes.h
 
@@ -110,7 +110,7 @@ shadows)
     echo "told: $(told nsan); of the bad square root: $(told nsan-bad)"
     [ "$(told nsan)" -eq 0 ] && [ "$(told nsan-bad)" -gt 0 ] ;;
 cases)
-    host="port/host/*.c tests/scenes/gen.c stonepack.c $own/modes.c"
+    host="port/host/*.c port/host/*/*.c tests/scenes/gen.c stonepack.c $own/modes.c"
     # shellcheck disable=SC2086
     $cc -std=gnu99 $flags -O1 -frounding-math $host -lm -o $out/program
     # shellcheck disable=SC2086

@@ -1,8 +1,8 @@
 /* plan: which effects does a scene call for? */
 #include "commands.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "options.h"
-#include "scene.h"
+#include "../files/scene.h"
 
 #include <stdlib.h>
 

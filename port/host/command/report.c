@@ -1,5 +1,5 @@
 #include "report.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,10 +3,10 @@
 #define STONEPACK_HOST_REPORT_H
 
 #include <stdio.h>
-#include "blob.h"
+#include "../worker/blob.h"
 #include "options.h"
-#include "scene.h"
-#include "solvers.h"
+#include "../files/scene.h"
+#include "../solvers.h"
 
 /* A check that was made. */
 typedef struct report {

@@ -41,7 +41,7 @@
 #ifndef STONEPACK_HOST_BLOB_H
 #define STONEPACK_HOST_BLOB_H
 
-#include "../../stonepack.h"
+#include "../../../stonepack.h"
 
 #define BLOB_HEADER 16                          /* [byte] */
 #define BLOB_CAP ((uint32_t)1 << 30)            /* [byte] longest body */

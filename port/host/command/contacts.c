@@ -1,8 +1,8 @@
 /* contacts: what touches what? */
 #include "commands.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "options.h"
-#include "scene.h"
+#include "../files/scene.h"
 
 static void print_table(const host_scene *s)
 {

@@ -4,7 +4,7 @@
 
 #ifndef WITH_BULLET
 
-#include "text.h"
+#include "../files/text.h"
 
 #include <stdio.h>
 
@@ -18,10 +18,10 @@ int command_settle(int argc, char **argv)
 
 #else
 
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "report.h"
-#include "svg.h"
-#include "../../settle/settle.h"
+#include "../picture/svg.h"
+#include "../../../settle/settle.h"
 
 #include <math.h>
 #include <stddef.h>

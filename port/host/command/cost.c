@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
 #include "commands.h"
 #include "cost.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* qp: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file. */
-#include "clock.h"
+#include "../clock.h"
 #include "commands.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "options.h"
-#include "qps.h"
+#include "../files/qps.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
  */
 #include "svg.h"
 #include "hidden.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define STONEPACK_HOST_LIMIT_H
 
 #include "options.h"
-#include "scene.h"
+#include "../files/scene.h"
 
 /* A limit in memory of malloc's, *memory, which the caller frees in every case.      returns as sp_limit */
 sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,

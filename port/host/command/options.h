@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_OPTIONS_H
 #define STONEPACK_HOST_OPTIONS_H
 
-#include "text.h"
+#include "../files/text.h"
 
 typedef struct options {
     int json, forces;

@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_HIDDEN_H
 #define STONEPACK_HOST_HIDDEN_H
 
-#include "../../stonepack.h"
+#include "../../../stonepack.h"
 
 /* Parallel projection: paper coordinates are x . right and x . up, depth is x . toward (larger: nearer). Unit, right-handed. */
 typedef struct view {

@@ -1,9 +1,9 @@
 /* worker_client: starts a worker, talks to it until a deadline, ends it. */
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it, prctl */
-#include "clock.h"
+#include "../clock.h"
 #include "worker_client.h"
-#include "report.h"
+#include "../command/report.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,8 +1,8 @@
 /* worker: checks in a process of their own, which may run out of time or memory without harm to anyone. */
 #include "worker.h"
-#include "commands.h"
-#include "report.h"
-#include "../../tests/scenes/gen.h"
+#include "../command/commands.h"
+#include "../command/report.h"
+#include "../../../tests/scenes/gen.h"
 
 #include <stdlib.h>
 #include <string.h>

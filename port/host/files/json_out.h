@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 #include <stdio.h>
-#include "../../stonepack.h"
+#include "../../../stonepack.h"
 
 typedef struct json_out {
     FILE *out;

@@ -1,9 +1,9 @@
 /* limit: how much of the live loads does it bear, and what gives way? */
-#include "clock.h"
+#include "../clock.h"
 #include "commands.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "limit.h"
-#include "svg.h"
+#include "../picture/svg.h"
 
 #include <math.h>
 #include <stdlib.h>

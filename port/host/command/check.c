@@ -1,11 +1,11 @@
 /* check: does each scene stand? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
-#include "clock.h"
+#include "../clock.h"
 #include "commands.h"
-#include "done.h"
+#include "../files/done.h"
 #include "report.h"
-#include "svg.h"
-#include "worker_client.h"
+#include "../picture/svg.h"
+#include "../worker/worker_client.h"
 
 #include <stdlib.h>
 #include <string.h>

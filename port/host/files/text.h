@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "../../stonepack.h"
+#include "../../../stonepack.h"
 
 /* Exit status of the program (sysexits.h where it has a name for it). */
 enum { EXIT_STABLE = 0, EXIT_UNSTABLE = 1, EXIT_UNDECIDED = 2, EXIT_USAGE = 64, EXIT_SCENE = 65, EXIT_NO_INPUT = 66,

@@ -1,12 +1,12 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
-#include "clock.h"
+#include "../clock.h"
 #include "commands.h"
-#include "json_out.h"
+#include "../files/json_out.h"
 #include "options.h"
 #include "report.h"
-#include "scene.h"
-#include "svg.h"
+#include "../files/scene.h"
+#include "../picture/svg.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* verify: what does a stored result prove? Its forces and mechanism are taken, its verdict is not. */
 #include "commands.h"
-#include "json_in.h"
-#include "json_out.h"
+#include "../files/json_in.h"
+#include "../files/json_out.h"
 #include "report.h"
 
 #include <stdlib.h>

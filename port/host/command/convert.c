@@ -1,8 +1,8 @@
 /* convert: read a scene, write it with its contacts.  gen: write a scene made by formula. */
 #include "commands.h"
 #include "options.h"
-#include "scene.h"
-#include "../../tests/scenes/gen.h"
+#include "../files/scene.h"
+#include "../../../tests/scenes/gen.h"
 
 #include <stdlib.h>
 #include <string.h>
