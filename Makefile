@@ -51,8 +51,9 @@ PLUG_C  += -DWITH_BULLET
 PLUG_L  += -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -lstdc++
 endif
 
-SUITES   = $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
-TESTS    = tests/run.c $(SUITES:%=tests/test_%.c)
+SUITE_C  = $(wildcard tests/*/test_*.c)
+SUITES   = $(patsubst test_%.c,%,$(notdir $(SUITE_C)))
+TESTS    = tests/run.c $(SUITE_C)
 TEST_C   = -Wno-unused-function
 
 .PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures coupled-table check help clean
@@ -114,13 +115,13 @@ build/mixed/%.o: %.c
 	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_MIXED -MMD -MP -c $< -o $@
 
 # The list of the suites, new when one comes or goes.
-build/double/tests/run.o build/float/tests/run.o: $(wildcard tests/test_*.c)
+build/double/tests/run.o build/float/tests/run.o: $(SUITE_C)
 build/double/tests/run.o build/float/tests/run.o: TEST_C += -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
 
 RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
-$(foreach p,double float mixed,build/$p/tests/test_plugins.o build/$p/tests/test_settle.o \
+$(foreach p,double float mixed,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
   build/$p/port/host/solvers.o build/$p/port/host/command/settle.o): build/plugins
 build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@

@@ -2,19 +2,19 @@
  *
  * No files, no clock, no malloc; text leaves through TEST_PRINT only. A test file looks like this:
  *
- *     #include "test.h"
+ *     #include "../test.h"
  *
  *     TEST(two_and_two_are_four) { CHECK_INT(2 + 2, 4); }
  *
- *     TEST_LIST(sums)                             the stem of the file: tests/test_sums.c
+ *     TEST_LIST(sums)                             the stem of the file: tests/WING/test_sums.c
  *         RUN(two_and_two_are_four)
  *     TEST_END
  *
  * Names of tests are claims. A white-box test defines SP_API as static, then includes the one part it looks into:
  *
  *     #define SP_API static
- *     #include "test.h"
- *     #include "../solvers/chol.c"
+ *     #include "../test.h"
+ *     #include "../../solvers/chol.c"
  */
 #ifndef TEST_H
 #define TEST_H

@@ -113,7 +113,8 @@ CROSS   = $($(BOARD).cross)
 CC      = $(CROSS)gcc
 OPT    ?= -O2
 arena   = 12<<20
-suites  = $(patsubst tests/test_%.c,%,$(shell grep -L '"\.\./port/' tests/test_*.c))
+suite_c = $(shell grep -L '"\.\./\.\./port/' tests/*/test_*.c)
+suites  = $(patsubst test_%.c,%,$(notdir $(suite_c)))
 left    = $(firstword $($(name).limit) $($(BOARD).limit) $(limit))
 needs   = build/board/needs.txt
 
@@ -161,7 +162,7 @@ $(out)/%.o: %.c
 $(out)/tests/corpus/corpus.o: flags += -Ibuild
 $(out)/port/board/libc.o: flags += -fno-tree-loop-distribute-patterns
 
-$(out)/run: $(core) $(out)/tests/run.o $(suites:%=$(out)/tests/test_%.o)
+$(out)/run: $(core) $(out)/tests/run.o $(suite_c:%.c=$(out)/%.o)
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
 $(out)/corpus: $(core) $(out)/tests/corpus/corpus.o
@@ -215,11 +216,11 @@ counted = -std=c99 -O1 -ffp-contract=off -fno-math-errno -fno-builtin -Wno-unuse
           -include stdio.h -include port/board/work.h -DTEST_PRINT=printf '-DTEST_WORK()=work_steps' \
           '-DTEST_TOO_MUCH()=WORK_START()' '-DTEST_ARENA_BYTES=((size_t)24<<20)' -DSP_SQRT=__builtin_sqrt \
           -DTEST_SUITES='$(foreach s,$(suites),X($(s)))'
-$(needs): tests/run.c tests/test.h $(suites:%=tests/test_%.c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*.c)
+$(needs): tests/run.c tests/test.h $(suite_c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*.c)
 	@mkdir -p $(@D)
 	@gcc $(counted) -c port/board/work.c -o build/board/work.o
 	@gcc $(counted) -c tests/run.c -o build/board/run.o
-	@gcc $(counted) -fsanitize-coverage=trace-pc $(suites:%=tests/test_%.c) tests/scenes/gen.c stonepack.c port/board/libc.c \
+	@gcc $(counted) -fsanitize-coverage=trace-pc $(suite_c) tests/scenes/gen.c stonepack.c port/board/libc.c \
 	    build/board/work.o build/board/run.o -o build/board/measure
 	@build/board/measure -m > $@.new; grep -q "passed," $@.new && mv $@.new $@
 

@@ -66,7 +66,7 @@ if [ $# -gt 0 ]; then
     # shellcheck disable=SC2046
     one $(echo "$boards" | grep "^$1 ")
 else
-    for suite in $(grep -l '"\.\./port/' tests/test_*.c); do
+    for suite in $(grep -l '"\.\./\.\./port/' tests/*/test_*.c); do
         echo "left out everywhere: $suite: it tests programs of port/"
     done
     make --no-print-directory -s -f port/board/board.mk needs || failed=$((failed + 1))

@@ -18,10 +18,11 @@ base='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
 gcc_only='-Wfloat-conversion -Wlogical-op -Wduplicated-cond -Wjump-misses-init'
 host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wvla -Wstrict-prototypes -Wpointer-arith
  -Wwrite-strings -Werror'
-suites=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
-core=$(ls tests/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | grep -vxE 'obj|plugins|worker')      # these test the program
+suites=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
+core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')
+suite_c() { for sc in "$@"; do ls tests/*/test_$sc.c; done | tr '\n' ' '; }
 host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
-test_c="tests/run.c $(ls tests/test_*.c | tr '\n' ' ')"
+test_c="tests/run.c $(ls tests/*/test_*.c | tr '\n' ' ')"
 
 run_build() {                                           # run_build COMPILER LIBRARY.c OUTPUT FLAGS...
     rb_cc=$1 rb_lib=$2 rb_out=$3
@@ -74,7 +75,7 @@ tests_without() {                                       # tests_without "SUITES"
     # shellcheck disable=SC2086,SC2046
     $CC -std=c99 -ffp-contract=off -fno-math-errno -O1 -Wno-unused-function \
         -DTEST_SUITES="$(for s in $tw_suites; do printf 'X(%s) ' $s; done)" "$@" \
-        tests/run.c $(for s in $tw_suites; do echo tests/test_$s.c; done) $tw_more stonepack.c -lm -o $out/run_without && $out/run_without
+        tests/run.c $(suite_c $tw_suites) $tw_more stonepack.c -lm -o $out/run_without && $out/run_without
 }
 qp_parts() {                                            # the switches of its parts, alone and together, double and float
     for qs_real in '' -DSP_REAL_FLOAT; do
@@ -82,7 +83,7 @@ qp_parts() {                                            # the switches of its pa
             # shellcheck disable=SC2086
             $CC $base $qs $qs_real -Os -c stonepack.c -o $out/qp_part.o &&
             $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -O2 $qs $qs_real '-DTEST_SUITES=X(qp)' \
-                tests/run.c tests/test_qp.c $host_c stonepack.c -lm -o $out/run_qp && $out/run_qp qp/ || return 1
+                tests/run.c tests/qp/test_qp.c $host_c stonepack.c -lm -o $out/run_qp && $out/run_qp qp/ || return 1
         done
     done
 }
@@ -303,7 +304,7 @@ pair_private() {                                        # pair_private FLAGS...
     pp_suites=$(echo "$core" | grep -vx fence)
     # shellcheck disable=SC2086,SC2046
     $CC -ffp-contract=off -fno-math-errno -O0 -Wno-unused-function -DSP_API=static -include build/pair/stonepack.c "$@" \
-        -DTEST_SUITES="$(printf 'X(%s) ' $pp_suites)" tests/run.c $(printf 'tests/test_%s.c ' $pp_suites) tests/scenes/gen.c -lm \
+        -DTEST_SUITES="$(printf 'X(%s) ' $pp_suites)" tests/run.c $(suite_c $pp_suites) tests/scenes/gen.c -lm \
         -o $out/run_private && $out/run_private
 }
 pair_bits() {
@@ -348,7 +349,7 @@ check_sanitizers() {
     if [ -f tests/checks/bad.sh ]; then count "bad scenes under ASan and UBSan" bad_sanitized; fi
     if have valgrind; then
         for vg in scene contacts verify memory; do
-            if [ -f tests/test_$vg.c ]; then count "valgrind: $vg" valgrind_run $vg/; fi
+            count "valgrind: $vg" valgrind_run $vg/
         done
     else
         skip "uninitialised values" valgrind
@@ -390,7 +391,7 @@ cppcheck_run() {
 # Solvers of others: what make found of them (PLUGINS, PLUG_C, PLUG_L).
 warn_plugins() {                                        # warn_plugins COMPILER DIRECTORY
     for wp_real in '' -DSP_REAL_FLOAT; do
-        for wp_file in "$2"/*.c port/host/solvers.c tests/test_plugins.c; do
+        for wp_file in "$2"/*.c port/host/solvers.c tests/host/test_plugins.c; do
             # shellcheck disable=SC2086
             "$1" $host $wp_real $PLUG_C -O2 -Wno-unused-function -c "$wp_file" -o $out/warn.o || return 1
         done
@@ -399,7 +400,7 @@ warn_plugins() {                                        # warn_plugins COMPILER 
 sanitized_plugins() {                                   # sanitized_plugins FILTER
     # shellcheck disable=SC2086
     $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES='X(plugins)' -O1 -g \
-        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C -UWITH_BULLET tests/run.c tests/test_plugins.c $host_c \
+        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C -UWITH_BULLET tests/run.c tests/host/test_plugins.c $host_c \
         $(for sp in ${PLUGINS:-}; do ls "$sp"/*.c; done) stonepack.c $PLUG_L -lm -o $out/run_plugins && $out/run_plugins "$1"
 }
 plugin() {                                              # plugin NAME DIRECTORY
@@ -436,7 +437,7 @@ settle_warnings() {
     for sw_real in '' -DSP_REAL_FLOAT; do
         # shellcheck disable=SC2086
         "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/command/settle.c -o $out/warn.o &&
-        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/test_settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/settle/test_settle.c -o $out/warn.o &&
         for sw_c in settle/*.c; do "$1" $host $sw_real -O2 -c $sw_c -o $out/warn.o || return 1; done || return 1
     done
     # shellcheck disable=SC2086

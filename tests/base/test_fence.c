@@ -1,0 +1,228 @@
+/* Not one byte beyond any piece of the arena: the whole library once more, with a fence behind every piece it takes.
+ *
+ * Pieces lie in the memory like a stack, so a piece taken at or below a fence is the end of everything above. A fence is looked
+ * at when it goes and at the end of every test. Built with AddressSanitizer fences cannot be read either.
+ */
+#define SP_API static
+#include "../test.h"
+#include "../scenes/gen.h"
+#include "../../solvers/arena.c"
+
+#include <string.h>
+
+#ifdef __SANITIZE_ADDRESS__
+#define FENCED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FENCED 1
+#endif
+#endif
+#ifdef FENCED
+#include <sanitizer/asan_interface.h>
+#else
+#define ASAN_POISON_MEMORY_REGION(p, n) ((void)(p))
+#define ASAN_UNPOISON_MEMORY_REGION(p, n) ((void)(p))
+#endif
+
+enum { WIDTH = 32, BYTE = 0xd7, MOST = 1024 };
+
+static unsigned char *fence[MOST];                      /* standing, lowest first */
+static int fences, broken, built;
+
+static void fences_down(const unsigned char *from)
+{
+    while (fences && fence[fences - 1] + WIDTH > from) {
+        const unsigned char *at = fence[--fences];
+        ASAN_UNPOISON_MEMORY_REGION(at, WIDTH);
+        for (int k = 0; k < WIDTH; k++)
+            if (at[k] != BYTE) { broken++; break; }
+    }
+}
+
+/* sp__take with a fence behind the piece; counts it on a dry arena too, so sizes and layout still agree. */
+static void *fenced_take(sp_arena *a, size_t count, size_t size)
+{
+    if (size && count > (SIZE_MAX - WIDTH) / size) return sp__take(a, count, size);
+    unsigned char *piece = sp__take(a, 1, count * size + WIDTH);
+    if (!piece) return NULL;
+    fences_down(piece);
+    ASAN_UNPOISON_MEMORY_REGION(piece, count * size + WIDTH);
+    memset(piece, 0x5b, count * size);                  /* nothing may count on zeros */
+    if (fences < MOST) {
+        fence[fences] = piece + count * size;
+        memset(fence[fences], BYTE, WIDTH);
+        ASAN_POISON_MEMORY_REGION(fence[fences], WIDTH);
+        fences++;
+        built++;
+    }
+    return piece;
+}
+
+#define sp__take(a, count, size) fenced_take(a, count, size)
+#include "../../stonepack.c"
+#undef sp__take
+
+/* After each use of the library: all fences stand, and there were some. */
+static void whole(void)
+{
+    fences_down(NULL);
+    CHECK_INT(broken, 0);
+    CHECK(built > 0);
+    broken = built = 0;
+}
+
+/* The scene of an entry, its pieces fenced as well. The plain one that it is made of stays in front of it. */
+static void build(const char *name, const char *param, double value, sp_scene *s)
+{
+    sp_scene plain;
+    CHECK_INT(gen_make(name, param, value, &test_arena, &plain), SP_OK);
+    CHECK_INT(sp_scene_create(s, &plain.count, &test_arena), SP_OK);
+    memcpy(s->gravity, plain.gravity, sizeof s->gravity);
+    for (int32_t b = 0; b < plain.count.blocks; b++) {
+        const sp_block *from = &plain.block[b];
+        int32_t size[64], corner[512], n = 0;
+        for (int32_t f = 0; f < from->faces; f++) {
+            const sp_face *face = &plain.face[from->face + f];
+            size[f] = face->corners;
+            for (int32_t k = 0; k < face->corners; k++) corner[n++] = plain.corner[face->corner + k] - from->vertex;
+        }
+        const sp_mesh mesh = { from->vertices, from->faces, plain.vertex[from->vertex], size, corner };
+        CHECK_INT(sp_scene_block(s, &mesh, from->density, from->fixed, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < plain.count.interfaces; k++) {
+        const sp_interface *t = &plain.interface[k];
+        CHECK_INT(sp_scene_interface(s, t->a, t->b, t->points, plain.point[t->point], &t->joint, NULL), SP_OK);
+    }
+}
+
+static const struct { const char *name, *param; double value; } sample[] = {
+    { "two-cubes", NULL, 0 }, { "two-cubes", "offset", 0.7 }, { "arch", "n", 7 }, { "arch", "t", 0.09 }, { "h-model", "mu", 0 },
+    { "wall", "jitter", 0.3 }, { "wall", "tilt", 40 }, { "diamond", "mu", 0.1 }, { "rubble", NULL, 0 }, { "dome", "rings", 3 }
+};
+enum { SAMPLES = sizeof sample / sizeof sample[0] };
+
+static void prepare(int k, sp_scene *s)
+{
+    test_arena.used = 0;
+    build(sample[k].name, sample[k].param, sample[k].value, s);
+}
+
+TEST(a_step_over_the_edge_is_seen)
+{
+#ifndef FENCED                                          /* there it would end the run */
+    char *p = fenced_take(&test_arena, 5, 1);
+    p[5] = 0;
+    fences_down(NULL);
+    CHECK_INT(broken, 1);
+    broken = 0;
+    p = fenced_take(&test_arena, 5, 1);
+    p[4] = 0;
+#endif
+    built++;
+    whole();
+}
+
+TEST(building_and_checking_keep_to_their_pieces)
+{
+    for (int k = 0; k < SAMPLES; k++)
+        for (int32_t faces = 0; faces <= 8; faces += 8) {
+            sp_scene s;
+            sp_result r;
+            sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+            size_t bytes;
+            sp_settings set = sp_settings_default();
+            set.faces = faces;
+            prepare(k, &s);
+            CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_OK);
+            CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
+            CHECK(r.verdict != SP_UNDECIDED);
+            CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+            CHECK_INT(e.verdict, r.verdict);
+            whole();
+        }
+}
+
+TEST(every_stage_keeps_to_its_pieces)
+{
+    for (int k = 0; k < SAMPLES; k++)
+        for (int id = SP_STAGE_GATES; id < SP_STAGE_CUSTOM; id++) {
+            sp_scene s;
+            sp_result r;
+            sp_settings set = sp_settings_default();
+            set.stage_count = 1;
+            set.stage[0] = (sp_stage_id)id;
+            set.net = id % 2;
+            set.tol = R(TOL(1e-6, 1e-3));
+            prepare(k, &s);
+#if defined(SP_NO_QP) || defined(SP_NO_ADMM)
+            CHECK_INT(sp_check(&s, &set, &test_arena, &r), id == SP_STAGE_ADMM ? SP_E_UNSUPPORTED : SP_OK);
+#else
+            CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
+#endif
+            whole();
+        }
+}
+
+TEST(refused_checks_keep_to_their_pieces)
+{
+    sp_scene s;
+    size_t bytes = 0;
+    sp_result r;
+    build("arch", "t", 0.09, &s);
+    CHECK_INT(sp_memory(&s, NULL, test_arena, &bytes), SP_OK);
+    for (size_t cap = 1; cap < bytes; cap += 1 + bytes / 397) {
+        sp_arena a = { test_arena.base + ((test_arena.used + 63) & ~(size_t)63), cap, 0, 0 };
+        const sp_status status = sp_check(&s, NULL, &a, &r);
+        CHECK(status == SP_E_MEMORY || status == SP_OK);        /* fences make what is asked for a little more than enough */
+    }
+    whole();
+}
+
+TEST(finding_contacts_keeps_to_its_pieces)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_overlap overlap[1];
+        sp_contact_report report = { 0, 0, 0, 1, NULL };
+        report.overlap = overlap;
+        prepare(k, &s);
+        const int32_t given = s.count.interfaces;
+        s.count.interfaces = s.count.points = 0;
+        const sp_status status = sp_contacts_find(&s, NULL, test_arena, &report);
+        CHECK_INT(status, report.interfaces > given ? SP_E_CAPACITY : SP_OK);  /* boards side by side touch, too */
+        CHECK(report.interfaces >= given);
+        s.count.interfaces = s.count.points = s.cap.points = 0;         /* no room: only counted */
+        CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_E_CAPACITY);
+        whole();
+    }
+}
+
+TEST(matrices_keep_to_their_pieces)
+{
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_problem p;
+        sp_triplets t;
+        sp_csc m;
+        sp_settings set = sp_settings_default();
+        set.faces = 5;
+        prepare(k, &s);
+        CHECK_INT(sp_problem_build(&s, &test_arena, &p), SP_OK);
+        for (int32_t columns = 3; columns <= 4; columns++) {
+            CHECK_INT(sp_matrix_aeq(&p, columns, &test_arena, &t), SP_OK);
+            CHECK_INT(sp_csc_from(&t, &test_arena, &m), SP_OK);
+            CHECK_INT(sp_matrix_afr(&p, &set, columns, &test_arena, &t), SP_OK);
+            CHECK_INT(sp_csc_from(&t, &test_arena, &m), SP_OK);
+        }
+        whole();
+    }
+}
+
+TEST_LIST(fence)
+    RUN(a_step_over_the_edge_is_seen)
+    RUN(building_and_checking_keep_to_their_pieces)
+    RUN(every_stage_keeps_to_its_pieces)
+    RUN(refused_checks_keep_to_their_pieces)
+    RUN(finding_contacts_keeps_to_its_pieces)
+    RUN(matrices_keep_to_their_pieces)
+TEST_END

@@ -1,0 +1,500 @@
+/* Memory: what the library says it needs is what it takes; one byte less is refused and nothing outside is touched. */
+#include "../test.h"
+#include "../scenes/gen.h"
+
+#include <string.h>
+
+enum { GUARD = 256, GUARD_BYTE = 0xa5 };
+
+/* A piece of memory of exactly `bytes` bytes between two guards. */
+typedef struct fenced { unsigned char *at; size_t bytes; } fenced;
+
+static fenced fence(size_t bytes)
+{
+    fenced f;
+    size_t from = (test_arena.used + SP_ALIGN - 1) & ~(size_t)(SP_ALIGN - 1);
+    unsigned char *p = test_arena.base + from;
+    f.at = p + GUARD;
+    f.bytes = bytes;
+    for (size_t k = 0; k < GUARD; k++) p[k] = f.at[bytes + k] = GUARD_BYTE;
+    return f;
+}
+
+static int fence_holds(const fenced *f)
+{
+    for (size_t k = 0; k < GUARD; k++)
+        if (f->at[-1 - (ptrdiff_t)k] != GUARD_BYTE || f->at[f->bytes + k] != GUARD_BYTE) return 0;
+    return 1;
+}
+
+static sp_arena fenced_arena(const fenced *f)
+{
+    sp_arena a = { f->at, f->bytes, 0, 0 };
+    return a;
+}
+
+static void build(const char *name, const char *param, double value, sp_scene *scene)
+{
+    CHECK_INT(gen_make(name, param, value, &test_arena, scene), SP_OK);
+}
+
+static const struct { const char *name, *param; double value; } sample[] = {
+    { "two-cubes", NULL, 0 }, { "two-cubes", "offset", 0.7 }, { "arch", "n", 7 }, { "arch", "t", 0.09 }, { "h-model", NULL, 0 },
+    { "h-model", "mu", 0 }, { "keystone", NULL, 0 }, { "wall", "size", 54 }, { "wall", "tilt", 40 }, { "diamond", "mu", 0.1 }
+};
+
+/* Exact size works, and all of it was used; one byte less is refused without a trace. */
+TEST(sp_memory_is_exact)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        sp_result result, before;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+
+        fenced f = fence(bytes);
+        sp_arena a = fenced_arena(&f);
+        CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(result.peak_bytes, bytes);
+        CHECK(a.peak <= bytes);
+
+        f = fence(bytes - 1);
+        a = fenced_arena(&f);
+        before = result;
+        CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_E_MEMORY);
+        CHECK(fence_holds(&f));
+        CHECK_INT(a.used, 0);
+        CHECK_INT(a.cap, bytes - 1);
+        CHECK(result.f == before.f && result.verdict == before.verdict && result.peak_bytes == before.peak_bytes);
+    }
+}
+
+/* The same check with its stages at work in another memory: both sizes exact, every number the same. */
+TEST(stages_can_work_in_another_memory)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        sp_result one, two;
+        sp_settings set = sp_settings_default();
+        size_t all = 0, bytes = 0, work = 0;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        NEED(sp_memory(&scene, NULL, test_arena, &all) == SP_OK && sp_memory_work(&scene, NULL, test_arena, &work) == SP_OK);
+        NEED(sp_check(&scene, NULL, &test_arena, &one) == SP_OK);
+
+        static unsigned char there[1 << 20];
+        sp_arena far;
+        NEED(work <= sizeof there - SP_ALIGN && sp_arena_init(&far, there, sizeof there) == SP_OK);
+        far.cap = work;
+        set.work = &far;
+        NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+        CHECK(bytes < all && bytes + work >= all);
+        CHECK_INT(far.peak, 0);
+
+        fenced f = fence(bytes);
+        sp_arena near = fenced_arena(&f);
+        NEED(sp_check(&scene, &set, &near, &two) == SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(two.peak_bytes, bytes);
+        CHECK_INT(far.peak, work);
+        CHECK_INT(far.used, 0);
+        CHECK(one.verdict == two.verdict && one.reason == two.reason && one.cost.flops == two.cost.flops);
+        CHECK_INT(memcmp(one.f, two.f, 3 * (size_t)scene.count.points * sizeof *one.f), 0);
+        CHECK_INT(memcmp(one.dq, two.dq, 6 * (size_t)scene.count.blocks * sizeof *one.dq), 0);
+
+        near = fenced_arena(&f);
+        far.cap = work - 1;
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
+        far.cap = work;
+        f = fence(bytes - 1);
+        near = fenced_arena(&f);
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
+        set.work = &near;
+        CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_ARGUMENT);
+    }
+}
+
+TEST(every_smaller_capacity_is_refused_cleanly)
+{
+    sp_scene scene;
+    size_t bytes = 0;
+    build("arch", "n", 3, &scene);
+    NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+    for (size_t cap = 0; cap < bytes; cap++) {
+        sp_result result;
+        const fenced f = fence(cap);
+        sp_arena a = fenced_arena(&f);
+        const sp_status status = sp_check(&scene, NULL, &a, &result);
+        if (!CHECK_INT(status, SP_E_MEMORY) || !CHECK(fence_holds(&f)) || !CHECK_INT(a.used, 0)) {
+            CHECK_INT(cap, -1);                         /* tells at which */
+            return;
+        }
+    }
+}
+
+/* A check takes nothing that is not freed by used = mark, and keeps what was there before. */
+TEST(check_leaves_what_is_in_the_arena)
+{
+    sp_scene scene;
+    sp_result first, second;
+    build("arch", "n", 7, &scene);
+    const size_t mark = test_arena.used;
+    NEED(sp_check(&scene, NULL, &test_arena, &first) == SP_OK);
+    const size_t after = test_arena.used;
+    NEED(sp_check(&scene, NULL, &test_arena, &second) == SP_OK);
+    CHECK(first.f != second.f);
+    CHECK_INT(after - mark, test_arena.used - after);
+    for (int32_t k = 0; k < 3 * scene.count.points; k++)
+        if (!CHECK(first.f[k] <= second.f[k] && first.f[k] >= second.f[k])) return;
+}
+
+TEST(sp_memory_scratch_is_enough_and_less_is_refused)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
+        sp_scene scene;
+        size_t bytes = 0, again = 1;
+        test_arena.used = 0;
+        build(sample[k].name, sample[k].param, sample[k].value, &scene);
+        const size_t need = sp_memory_scratch(&scene, NULL);
+        NEED(need > 0);
+        fenced f = fence(need);
+        CHECK_INT(sp_memory(&scene, NULL, fenced_arena(&f), &bytes), SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(sp_memory(&scene, NULL, test_arena, &again), SP_OK);
+        CHECK_INT(bytes, again);
+        for (size_t cap = 0; cap < need; cap += 1 + need / 61) {
+            f = fence(cap);
+            again = 7;
+            const sp_status status = sp_memory(&scene, NULL, fenced_arena(&f), &again);
+            if (status == SP_OK) CHECK_INT(again, bytes);
+            else CHECK_INT(status, SP_E_MEMORY), CHECK_INT(again, 7);
+            CHECK(fence_holds(&f));
+        }
+    }
+}
+
+TEST(scene_memory_is_exact_at_every_capacity)
+{
+    static const sp_capacity cap = { 3, 24, 18, 72, 2, 8, 0 };
+    const size_t bytes = sp_scene_memory(&cap);
+    NEED(bytes > 0);
+    for (size_t given = 0; given <= bytes; given++) {
+        sp_scene scene;
+        const fenced f = fence(given);
+        sp_arena a = fenced_arena(&f);
+        CHECK_INT(sp_scene_create(&scene, &cap, &a), given < bytes ? SP_E_MEMORY : SP_OK);
+        CHECK(fence_holds(&f));
+        CHECK_INT(a.used, given < bytes ? 0 : bytes);
+    }
+}
+
+/* sp_verify_memory knows no settings: it is for 64 faces, where less is refused, and more than enough for the cone. */
+TEST(verify_memory_is_enough_and_less_is_refused)
+{
+    sp_scene scene;
+    sp_result result;
+    sp_settings settings = sp_settings_default();
+    build("arch", "n", 7, &scene);
+    settings.faces = 64;
+    NEED(sp_check(&scene, &settings, &test_arena, &result) == SP_OK);
+    const size_t need = sp_verify_memory(&scene);
+    NEED(need > 0);
+    for (size_t cap = 0; cap <= need; cap++) {
+        sp_evidence evidence = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+        const fenced f = fence(cap);
+        const sp_status status = sp_verify(&scene, &settings, &result, fenced_arena(&f), &evidence);
+        if (!CHECK(fence_holds(&f)) || (status != SP_OK && !CHECK_INT(status, SP_E_MEMORY))) {
+            CHECK_INT(cap, -1);
+            return;
+        }
+        CHECK_INT(evidence.verdict, status == SP_OK ? SP_STABLE : SP_UNDECIDED);
+        if (cap == need) CHECK_INT(status, SP_OK);
+    }
+}
+
+TEST(problem_memory_is_exact)
+{
+    sp_scene scene;
+    sp_problem problem;
+    build("wall", "size", 54, &scene);
+    const size_t need = sp_problem_memory(&scene);
+    NEED(need > 0);
+    fenced f = fence(need);
+    sp_arena a = fenced_arena(&f);
+    CHECK_INT(sp_problem_build(&scene, &a, &problem), SP_OK);
+    CHECK_INT(a.used, need);
+    CHECK(fence_holds(&f));
+    f = fence(need - 1);
+    a = fenced_arena(&f);
+    CHECK_INT(sp_problem_build(&scene, &a, &problem), SP_E_MEMORY);
+    CHECK(fence_holds(&f));
+}
+
+TEST(contacts_memory_is_enough_and_less_is_refused)
+{
+    sp_scene scene;
+    sp_contact_settings settings = sp_contact_settings_default();
+    sp_contact_report report = { 0, 0, 0, 0, NULL };
+    build("arch", "n", 7, &scene);
+    const int32_t given = scene.count.interfaces, points = scene.count.points;
+    const size_t need = sp_contacts_memory(&scene);
+    NEED(need > 0);
+    fenced f = fence(need);
+    scene.count.interfaces = scene.count.points = 0;    /* as if there had been none */
+    CHECK_INT(sp_contacts_find(&scene, &settings, fenced_arena(&f), &report), SP_OK);
+    CHECK(fence_holds(&f));
+    CHECK_INT(scene.count.interfaces, given);
+    CHECK_INT(scene.count.points, points);
+    for (size_t cap = 0; cap < need; cap += 1 + need / 199) {
+        f = fence(cap);
+        scene.count.interfaces = scene.count.points = 0;
+        const sp_status status = sp_contacts_find(&scene, &settings, fenced_arena(&f), &report);
+        if (!CHECK(status == SP_E_MEMORY || status == SP_OK) || !CHECK(fence_holds(&f))) return;
+        CHECK_INT(scene.count.interfaces, status == SP_OK ? given : 0);
+    }
+}
+
+/* Bodies of any weight that touch in points wherever: from none touching to all pairs, repeatedly. */
+static void random_scene(sp_scene *scene, int32_t blocks, int32_t interfaces)
+{
+    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, 4 * interfaces, 2 };
+    NEED(sp_scene_create(scene, &cap, &test_arena) == SP_OK);
+    for (int32_t k = 0; k < blocks; k++) {
+        const sp_real c[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
+        CHECK_INT(sp_scene_body(scene, R(100), c, test_random_int(0, 9) ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < interfaces && blocks > 1; k++) {
+        sp_real xyz[12], n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(1) };
+        const int32_t a = test_random_int(0, blocks - 1), b = (a + test_random_int(1, blocks - 1)) % blocks;
+        const sp_joint joint = sp_joint_friction(R(0.5));
+        for (int c = 0; c < 12; c++) xyz[c] = test_random_real(-1, 1);
+        CHECK_INT(sp_scene_points(scene, a, b, n, test_random_int(1, 4), xyz, &joint, NULL), SP_OK);
+    }
+    sp_load load = { 0, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
+    if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
+}
+
+#define ALL_STAGES (1 << SP_STAGE_GATES | 1 << SP_STAGE_LEAST_SQUARES | 1 << SP_STAGE_DENSE | 1 << SP_STAGE_POLISH \
+                    | 1 << SP_STAGE_EXACT)
+
+static unsigned char a_static_array[SP_SCENE_BYTES(2, 0, 0, 0, 1, 4, 0) + SP_MEMORY_BYTES(2, 1, 4, ALL_STAGES)];
+
+TEST(memory_by_counts_bounds_what_is_taken)
+{
+    sp_settings dense = sp_settings_default();
+    dense.stage_count = 5;
+    for (int k = 0; k < 5; k++) dense.stage[k] = (sp_stage_id)(SP_STAGE_GATES + k);
+    double least = 1e9;
+    for (int k = 0; k < 300; k++) {
+        const int32_t blocks = test_random_int(1, k % 10 ? 12 : 40), most = k % 3 ? 3 * blocks : blocks * blocks / 2;
+        const int32_t interfaces = blocks > 1 ? test_random_int(0, most) : 0;
+        size_t bytes = 0;
+        sp_scene scene;
+        test_arena.used = 0;
+        random_scene(&scene, blocks, interfaces);
+        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+        const size_t loads = (size_t)scene.count.loads * (4 + sizeof(sp_load));
+        const size_t bound = SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, 0) + loads;
+        if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)interfaces,
+                                               (unsigned long)bytes, (unsigned long)bound);
+        if ((double)bound / (double)bytes < least) least = (double)bound / (double)bytes;
+        NEED(sp_memory(&scene, &dense, test_arena, &bytes) == SP_OK);
+        CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES) + loads);
+    }
+    CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
+    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SIZE_MAX);
+}
+
+/* Bounds by counts over the truth, smallest and largest, of scenes with some vertices. */
+typedef struct spread { const char *what; double least, most; } spread;
+
+static void within(spread *s, const sp_scene *scene, const sp_settings *set, size_t bound)
+{
+    size_t bytes = 0;
+    NEED(sp_memory(scene, set, test_arena, &bytes) == SP_OK);
+    bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
+    if (!CHECK(bytes <= bound))
+        TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
+                   (int)scene->count.interfaces, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
+    if (scene->count.points < 4) return;
+    const double ratio = (double)bound / (double)bytes;
+    if (ratio < s->least || s->least <= 0) s->least = ratio;
+    if (ratio > s->most) s->most = ratio;
+}
+
+TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
+{
+    enum { PYRAMID, COUPLED, PROOF, CG, ADMM, ALL };
+    spread s[ALL] = { { "pyramids", 0, 0 }, { "coupled", 0, 0 }, { "coupled, with proofs", 0, 0 },
+                      { "ADMM without a factor", 0, 0 }, { "ADMM", 0, 0 } };
+    for (int k = 0; k < 120; k++) {
+        const int32_t blocks = test_random_int(1, k % 10 ? 8 : 20);
+        const int32_t interfaces = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
+        sp_scene scene;
+        test_arena.used = 0;
+        random_scene(&scene, blocks, interfaces);
+        const int32_t v = scene.count.points, faces = test_random_int(3, k % 2 ? 8 : 64);
+        const int32_t nodes = test_random_int(0, 3) ? test_random_int(0, 300) : 0;
+        const size_t plain = SP_MEMORY_BYTES(blocks, interfaces, v, 0), pyramid = SP_PYRAMID_BYTES(v, faces);
+        sp_settings set = sp_settings_default();
+        if (k % 3) { set.faces = faces; set.inscribed = k % 2; }
+        const size_t base = plain + (k % 3 ? pyramid : 0);
+        set.localise = k % 5 > 1;
+        within(&s[PYRAMID], &scene, &set, base);
+#ifndef SP_NO_CRA
+        set.coupled.asked = 1;
+        set.coupled.nodes = nodes;
+        within(&s[nodes && v <= SP_EXACT_POINTS ? PROOF : COUPLED], &scene, &set, base + SP_COUPLED_BYTES(blocks, v, nodes));
+        set.coupled.asked = 0;
+#endif
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+        set.stage[set.stage_count++] = SP_STAGE_ADMM;
+        const size_t both = SP_MEMORY_BYTES(blocks, interfaces, v, ALL_STAGES | 1 << SP_STAGE_ADMM);
+        within(&s[ADMM], &scene, &set, set.faces <= 8 ? base - plain + both : base + SP_ADMM_BYTES(blocks, v, faces));
+#ifndef SP_QP_NO_CG
+        sp_seed seed = *sp_seed_table();
+        seed.dense_cells = 0;
+        seed.admm.backend = SP_QP_CG;
+        set.seed = &seed;
+        within(&s[CG], &scene, &set, base + SP_ADMM_CG_BYTES(blocks, v, set.faces ? faces : seed.faces));
+        set.seed = NULL;
+#endif
+        if (!v) {                                       /* there is no program then */
+            size_t bytes = 0;
+            sp_arena a = test_arena;
+            sp_result r;
+            NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+            a.cap = a.used + bytes;
+            CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
+        }
+#endif
+    }
+    for (int q = 0; q < ALL; q++)
+        TEST_PRINT("    %-21s bound / need  %.2f .. %.2f\n", s[q].what, s[q].least, s[q].most);
+    for (int q = 0; q < ADMM; q++) CHECK(s[q].least < 2);       /* of one island; where there are several none takes much */
+}
+
+/* Stones in `islands`, or one with nearly all joints and the others loose; joints of many vertices any way, in one plane (odd
+ * vertices mirror images), or all level. */
+static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int32_t interfaces, int32_t most)
+{
+    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, most * interfaces, 1 };
+    const int32_t shape = test_random_int(0, 2), supports = test_random_int(0, 1);
+    const int32_t large = test_random_int(0, 1) ? blocks - islands : 0;
+    NEED(most <= 60 && sp_scene_create(scene, &cap, &test_arena) == SP_OK);
+    for (int32_t k = 0; k < blocks; k++) {
+        const sp_real c[3] = { test_random_real(-1, 1), shape ? 0 : test_random_real(-1, 1), test_random_real(-1, 1) };
+        CHECK_INT(sp_scene_body(scene, R(100), c, k || !supports ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < interfaces; k++) {
+        const int32_t a = test_random_int(1, large && k > islands ? large : blocks - 1), c = test_random_int(1, blocks - 1);
+        const int joined = large ? a <= large && c <= large : a % islands == c % islands;
+        const int32_t b = joined && a != c && test_random_int(0, 2) ? c : 0, points = test_random_int(1, most);
+        const sp_real n[3] = { shape < 2 ? test_random_real(-1, 1) : 0, shape ? 0 : test_random_real(-1, 1), 1 };
+        const sp_joint joint = sp_joint_friction(R(0.5));
+        sp_real xyz[180];
+        for (int32_t i = 0; i < 3 * points; i++) xyz[i] = test_random_real(-1, 1);
+        for (int32_t i = 0; i < points && shape; i++) {
+            sp_real *x = xyz + 3 * i;
+            x[1] = i % 2 ? 1 : -1;
+            if (shape == 2) x[2] = 0;
+            if (i % 2) { x[0] = x[-3]; x[2] = x[-1]; }
+        }
+        if (supports || b) CHECK_INT(sp_scene_points(scene, a, b, n, points, xyz, &joint, NULL), SP_OK);
+    }
+    const sp_load load = { blocks - 1, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
+    if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
+}
+
+TEST(islands_of_few_stones_with_many_joints_are_bounded)
+{
+    enum { PLAIN, DENSE, PYRAMID, COUPLED, ALL };
+    spread s[ALL] = { { "plain", 0, 0 }, { "all stages", 0, 0 }, { "pyramids", 0, 0 }, { "coupled", 0, 0 } };
+    for (int k = 0; k < 400; k++) {
+        const int32_t blocks = test_random_int(2, k % 8 ? 8 : 30), islands = test_random_int(1, blocks - 1);
+        const int32_t interfaces = test_random_int(0, k % 3 ? 40 : 300);
+        sp_scene scene;
+        test_arena.used = 0;
+        random_islands(&scene, blocks, islands, interfaces, k % 4 ? 4 : 60);
+        const int32_t i = scene.count.interfaces, v = scene.count.points, faces = test_random_int(3, 64);
+        const size_t plain = SP_MEMORY_BYTES(blocks, i, v, 0);
+        sp_settings set = sp_settings_default();
+        within(&s[PLAIN], &scene, &set, plain);
+#ifndef SP_NO_CRA
+        set.coupled.asked = 1;
+        set.coupled.nodes = v <= SP_EXACT_POINTS ? test_random_int(0, 300) : 0;
+        within(&s[COUPLED], &scene, &set, plain + SP_COUPLED_BYTES(blocks, v, set.coupled.nodes));
+        set.coupled.asked = 0;
+#endif
+        set.faces = faces;
+        within(&s[PYRAMID], &scene, &set, plain + SP_PYRAMID_BYTES(v, faces));
+        set.faces = 0;
+        set.stage_count = 5;
+        for (int q = 0; q < 5; q++) set.stage[q] = (sp_stage_id)(SP_STAGE_GATES + q);
+        within(&s[DENSE], &scene, &set, SP_MEMORY_BYTES(blocks, i, v, ALL_STAGES));
+    }
+    for (int q = 0; q < ALL; q++) TEST_PRINT("    %-21s bound / need  %.3f .. %.2f\n", s[q].what, s[q].least, s[q].most);
+    CHECK(s[PLAIN].least < 1.25);                       /* and where one has nearly all, there is not much to spare */
+}
+
+TEST(scene_memory_by_counts_is_exact)
+{
+    for (int k = 0; k < 100; k++) {
+        int32_t n[7];
+        for (int c = 0; c < 7; c++) n[c] = test_random_int(0, 99);
+        const sp_capacity cap = { n[0], n[1], n[2], n[3], n[4], n[5], n[6] };
+        CHECK_INT(SP_SCENE_BYTES(n[0], n[1], n[2], n[3], n[4], n[5], n[6]), sp_scene_memory(&cap));
+    }
+}
+
+TEST(a_static_array_sized_by_counts_is_enough)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 0 };
+    const sp_real low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 1 };
+    const sp_real xyz[12] = { R(-0.5), R(-0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5) };
+    const sp_joint joint = sp_joint_friction(R(0.5));
+    sp_arena arena;
+    sp_scene scene;
+    sp_result r;
+    NEED(sp_arena_init(&arena, a_static_array, sizeof a_static_array) == SP_OK);
+    NEED(sp_scene_create(&scene, &cap, &arena) == SP_OK);
+    NEED(sp_scene_body(&scene, R(1), low, SP_FIXED, NULL) == SP_OK && sp_scene_body(&scene, R(1), high, 0, NULL) == SP_OK);
+    NEED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL) == SP_OK);
+    NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+}
+
+/* The scene with its meshes and all that a check takes. */
+TEST(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
+{
+    sp_arena a = test_arena;
+    sp_scene s;
+    sp_result r;
+    a.cap = a.used + TOL(128, 64) * 1024;
+    CHECK_INT(gen_make("wall", "size", 54, &a, &s), SP_OK);
+    CHECK_INT(s.count.interfaces, 64);
+    CHECK_INT(sp_check(&s, NULL, &a, &r), SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK(a.used <= a.cap);
+}
+
+TEST_LIST(memory)
+    RUN(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
+    RUN(sp_memory_is_exact)
+    RUN(stages_can_work_in_another_memory)
+    RUN(every_smaller_capacity_is_refused_cleanly)
+    RUN(check_leaves_what_is_in_the_arena)
+    RUN(sp_memory_scratch_is_enough_and_less_is_refused)
+    RUN(scene_memory_is_exact_at_every_capacity)
+    RUN(verify_memory_is_enough_and_less_is_refused)
+    RUN(problem_memory_is_exact)
+    RUN(contacts_memory_is_enough_and_less_is_refused)
+    RUN(memory_by_counts_bounds_what_is_taken)
+    RUN(pyramids_coupling_and_admm_by_counts_are_bounded)
+    RUN(islands_of_few_stones_with_many_joints_are_bounded)
+    RUN(scene_memory_by_counts_is_exact)
+    RUN(a_static_array_sized_by_counts_is_enough)
+TEST_END

@@ -1,0 +1,291 @@
+/* Joints with strength: mortar that sticks, stone that crushes; each at a limit known by hand, both sides of it. */
+#include "../test.h"
+
+#include <math.h>
+#include <string.h>
+
+#define CLOSE TOL(1e-6, 2e-3)
+
+static const double weight = 2400 * 9.80665;            /* of the cube of 1 m */
+
+/* A cube joined to a support on one face: 0 below it, 1 beside it (at x = 0, n along x). */
+static sp_scene cube(int beside, sp_joint joint)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 1 };
+    const sp_real below[12] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }, side[12] = { 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1 };
+    const sp_real middle[3] = { R(0.5), R(0.5), R(0.5) }, ground[3] = { R(-1), 0, R(-1) };
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, R(2400), middle, 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, beside ? side : below, &joint, NULL), SP_OK);
+    return s;
+}
+
+static sp_joint mortar(double mu, double cohesion, double tension, double cap)
+{
+    const sp_joint joint = { R(mu), R(cohesion), R(tension), R(cap) };
+    return joint;
+}
+
+/* The true cone and pyramids, those inside it and around it. */
+static const int32_t cones[][2] = { { 0, 0 }, { 3, 1 }, { 4, 0 }, { 4, 1 }, { 5, 0 }, { 8, 0 }, { 8, 1 }, { 64, 1 } };
+enum { CONES = sizeof cones / sizeof cones[0] };
+
+static sp_settings cone(int kind)
+{
+    sp_settings set = sp_settings_default();
+    set.faces = cones[kind][0];
+    set.inscribed = cones[kind][1];
+    return set;
+}
+
+static sp_result check_with(const sp_scene *s, const sp_settings *set)
+{
+    sp_result r;
+    sp_evidence e;
+    memset(&r, 0, sizeof r);
+    CHECK_INT(sp_check(s, set, &test_arena, &r), SP_OK);
+    CHECK_INT(sp_verify(s, set, &r, test_arena, &e), SP_OK);
+    CHECK_INT(e.verdict, r.verdict);
+    CHECK_INT(e.final, r.final);
+    return r;
+}
+
+static sp_result check(const sp_scene *s) { return check_with(s, NULL); }
+
+/* Stable with all of it 1 - CLOSE times, unstable with 1 + CLOSE times. */
+static void pulled(sp_joint joint, double fx, double fy, double fz, double z)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        const double k = 1 + side * CLOSE;
+        const sp_load load = { 1, 0, { R(0.5), R(0.5), R(z) }, { R(k * fx), R(k * fy), R(k * fz) }, { 0, 0, 0 }, 0 };
+        sp_scene s = cube(0, joint);
+        s.gravity[2] = 0;
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+    }
+}
+
+TEST(mortar_is_pulled_apart_at_its_tensile_strength)
+{
+    pulled(mortar(0.6, 1000, 700, 0), 0, 0, 700, 1);
+}
+
+TEST(tension_counts_up_to_cohesion_over_mu)
+{
+    pulled(mortar(0.5, 100, 700, 0), 0, 0, 200, 1);
+}
+
+TEST(without_friction_tension_counts_in_full)
+{
+    pulled(mortar(0, 0, 700, 0), 0, 0, 700, 1);
+}
+
+TEST(mortar_slides_at_its_cohesion_without_pressure)
+{
+    pulled(mortar(0.6, 1000, 700, 0), 600, 800, 0, 0);
+}
+
+TEST(mortar_under_pressure_slides_by_mohr_and_coulomb)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        sp_scene s = cube(0, mortar(0.3, 5000, 1000, 0));
+        const double most = 0.3 * weight + 5000;
+        const sp_load load = { 1, 0, { 0, R(0.5), 0 }, { R(most * (1 + side * CLOSE)), 0, 0 }, { 0, 0, 0 }, 0 };
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+    }
+}
+
+/* Glued to a wall: the upper corners pull 2 t A / 4 at 1 m over the lower ones, the weight turns at 1/2 m. */
+TEST(a_glued_cantilever_breaks_at_its_tensile_strength)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        const sp_scene s = cube(1, mortar(0.84, 5 * weight, weight * (1 - side * CLOSE), 0));
+        const sp_result r = check(&s);
+        CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+        CHECK_INT(r.final, side > 0);
+    }
+}
+
+TEST(without_mortar_the_cantilever_falls)
+{
+    const sp_scene s = cube(1, mortar(0.84, 0, 0, 0));
+    CHECK_INT(check(&s).verdict, SP_UNSTABLE);
+}
+
+TEST(stone_is_crushed_by_its_weight_at_its_strength)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        const sp_scene s = cube(0, mortar(0.84, 0, 0, weight * (1 - side * CLOSE)));
+        const sp_result r = check(&s);
+        CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+        CHECK_INT(r.final, side > 0);
+        if (side > 0) CHECK(r.dq[8] < 0 && r.dq[2] >= 0 && r.dq[2] <= 0);       /* it sinks into the support */
+    }
+}
+
+/* A push at height h shifts the weight towards an edge, where two corners carry cap A / 4 each: W (1/2 + e) = cap A / 2. */
+TEST(crushing_moves_the_toppling_point_inwards)
+{
+    const double cap = 1.6 * weight, e = cap / (2 * weight) - 0.5;
+    for (int side = -1; side <= 1; side += 2) {
+        sp_scene s = cube(0, mortar(0.84, 0, 0, cap));
+        const sp_load load = { 1, 0, { 0, R(0.5), 1 }, { R(weight * e * (1 + side * CLOSE)), 0, 0 }, { 0, 0, 0 }, 0 };
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+    }
+}
+
+TEST(forces_keep_within_strength)
+{
+    const sp_scene s = cube(1, mortar(0.5, 3 * weight, 2 * weight, 2.5 * weight));
+    const sp_result r = check(&s);
+    CHECK_INT(r.verdict, SP_STABLE);
+    for (int32_t v = 0; v < 4; v++) {
+        const double fn = (double)r.f[3 * v], t1 = (double)r.f[3 * v + 1], t2 = (double)r.f[3 * v + 2];
+        CHECK(fn >= -0.5 * weight * (1 + 1e-6) && fn <= 0.625 * weight * (1 + 1e-6));
+        CHECK(t1 * t1 + t2 * t2 <= (0.75 * weight + 0.5 * fn) * (0.75 * weight + 0.5 * fn) * (1 + 1e-6));
+    }
+    sp_interface_force f;
+    CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+    CHECK_NEAR(f.utilisation, 1. / 3, TOL(1e-8, 1e-3));         /* W / (3 W), no pressure */
+    CHECK(f.min_fn < 0);
+}
+
+TEST(more_strength_never_turns_stable_into_unstable)
+{
+    for (int trial = 0; trial < 60; trial++) {
+        sp_joint joint = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 2), weight * (double)test_random_real(0, 2),
+                                trial % 2 ? weight * (double)test_random_real(0.5, 3) : 0);
+        int stood = 0;
+        for (int step = 0; step < 3; step++) {
+            const sp_scene s = cube(trial % 3 == 0, joint);
+            const sp_verdict v = check(&s).verdict;
+            CHECK(!(stood && v == SP_UNSTABLE));
+            stood |= v == SP_STABLE;
+            joint.cohesion *= R(1.5); joint.tension *= R(1.5); joint.cap *= R(1.5);
+        }
+    }
+}
+
+TEST(strength_has_no_unit_of_its_own)
+{
+    for (int k = -2; k <= 2; k++) {                     /* the same cube in other units of mass: all forces times 10^(3k) */
+        sp_real unit = 1;
+        for (int i = 0; i < (k < 0 ? -k : k); i++) unit *= k < 0 ? R(1e-3) : R(1e3);
+        for (int side = -1; side <= 1; side += 2) {
+            sp_joint joint = mortar(0.84, 5 * weight, weight * (1 - side * CLOSE), 4 * weight);
+            joint.cohesion *= unit; joint.tension *= unit; joint.cap *= unit;
+            sp_scene s = cube(1, joint);
+            s.block[1].mass *= unit;
+            CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+        }
+    }
+}
+
+/* Friction along t1, a face, and towards a corner: both cohesion and friction are cos(pi/K) of it inside the cone, all of it around
+ * it, and 1/cos(pi/K) of that towards a corner. */
+TEST(every_pyramid_slides_at_its_own_share_of_cohesion_and_friction)
+{
+    for (int kind = 0; kind < CONES; kind++)
+        for (int k = 0; k < 8; k++) {
+            const int side = k % 2 ? 1 : -1, corner = k / 2 % 2, pressed = k / 4;
+            const sp_settings set = cone(kind);
+            const double turn = set.faces ? 3.14159265358979323846 / set.faces : 0, angle = corner * turn;
+            const double reach = (set.inscribed ? cos(turn) : 1) / cos(angle);
+            const double most = reach * (5000 + pressed * 0.3 * weight) * (1 + side * CLOSE);
+            const sp_load load = { 1, 0, { R(0.5), R(0.5), 0 }, { R(-most * cos(angle)), R(-most * sin(angle)), 0 }, { 0, 0, 0 }, 0 };
+            sp_scene s = cube(0, mortar(0.3, 5000, 1000, 0));
+            if (!pressed) s.gravity[2] = 0;
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+            CHECK_INT(check_with(&s, &set).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+        }
+}
+
+TEST(no_pyramid_changes_what_tears_or_is_crushed)
+{
+    for (int kind = 0; kind < CONES; kind++)
+        for (int side = -1; side <= 1; side += 2) {
+            const sp_settings set = cone(kind);
+            const double k = 1 - side * CLOSE;
+            const int final = side > 0 && !(set.faces && set.inscribed);
+            sp_scene s = cube(1, mortar(0.84, 5 * weight, weight * k, 0));              /* the glued cantilever */
+            sp_result r = check_with(&s, &set);
+            CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+            CHECK_INT(r.final, final);
+            s = cube(0, mortar(0.84, 0, 0, weight * k));                                /* crushed by its weight */
+            r = check_with(&s, &set);
+            CHECK_INT(r.verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
+            CHECK_INT(r.final, final);
+        }
+}
+
+/* inside the cone, the cone, around it: each holds what the one before holds; and no answer depends on what a plan leaves out. */
+TEST(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
+{
+    for (int trial = 0; trial < 120; trial++) {
+        const sp_joint joint = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 1.5),
+                                      weight * (double)test_random_real(0, 1.5), trial % 2 ? weight * (double)test_random_real(0.7, 3) : 0);
+        const sp_load load = { 1, 0, { R(0.5), R(0.5), test_random_real(0, 1) },
+                               { R(weight) * test_random_real(-1, 1), trial % 4 < 2 ? 0 : R(weight) * test_random_real(-1, 1), 0 },
+                               { 0, 0, 0 }, 0 };
+        const int32_t faces = 4 * test_random_int(1, 4);
+        int stood = 0;
+        for (int step = 0; step < 3; step++) {
+            sp_scene s = cube(trial % 3 == 0, joint);
+            sp_settings set = sp_settings_default();
+            set.faces = step == 1 ? 0 : faces;
+            set.inscribed = step == 0;
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+            const sp_verdict v = check_with(&s, &set).verdict;
+            CHECK(!(stood && v == SP_UNSTABLE));
+            CHECK(v != SP_UNDECIDED);
+            stood |= v == SP_STABLE;
+            set.effect[SP_EFFECT_FRICTION] = set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+            CHECK_INT(check_with(&s, &set).verdict, v);
+        }
+    }
+}
+
+TEST(strength_goes_with_an_area_and_statics_only)
+{
+    const sp_scene s = cube(0, mortar(0.84, 1, 1, 0));
+    const sp_real up[3] = { 0, 0, 1 }, at[3] = { 0, 0, 0 };
+    const sp_joint joint = mortar(0.84, 1, 0, 0);
+    sp_settings set = sp_settings_default();
+    sp_scene points = s;
+    sp_triplets t;
+    sp_problem p;
+    sp_result r;
+    set.faces = 8;
+    CHECK_INT(sp_problem_build(&s, &test_arena, &p), SP_OK);
+    CHECK_INT(sp_matrix_afr(&p, &set, 3, &test_arena, &t), SP_E_UNSUPPORTED);
+    set.coupled.asked = 1;
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
+    set.faces = 0;
+    CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
+    points.count.interfaces = points.count.points = 0;
+    CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &joint, NULL), SP_E_AREA);
+}
+
+TEST_LIST(strength)
+    RUN(mortar_is_pulled_apart_at_its_tensile_strength)
+    RUN(tension_counts_up_to_cohesion_over_mu)
+    RUN(without_friction_tension_counts_in_full)
+    RUN(mortar_slides_at_its_cohesion_without_pressure)
+    RUN(mortar_under_pressure_slides_by_mohr_and_coulomb)
+    RUN(a_glued_cantilever_breaks_at_its_tensile_strength)
+    RUN(without_mortar_the_cantilever_falls)
+    RUN(stone_is_crushed_by_its_weight_at_its_strength)
+    RUN(crushing_moves_the_toppling_point_inwards)
+    RUN(forces_keep_within_strength)
+    RUN(more_strength_never_turns_stable_into_unstable)
+    RUN(strength_has_no_unit_of_its_own)
+    RUN(every_pyramid_slides_at_its_own_share_of_cohesion_and_friction)
+    RUN(no_pyramid_changes_what_tears_or_is_crushed)
+    RUN(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
+    RUN(strength_goes_with_an_area_and_statics_only)
+TEST_END

@@ -1,0 +1,275 @@
+/* small: what a build with SP_SMALL leaves out, it refuses; every other build does it. What it has, it does. */
+#include "../test.h"
+#include "../scenes/gen.h"
+
+#include <string.h>
+
+#ifdef SP_SMALL
+#define LEFT_OUT SP_E_UNSUPPORTED
+#else
+#define LEFT_OUT SP_OK
+#endif
+
+static void arch(sp_scene *s)
+{
+    gen_scene g;
+    NEED(gen_open(&g, "arch"));
+    NEED(gen_build(&g, &test_arena, s) == SP_OK);
+}
+
+/* The check, the size of its memory and the verification agree on what they take. */
+static void answered(const sp_scene *s, const sp_settings *set, sp_status want)
+{
+    sp_arena a = test_arena;
+    sp_result r, claim;
+    sp_evidence e;
+    size_t bytes = 0;
+    memset(&claim, 0, sizeof claim);
+    claim.f = &s->point[0][0];
+    claim.dq = &s->point[0][0];
+    CHECK_INT(sp_check(s, set, &a, &r), want);
+    CHECK_INT(sp_memory(s, set, test_arena, &bytes), want);
+    CHECK_INT(sp_verify(s, set, &claim, test_arena, &e), want);
+}
+
+TEST(the_default_settings_are_taken_by_every_build)
+{
+    sp_scene s;
+    arch(&s);
+    answered(&s, NULL, SP_OK);
+}
+
+TEST(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
+{
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    set.faces = 8;
+    answered(&s, &set, LEFT_OUT);
+    set.faces = 0;
+    sp_seed table;
+    memset(&table, 0, sizeof table);
+    CHECK((sp_seed_table() == NULL) == TEST_SMALL);
+    if (sp_seed_table()) table = *sp_seed_table();
+    set.seed = &table;
+    answered(&s, &set, LEFT_OUT);
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+    set = sp_settings_seed();
+    answered(&s, &set, LEFT_OUT);
+#endif
+}
+
+TEST(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
+{
+    static const sp_stage_id other[] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_DENSE, SP_STAGE_POLISH };
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    for (size_t k = 0; k < sizeof other / sizeof other[0]; k++) {
+        set.stage[1] = other[k];
+        answered(&s, &set, LEFT_OUT);
+    }
+}
+
+TEST(strength_of_joints_is_refused_by_the_smallest_build)
+{
+    sp_scene s;
+    arch(&s);
+    s.interface[0].joint.cohesion = 1000;
+    answered(&s, NULL, LEFT_OUT);
+}
+
+TEST(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
+{
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    set.budget = INT64_MAX;
+    answered(&s, &set, LEFT_OUT);
+    set.budget = 0;
+    for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
+#ifdef SP_NO_PLAN
+        if (k == SP_EFFECT_DEPTH) continue;
+#endif
+        set.effect[k] = SP_WITHOUT;
+        answered(&s, &set, LEFT_OUT);
+        set.effect[k] = SP_WITH;
+        answered(&s, &set, SP_OK);
+        set.effect[k] = SP_PLANNED;
+    }
+}
+
+/* What the smallest build does not know it does not look into: there it is left out, not wrong. */
+TEST(what_is_wrong_in_what_is_left_out_is_refused_too)
+{
+    sp_scene s;
+    sp_settings set = sp_settings_default();
+    arch(&s);
+    set.faces = 2;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_RANGE);
+    set.faces = 0;
+    set.budget = -1;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_RANGE);
+    set.budget = 0;
+    set.stage[1] = SP_STAGE_CUSTOM;
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_ARGUMENT);
+    set = sp_settings_default();
+    memset(&set.effect[SP_EFFECT_TOGETHER], 7, 1);
+    answered(&s, &set, TEST_SMALL ? SP_E_UNSUPPORTED : SP_E_ARGUMENT);
+}
+
+/* The result in one arena and all else in another, each of the size that is told and no byte more than was said. */
+TEST(what_a_check_works_in_may_be_another_arena)
+{
+    sp_scene s;
+    sp_arena kept = test_arena, work;
+    sp_settings set = sp_settings_default();
+    sp_result r;
+    size_t bytes[2] = { 0, 0 };
+    arch(&s);
+    set.work = &work;
+    memset(&work, 0, sizeof work);
+    memset(&r, 0, sizeof r);
+    NEED(sp_memory(&s, &set, test_arena, &bytes[0]) == SP_OK);
+    NEED(sp_memory_work(&s, &set, test_arena, &bytes[1]) == SP_OK);
+    kept.base += (test_arena.used + 15) & ~(size_t)15;
+    kept.used = kept.peak = 0;
+    kept.cap = bytes[0];
+    work = kept;
+    work.base += (bytes[0] + 15) & ~(size_t)15;
+    work.cap = bytes[1] - 1;
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_MEMORY);
+    work.cap = bytes[1];
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_OK);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK(work.used == 0 && work.peak == bytes[1] && kept.peak == bytes[0] && r.peak_bytes == bytes[0]);
+    set.work = &kept;
+    CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_ARGUMENT);
+}
+
+#if !defined SP_NO_PLAN && defined SP_SMALL
+TEST(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
+{
+    sp_scene s;
+    sp_outlook o;
+    size_t bytes = 0;
+    arch(&s);
+    NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+    sp_arena scratch = test_arena;
+    scratch.base += (scratch.used + 15) & ~(size_t)15;
+    scratch.used = 0;
+    scratch.cap = sp_plan_memory(&s, NULL);
+    NEED(sp_plan(&s, NULL, scratch, &o) == SP_OK);
+    CHECK_INT(o.bytes, bytes);
+    CHECK_INT(o.islands, 1);
+    CHECK(o.flops > 0 && o.unknowns > 0);
+    CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_CALLED);
+    CHECK_INT(o.effect[SP_EFFECT_STRENGTH].why, SP_WHY_ABSENT);
+    CHECK_INT(o.effect[SP_EFFECT_DYNAMICS].why, SP_WHY_STATICS);
+}
+#endif
+
+/* The arena that sp_memory tells, all of it and, where no gate decides, no byte less; then a result that verifies. */
+static void fits(const sp_scene *s, sp_verdict want, int tight)
+{
+    const size_t mark = test_arena.used;
+    size_t bytes = 0;
+    sp_result r;
+    sp_evidence e;
+    memset(&r, 0, sizeof r);
+    NEED(sp_memory(s, NULL, test_arena, &bytes) == SP_OK);
+    sp_arena a = test_arena;
+    a.base += (a.used + 15) & ~(size_t)15;
+    a.used = a.peak = 0;
+    a.cap = bytes - (size_t)tight;
+    if (tight) CHECK_INT(sp_check(s, NULL, &a, &r), SP_E_MEMORY);
+    CHECK(a.used == 0 && r.f == NULL);
+    a.cap = bytes;
+    NEED(sp_check(s, NULL, &a, &r) == SP_OK);
+    CHECK(a.peak == r.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0));
+    CHECK_INT(r.verdict, want);
+    test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;
+    NEED(sp_verify(s, NULL, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, want);
+    CHECK_NEAR(e.omega, r.omega, 1e-6);
+    test_arena.used = mark;
+}
+
+TEST(memory_of_a_check_is_exact_and_its_evidence_verifies)
+{
+    static const double tilt[] = { 0, 20 };
+    for (int k = 0; k < 2; k++) {
+        gen_scene g;
+        sp_scene s;
+        NEED(gen_open(&g, "wall"));
+        gen_set(&g, "rows", 3);
+        gen_set(&g, "bricks", 3);
+        gen_set(&g, "azimuth", 90);
+        gen_set(&g, "tilt", tilt[k]);
+        NEED(gen_build(&g, &test_arena, &s) == SP_OK);
+        fits(&s, k ? SP_UNSTABLE : SP_STABLE, 1);
+    }
+}
+
+/* A stone that nothing touches falls, one that nothing pulls stands, and supports alone stand. */
+TEST(stones_without_contact_load_or_freedom_are_told)
+{
+    for (int k = 0; k < 3; k++) {
+        const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
+        const sp_real at[3] = { 1, 2, 3 };
+        sp_scene s;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&s, 5, at, k == 2 ? SP_FIXED : 0, NULL) == SP_OK);
+        if (k == 1) s.gravity[0] = s.gravity[1] = s.gravity[2] = 0;
+        fits(&s, k ? SP_STABLE : SP_UNSTABLE, LEFT_OUT != SP_OK && k < 2);
+    }
+}
+
+/* Two stones on each other by many joints, loose ones beside them: an island that has nearly everything. */
+TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
+{
+    for (int32_t k = 0; k < 120; k++) {
+        const int32_t loose = k % 4, each = 10 * (k / 4), corners = k % 3 ? 3 : 9;
+        const sp_capacity cap = { 3 + loose, 0, 0, 0, 2 * each + loose, corners * (2 * each + loose), 0 };
+        const sp_joint joint = sp_joint_friction(R(0.6));
+        const sp_real up[3] = { 0, 0, 1 };
+        size_t bytes = 0;
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int32_t b = 0; b < 3 + loose; b++) {
+            const sp_real c[3] = { R(b > 2 ? 3 * b : 0), 0, R(b > 2 ? 0.5 : b - 0.5) };
+            NEED(sp_scene_body(&s, 1000, c, b ? 0 : SP_FIXED, NULL) == SP_OK);
+        }
+        for (int32_t q = 0; q < 2 * each + loose; q++) {
+            const int32_t b = q < 2 * each ? 1 + q % 2 : 3 + q - 2 * each;
+            sp_real xyz[27];
+            for (int c = 0; c < 9; c++) {
+                xyz[3 * c] = test_random_real(-0.5, 0.5) + s.block[b].centroid[0];
+                xyz[3 * c + 1] = test_random_real(-0.5, 0.5);
+                xyz[3 * c + 2] = b == 2;
+            }
+            NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &joint, NULL) == SP_OK);
+        }
+        NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+        if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.interfaces, s.count.points, 0)))
+            TEST_PRINT("  %d loose, %d joints each of %d: %lu\n", (int)loose, (int)each, (int)corners, (unsigned long)bytes);
+    }
+}
+
+TEST_LIST(small)
+    RUN(the_default_settings_are_taken_by_every_build)
+    RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
+    RUN(stages_but_gates_and_the_exact_one_are_refused_by_the_smallest_build)
+    RUN(strength_of_joints_is_refused_by_the_smallest_build)
+    RUN(budgets_and_effects_left_out_are_refused_by_the_smallest_build)
+    RUN(what_is_wrong_in_what_is_left_out_is_refused_too)
+    RUN(what_a_check_works_in_may_be_another_arena)
+#if !defined SP_NO_PLAN && defined SP_SMALL
+    RUN(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
+#endif
+    RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
+    RUN(stones_without_contact_load_or_freedom_are_told)
+    RUN(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
+TEST_END
