@@ -13,7 +13,7 @@ ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
 PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
 GEN      = tests/scenes/gen.c
-READ     = $(wildcard port/host/files/*.c)
+READ     = $(addprefix port/host/,run.c clock.c files/scene.c files/obj_read.c files/text.c)
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c port/host/*/*.c)) $(GEN)
 HOST_H   = stonepack.h $(wildcard port/*/*.h port/host/*/*.h settle/*.h) tests/scenes/gen.h

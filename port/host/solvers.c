@@ -1,4 +1,5 @@
 #include "solvers.h"
+#include "run.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -40,21 +41,15 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
 
 #ifdef WITH_IPOPT
 
-/* f, dq, alpha of a triple and scratch for sp_verify. */
+/* What sp_verify says of this triple. */
 static sp_status judge(const sp_scene *scene, const sp_settings *settings, const sp_result *result, sp_real *f, sp_real *dq,
                        sp_real *alpha, sp_evidence *evidence)
 {
-    const size_t bytes = sp_verify_memory(scene) + SP_ALIGN;
-    void *memory = malloc(bytes);
     sp_result claim = *result;
-    sp_arena scratch;
-    sp_status status = memory ? sp_arena_init(&scratch, memory, bytes) : SP_E_MEMORY;
     claim.f = f;
     claim.coupled.dq = dq;
     claim.coupled.alpha = alpha;
-    if (status == SP_OK) status = sp_verify(scene, settings, &claim, scratch, evidence);
-    free(memory);
-    return status;
+    return run_verify(scene, settings, &claim, evidence);
 }
 
 sp_status solvers_publish(const sp_scene *scene, const sp_settings *settings, const sp_result *result, solvers_published *out)

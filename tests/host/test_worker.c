@@ -2,7 +2,7 @@
  * not answer. Host only. */
 #define _POSIX_C_SOURCE 200809L
 #include "../test.h"
-#include "../../port/host/command/report.h"
+#include "../../port/host/files/text.h"
 #include "../../port/host/worker/worker.h"
 #include "../../port/host/worker/worker_client.h"
 #include "../scenes/gen.h"
@@ -169,14 +169,14 @@ TEST(a_thousand_scenes_come_through_and_are_answered_as_in_process_bit_by_bit)
         sp_scene s, again;
         sp_settings set, read;
         sp_result own, told;
-        blob_cost cost, paid;
+        run_cost cost, paid;
         int held;
         any_scene(&s);
         set = any_settings(&s);
         held = CHECK_INT(blob_write_request(&request, &s, &set), SP_OK)
             && CHECK_INT(blob_read_request(&request, &again, &read, &memory), SP_OK) && CHECK(worker_same_scene(&s, &again));
         if (held) same_settings(&set, &read);
-        held = held && CHECK_INT(check_scene(&s, &set, &own, &cost, &ours), SP_OK);
+        held = held && CHECK_INT(run_check(&s, &set, &own, &cost, &ours), SP_OK);
         if (held) worker_answer_to(&request, &answer);
         held = held && CHECK_INT(blob_read_result(&answer, &s, &told, &paid, &theirs), SP_OK)
             && CHECK(same_words(&own, &told)) && CHECK(same_numbers(&s, &own, &told)) && CHECK_INT(paid.bytes, cost.bytes);
@@ -298,7 +298,7 @@ TEST(mutated_results_are_read_or_refused)
     for (int round = 0; round < 2000; round++) {
         void *memory = NULL;
         sp_result r;
-        blob_cost cost;
+        run_cost cost;
         if (round % 50 == 0) {
             sp_settings set;
             any_scene(&s);
@@ -607,12 +607,12 @@ TEST(without_a_worker_the_check_falls_back_on_request)
     static const char *const none[] = { "false", NULL };
     const worker_client client = { none, 60, 0, 1 };
     worker_answer a;
-    blob_cost cost;
+    run_cost cost;
     sp_result own;
     sp_scene s;
     void *memory;
     any_scene(&s);
-    CHECK_INT(check_scene(&s, NULL, &own, &cost, &memory), SP_OK);
+    CHECK_INT(run_check(&s, NULL, &own, &cost, &memory), SP_OK);
     CHECK_INT(worker_check(&client, &s, NULL, &a), SP_OK);
     CHECK_INT(a.end, WORKER_DIED);
     CHECK_INT(a.fell_back, 1);

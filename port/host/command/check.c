@@ -1,6 +1,5 @@
 /* check: does each scene stand? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
-#include "../clock.h"
 #include "commands.h"
 #include "../files/done.h"
 #include "report.h"
@@ -19,42 +18,7 @@ static void progress(const char *what, const char *path)
     if (isatty(STDERR_FILENO)) fprintf(stderr, *what ? "\r\033[K%s %s ..." : "\r\033[K", what, path);
 }
 
-static void *get(size_t bytes) { return bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL; }
-
-/* Bytes of the arena that sp_check needs. */
-static sp_status memory_of(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
-{
-    const size_t need = sp_memory_scratch(scene, settings);
-    void *memory = get(need);
-    sp_arena scratch;
-    sp_status status = SP_E_MEMORY;
-    if (memory) {
-        status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
-        if (status == SP_OK) status = sp_memory(scene, settings, scratch, bytes);
-    }
-    free(memory);
-    return status;
-}
-
-sp_status check_scene(const sp_scene *scene, const sp_settings *settings, sp_result *result, blob_cost *cost, void **memory)
-{
-    sp_arena arena;
-    double start;
-    sp_status status;
-
-    *memory = NULL;
-    status = memory_of(scene, settings, &cost->bytes);
-    if (status != SP_OK) return status;
-    *memory = get(cost->bytes);
-    if (!*memory) return SP_E_MEMORY;
-    status = sp_arena_init(&arena, *memory, cost->bytes + SP_ALIGN);
-    start = now();
-    if (status == SP_OK) status = sp_check(scene, settings, &arena, result);
-    cost->seconds = now() - start;
-    return status;
-}
-
-/* The same by a worker, this program once more. */
+/* By a worker, this program once more. */
 static int by_worker(report *r, void **memory, text_error *error)
 {
     const options *o = r->options;
@@ -65,8 +29,7 @@ static int by_worker(report *r, void **memory, text_error *error)
 
     *memory = a.memory;
     r->result = a.result;
-    r->bytes = a.cost.bytes;
-    r->seconds = a.cost.seconds;
+    r->cost = a.cost;
     if (a.end > WORKER_REFUSED && !a.fell_back) return text_fail(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
     if (status == SP_E_UNSUPPORTED && !(o->settings.coupled.asked && r->scene->strength_line))
         return text_fail(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s", sp_status_text(status));
@@ -75,10 +38,7 @@ static int by_worker(report *r, void **memory, text_error *error)
 
 static int by_us(report *r, void **memory, text_error *error)
 {
-    blob_cost cost = { 0, 0 };
-    const sp_status status = check_scene(&r->scene->scene, &r->options->settings, &r->result, &cost, memory);
-    r->bytes = cost.bytes;
-    r->seconds = cost.seconds;
+    const sp_status status = run_check(&r->scene->scene, &r->options->settings, &r->result, &r->cost, memory);
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
@@ -89,7 +49,7 @@ int report_check(report *r, void **memory, text_error *error)
     const int status = r->options->worker > 0 ? by_worker(r, memory, error) : by_us(r, memory, error);
     if (status || !without.coupled.asked) return status;
     without.coupled.asked = 0;
-    if (memory_of(&r->scene->scene, &without, &bytes) == SP_OK && bytes < r->bytes) r->coupled_bytes = r->bytes - bytes;
+    if (run_check_bytes(&r->scene->scene, &without, &bytes) == SP_OK && bytes < r->cost.bytes) r->coupled_bytes = r->cost.bytes - bytes;
     return 0;
 }
 

@@ -1,4 +1,5 @@
 /* convert: read a scene, write it with its contacts.  gen: write a scene made by formula. */
+#include "../run.h"
 #include "commands.h"
 #include "options.h"
 #include "../files/scene.h"
@@ -81,15 +82,10 @@ static int generate(const gen_scene *g, text_error *error)
     sp_scene scene;
     sp_arena arena;
     void *memory = NULL;
-    size_t bytes = 0;
     int failed = 0;
     sp_status status = gen_capacity(g, &cap);
 
-    if (status == SP_OK) {
-        bytes = sp_scene_memory(&cap);
-        memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
-        status = memory ? sp_arena_init(&arena, memory, bytes + SP_ALIGN) : SP_E_MEMORY;
-    }
+    if (status == SP_OK) status = run_arena(sp_scene_memory(&cap), &arena, &memory);
     if (status == SP_OK) status = gen_build(g, &arena, &scene);
     if (status != SP_OK) failed = text_fail_status(error, status, g->entry->name, 0, "");
     else failed = write_to(NULL, &scene, NULL, error);

@@ -31,9 +31,9 @@ static sp_status measure(const host_scene *s, const sp_settings *set, cost_row *
     double spent = 0;
     for (int k = 0; k < 3 && spent < 0.03; k++) {
         sp_result r;
-        blob_cost cost = { 0, 0 };
+        run_cost cost = { 0, 0 };
         void *memory = NULL;
-        const sp_status status = check_scene(&s->scene, set, &r, &cost, &memory);
+        const sp_status status = run_check(&s->scene, set, &r, &cost, &memory);
         free(memory);
         if (status) return status;
         spent += cost.seconds;

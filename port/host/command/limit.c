@@ -1,5 +1,4 @@
 /* limit: how much of the live loads does it bear, and what gives way? */
-#include "../clock.h"
 #include "commands.h"
 #include "../files/json_out.h"
 #include "limit.h"
@@ -8,29 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,
-                      void **memory)
-{
-    const size_t need = sp_limit_memory_scratch(scene);
-    sp_arena arena;
-    sp_status status = SP_E_MEMORY;
-    double start;
-
-    *memory = malloc(need + SP_ALIGN);
-    if (*memory) status = sp_arena_init(&arena, *memory, need + SP_ALIGN);
-    if (status == SP_OK) status = sp_limit_memory(scene, settings, arena, bytes);
-    free(*memory);
-    *memory = NULL;
-    if (status != SP_OK) return status;
-    *memory = *bytes < SIZE_MAX - SP_ALIGN ? malloc(*bytes + SP_ALIGN) : NULL;
-    if (!*memory) return SP_E_MEMORY;
-    status = sp_arena_init(&arena, *memory, *bytes + SP_ALIGN);
-    start = now();
-    if (status == SP_OK) status = sp_limit(scene, settings, &arena, result);
-    *seconds = now() - start;
-    return status;
-}
 
 static int any_friction(const sp_scene *s)
 {
@@ -123,9 +99,9 @@ static void print_json(const report *r)
     json_int(&j, "iterations", x->cost.iterations);
     json_int(&j, "interior", x->cost.interior);
     json_int(&j, "peak_bytes", (int64_t)x->peak_bytes);
-    json_real(&j, "seconds", r->seconds);
+    json_real(&j, "seconds", r->cost.seconds);
     json_close(&j, '}');
-    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
+    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -202,7 +178,7 @@ static void print_text(const report *r)
            n->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "");
     row("cost");
     printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
-           (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+           (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- command */
@@ -281,7 +257,7 @@ static int limit_command(report *r, text_error *error)
     sp_limit_result x;
     void *memory = NULL;
     int status = 0;
-    const sp_status e = limit_scene(&r->scene->scene, &r->options->settings, &x, &r->bytes, &r->seconds, &memory);
+    const sp_status e = run_limit(&r->scene->scene, &r->options->settings, &x, &r->cost, &memory);
     if (e != SP_OK) status = scene_refused(r->scene, &r->options->settings, e, error);
     if (!status) {
         r->limit = &x;

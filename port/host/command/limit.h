@@ -5,10 +5,6 @@
 #include "options.h"
 #include "../files/scene.h"
 
-/* A limit in memory of malloc's, *memory, which the caller frees in every case.      returns as sp_limit */
-sp_status limit_scene(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, size_t *bytes, double *seconds,
-                      void **memory);
-
 enum { TILT_AZIMUTHS = 72 };
 
 /* How far gravity may turn towards every azimuth before something falls. */

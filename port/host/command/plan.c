@@ -1,10 +1,9 @@
 /* plan: which effects does a scene call for? */
+#include "../run.h"
 #include "commands.h"
 #include "../files/json_out.h"
 #include "options.h"
 #include "../files/scene.h"
-
-#include <stdlib.h>
 
 static void print_table(const host_scene *s, const sp_outlook *o)
 {
@@ -58,17 +57,6 @@ static void print_json(const host_scene *s, const sp_outlook *o)
     fputc('\n', stdout);
 }
 
-static sp_status plan_scene(const sp_scene *scene, const sp_settings *settings, sp_outlook *o)
-{
-    const size_t need = sp_plan_memory(scene, settings);
-    void *memory = need ? malloc(need + SP_ALIGN) : NULL;
-    sp_arena scratch;
-    sp_status status = memory ? sp_arena_init(&scratch, memory, need + SP_ALIGN) : SP_E_MEMORY;
-    if (status == SP_OK) status = sp_plan(scene, settings, scratch, o);
-    free(memory);
-    return status;
-}
-
 int command_plan(int argc, char **argv)
 {
     text_error error = { 0, "" };
@@ -81,7 +69,7 @@ int command_plan(int argc, char **argv)
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
             options_tilt(o.tilt, o.azimuth, s.scene.gravity);
-            const sp_status status = plan_scene(&s.scene, &o.settings, &outlook);
+            const sp_status status = run_plan(&s.scene, &o.settings, &outlook);
             if (status) scene_refused(&s, &o.settings, status, &error);
             else if (o.json) print_json(&s, &outlook);
             else print_table(&s, &outlook);

@@ -1,5 +1,5 @@
 /* qp: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file. */
-#include "../clock.h"
+#include "../run.h"
 #include "commands.h"
 #include "../files/json_out.h"
 #include "options.h"
@@ -18,33 +18,12 @@ typedef struct run {
     sp_qp_settings set;
     sp_qp_result result;
     void *memory;
-    size_t bytes;
-    double seconds;
+    run_cost cost;
 } run;
-
-static sp_status memory_of(run *r)
-{
-    const size_t need = sp_qp_memory_scratch(&r->file.qp, &r->set);
-    void *memory = malloc(need + SP_ALIGN);
-    sp_arena scratch;
-    sp_status status = SP_E_MEMORY;
-    if (memory) status = sp_arena_init(&scratch, memory, need + SP_ALIGN);
-    if (status == SP_OK) status = r->solver.need(r->solver.self, &r->file.qp, &r->set, scratch, &r->bytes);
-    free(memory);
-    return status;
-}
 
 static int solve(run *r, const char *path, text_error *error)
 {
-    const double start = now();
-    sp_arena arena;
-    sp_status status = memory_of(r);
-    if (status == SP_OK) {
-        r->memory = malloc(r->bytes + SP_ALIGN);
-        status = r->memory ? sp_arena_init(&arena, r->memory, r->bytes + SP_ALIGN) : SP_E_MEMORY;
-    }
-    if (status == SP_OK) status = r->solver.solve(r->solver.self, &r->file.qp, &r->set, &arena, NULL, NULL, &r->result);
-    r->seconds = now() - start;
+    const sp_status status = run_qp(&r->solver, &r->file.qp, &r->set, &r->result, &r->cost, &r->memory);
     return status == SP_OK ? 0 : text_fail_status(error, status, path, 0, "");
 }
 
@@ -69,8 +48,8 @@ static void print_text(const run *r)
     if (has_point(r)) printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
                              a->polished ? ", polished" : "");
     printf("%ld iterations, %ld factorisations, ", (long)a->iterations, (long)a->factorisations);
-    if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->seconds, 1e-6 * (double)r->bytes);
-    else printf("%.3g s, by %s\n", r->seconds, r->solver_name);         /* others don't count, their memory is their own */
+    if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->cost.seconds, 1e-6 * (double)r->cost.bytes);
+    else printf("%.3g s, by %s\n", r->cost.seconds, r->solver_name);         /* others don't count, their memory is their own */
 }
 
 static void print_json(const run *r, const char *path)
@@ -95,8 +74,8 @@ static void print_json(const run *r, const char *path)
     json_int(&j, "iterations", a->iterations);
     json_int(&j, "factorisations", a->factorisations);
     json_int(&j, "flops", a->flops);
-    json_real(&j, "seconds", r->seconds);
-    json_int(&j, "memory_bytes", (int64_t)r->bytes);
+    json_real(&j, "seconds", r->cost.seconds);
+    json_int(&j, "memory_bytes", (int64_t)r->cost.bytes);
     json_reals(&j, "x", a->x, r->file.qp.n);
     json_close(&j, '}');
     fputc('\n', stdout);

@@ -120,7 +120,7 @@ static void json_cost(json_out *j, const report *r)
     json_open(j, "cost", '{');
     json_work(j, &r->result.cost);
     json_int(j, "peak_bytes", (int64_t)r->result.peak_bytes);
-    json_real(j, "seconds", r->seconds);
+    json_real(j, "seconds", r->cost.seconds);
     json_open(j, "by_stage", '[');
     for (int32_t k = 0; k < r->options->settings.stage_count; k++) {
         json_open(j, NULL, '{');
@@ -273,7 +273,7 @@ void report_json(FILE *out, const report *r)
     json_overlaps(&j, r->scene);
     json_effects(&j, r);
     json_cost(&j, r);
-    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->bytes));
+    json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);
     if (r->published) json_published(&j, r->published);
     if (r->options->forces) json_forces(&j, r);
@@ -467,8 +467,8 @@ void report_text(FILE *out, const report *r)
     fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");
     if (x->cost.interior) fprintf(out, "%ld of them interior-point, ", (long)x->cost.interior);
     scaled(out, (double)x->cost.flops, "flop");
-    fprintf(out, ", %.1f KiB, ", (double)r->bytes / 1024);
-    scaled(out, r->seconds, "s");
+    fprintf(out, ", %.1f KiB, ", (double)r->cost.bytes / 1024);
+    scaled(out, r->cost.seconds, "s");
     fprintf(out, ", by %s\n", sp_stage_text(x->stage));
     if (!r->options->settings.coupled.asked) return;
     row(out, "of it coupled");

@@ -3,7 +3,7 @@
 #define STONEPACK_HOST_REPORT_H
 
 #include <stdio.h>
-#include "../worker/blob.h"
+#include "../run.h"
 #include "options.h"
 #include "../files/scene.h"
 #include "../solvers.h"
@@ -13,15 +13,11 @@ typedef struct report {
     const host_scene *scene;
     const options *options;
     sp_result result;
-    double seconds;             /* of the check itself, without reading and contacts */
-    size_t bytes;               /* its arena [byte] */
-    size_t coupled_bytes;       /* by so much larger for the coupled check */
+    run_cost cost;              /* of the check itself, without reading and contacts */
+    size_t coupled_bytes;       /* by so much its arena is larger for the coupled check */
     const sp_limit_result *limit;           /* a limit instead: result has its forces and motion only; NULL: a check */
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
-
-/* A check in memory of malloc's, *memory, which the caller frees in every case.      returns as sp_check */
-sp_status check_scene(const sp_scene *scene, const sp_settings *settings, sp_result *result, blob_cost *cost, void **memory);
 
 /* Make the check of r->scene, by a worker if the options ask for one; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */
 int report_check(report *r, void **memory, text_error *error);

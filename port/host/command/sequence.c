@@ -1,6 +1,7 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../clock.h"
+#include "../run.h"
 #include "commands.h"
 #include "../files/json_out.h"
 #include "options.h"
@@ -136,24 +137,6 @@ static int read_order(run *r, text_error *error)
 
 /* ----------------------------------------------------------------------------------------------------------------- run */
 
-/* The sequence in memory of its own, before the first step. */
-static sp_status start(run *r)
-{
-    const sp_scene *s = &r->scene.scene;
-    const sp_settings *set = &r->options->settings;
-    const size_t need = sp_sequence_scratch(s, set);
-    void *memory = get(need, 1);
-    sp_arena a;
-    sp_status status = memory ? sp_arena_init(&a, memory, need + SP_ALIGN) : SP_E_MEMORY;
-    if (!status) status = sp_sequence_memory(s, set, a, &r->bytes);
-    free(memory);
-    if (status) return status;
-    r->memory = get(r->bytes, 1);
-    status = r->memory ? sp_arena_init(&a, r->memory, r->bytes + SP_ALIGN) : SP_E_MEMORY;
-    if (!status) status = sp_sequence_open(s, set, &a, &r->sequence);
-    return status;
-}
-
 /* To be taken down: all is there. */
 static sp_status fill(run *r)
 {
@@ -218,7 +201,7 @@ static sp_status all_steps(run *r)
     const double begin = now();
     r->told = get((size_t)r->steps, sizeof *r->told);
     if (!r->told) return SP_E_MEMORY;
-    status = start(r);
+    status = run_sequence(&r->scene.scene, &r->options->settings, &r->sequence, &r->bytes, &r->memory);
     if (!status && r->options->remove) status = fill(r);
     r->seconds = now() - begin;
     r->worst = SP_STABLE;

@@ -293,13 +293,10 @@ static void keep_friction(const session *s, sp_scene *out)
 /* A scene in new memory with room for `cap` and all blocks in it. */
 static sp_status start_scene(const session *s, const sp_capacity *cap, void **memory, sp_scene *out)
 {
-    const size_t bytes = sp_scene_memory(cap);
     sp_arena arena;
     sp_status status;
     free(*memory);
-    *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
-    if (!*memory) return SP_E_MEMORY;
-    status = sp_arena_init(&arena, *memory, bytes + SP_ALIGN);
+    status = run_arena(sp_scene_memory(cap), &arena, memory);
     if (status == SP_OK) status = sp_scene_create(out, cap, &arena);
     if (status == SP_OK) memcpy(out->gravity, s->in.scene.gravity, sizeof out->gravity);
     if (status == SP_OK) status = add_blocks(s, out);
@@ -318,19 +315,15 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
     near.angle = (sp_real)0.05;                 /* 3 degrees */
     near.joint = sp_joint_friction(s->in.mu);
     for (int pass = 0; pass < 2 && status == SP_E_CAPACITY; pass++) {
-        size_t bytes;
-        void *scratch;
-        sp_arena arena;
+        void *room;
+        sp_arena scratch;
         cap->interfaces = found.interfaces;
         cap->points = found.points;
         status = start_scene(s, cap, memory, out);
         if (status != SP_OK) return status;
-        bytes = 4 * sp_contacts_memory(out);            /* stones inside each other by a hair may cross like combs */
-        scratch = malloc(bytes + SP_ALIGN);
-        if (!scratch) return SP_E_MEMORY;
-        status = sp_arena_init(&arena, scratch, bytes + SP_ALIGN);
-        if (status == SP_OK) status = sp_contacts_find(out, &near, arena, &found);
-        free(scratch);
+        status = run_arena(4 * sp_contacts_memory(out), &scratch, &room);    /* stones inside each other by a hair: combs */
+        if (status == SP_OK) status = sp_contacts_find(out, &near, scratch, &found);
+        free(room);
     }
     return status;
 }

@@ -2,6 +2,7 @@
  * are weights that is as admissible as  weight + tan t (body force along h(a)): one limit for every azimuth. What stands is convex
  * in tan t h(a), so the mechanism of each azimuth bounds the whole region by a line, and the nearest line gives the worst one. */
 #define _POSIX_C_SOURCE 200809L
+#include "../run.h"
 #include "limit.h"
 
 #include <math.h>
@@ -15,10 +16,9 @@ static sp_status towards(const sp_scene *scene, const options *o, double azimuth
                          void **memory)
 {
     sp_scene s = *scene;
-    size_t bytes;
-    double seconds;
+    run_cost cost;
     for (int k = 0; k < 3; k++) s.body[k] = (sp_real)(cos(azimuth) * h[0][k] + sin(azimuth) * h[1][k]);
-    const sp_status status = limit_scene(&s, &o->settings, x, &bytes, &seconds, memory);
+    const sp_status status = run_limit(&s, &o->settings, x, &cost, memory);
     if (status != SP_OK) return status;
     *lambda = x->kind == SP_LIMIT_UNBOUNDED ? HUGE_VAL : x->kind == SP_LIMIT_FOUND ? (double)x->multiplier : fmax(0, (double)x->lower);
     return SP_OK;
@@ -56,11 +56,10 @@ static int stands_level(const host_scene *s, const options *o, tilt_margin *m, t
 {
     void *memory = NULL;
     sp_limit_result x;
-    size_t bytes;
-    double seconds;
+    run_cost cost;
     sp_scene still = s->scene;
     for (int k = 0; k < 3; k++) still.body[k] = 0;
-    const sp_status e = limit_scene(&still, &o->settings, &x, &bytes, &seconds, &memory);
+    const sp_status e = run_limit(&still, &o->settings, &x, &cost, &memory);
     free(memory);
     if (e != SP_OK) return scene_refused(s, &o->settings, e, error);
     m->stands = x.kind == SP_LIMIT_UNBOUNDED;

@@ -199,12 +199,8 @@ static int read_mechanism(const reading *r, sp_real *dq)
 static int run(const reading *r, options *o, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
-    const size_t bytes = sp_verify_memory(&r->scene->scene);
     sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
-    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
     int status = 0;
-    sp_status made = SP_E_MEMORY;
-    sp_arena scratch;
     sp_result claim;
 
     memset(&claim, 0, sizeof claim);
@@ -214,7 +210,7 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
         claim.coupled.dq = dq ? dq + 6 * (size_t)n->blocks : NULL;
         claim.coupled.alpha = f ? f + 3 * (size_t)n->points : NULL;
     }
-    if (!f || !dq || !memory) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    if (!f || !dq) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     if (!status) status = read_accuracy(r, &claim);
     o->settings.tol = claim.tol;                        /* the question's, which read_accuracy found in range */
     o->settings.force_bound = claim.force_bound;
@@ -223,14 +219,12 @@ static int run(const reading *r, options *o, sp_evidence *evidence)
     if (!status && o->settings.coupled.asked) status = read_triple(r, claim.coupled.dq, claim.coupled.alpha);
     if (!status && o->settings.coupled.asked) status = read_proof(r, &claim.coupled.proof);
     if (!status) {
-        made = sp_arena_init(&scratch, memory, bytes + SP_ALIGN);
-        if (made == SP_OK) made = sp_verify(&r->scene->scene, &o->settings, &claim, scratch, evidence);
+        const sp_status made = run_verify(&r->scene->scene, &o->settings, &claim, evidence);
         if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
     }
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
-    free(memory);
     return status;
 }
 

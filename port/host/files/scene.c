@@ -1,4 +1,5 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
+#include "../run.h"
 #include "scene.h"
 #include "obj.h"
 
@@ -197,9 +198,7 @@ static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, text
     sp_arena arena;
     free(s->memory);
     s->bytes = sp_scene_memory(cap);
-    s->memory = s->bytes && s->bytes < SIZE_MAX - SP_ALIGN ? malloc(s->bytes + SP_ALIGN) : NULL;
-    if (!s->memory || sp_arena_init(&arena, s->memory, s->bytes + SP_ALIGN) != SP_OK
-        || sp_scene_create(&s->scene, cap, &arena) != SP_OK)
+    if (run_arena(s->bytes, &arena, &s->memory) != SP_OK || sp_scene_create(&s->scene, cap, &arena) != SP_OK)
         return out_of_memory(f, error);
     memcpy(s->scene.gravity, f->gravity, sizeof f->gravity);
     return 0;
@@ -217,19 +216,12 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
                      text_error *error)
 {
     sp_contact_settings settings = sp_contact_settings_default();
-    const size_t bytes = sp_contacts_memory(&s->scene);
-    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    void *memory;
     sp_arena scratch;
 
     settings.joint = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
-    if (joint_counts(f, &settings.joint, NULL, error)) {
-        free(memory);
-        return error->status;
-    }
-    if (!memory || sp_arena_init(&scratch, memory, bytes + SP_ALIGN) != SP_OK) {
-        free(memory);
-        return out_of_memory(f, error);
-    }
+    if (joint_counts(f, &settings.joint, NULL, error)) return error->status;
+    if (run_arena(sp_contacts_memory(&s->scene), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
     *status = sp_contacts_find(&s->scene, &settings, scratch, report);
     free(memory);
     return 0;
@@ -364,11 +356,10 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
 /* Is a number of this scene too large? Not where there is no memory to tell. */
 static int too_large(const sp_scene *scene)
 {
-    const size_t bytes = sp_problem_memory(scene);
-    void *memory = bytes && bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    void *memory;
     sp_arena a;
     sp_problem problem;
-    const int yes = memory && sp_arena_init(&a, memory, bytes + SP_ALIGN) == SP_OK
+    const int yes = run_arena(sp_problem_memory(scene), &a, &memory) == SP_OK
                  && sp_problem_build(scene, &a, &problem) == SP_E_NOT_FINITE;
     free(memory);
     return yes;

@@ -476,7 +476,7 @@ static void io_coupled(io *s, sp_coupled *c)
     io_cost(s, &c->cost);
 }
 
-static void io_head(io *s, const sp_scene *scene, sp_result *r, blob_cost *cost, extra *x)
+static void io_head(io *s, const sp_scene *scene, sp_result *r, run_cost *cost, extra *x)
 {
     IO_ENUM(s, r->verdict, sp_verdict, SP_UNSTABLE);
     IO_ENUM(s, r->level, sp_level, SP_COUPLED);
@@ -542,10 +542,10 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     for (int32_t k = 0; r->islands > 1 && k < r->islands; k++) io_part(s, scene, &r->part[k]);
 }
 
-sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const blob_cost *cost)
+sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const run_cost *cost)
 {
     sp_result r = *result;
-    blob_cost c = *cost;
+    run_cost c = *cost;
     extra x = { r.coupled.dq != NULL, r.coupled.alpha != NULL, r.coupled.penalty != NULL };
     io s = start(b, BLOB_RESULT);
     io_head(&s, scene, &r, &c, &x);
@@ -576,10 +576,10 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     if (!p->nodes) p->y = NULL, p->node = NULL, p->row = NULL;
 }
 
-sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *result, blob_cost *cost, void **memory)
+sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *result, run_cost *cost, void **memory)
 {
     sp_result r;
-    blob_cost c = { 0, 0 };
+    run_cost c = { 0, 0 };
     extra x = { 0, 0, 0 };
     uint64_t need;
     io s;

@@ -41,7 +41,7 @@
 #ifndef STONEPACK_HOST_BLOB_H
 #define STONEPACK_HOST_BLOB_H
 
-#include "../../../stonepack.h"
+#include "../run.h"
 
 #define BLOB_HEADER 16                          /* [byte] */
 #define BLOB_CAP ((uint32_t)1 << 30)            /* [byte] longest body */
@@ -57,12 +57,6 @@ typedef struct blob {
     int failed;                 /* memory ran out, or the body is longer than BLOB_CAP */
 } blob;
 
-/* What comes besides a result. */
-typedef struct blob_cost {
-    size_t bytes;               /* arena of the check */
-    double seconds;
-} blob_cost;
-
 /* Room for `more` bytes, which the caller writes at data + length.      returns 0: no memory */
 int blob_grow(blob *b, size_t more);
 void blob_free(blob *b);
@@ -76,7 +70,8 @@ sp_status blob_whole(const blob *b, blob_kind kind);
 
 /* Write: what was in b is forgotten.      returns SP_OK, SP_E_MEMORY, SP_E_CAPACITY, SP_E_UNSUPPORTED (pointers in settings) */
 sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *settings);
-sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const blob_cost *cost);
+/* cost: what comes besides a result */
+sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const run_cost *cost);
 sp_status blob_write_error(blob *b, sp_status status, const char *message);
 
 /* Read a request.
@@ -86,7 +81,7 @@ sp_status blob_write_error(blob *b, sp_status status, const char *message);
 sp_status blob_read_request(const blob *b, sp_scene *scene, sp_settings *settings, void **memory);
 
 /* Read a result of this scene; likewise. */
-sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *result, blob_cost *cost, void **memory);
+sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *result, run_cost *cost, void **memory);
 
 /* Read an error: its status, or SP_E_ARGUMENT; message: room for 200 bytes, control bytes become '?'. */
 sp_status blob_read_error(const blob *b, char message[200]);

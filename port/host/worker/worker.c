@@ -1,7 +1,7 @@
 /* worker: checks in a process of their own, which may run out of time or memory without harm to anyone. */
 #include "worker.h"
 #include "../command/commands.h"
-#include "../command/report.h"
+#include "../files/scene.h"
 #include "../../../tests/scenes/gen.h"
 
 #include <stdlib.h>
@@ -15,13 +15,13 @@ static void refuse(blob *answer, sp_status status)
 void worker_answer_to(const blob *request, blob *answer)
 {
     void *memory = NULL, *results = NULL;
-    blob_cost cost;
+    run_cost cost;
     sp_scene scene;
     sp_settings settings;
     sp_result result;
     sp_status status = blob_read_request(request, &scene, &settings, &memory);
 
-    if (!status) status = check_scene(&scene, &settings, &result, &cost, &results);
+    if (!status) status = run_check(&scene, &settings, &result, &cost, &results);
     if (!status) status = blob_write_result(answer, &scene, &result, &cost);
     if (status) refuse(answer, status);
     free(memory);
@@ -140,9 +140,9 @@ static int session_agrees(const sp_scene *scene, const sp_settings *settings)
 {
     blob request = { NULL, 0, 0, 0 }, answer = { NULL, 0, 0, 0 }, told = { NULL, 0, 0, 0 }, own = { NULL, 0, 0, 0 };
     void *memory = NULL, *read = NULL;
-    blob_cost cost = { 0, 0 }, theirs = { 0, 0 };
+    run_cost cost = { 0, 0 }, theirs = { 0, 0 };
     sp_result result, got;
-    sp_status status = check_scene(scene, settings, &result, &cost, &memory);
+    sp_status status = run_check(scene, settings, &result, &cost, &memory);
     int same;
 
     if (!status) status = blob_write_request(&request, scene, settings);
@@ -169,10 +169,9 @@ static int agrees(const char *name, int coupled)
     sp_scene scene;
     gen_scene g;
     void *memory = NULL;
-    int same = gen_open(&g, name) && gen_capacity(&g, &cap) == SP_OK;
-    if (same) memory = malloc(sp_scene_memory(&cap) + SP_ALIGN);
+    int same;
     settings.coupled.asked = coupled;
-    same = same && memory && sp_arena_init(&arena, memory, sp_scene_memory(&cap) + SP_ALIGN) == SP_OK
+    same = gen_open(&g, name) && gen_capacity(&g, &cap) == SP_OK && run_arena(sp_scene_memory(&cap), &arena, &memory) == SP_OK
         && gen_build(&g, &arena, &scene) == SP_OK && session_agrees(&scene, &settings);
     free(memory);
     if (!same) fprintf(stderr, "worker: %s: not the same bits\n", name);

@@ -3,13 +3,13 @@
 #define _DEFAULT_SOURCE                 /* RLIMIT_AS where POSIX alone hides it, prctl */
 #include "../clock.h"
 #include "worker_client.h"
-#include "../command/report.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #ifdef __linux__
@@ -194,7 +194,7 @@ sp_status worker_check(const worker_client *client, const sp_scene *scene, const
         free(answer->memory);
         answer->memory = NULL;
         answer->fell_back = 1;
-        answer->status = check_scene(scene, settings, &answer->result, &answer->cost, &answer->memory);
+        answer->status = run_check(scene, settings, &answer->result, &answer->cost, &answer->memory);
     }
     return answer->status;
 }

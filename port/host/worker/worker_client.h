@@ -27,7 +27,7 @@ typedef struct worker_answer {
     int code;
     char message[200];          /* one line on an `end` that is no answer */
     sp_result result;           /* its arrays lie in memory */
-    blob_cost cost;
+    run_cost cost;
     void *memory;               /* the caller frees it in every case */
 } worker_answer;
 

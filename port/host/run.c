@@ -1,0 +1,117 @@
+#include "run.h"
+#include "clock.h"
+
+#include <stdlib.h>
+
+sp_status run_arena(size_t bytes, sp_arena *arena, void **memory)
+{
+    *memory = bytes < SIZE_MAX - SP_ALIGN ? malloc(bytes + SP_ALIGN) : NULL;
+    return *memory ? sp_arena_init(arena, *memory, bytes + SP_ALIGN) : SP_E_MEMORY;
+}
+
+sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(sp_memory_scratch(scene, settings), &scratch, &memory);
+    if (status == SP_OK) status = sp_memory(scene, settings, scratch, bytes);
+    free(memory);
+    return status;
+}
+
+sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_result *result, run_cost *cost, void **memory)
+{
+    sp_arena arena;
+    sp_status status = run_check_bytes(scene, settings, &cost->bytes);
+    double start;
+
+    *memory = NULL;
+    if (status == SP_OK) status = run_arena(cost->bytes, &arena, memory);
+    if (status != SP_OK) return status;
+    start = now();
+    status = sp_check(scene, settings, &arena, result);
+    cost->seconds = now() - start;
+    return status;
+}
+
+static sp_status limit_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(sp_limit_memory_scratch(scene), &scratch, &memory);
+    if (status == SP_OK) status = sp_limit_memory(scene, settings, scratch, bytes);
+    free(memory);
+    return status;
+}
+
+sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory)
+{
+    sp_arena arena;
+    sp_status status = limit_bytes(scene, settings, &cost->bytes);
+    double start;
+
+    *memory = NULL;
+    if (status == SP_OK) status = run_arena(cost->bytes, &arena, memory);
+    if (status != SP_OK) return status;
+    start = now();
+    status = sp_limit(scene, settings, &arena, result);
+    cost->seconds = now() - start;
+    return status;
+}
+
+sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes, void **memory)
+{
+    void *room;
+    sp_arena arena;
+    sp_status status = run_arena(sp_sequence_scratch(scene, settings), &arena, &room);
+    if (status == SP_OK) status = sp_sequence_memory(scene, settings, arena, bytes);
+    free(room);
+    *memory = NULL;
+    if (status == SP_OK) status = run_arena(*bytes, &arena, memory);
+    if (status == SP_OK) status = sp_sequence_open(scene, settings, &arena, sequence);
+    return status;
+}
+
+sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outlook *outlook)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(sp_plan_memory(scene, settings), &scratch, &memory);
+    if (status == SP_OK) status = sp_plan(scene, settings, scratch, outlook);
+    free(memory);
+    return status;
+}
+
+sp_status run_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_evidence *evidence)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(sp_verify_memory(scene), &scratch, &memory);
+    if (status == SP_OK) status = sp_verify(scene, settings, claim, scratch, evidence);
+    free(memory);
+    return status;
+}
+
+static sp_status qp_bytes(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, size_t *bytes)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(sp_qp_memory_scratch(qp, settings), &scratch, &memory);
+    if (status == SP_OK) status = solver->need(solver->self, qp, settings, scratch, bytes);
+    free(memory);
+    return status;
+}
+
+sp_status run_qp(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, sp_qp_result *result, run_cost *cost,
+                 void **memory)
+{
+    const double start = now();
+    sp_arena arena;
+    sp_status status = qp_bytes(solver, qp, settings, &cost->bytes);
+
+    *memory = NULL;
+    if (status == SP_OK) status = run_arena(cost->bytes, &arena, memory);
+    if (status == SP_OK) status = solver->solve(solver->self, qp, settings, &arena, NULL, NULL, result);
+    cost->seconds = now() - start;
+    return status;
+}
