@@ -11,7 +11,7 @@ STRICTC  = -std=c99 -ffp-contract=off -fno-math-errno
 WARN     = -Wall -Wextra -Wshadow
 ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
-PARTS    = stonepack.c stonepack.h $(wildcard solvers/*.c)
+PARTS    = stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 GEN      = tests/scenes/gen.c
 READ     = $(addprefix port/host/,run.c clock.c files/scene.c files/obj_read.c files/text.c)
 MAIN     = port/host/main.c

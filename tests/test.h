@@ -14,7 +14,7 @@
  *
  *     #define SP_API static
  *     #include "../test.h"
- *     #include "../../solvers/chol.c"
+ *     #include "../../solvers/linear/chol.c"
  */
 #ifndef TEST_H
 #define TEST_H

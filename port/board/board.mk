@@ -216,7 +216,7 @@ counted = -std=c99 -O1 -ffp-contract=off -fno-math-errno -fno-builtin -Wno-unuse
           -include stdio.h -include port/board/work.h -DTEST_PRINT=printf '-DTEST_WORK()=work_steps' \
           '-DTEST_TOO_MUCH()=WORK_START()' '-DTEST_ARENA_BYTES=((size_t)24<<20)' -DSP_SQRT=__builtin_sqrt \
           -DTEST_SUITES='$(foreach s,$(suites),X($(s)))'
-$(needs): tests/run.c tests/test.h $(suite_c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*.c)
+$(needs): tests/run.c tests/test.h $(suite_c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 	@mkdir -p $(@D)
 	@gcc $(counted) -c port/board/work.c -o build/board/work.o
 	@gcc $(counted) -c tests/run.c -o build/board/run.o

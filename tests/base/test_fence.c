@@ -6,7 +6,7 @@
 #define SP_API static
 #include "../test.h"
 #include "../scenes/gen.h"
-#include "../../solvers/arena.c"
+#include "../../solvers/base/arena.c"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include "../test.h"
 
 #include <math.h>
-#include "../../solvers/cone.c"
+#include "../../solvers/cone/cone.c"
 
 static const int32_t faces[] = { 0, 3, 4, 5, 6, 7, 8, 12, 16, 31, 64 };
 enum { KINDS = sizeof faces / sizeof faces[0] };

@@ -3,7 +3,7 @@
 #include "../test.h"
 
 #include <math.h>
-#include "../../solvers/ipm.c"
+#include "../../solvers/cone/ipm.c"
 
 /* A point of the cone, `deep` 1: far inside, 0: on its boundary, and anything outside that. */
 static void point(double deep, sp_real x[3])

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "../../solvers/clip.c"
+#include "../../solvers/geometry/clip.c"
 
 #define EPS R(TOL(1e-9, 1e-5f))
 

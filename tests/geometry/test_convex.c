@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "../../solvers/clip.c"
+#include "../../solvers/geometry/clip.c"
 
 #define sp__clip sp__convex                             /* the two have the same names: only one is ever in a build */
 #define sp__clip_carve sp__convex_carve
@@ -13,7 +13,9 @@
 #define sp__clip_add sp__convex_add
 #define sp__clip_straighten sp__convex_straighten
 #define sp__clip_run sp__convex_run
-#include "../../solvers/convex.c"
+#undef SP__WITH_SMALL
+#define SP__WITH_SMALL 1
+#include "../../solvers/geometry/convex.c"
 #undef sp__clip
 #undef sp__clip_carve
 #undef sp__clip_clear

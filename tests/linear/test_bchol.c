@@ -5,8 +5,8 @@
 #include <math.h>
 
 #include <string.h>
-#include "../../solvers/bchol.c"
-#include "../../solvers/chol.c"
+#include "../../solvers/linear/bchol.c"
+#include "../../solvers/linear/chol.c"
 
 #if defined SP_REAL_FLOAT || defined SP_REAL_MIXED      /* the factor's precision counts here */
 #define LOW(d, f) (f)

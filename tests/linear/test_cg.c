@@ -1,7 +1,7 @@
 /* Conjugate gradients: exact after as many steps as there are different eigenvalues, warm starts, negative curvature. */
 #define SP_API static
 #include "../test.h"
-#include "../../solvers/cg.c"
+#include "../../solvers/linear/cg.c"
 
 enum { MOST = 40 };
 

@@ -2,8 +2,10 @@
  * envelope is all of the triangle, and pivots that carry nothing. */
 #define SP_API static
 #include "../test.h"
-#include "../../solvers/chol.c"
-#include "../../solvers/envelope.c"
+#include "../../solvers/linear/chol.c"
+#undef SP__WITH_SMALL
+#define SP__WITH_SMALL 1
+#include "../../solvers/linear/envelope.c"
 
 enum { MOST = 40, ENTRIES = MOST * (MOST + 1) / 2 };
 

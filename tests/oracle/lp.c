@@ -2,7 +2,7 @@
  *     in    n m, m rows of n coefficients, m + n pairs of bounds
  *     out   status steps, then x (status 0) or the multipliers of all constraints (status 1) */
 #define SP_API static
-#include "../../solvers/lp.c"
+#include "../../solvers/linear/lp.c"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-"""lp: solvers/lp.c against HiGHS on random linear programmes, feasible or not, many of them degenerate.
+"""lp: solvers/linear/lp.c against HiGHS on random linear programmes, feasible or not, many of them degenerate.
 
     lp.py [COUNT]       1000 programmes by default; builds tests/oracle/lp.c with $CC or cc
 

@@ -1,6 +1,6 @@
 /* Matrices: the problem of a scene, Aeq, Afr, and columns from entries. Signs, transposes and indices are what can go wrong. */
 #include "../test.h"
-#include "../../solvers/pyramid.c"
+#include "../../solvers/cone/pyramids.c"
 #include <string.h>
 #include <math.h>
 

@@ -1,0 +1,55 @@
+/* config: what of the library is built, as 0 or 1, from the switches of stonepack.h. A part that a switch leaves out has its whole
+ * body under one of these.
+ */
+#ifndef SP__CONFIG_C
+#define SP__CONFIG_C
+
+#include "../../stonepack.h"
+
+#ifdef SP_QP_ONLY
+#define SP__WITH_STONES 0
+#else
+#define SP__WITH_STONES 1
+#endif
+#ifdef SP_NO_QP
+#define SP__WITH_QP 0
+#else
+#define SP__WITH_QP 1
+#endif
+#if defined SP_NO_QP || defined SP_QP_NO_CG
+#define SP__WITH_QP_CG 0
+#else
+#define SP__WITH_QP_CG 1
+#endif
+#ifdef SP_SMALL
+#define SP__WITH_SMALL 1                                /* one search, the smallest */
+#else
+#define SP__WITH_SMALL 0
+#endif
+#if defined SP_QP_ONLY || defined SP_SMALL
+#define SP__WITH_LARGE 0
+#else
+#define SP__WITH_LARGE 1                                /* the search in all its forms, and what stands on it */
+#endif
+#if defined SP_QP_ONLY || defined SP_NO_CRA
+#define SP__WITH_COUPLED 0
+#else
+#define SP__WITH_COUPLED 1
+#endif
+#if defined SP_QP_ONLY || defined SP_NO_IPM
+#define SP__WITH_LIMIT 0
+#else
+#define SP__WITH_LIMIT 1
+#endif
+#if SP__WITH_LARGE && SP__WITH_LIMIT
+#define SP__WITH_INTERIOR 1
+#else
+#define SP__WITH_INTERIOR 0
+#endif
+#if defined SP_QP_ONLY || defined SP_EXACT_ONLY
+#define SP__WITH_SEQUENCE 0
+#else
+#define SP__WITH_SEQUENCE 1
+#endif
+
+#endif /* SP__CONFIG_C */

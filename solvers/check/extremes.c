@@ -1,0 +1,37 @@
+/* extremes: extremes of a force state, the weakest joint */
+#ifndef SP__CHECK_EXTREMES_C
+#define SP__CHECK_EXTREMES_C
+
+#include "read.c"
+
+#if SP__WITH_LARGE
+
+/* Reading the force state: extremes over the interfaces, and the weakest of them. */
+SP__APART static void sp__check_read(const sp_scene *scene, sp_result *r)
+{
+    sp_real worst = -1;
+    int wants = 0;
+    r->weakest = -1;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        sp_interface_force f;
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_interface_resultant(scene, r, k, &f);
+        r->max_compression = sp__max(r->max_compression, f.max_fn);
+        r->max_tension = sp__max(r->max_tension, r->demand[k].tension);
+        r->max_utilisation = sp__max(r->max_utilisation, f.utilisation);
+    }
+    const sp_real dust = 16 * SP__SCALE_TOL * r->max_compression;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        sp_interface_force f;
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_interface_resultant(scene, r, k, &f);
+        const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
+        const int wanted = help > dust;
+        const sp_real score = wanted ? help : f.utilisation;
+        if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; r->weakest = k; }
+    }
+}
+
+#endif
+
+#endif /* SP__CHECK_EXTREMES_C */

@@ -1,0 +1,227 @@
+/* islands: the check of all islands, one after the other */
+#ifndef SP__CHECK_ISLANDS_C
+#define SP__CHECK_ISLANDS_C
+
+#include "one.c"
+
+#if SP__WITH_LARGE
+
+#ifndef SP_NO_CRA
+/* The same of its triple, or its penalty form, where its forces take the place of that if it is coupled. */
+SP__APART static void sp__island_triple(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+{
+    const sp_coupled *from = &found->r.coupled;
+    sp_coupled *out = &c->r.coupled;
+    int32_t joint = 0;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_interface *f = &found->pb.scene->interface[joint];
+        const size_t to = (size_t)scene->interface[q].point, at = (size_t)f->point, n = (size_t)f->points;
+        memcpy(out->alpha + to, from->alpha + at, n * sizeof *out->alpha);
+        if (out->penalty) memcpy(out->penalty + 4 * to, from->penalty + 4 * at, 4 * n * sizeof *out->penalty);
+        for (size_t v = 0; v < n && out->penalty && from->verdict == SP_COUPLING_COUPLED; v++)
+            for (size_t i = 0; i < 3; i++) out->penalty[4 * (to + v) + i + (i > 0)] = found->r.f[3 * (at + v) + i];
+    }
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i])
+        memcpy(out->dq + 6 * (size_t)i, from->dq + 6 * (size_t)t->rank[i], 6 * sizeof *out->dq);
+    out->eps = from->eps;
+    out->eta = from->eta;
+    out->residual = sp__max(out->residual, from->residual);
+    out->rounds += from->rounds;
+    if (from->verdict != SP_COUPLING_COUPLED && out->tension_ratio > -2)               /* -2: of one there is none */
+        out->tension_ratio = from->tension_ratio < 0 ? (sp_real)-2 : sp__max(out->tension_ratio, from->tension_ratio);
+    sp__cost_add(&out->cost, &from->cost);
+    c->r.part[k].coupling = from->verdict;
+    c->r.part[k].coupling_reason = from->reason;
+}
+#endif
+
+/* What was found about island k into the arrays of the whole; motions stay where they are looked for, free blocks first. */
+SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+{
+    const sp_result *from = &found->r;
+    sp_result *r = &c->r;
+    const size_t b = 6 * (size_t)found->pb.blocks, all = 6 * (size_t)c->pb.blocks;
+    int32_t joint = 0;
+    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_interface *f = &found->pb.scene->interface[joint];
+        memcpy(r->f + 3 * (size_t)scene->interface[q].point, from->f + 3 * (size_t)f->point,
+               3 * (size_t)f->points * sizeof *r->f);
+        r->demand[q] = from->demand[joint];
+    }
+    for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) {
+        const size_t to = 6 * (size_t)t->row[i], at = 6 * (size_t)t->rank[i];
+        memcpy(r->y0 + to, from->y0 + at - 6, 6 * sizeof *r->y0);
+        memcpy(r->y0 + all + to, from->y0 + b + at - 6, 6 * sizeof *r->y0);
+        if (from->verdict != SP_STABLE) memcpy(r->dq + to, from->dq + at, 6 * sizeof *r->dq);
+    }
+    c->state.has_y0 |= found->state.has_y0;
+    r->omega = sp__max(r->omega, from->omega);
+    sp__cost_add(&r->cost, &from->cost);
+    for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
+    for (int q = 0; q < SP_EFFECTS; q++)
+        if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
+    memset(&r->part[k], 0, sizeof r->part[k]);
+    r->part[k].block = t->block[k];
+    r->part[k].blocks = found->pb.blocks;
+    r->part[k].verdict = from->verdict;
+    r->part[k].reason = from->reason;
+    r->part[k].stage = from->stage;
+    if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) sp__island_triple(scene, t, k, found, c);
+#endif
+}
+
+/* The island whose verdict is that of all: the first that falls, else the first undecided, else the first with forces. */
+static int32_t sp__islands_worst(const sp_result *r)
+{
+    int32_t worst = 0;
+    for (int32_t k = 1; k < r->islands; k++) {
+        const sp_verdict a = r->part[worst].verdict, b = r->part[k].verdict;
+        if (a == SP_UNSTABLE || (a == SP_UNDECIDED && b != SP_UNSTABLE)) continue;
+        if (b != SP_STABLE || r->part[worst].reason == SP_REASON_NOTHING) worst = k;
+    }
+    return worst;
+}
+
+#ifndef SP_NO_CRA
+/* The coupled check of the whole from those of all islands; r->verdict is that of statics. Where all are coupled the triple is
+ * judged once more. */
+SP__APART static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
+{
+    sp_result *r = &c->r;
+    sp_coupled *out = &r->coupled;
+    int32_t open = -1;
+    if (out->tension_ratio < 0) out->tension_ratio = -1;
+    if (r->verdict == SP_UNSTABLE) {                    /* statics refute: what was proved of an island is not asked for */
+        out->proof.nodes = out->proof.leaves = out->proof.entries = out->proof.island = 0;
+        out->margin = 0;
+    }
+    const int refuted = out->proof.nodes > 0;
+    for (int32_t k = r->islands - 1; k >= 0; k--)
+        if (r->part[k].coupling == SP_COUPLING_NOT_FOUND && r->part[k].coupling_reason != SP_COUPLING_STATICS) open = k;
+    out->verdict = r->verdict == SP_UNSTABLE || refuted ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
+    out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
+                : open >= 0 ? r->part[open].coupling_reason : SP_COUPLING_LIMIT;
+    if (refuted || open >= 0 || r->verdict != SP_STABLE) return SP_OK;
+    sp__judge j;
+    const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+    if (!sp__judge_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    for (int32_t i = 0; i < c->pb.blocks; i++)
+        memcpy(c->state.y + 6 * (size_t)i, out->dq + 6 * (size_t)c->pb.block[i], 6 * sizeof *c->state.y);
+    r->omega = sp__judge_forces(&j, r->f, r->f);
+    out->residual = sp__judge_coupled(&j, &k, r->f, c->state.y, out->alpha);
+    const sp_cost cost = { SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
+    sp__cost_add(&out->cost, &cost);
+    sp__cost_add(&r->cost, &cost);
+    if (r->omega > r->tol || out->residual > 1) return SP_OK;
+    out->verdict = SP_COUPLING_COUPLED;
+    out->reason = SP_COUPLING_MOTION;
+    return SP_OK;
+}
+#endif
+
+/* The evidence of all islands, judged on the whole. */
+SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
+{
+    sp_result *r = &c->r;
+    const int32_t *label = w->t.label, *row = w->t.row;
+    if (w->proof.nodes) r->coupled.proof = w->proof;
+    r->coupled.margin = w->margin;
+    const sp_island *worst = &r->part[sp__islands_worst(r)];
+    for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
+        if (label[i] >= 0 && r->part[label[i]].verdict != worst->verdict)
+            memset(r->dq + 6 * (size_t)row[i], 0, 6 * sizeof *r->dq);
+    a->used = w->start;                                                 /* the tables are no longer needed */
+    sp_status status = sp__check_problem(c, a);
+    const size_t mark = a->used;
+    if (!status && !sp__take(a, 1, sp__judge_need(&c->pb, &c->set))) status = SP_E_MEMORY;
+    a->used = mark;
+    r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
+    if (!status && (worst->verdict != SP_STABLE || r->omega > SP__ENOUGH * r->tol))
+        status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
+    if (status) return status;
+    sp__cost_add(&r->cost, &c->state.cost);
+    sp__cost_add(&r->by_stage[c->set.stage_count - 1], &c->state.cost);
+    r->verified = r->verdict != SP_UNDECIDED;
+    r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
+    r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
+    if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) status = sp__islands_couple(c, a);
+#endif
+    return status;
+}
+
+#ifndef SP_NO_CRA
+/* eps and eta of the whole, for its islands. */
+SP__APART static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &a, &pb);
+    if (status) return status;
+    const sp__lengths k = sp__coupled_lengths(&pb, set);
+    if (cs->eps < 0) cs->eps = k.eps > 0 ? k.L : 0;
+    if (!(k.eps > 0)) cs->eta = k.L;
+    return SP_OK;
+}
+#endif
+
+/* The way over all islands, in the arena. */
+SP__APART static sp_status sp__tour_open(const sp_scene *scene, sp__check *c, sp_arena *a, sp__tour **walk)
+{
+    const size_t start = a->used;
+    sp_status status = SP_OK;
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) status = sp__islands_lengths(scene, &c->set.coupled, &c->set, *a);
+#endif
+    sp__tour *w = sp__take(a, 1, sizeof *w);
+    if (status || !w) return status ? status : SP_E_MEMORY;
+    memset(w, 0, sizeof *w);
+    sp__islands_carve(&w->t, scene, c->r.islands, c->r.island, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &w->t);
+    w->start = start;
+    w->mark = a->used;
+    *walk = w;
+    return SP_OK;
+}
+
+/* Where another search came after the last that was refuted, whose proof has gone, that is sought again. */
+static int sp__tour_more(const sp__tour *w, const sp__check *c, int32_t k)
+{
+    return k < c->r.islands + (w->proof.nodes && !w->lies);
+}
+
+/* A check of the k-th island as a scene of its own. A proof goes into the room the whole has for it. */
+SP__APART static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
+                                         sp__check **found)
+{
+    const sp__apart one = { 1, 0, 0 };
+    w->at = k < c->r.islands ? k : w->proof.island - 1;
+    w->again = k == c->r.islands;
+    const sp_scene *s = sp__island_scene(scene, &w->t, w->at, a);
+    const sp_status status = s ? sp__check_open(s, &c->set, &one, a, found) : SP_E_MEMORY;
+    if (!status) (*found)->r.coupled.proof = c->r.coupled.proof;
+    return status;
+}
+
+/* What it found. */
+SP__APART static void sp__tour_keep(const sp_scene *scene, sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
+{
+    const sp_coupled *o = &found->r.coupled;
+    if (!w->again) sp__island_keep(scene, &w->t, w->at, found, c);
+    else sp__cost_add(&c->r.cost, &found->r.cost);
+    w->lies &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
+    if (o->proof.nodes) {
+        w->proof = o->proof;
+        w->proof.island = w->at + 1;
+        w->margin = o->margin;
+        w->lies = 1;
+    }
+    a->used = w->mark;
+}
+
+#endif
+
+#endif /* SP__CHECK_ISLANDS_C */

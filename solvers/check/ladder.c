@@ -1,0 +1,200 @@
+/* ladder: one stage after the other, and the judgement of each */
+#ifndef SP__CHECK_LADDER_C
+#define SP__CHECK_LADDER_C
+
+#include "memory.c"
+#include "../proof/motion.c"
+
+#ifndef SP_SMALL
+/* Flops that are left of the budget. */
+static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
+{
+    return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
+}
+
+/* Forces smaller than `share` of the largest component are none: dust on what is not loaded no balance of its own forgives. */
+static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
+{
+    const size_t n = 3 * (size_t)points;
+    sp_real most = 0;
+    for (size_t k = 0; k < n; k++) most = sp__max(most, sp__abs(f[k]));
+    for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
+}
+
+/* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
+ * Forces are judged unless a motion is claimed, and a motion unless forces are. */
+SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+{
+    int32_t final = 0;
+    const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
+    if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
+    if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
+    const int own = state->f != r->f;                   /* on a budget */
+    sp_real omega = sp__judge_forces(j, state->f, state->f);
+    if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
+        sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
+        omega = sp__judge_forces(j, state->f, state->f);
+    }
+    if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
+    if (!own || omega < r->omega) r->omega = omega;
+    if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
+    if (claim == SP_STABLE) return SP_UNDECIDED;
+    const sp_real least = sp__judge_mechanism(j, state->dq, &final);
+    if (own && least < r->least_imbalance) return SP_UNDECIDED;
+    r->least_imbalance = least;
+    if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r->dq);
+    if (!(least > r->tol)) return SP_UNDECIDED;
+    r->final = final;
+    return SP_UNSTABLE;
+}
+
+static void sp__cost_add(sp_cost *to, const sp_cost *c)
+{
+    to->flops += c->flops;
+    to->factorisations += c->factorisations;
+    to->iterations += c->iterations;
+    to->interior += c->interior;
+}
+
+/* The reason a result gives: the stage's own, unless the evidence says otherwise. A limit is near where some imbalance is
+ * proved or what is left is some tol, and well below 1 where tol is coarse. */
+static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason told)
+{
+    const int near = r->least_imbalance > 0 || (r->omega <= SP__NEAR * r->tol && r->omega * r->omega <= r->tol);
+    if (r->verdict == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
+    if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
+    if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;
+    if (told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT) return told;
+    return near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+}
+
+/* The judgement of what a stage left in the state, `most` sweeps for the scales: r->verdict. */
+SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
+                                           sp_state *state, sp_arena *a, sp_result *r)
+{
+    sp__judge j;
+    const size_t mark = a->used;
+    if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
+    r->verdict = sp__check_judge(&j, state, claim, r);
+    a->used = mark;
+    state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
+    return SP_OK;
+}
+
+#ifndef SP_NO_PLAN
+/* What a search in 3 rows came to. */
+typedef struct sp__sought {
+    sp_verdict claim;
+    int plane, known;                   /* in the plane; its bilateral force is the scene's */
+    int spent;                          /* the budget ended it */
+} sp__sought;
+
+/* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
+SP__APART static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
+                                            sp_arena *a, sp__sought *s)
+{
+    sp_arena room = sp__work_open(set, a);
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (!o) return SP_E_MEMORY;
+    state->left = sp__budget_left(set, r) - 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    if (state->left < 0 || !sp__flat_choose(pb, set, o)) return SP_OK;
+    const sp_status status = sp__exact_search(pb, set, o, state, &room, &s->claim);
+    s->plane = o->mode == SP__PLANE;
+    s->known = s->plane || o->forest;
+    s->spent = o->spent;
+    sp__work_close(set, a, &room);
+    return status;
+}
+
+/* f0 by all 6 rows. */
+SP__APART static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
+{
+    return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
+}
+
+/* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
+ * unless there is a budget. What a budget ended is judged, too. */
+SP__APART static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__sought *s, sp_state *state,
+                                            sp_arena *a, sp_result *r)
+{
+    const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
+    if (s->known) return sp__check_claim(pb, set, most, s->claim, state, a, r);
+    if (s->claim != SP_UNSTABLE) {
+        const sp_status status = sp__check_claim(pb, set, 0, SP_STABLE, state, a, r);
+        if (status || r->verdict == SP_STABLE || !s->claim) return status;
+    }
+    if (set->budget > 0) return SP_OK;
+    const sp_status status = sp__check_hint(pb, set, state, a);
+    return status ? status : sp__check_claim(pb, set, INT32_MAX, s->claim, state, a, r);
+}
+
+/* What is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
+SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+                                             sp_arena *a, sp_result *r, int *done)
+{
+    sp__sought s = { SP_UNDECIDED, 0, 0, 0 };
+    memset(&state->cost, 0, sizeof state->cost);
+    sp_status status = sp__check_search(pb, set, r, state, a, &s);
+    if (!status && (s.claim || s.spent)) {
+        r->verdict = SP_UNDECIDED;
+        status = sp__check_sought(pb, set, &s, state, a, r);
+        if (r->verdict == SP_UNDECIDED) r->final = 0;
+        if (r->verdict == SP_UNDECIDED && !s.spent) r->least_imbalance = 0;
+        *done = s.spent || r->verdict != SP_UNDECIDED;
+    }
+    if (*done && r->verdict != SP_UNDECIDED) {
+        r->verified = 1;
+        r->stage = set->stage[k];
+        r->reason = r->verdict == SP_STABLE ? SP_REASON_FORCES : SP_REASON_MECHANISM;
+        r->effect[s.plane ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION] = s.plane ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    } else if (*done) r->reason = SP_REASON_BUDGET;
+    else if (set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) {
+        r->reason = SP_REASON_EFFECT;
+        r->missing = SP_EFFECT_DEPTH;
+    }
+    sp__cost_add(&r->by_stage[k], &state->cost);
+    sp__cost_add(&r->cost, &state->cost);
+    return status;
+}
+
+#endif /* SP_NO_PLAN */
+
+/* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
+SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
+                                           sp_result *r, int *done)
+{
+    sp_verdict claim = SP_UNDECIDED;
+    const int last = k + 1 == set->stage_count;
+    const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    memset(&state->cost, 0, sizeof state->cost);
+    if (left < judge) {
+        r->reason = SP_REASON_BUDGET;
+        return SP_OK;
+    }
+    state->left = left - judge;
+    sp_arena room = sp__work_open(set, a);
+    const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, &room, &claim);
+    if (status) return status;
+    sp__work_close(set, a, &room);
+    r->tension_ratio = state->tension_ratio;
+    if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
+    if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
+        const sp_status judged = sp__check_claim(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
+        if (judged) return judged;
+        *done = r->verdict != SP_UNDECIDED;
+        r->verified = *done;
+        r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
+        r->reason = sp__check_reason(set->stage[k], claim, r, state->reason);
+        if (claim == SP_UNSTABLE && !*done && set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) {
+            r->reason = SP_REASON_EFFECT;
+            r->missing = SP_EFFECT_FRICTION;
+        }
+    }
+    sp__cost_add(&r->by_stage[k], &state->cost);
+    sp__cost_add(&r->cost, &state->cost);
+    return SP_OK;
+}
+
+#endif /* SP_SMALL */
+
+#endif /* SP__CHECK_LADDER_C */

@@ -1,0 +1,308 @@
+/* memory: what a check keeps, and what its stages need */
+#ifndef SP__CHECK_MEMORY_C
+#define SP__CHECK_MEMORY_C
+
+#include "../coupled/alternate.c"
+#include "../coupled/open.c"
+#include "parts.c"
+#include "settings.c"
+
+#ifndef SP_SMALL
+/* What a check keeps: the result's arrays, in front of everything that goes again. */
+typedef struct sp__kept {
+    sp_real *f, *dq, *y0;
+    sp_demand *demand;
+    int32_t *island;                    /* where there is more than one */
+    sp_island *part;
+    sp_real *cdq, *alpha, *penalty;     /* of the coupled check, where it is asked */
+    size_t used;                        /* of the arena so far */
+    sp_proof proof;
+} sp__kept;
+
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set,
+                           sp_arena *a)
+{
+    memset(r, 0, sizeof *r);
+    r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
+    r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
+    r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
+    r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
+    if (apart->islands > 1) {
+        r->island = sp__take(a, (size_t)scene->count.blocks, sizeof *r->island);
+        r->part = sp__take(a, (size_t)apart->islands, sizeof *r->part);
+    }
+    r->used = a->used;
+#ifndef SP_NO_CRA
+    if (!set || !set->coupled.asked) return;
+    r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
+    r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
+    if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
+    r->used = a->used;
+    sp__proof_carve(&r->proof, apart->points, apart->blocks, set, a);
+#else
+    (void)set;
+#endif
+}
+
+/* Bytes of that. */
+SP__APART static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set)
+{
+    sp__kept kept;
+    sp_arena dry = sp__arena_dry();
+    sp__kept_carve(&kept, scene, free_blocks, apart, set, &dry);
+    return dry.used;
+}
+
+/* On a budget stages work on arrays of their own, and the result keeps the best of them. */
+static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, sp_arena *a)
+{
+    s->y = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->y);
+    if (set->budget <= 0) return;
+    s->f = sp__take(a, (size_t)pb->points, 3 * sizeof *s->f);
+    s->dq = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->dq);
+}
+
+/* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
+typedef struct sp__check {
+    sp_settings set;
+    sp_problem pb;
+    sp_state state;
+    sp_result r;
+    size_t arrays, kept;                /* of the arena: what the result takes, and that with room for a proof */
+} sp__check;
+
+#else
+typedef struct sp__check { sp_settings set; sp_problem pb; sp_result r; } sp__check;
+#endif
+
+#ifndef SP_SMALL
+/* Scratch of a problem and its symbolic step. */
+static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    sp_problem pb;
+    (void)settings;
+    sp__problem_count(scene, &pb);
+    size_t most = sp__dual_scratch(&pb);
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    for (int32_t k = 0; settings && k < settings->stage_count; k++) {
+        if (settings->stage[k] != SP_STAGE_ADMM) continue;
+        const size_t need = sp__admm_scratch(&pb, settings);
+        if (need == 0) return 0;
+        if (need > most) most = need;
+    }
+#ifndef SP_NO_CRA
+    if (settings && settings->coupled.asked && settings->coupled.rounds) {
+        const size_t need = sp__alt_scratch(&pb, settings);
+        if (need == 0) return 0;
+        if (need > most) most = need;
+    }
+#endif
+#endif
+    return sp_problem_memory(scene) + SP_ALIGN + most;
+}
+
+/* Tables of islands and the largest of their scenes, at most. */
+static size_t sp__islands_scratch(const sp_scene *scene)
+{
+    sp__islands t;
+    sp_arena dry = sp__arena_dry();
+    sp_capacity n = scene->count;
+    n.vertices = n.faces = n.corners = 0;
+    n.blocks++;
+    sp__take(&dry, 1, sizeof t);
+    sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
+    sp__take(&dry, 1, sizeof *scene);
+    sp__take(&dry, 1, sp_scene_memory(&n));
+    return dry.used + 2 * SP_ALIGN;
+}
+
+SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
+    const size_t whole = sp__whole_scratch(scene, settings);
+    return whole ? sizeof(sp__check) + SP_ALIGN + whole + (sp__islands_apart(settings) ? sp__islands_scratch(scene) : 0) : 0;
+}
+
+/* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
+SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    const size_t most = sp__judge_need(pb, set);
+    size_t work = 0;
+    for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
+        if (k == set->stage_count && !set->localise) break;
+        const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
+                                                 : sp__flat_need(pb, set, 0, scratch);
+        if (need > work) work = need;
+    }
+    if (!set->work) return most > work ? most : work;
+    if (!set->work->base && work > set->work->peak) set->work->peak = work;     /* sp_memory_work asks */
+    return work == SIZE_MAX ? work : most;
+}
+
+/* Bytes of a problem, its potential and what is done to it; SIZE_MAX: scratch too small. */
+static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, size_t work)
+{
+    sp_state state;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sp_problem_memory(pb->scene));
+    sp__state_carve(&state, pb, set, &dry);
+    sp__take(&dry, 1, work);
+    return work == SIZE_MAX ? SIZE_MAX : dry.used;
+}
+
+/* That of every stage and of the coupled check on the whole of a scene. */
+SP__APART static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
+{
+    const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    size_t work = sp__stages_need(&c->pb, &c->set, scratch);
+#ifndef SP_NO_CRA
+    if (c->set.coupled.asked) {
+        const size_t need = sp__coupled_need(&c->pb, &c->set, sp__alt_need(&c->pb, &c->set, scratch), scratch);
+        if (need > work) work = need;
+    }
+#endif
+    *bytes = sp__problem_need(&c->pb, &c->set, work);
+    return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
+}
+
+/* An island's scene, what its check keeps, and `behind`. */
+SP__APART static size_t sp__island_bytes(const sp_scene *s, const sp_settings *set, size_t behind)
+{
+    const sp__apart one = { 1, 0, 0 };                  /* its proof lies with the whole's */
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof *s);
+    sp__take(&dry, 1, sp_scene_memory(&s->cap));
+    sp__take(&dry, 1, sp__kept_need(s, s->count.blocks - 1, &one, set));
+    sp__take(&dry, 1, sizeof(sp__check));
+    sp__take(&dry, 1, behind);
+    return dry.used;
+}
+
+/* Bytes that island k takes behind the tables. */
+SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, sp__check *c, sp_arena scratch,
+                                           size_t *bytes)
+{
+    const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
+    const sp_status status = s ? sp__whole_need(s, c, scratch, bytes) : SP_E_MEMORY;
+    if (!status) *bytes = sp__island_bytes(s, &c->set, *bytes);
+    return status;
+}
+
+/* The way over all islands: where a check is, and what it keeps besides the result. */
+typedef struct sp__tour {
+    sp__islands t;
+    int32_t at, again;                  /* the island, 1: only for its proof */
+    int32_t lies;                       /* the proof is still in the room that all share */
+    sp_proof proof;                     /* of the last that was refuted */
+    sp_real margin;
+    size_t start, mark;                 /* of the arena: before this, behind the tables */
+} sp__tour;
+
+/* Bytes of the tables and what is `behind`. */
+SP__APART static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, size_t behind)
+{
+    sp__islands t;
+    int32_t label = 0;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__tour));
+    sp__islands_carve(&t, scene, count, &label, &dry);
+    sp__take(&dry, 1, behind);
+    return dry.used;
+}
+
+/* Bytes of the tables and the island that wants most. */
+SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch, size_t *bytes)
+{
+    size_t most = 0;
+    sp__islands *t = sp__take(&scratch, 1, sizeof *t);
+    if (!t) return SP_E_MEMORY;
+    sp__islands_carve(t, scene, count, NULL, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_fill(scene, t);
+    for (int32_t k = 0; k < count; k++) {
+        const sp_status status = sp__island_need(scene, t, k, c, scratch, bytes);
+        if (status) return status;
+        if (*bytes > most) most = *bytes;
+    }
+    *bytes = sp__tour_bytes(scene, count, most);
+    return SP_OK;
+}
+
+/* Bytes behind what a check keeps: islands apart, then all of them judged; or the whole. */
+SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
+{
+    if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
+    sp__problem_count(scene, &c->pb);
+    const size_t judged = sp__problem_need(&c->pb, &c->set, sp__judge_need(&c->pb, &c->set));
+    const sp_status status = sp__islands_need(scene, islands, c, scratch, bytes);
+    if (judged > *bytes) *bytes = judged;
+    return status;
+}
+
+/* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
+                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
+#ifndef SP_NO_PLAN
+typedef char sp__memory_bytes_holds_flat[sizeof(sp_real) > 8 || SP__FLAT_G <= 20 ? 1 : -1];
+#endif
+#ifndef SP_NO_IPM
+typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
+#endif
+
+#ifndef SP_NO_CRA
+typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__cra) <= 448 && sizeof(sp__branch) <= 448
+                                            && sizeof(sp__refute) <= 448 && SP__ROWS <= 21 && SP__PROOF_DEPTH <= 32) ? 1 : -1];
+#endif
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+typedef char sp__memory_bytes_holds_program[sizeof(sp_real) > 8 || sizeof(sp__program) + sizeof(sp__qp) <= 1280 ? 1 : -1];
+#endif
+
+/* As sp_memory; work: where not NULL, an arena that only counts in place of settings.work. */
+static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, sp_arena *work, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__apart apart;
+    const sp_status counted = sp__islands_count(scene, settings, scratch, &apart);
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c || counted) return SP_E_MEMORY;
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
+    size_t behind = 0;
+    if (work) c->set.work = work;
+    if (!status) status = sp__work_need(scene, apart.islands, c, scratch, &behind);
+    if (status) return status;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &c->pb);
+    sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, &apart, &c->set));
+    sp__take(&dry, 1, sizeof *c);
+    sp__take(&dry, 1, behind);
+    *bytes = dry.used;
+    return SP_OK;
+}
+
+SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__memory(scene, settings, NULL, scratch, bytes);
+}
+
+SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    sp_arena work = sp__arena_dry();
+    const sp_status status = sp__memory(scene, settings, &work, scratch, bytes);
+    if (!status) *bytes = work.peak;
+    return status;
+}
+
+/* Where stages work: memory of its own, or what is left of the check's. */
+static sp_arena sp__work_open(const sp_settings *set, const sp_arena *a) { return set->work ? *set->work : *a; }
+
+static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *room)
+{
+    if (set->work) a = set->work;
+    if (room->peak > a->peak) a->peak = room->peak;
+}
+
+#endif
+
+#endif /* SP__CHECK_MEMORY_C */

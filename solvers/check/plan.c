@@ -1,0 +1,164 @@
+/* plan: sp_plan: which effects a scene calls for, and what that saves */
+#ifndef SP__CHECK_PLAN_C
+#define SP__CHECK_PLAN_C
+
+#include "one.c"
+
+#if !defined(SP_NO_PLAN) && !defined(SP_SMALL)
+/* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
+ * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
+ * near a limit), what a step costs is known. */
+#define SP__PLAN_STEPS 5
+#define SP__PLAN_SWEEPS 4
+#define SP__PLAN_SEARCH 12              /* steps of a coupled check's search where it is an easy one */
+
+typedef struct sp__work {
+    int64_t unknowns, flops;            /* of all rows and forces */
+    int64_t less[2], fewer[2];          /* flops and unknowns that each sp__mode saves */
+    int32_t problems, reduced[2];       /* how many problems, how many of them a reduction is planned for */
+    int32_t forests;                    /* how many of them are told to be coupled without a search */
+    int64_t search;                     /* flops of such searches */
+} sp__work;
+
+/* Is no search for a motion planned? */
+static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena a)
+{
+#ifndef SP_NO_CRA
+    sp__forest g;
+    return set->coupled.asked && sp__hangs(set) && sp__forest_of(pb, &g, &a);
+#else
+    (void)pb; (void)set; (void)a;
+    return 0;
+#endif
+}
+
+/* What a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
+static void sp__plan_flat(const sp_problem *pb, const sp__flat *f, int64_t full, int64_t factor, sp__work *o)
+{
+    const int plane = f->mode == SP__PLANE;
+    const int64_t v = pb->points / (1 + plane), sides = 2 * (int64_t)pb->contacts;
+    const int64_t assembly = SP__FLOPS_FLAT_HESSIAN(f) * v + SP__FLOPS_FLAT_BLOCKS * sides;
+    const int64_t sweep = SP__FLOPS_FLAT_SWEEP(f) * v + SP__FLOPS_FLAT_TWIST * sides;
+    o->less[f->mode] += full - (plane ? SP__PLAN_STEPS : 2) * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
+    o->fewer[f->mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
+    o->reduced[f->mode]++;
+}
+
+/* Adds the work of a scene as one problem. */
+SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    if (status) return status;
+    const int hangs = sp__plan_hangs(&pb, set, scratch);
+    sp__dual *w = sp__take(&scratch, 1, sizeof *w);
+    const int32_t blocks = w ? sp__dual_analyse(w, &pb, &scratch) : -1;
+    if (blocks < 0) return SP_E_MEMORY;
+    const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
+    const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
+    const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
+    sp__flat *flat = sp__take(&scratch, 1, sizeof *flat);
+    if (!flat) return SP_E_MEMORY;
+    o->unknowns += 6 * b + 3 * v;
+    o->flops += full;
+    o->problems++;
+    o->forests += hangs;
+    o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
+    if (sp__flat_choose(&pb, set, flat)) sp__plan_flat(&pb, flat, full, w->L.flops, o);
+    return SP_OK;
+}
+
+/* The same, island by island. */
+SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+                                           sp__work *o)
+{
+    sp__islands t;
+    sp_status status = SP_OK;
+    sp__islands_carve(&t, scene, count, NULL, &scratch);
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    sp__islands_fill(scene, &t);
+    for (int32_t k = 0; k < count && !status; k++) {
+        sp_arena a = scratch;
+        const sp_scene *s = sp__island_scene(scene, &t, k, &a);
+        status = s ? sp__plan_whole(s, set, a, o) : SP_E_MEMORY;
+    }
+    return status;
+}
+
+/* What a plan works on, in the arena. */
+typedef struct sp__planner {
+    sp_settings set;
+    sp_outlook o;
+    sp__work whole, apart;
+} sp__planner;
+
+/* Every effect in words, and what leaving it out saves. */
+static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
+{
+    sp_outlook *o = &p->o;
+    for (int32_t k = 0; k < SP_EFFECTS; k++)
+        o->effect[k].why = sp__effect_why(&p->set, (sp_effect)k, sp__effect_present(scene, &p->set, o->islands, (sp_effect)k));
+    const sp__work *w = &p->apart;
+    o->effect[SP_EFFECT_TOGETHER].flops = p->whole.flops - w->flops;
+    o->effect[SP_EFFECT_TOGETHER].bytes = (int64_t)o->full_bytes - (int64_t)o->bytes;
+    o->full_unknowns = p->whole.unknowns;
+    o->full_flops = p->whole.flops;
+    o->unknowns = w->unknowns;
+    o->flops = w->flops;
+    for (int mode = 0; mode < 2; mode++) {
+        sp_planned *e = &o->effect[mode == SP__PLANE ? SP_EFFECT_DEPTH : SP_EFFECT_FRICTION];
+        e->flops = w->less[mode];
+        e->unknowns = w->fewer[mode];
+        if (w->reduced[mode] == w->problems && w->problems) e->why = mode == SP__PLANE ? SP_WHY_MIRROR : SP_WHY_PRESSURE;
+    }
+    if (w->forests == w->problems && w->problems) {
+        o->effect[SP_EFFECT_COUPLED].why = SP_WHY_FOREST;
+        o->effect[SP_EFFECT_COUPLED].flops = w->search;
+        o->full_flops += w->search;
+    }
+    o->flops -= w->less[SP__PLANE] + w->less[SP__PLUMB];
+    o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__PLUMB];
+}
+
+SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
+{
+    const size_t need = sp_memory_scratch(scene, settings);
+    return need ? need + sizeof(sp__planner) + sizeof(sp__dual) + 2 * SP_ALIGN : 0;
+}
+
+/* Needs and work as planned, then with all blocks together. */
+SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, sp_arena scratch)
+{
+    const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
+    sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
+    sp__apart apart = { 1, 0, 0 };
+    if (!status) status = sp__islands_count(scene, &p->set, scratch, &apart);
+    p->o.islands = apart.islands;
+    if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, &p->set, scratch, &p->apart);
+    p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+    if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);
+    if (!status) status = sp__plan_whole(scene, &p->set, scratch, &p->whole);
+    p->set.effect[SP_EFFECT_TOGETHER] = together;
+    if (p->o.islands < 2) p->apart = p->whole;
+    return status;
+}
+
+SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out)
+{
+    if (!scene || !scratch.base || !out) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    sp__planner *p = sp__take(&scratch, 1, sizeof *p);
+    if (!p) return SP_E_MEMORY;
+    memset(p, 0, sizeof *p);
+    sp_status status = sp__settings_resolve(scene, settings, &p->set);
+    p->set.work = NULL;
+    if (!status) status = sp__plan_run(scene, p, scratch);
+    if (status) return status;
+    sp__plan_effects(scene, p);
+    *out = p->o;
+    return SP_OK;
+}
+
+#endif /* SP_NO_PLAN */
+
+#endif /* SP__CHECK_PLAN_C */

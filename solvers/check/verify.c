@@ -1,0 +1,148 @@
+/* verify: sp_verify */
+#ifndef SP__CHECK_VERIFY_C
+#define SP__CHECK_VERIFY_C
+
+#include "memory.c"
+
+#ifndef SP_NO_CRA
+/* Tables of islands, one as a scene of its own, and what judges it; `hint`: its share of y0. */
+typedef struct sp__part { sp__islands t; sp_problem pb; sp__judge j; sp_real *hint; } sp__part;
+
+/* Bytes of that, at most: what is refuted has few vertices and blocks. */
+SP__APART static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
+{
+    sp_problem pb;
+    sp__islands t;
+    sp_capacity n = scene->count;
+    const int32_t few = SP_EXACT_POINTS;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &pb);
+    if (pb.blocks > few) pb.blocks = few;
+    if (pb.contacts > few) pb.contacts = few;
+    if (pb.points > few) pb.points = few;
+    n.vertices = n.faces = n.corners = 0;
+    n.blocks = pb.blocks + 1;
+    n.interfaces = pb.contacts;
+    n.points = pb.points;
+    sp__take(&dry, 1, sizeof(sp__part));
+    sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
+    sp__take(&dry, 1, sizeof *scene);
+    sp__take(&dry, 1, sp_scene_memory(&n));
+    sp__problem_carve(&pb, &dry);
+    sp__take(&dry, (size_t)pb.blocks, 12 * sizeof(sp_real));
+    sp__take(&dry, 1, sp__judge_need(&pb, set));
+    sp__take(&dry, 1, sp__refute_need(pb.points, pb.blocks));
+    return dry.used;
+}
+
+/* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
+SP__APART static sp_status sp__verify_part(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
+                                           const sp_result *claim, sp_arena a, sp_real *margin)
+{
+    const int32_t island = claim->coupled.proof.island - 1;
+    sp__part *p = sp__take(&a, 1, sizeof *p);
+    if (!p) return SP_E_MEMORY;
+    sp__islands_carve(&p->t, scene, scene->count.blocks, NULL, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    const int32_t count = sp__islands_join(scene, p->t.rank);
+    if (island < 0 || island >= count) return SP_OK;
+    sp__islands_fill(scene, &p->t);
+    sp_capacity n;
+    sp__island_size(scene, &p->t, island, &n);
+    if (n.points > SP_EXACT_POINTS || n.blocks > SP_EXACT_POINTS + 1) return SP_OK;
+    const sp_scene *s = sp__island_scene(scene, &p->t, island, &a);
+    sp_status status = s ? sp_problem_build(s, &a, &p->pb) : SP_E_MEMORY;
+    if (status) return status;
+    const size_t b = (size_t)p->pb.blocks;
+    size_t all = 0;
+    p->hint = sp__take(&a, b, 12 * sizeof *p->hint);
+    if (!p->hint) return SP_E_MEMORY;
+    for (int32_t i = 0; i < scene->count.blocks; i++) all += p->t.row[i] >= 0;
+    for (int32_t i = p->t.block[island]; i >= 0 && claim->y0; i = p->t.next[i])
+        for (size_t half = 0; half < 2; half++)
+            memcpy(p->hint + 6 * (half * b + (size_t)p->t.rank[i] - 1), claim->y0 + 6 * (half * all + (size_t)p->t.row[i]),
+                   6 * sizeof *p->hint);
+    if (!sp__judge_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
+    *margin = sp__judge_refuted(&p->j, k, &claim->coupled.proof, &a);
+    return SP_OK;
+}
+#endif
+
+SP_API size_t sp_verify_memory(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem pb;
+    sp_settings set = sp_settings_default();
+    set.faces = 64;
+    sp__problem_count(scene, &pb);
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof(sp__check));
+#ifndef SP_NO_CRA
+    const size_t part = dry.used + sp__verify_part_need(scene, &set);
+#endif
+    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
+    sp__take(&dry, 1, sp__judge_need(&pb, &set));
+#ifndef SP_NO_CRA
+    const int32_t points = sp__points_count(scene);
+    if (points <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(points, pb.blocks));
+    if (part > dry.used) return part;
+#endif
+    return dry.used;
+}
+
+/* The motion of the free blocks out of a claim's. */
+static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
+{
+    for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
+}
+
+SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
+                           sp_evidence *evidence)
+{
+    if (!scene || !claim || !claim->f || !claim->dq || !evidence || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    const int triple = settings && settings->coupled.asked && claim->coupled.dq && claim->coupled.alpha;
+    if (triple && !sp__all_finite(claim->coupled.dq, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    if (triple && !sp__all_finite(claim->coupled.alpha, (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    sp__check *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+#ifndef SP_NO_CRA
+    const sp_arena room = scratch;
+#endif
+    sp_status status = sp__settings_resolve(scene, settings, &c->set);
+    if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
+    if (status) return status;
+    sp__judge j;
+    sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
+    if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+    sp__verify_motion(&c->pb, claim->dq, dq);
+    e.omega = sp__judge_forces(&j, claim->f, NULL);
+    e.least_imbalance = sp__judge_mechanism(&j, dq, &e.final);
+    if (e.omega <= c->set.tol) e.verdict = SP_STABLE;
+    else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
+    if (e.verdict != SP_UNSTABLE) e.final = 0;
+    if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;
+#ifndef SP_NO_CRA
+    if (triple) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        sp__verify_motion(&c->pb, claim->coupled.dq, dq);
+        e.residual = sp__judge_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
+        if (e.level && e.residual <= 1) e.level = SP_COUPLED;
+    }
+    if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        if (!claim->coupled.proof.island) e.margin = sp__judge_refuted(&j, &k, &claim->coupled.proof, &scratch);
+        else status = sp__verify_part(scene, &c->set, &k, claim, room, &e.margin);
+        if (status) return status;
+        if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }
+    }
+#endif
+    *evidence = e;
+    return SP_OK;
+}
+
+#endif /* SP__CHECK_VERIFY_C */

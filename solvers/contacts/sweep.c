@@ -1,0 +1,107 @@
+/* sweep: boxes sorted so that only near ones are compared */
+#ifndef SP__CONTACTS_SWEEP_C
+#define SP__CONTACTS_SWEEP_C
+
+#include "patch.c"
+
+/* --------------------------------------------------------------------------------------------------------------- tree */
+
+/* Do two boxes come nearer than d? */
+static int sp__boxes_near(const sp_real lo[3], const sp_real hi[3], const sp_real lo2[3], const sp_real hi2[3], sp_real d)
+{
+    for (int c = 0; c < 3; c++) if (lo[c] > hi2[c] + d || lo2[c] > hi[c] + d) return 0;
+    return 1;
+}
+
+#ifndef SP_SMALL
+/* Every third bit from bit 0. */
+static uint32_t sp__spread(uint32_t x)
+{
+    x = (x | x << 16) & UINT32_C(0x030000ff);
+    x = (x | x << 8) & UINT32_C(0x0300f00f);
+    x = (x | x << 4) & UINT32_C(0x030c30c3);
+    return (x | x << 2) & UINT32_C(0x09249249);
+}
+
+static int sp__code_before(const void *what, int32_t i, int32_t j)
+{
+    const uint32_t *code = what;
+    return code[i] != code[j] ? code[i] < code[j] : i < j;
+}
+
+static int sp__number_before(const void *what, int32_t i, int32_t j)
+{
+    (void)what;
+    return i < j;
+}
+
+/* Leaves: the blocks with faces along a Morton curve through the middles of their boxes, 1024 steps a side. */
+static void sp__tree_leaves(sp__touch *t)
+{
+    sp_real *lo = t->lo, *hi = t->hi;
+    t->leaves = 0;
+    for (int32_t i = 0; i < t->scene->count.blocks; i++) {
+        const sp__body *k = &t->all.body[i];
+        if (!k->edges) continue;
+        if (!t->leaves) sp__box_start(lo, hi, k->lo);
+        sp__box_add(lo, hi, k->lo);
+        sp__box_add(lo, hi, k->hi);
+        t->all.leaf[t->leaves++] = i;
+    }
+    for (int32_t l = 0; l < t->leaves; l++) {
+        const sp__body *k = &t->all.body[t->all.leaf[l]];
+        uint32_t code = 0;
+        for (int c = 0; c < 3; c++) {
+            const sp_real wide = hi[c] - lo[c], at = (k->lo[c] - lo[c]) / 2 + (k->hi[c] - lo[c]) / 2;
+            const uint32_t step = wide > 0 ? (uint32_t)(int32_t)(1023 * (at / wide)) : 0;
+            code |= sp__spread(step < 1023 ? step : 1023) << c;
+        }
+        t->all.code[t->all.leaf[l]] = code;
+    }
+    sp__sort(t->all.leaf, t->leaves, sp__code_before, t->all.code);
+}
+
+/* Boxes bottom-up; an empty one has low above high. */
+static void sp__tree_build(sp__touch *t)
+{
+    sp__tree_leaves(t);
+    for (int32_t k = 2 * t->all.width - 1; k > 0; k--) {
+        sp_real *box = t->all.box[k];
+        box[0] = (sp_real)1;
+        box[3] = (sp_real)0;
+        if (k >= t->all.width) {
+            if (k - t->all.width >= t->leaves) continue;
+            const sp__body *b = &t->all.body[t->all.leaf[k - t->all.width]];
+            for (int c = 0; c < 3; c++) { box[c] = b->lo[c] - b->reach; box[3 + c] = b->hi[c] + b->reach; }
+            continue;
+        }
+        const sp_real *left = t->all.box[2 * k], *right = t->all.box[2 * k + 1];
+        if (left[0] > left[3]) continue;
+        for (int c = 0; c < 6; c++) box[c] = left[c];
+        if (right[0] > right[3]) continue;
+        sp__box_add(box, box + 3, right);
+        sp__box_add(box, box + 3, right + 3);
+    }
+}
+
+/* Blocks above a whose boxes come near a's, in order. Returns how many. */
+static int32_t sp__tree_ask(sp__touch *t, int32_t a)
+{
+    const sp__body *body = &t->all.body[a];
+    int32_t hits = 0, k = 1;
+    if (!body->edges) return 0;
+    while (k > 0) {
+        const sp_real *box = t->all.box[k];
+        if (!(box[0] > box[3]) && sp__boxes_near(body->lo, body->hi, box, box + 3, body->reach)) {
+            if (k < t->all.width) { k *= 2; continue; }
+            if (t->all.leaf[k - t->all.width] > a) t->all.hit[hits++] = t->all.leaf[k - t->all.width];
+        }
+        while (k & 1) k >>= 1;                          /* up from right children, past the top to 0 */
+        if (k) k++;
+    }
+    sp__sort(t->all.hit, hits, sp__number_before, NULL);
+    return hits;
+}
+#endif
+
+#endif /* SP__CONTACTS_SWEEP_C */

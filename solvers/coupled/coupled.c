@@ -1,0 +1,182 @@
+/* coupled: the coupled check's run */
+#ifndef SP__COUPLED_COUPLED_C
+#define SP__COUPLED_COUPLED_C
+
+#include "help.c"
+#include "alternate.c"
+#include "forest.c"
+
+#if SP__WITH_COUPLED
+
+/* The motion of the free blocks into the scene's; where the judge takes spins off they stay off, also among other islands. */
+static void sp__cra_spread(const sp__cra *c)
+{
+    const sp_problem *pb = c->pb;
+    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        if (few) sp__judge_stop(&c->j, i, c->t.dq + 6 * (size_t)i);
+        memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
+    }
+    memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
+}
+
+/* The triple on offer is verified: into the result. */
+static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *omega)
+{
+    c->out->verdict = SP_COUPLING_COUPLED;
+    c->out->reason = SP_COUPLING_MOTION;
+    memcpy(state->f, c->t.f, (size_t)c->pb->points * 3 * sizeof *c->t.f);
+    *omega = c->omega;
+}
+
+/* The judge's scales once more, from a hint or none. */
+static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
+{
+    const int32_t before = c->j.sweeps;
+    sp__judge_scales(&c->j, y0);
+    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)(c->j.sweeps - before) * c->pb->points;
+}
+
+/* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
+ * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
+ * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
+SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
+{
+    int slick = 1;
+    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
+    const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
+    if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
+    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
+    if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
+    if (status || !slick || c->out->reason != SP_COUPLING_LIMIT) return status;
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->out->cost.flops += 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points;
+    c->out->residual = c->residual;
+    if (c->omega <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, omega);
+    return SP_OK;
+}
+
+#ifndef SP_NO_PLAN
+/* The search in the plane, where one plane is a mirror of everything (section 11): motions in it that turn about its normal, 3
+ * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
+ * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose judge has the last
+ * word.
+ * From rest the search in space would stay in the plane by itself: energy, caps and drags are symmetric, so are Newton's steps.
+ * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
+ * nothing: motions that explain forces need not be convex, and the mean of a triple and its image is none.
+ *   returns 1 when a triple is verified, 0: none, or there is no such plane (c->mirror tells), -1: no memory */
+SP__APART static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
+{
+    const size_t mark = a->used;
+    const sp_real omega = c->omega;
+    const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
+    sp__flat *o = sp__take(a, 1, sizeof *o);
+    int found = 0;
+    if (!o) return -1;
+    if (sp__cra_mirror(c->pb, c->set, o)) {
+        if (!sp__cra_open(c, limit < left ? limit : left, o, a)) return -1;
+        memset(c->f, 0, 3 * (size_t)c->pb->points * sizeof *c->f);      /* images keep it */
+        sp__cra_begin(c);
+        found = sp__cra_search(c);
+        c->mirror = 1;
+        c->spent = c->w->spent && limit >= left;
+    }
+    a->used = mark;
+    if (found || !c->mirror) return found;
+    c->offered = c->tiny = 0;
+    sp__cra_rest(c, omega);
+    return 0;
+}
+#endif
+
+/* In space, by search unless one is found, which `found` tells, then the decision. */
+SP__APART static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+{
+    const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
+    const size_t mark = a->used;
+    if (!sp__cra_open(c, limit < state->left ? limit : state->left, NULL, a)) return SP_E_MEMORY;
+    const size_t turns = a->used, more = sp__alt_need(c->pb, c->set, *a);
+    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
+    a->used = turns;
+    if (!found) {
+        sp__cra_begin(c);
+        found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    }
+    if (found < 0) return SP_E_MEMORY;
+    c->out->residual = c->residual;
+    if (found) sp__cra_found(c, state, omega);
+    else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
+    c->spent = c->w->spent && limit >= state->left;
+    a->used = mark;
+    return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, omega, a);
+}
+
+/* Is there a triple? In the plane where there is one, then in space, unless that is left out. */
+static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_arena *a)
+{
+    const int found = c->residual <= 1 || sp__cra_hang(c, *a);
+    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
+#ifndef SP_NO_PLAN
+    const int plane = found ? 0 : sp__cra_plane(c, state->left, a);
+    if (plane < 0) return SP_E_MEMORY;
+    if (plane) {
+        c->out->residual = c->residual;
+        sp__cra_found(c, state, &r->omega);
+        return SP_OK;
+    }
+    if (!found && c->set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_OK;
+    if (!found && r->effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR) r->effect[SP_EFFECT_DEPTH] = SP_WHY_CALLED;
+    if (c->mirror && !c->spent) {
+        const sp_status status = sp__coupled_decide(c, state, &r->omega, a);
+        if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    }
+#endif
+    return sp__coupled_search(c, found, state, &r->omega, a);
+}
+
+/* Is there a triple? Its forces become state->f. Else, where asked, what the joints would have to carry.
+ *   in     r->coupled.verdict, reason: statics, if there are no forces (state->f) to begin with; r->omega of the forces
+ *          state->left: flops, ten sweeps or more
+ *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->omega of the new forces, r->demand; r->effect: in space after
+ *          all */
+SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
+                                           sp_result *r)
+{
+    sp_coupled *out = &r->coupled;
+    sp__cra *c = sp__take(a, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    memset(c, 0, sizeof *c);
+    sp__triple_carve(&c->t, pb, a);
+    sp__cra_carve(c, pb, set->localise, a);
+    const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
+    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
+    const size_t mark = a->used;
+    sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
+    if (sp__failed(a)) return SP_E_MEMORY;
+    a->used = mark;
+    c->pb = pb;
+    c->set = set;
+    c->out = out;
+    c->k = sp__coupled_lengths(pb, set);
+    c->statics = state->f;
+    for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
+    memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
+    sp__cra_rest(c, r->omega);
+    sp_status status = SP_OK;
+    if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
+    else out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;
+    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
+        const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
+        a->used = mark;
+        if (!sp__cra_open(c, help < state->left ? help : state->left, NULL, a)) return SP_E_MEMORY;
+        sp__cra_begin(c);
+        sp__cra_help(c, r->demand);
+    }
+    sp__cra_spread(c);
+    return status;
+}
+
+#endif
+
+#endif /* SP__COUPLED_COUPLED_C */

@@ -1,0 +1,218 @@
+/* forest: joints that form a forest: the triple without a search */
+#ifndef SP__COUPLED_FOREST_C
+#define SP__COUPLED_FOREST_C
+
+#include "../base/sort.c"
+#include "open.c"
+
+#if SP__WITH_COUPLED
+
+/* Is a forest told without a search? Not where nothing may be left out, or the seed's search is asked. */
+static int sp__hangs(const sp_settings *set) { return !set->coupled.rounds && set->iterations >= SP__ITERATIONS; }
+
+/* The contact graph: supports one node, the joints of two nodes one edge if they have one normal, a seam. */
+typedef struct sp__forest {
+    int32_t *seam;                      /* contacts, those of one edge together */
+    int32_t *degree, *join, *order;     /* of blocks; join: where the only edge left begins in seam; order: leaves first */
+} sp__forest;
+
+/* Do the joints i and j, in order of their nodes, belong to different edges?     1: i first, -1: j first, 0: to one */
+static int sp__seam_order(const sp_problem *pb, int32_t i, int32_t j)
+{
+    const sp_contact *s = &pb->contact[i], *t = &pb->contact[j];
+    const int32_t lo = s->a < s->b ? s->a : s->b, low = t->a < t->b ? t->a : t->b;
+    const int32_t hi = s->a + s->b - lo, high = t->a + t->b - low;
+    return lo != low ? (lo < low ? 1 : -1) : hi < high ? 1 : hi > high ? -1 : 0;
+}
+
+static int sp__seam_before(const void *what, int32_t i, int32_t j)
+{
+    const int order = sp__seam_order(what, i, j);
+    return order ? order > 0 : i < j;
+}
+
+/* Seams.     returns 0 where joints of the same two nodes have two normals, a ring */
+SP__APART static int sp__forest_seams(const sp_problem *pb, sp__forest *g)
+{
+    for (int32_t q = 0; q < pb->contacts; q++) g->seam[q] = q;
+    sp__sort(g->seam, pb->contacts, sp__seam_before, pb);
+    for (int32_t k = 1; k < pb->contacts; k++) {
+        const sp_contact *s = &pb->contact[g->seam[k - 1]], *t = &pb->contact[g->seam[k]];
+        sp_real x[3];
+        if (sp__seam_order(pb, g->seam[k - 1], g->seam[k])) continue;
+        sp__cross3(s->joint->n, t->joint->n, x);
+        if (!(sp__norm3(x) <= SP__GIVE) || (sp__dot3(s->joint->n, t->joint->n) > 0) != (s->a == t->a)) return 0;
+    }
+    return 1;
+}
+
+/* Leaves first: block order[k] goes with its only edge left, join[order[k]].
+ *   returns 1 when no block stays: a forest that hangs on the supports; 0: it does not, or no memory */
+SP__APART static int sp__forest_of(const sp_problem *pb, sp__forest *g, sp_arena *a)
+{
+    const size_t b = (size_t)pb->blocks;
+    int32_t n = 0;
+    g->seam = sp__take(a, (size_t)pb->contacts, sizeof *g->seam);
+    g->degree = sp__take(a, b, sizeof *g->degree);
+    g->join = sp__take(a, b, sizeof *g->join);
+    g->order = sp__take(a, b, sizeof *g->order);
+    if (sp__failed(a) || !sp__forest_seams(pb, g)) return 0;
+    for (size_t i = 0; i < b; i++) g->degree[i] = g->join[i] = 0;
+    for (int32_t k = 0; k < pb->contacts; k++) {
+        const sp_contact *t = &pb->contact[g->seam[k]];
+        if (k && !sp__seam_order(pb, g->seam[k - 1], g->seam[k])) continue;
+        if (t->a >= 0) { g->degree[t->a]++; g->join[t->a] ^= k; }       /* of a single edge left its number */
+        if (t->b >= 0) { g->degree[t->b]++; g->join[t->b] ^= k; }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int32_t v = i; v >= 0 && g->degree[v] == 1;) {
+            const sp_contact *t = &pb->contact[g->seam[g->join[v]]];
+            const int32_t u = t->a == v ? t->b : t->a;
+            g->order[n++] = v;
+            g->degree[v] = 0;
+            if (u >= 0) { g->degree[u]--; g->join[u] ^= g->join[v]; }
+            v = u;
+        }
+    return n == pb->blocks;
+}
+
+/* Friction of an edge, on the B side of its first joint, spread as its pressure, and the slip against it:
+ * g(r) = G + w x (r - o). */
+typedef struct sp__plate {
+    const sp_contact *first;
+    int32_t from, to;                   /* of seam */
+    sp_real o[3], G[3], w[3], F, I, M;
+} sp__plate;
+
+static void sp__plate_at(const sp__plate *p, const sp_real r[3], sp_real g[3])
+{
+    sp_real arm[3];
+    sp__sub3(r, p->o, arm);
+    sp__cross3(p->w, arm, g);
+    for (int k = 0; k < 3; k++) g[k] += p->G[k];
+}
+
+/* +1, or -1 for a joint whose A is the other's B. */
+static sp_real sp__plate_side(const sp__plate *p, const sp_contact *t) { return t->b == p->first->b ? (sp_real)1 : (sp_real)-1; }
+
+/* Friction that statics found at point v of contact t, on the B side of the first. */
+static void sp__plate_friction(const sp__cra *c, const sp__plate *p, const sp_contact *t, int32_t v, sp_real ft[3])
+{
+    const sp_real *f = c->statics + 3 * (size_t)v, side = sp__plate_side(p, t);
+    for (int k = 0; k < 3; k++) ft[k] = side * (f[1] * t->joint->t1[k] + f[2] * t->joint->t2[k]);
+}
+
+/* One of four sums over an edge:  0 F, F o;  1 Ft;  2 I, Mn;  3 the largest |g|, returned. */
+SP__APART static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g, sp__plate *p, int pass)
+{
+    const sp_scene *scene = c->pb->scene;
+    const sp_real *at = scene->point[p->first->point];
+    sp_real most = 0;
+    for (int32_t k = p->from; k < p->to; k++) {
+        const sp_contact *t = &c->pb->contact[g->seam[k]];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real fn = c->statics[3 * (size_t)v];
+            sp_real x[3], y[3], ft[3];
+            sp__plate_friction(c, p, t, v, ft);
+            sp__sub3(scene->point[v], pass ? p->o : at, x);
+            sp__cross3(p->first->joint->n, x, y);
+            if (pass == 0) { p->F += fn; for (int q = 0; q < 3; q++) p->o[q] += fn * x[q]; }
+            if (pass == 1) for (int q = 0; q < 3; q++) p->G[q] += ft[q];
+            if (pass == 2) { p->I += fn * sp__dot3(y, y); p->M += sp__dot3(ft, y); }
+            if (pass < 3) continue;
+            sp__plate_at(p, scene->point[v], x);
+            most = sp__max(most, sp__norm3(x));
+        }
+    }
+    return most;
+}
+
+/* G = Ft / F, w = Mn / I n;  F = sum fn, o = sum fn r / F, I = sum fn |n x (r - o)|^2, Ft and Mn: friction and its moment
+ * about o.     returns the largest |g| of the edge's vertices */
+SP__APART static sp_real sp__plate_of(const sp__cra *c, const sp__forest *g, int32_t from, sp__plate *p)
+{
+    memset(p, 0, sizeof *p);
+    p->first = &c->pb->contact[g->seam[from]];
+    p->from = from;
+    for (p->to = from + 1; p->to < c->pb->contacts && !sp__seam_order(c->pb, g->seam[from], g->seam[p->to]);) p->to++;
+    sp__plate_sum(c, g, p, 0);
+    if (!(p->F > 0)) return 0;
+    for (int k = 0; k < 3; k++) p->o[k] = c->pb->scene->point[p->first->point][k] + p->o[k] / p->F;
+    for (int pass = 1; pass < 3; pass++) sp__plate_sum(c, g, p, pass);
+    sp__scale3(1 / p->F, p->G, p->G);
+    if (p->I > 0) sp__scale3(p->M / p->I, p->first->joint->n, p->w);
+    return sp__plate_sum(c, g, p, 3);
+}
+
+/* dq of block v from that of the block or support on the other side of the edge: sinking by eps, slip -s g. */
+SP__APART static void sp__plate_carry(const sp__cra *c, int32_t v, const sp__plate *p, sp_real s)
+{
+    const sp_contact *t = p->first;
+    const sp_problem *pb = c->pb;
+    const int32_t u = t->a == v ? t->b : t->a;
+    const sp_real sign = t->b == v ? (sp_real)1 : (sp_real)-1, *at = pb->scene->block[pb->block[v]].centroid;
+    sp_real *m = c->t.dq + 6 * (size_t)v, g[3];
+    sp__plate_at(p, at, g);
+    for (int k = 0; k < 3; k++) {
+        m[k] = -sign * (c->k.eps * c->k.L * t->joint->n[k] + s * g[k]);
+        m[k + 3] = -sign * s * p->w[k];
+    }
+    if (u < 0) return;
+    const sp_real *from = c->t.dq + 6 * (size_t)u;
+    sp_real arm[3], x[3];
+    sp__sub3(at, pb->scene->block[pb->block[u]].centroid, arm);
+    sp__cross3(from + 3, arm, x);
+    for (int k = 0; k < 3; k++) { m[k] += from[k] + x[k]; m[k + 3] += from[k + 3]; }
+}
+
+/* f and alpha of an edge. */
+SP__APART static void sp__plate_lay(const sp__cra *c, const sp__forest *g, const sp__plate *p, sp_real s)
+{
+    for (int32_t k = p->from; k < p->to; k++) {
+        const sp_contact *t = &c->pb->contact[g->seam[k]];
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            sp_real *f = c->t.f + 3 * v, x[3];
+            sp__plate_at(p, c->pb->scene->point[v], x);
+            f[0] = c->statics[3 * v];
+            f[1] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t1);
+            f[2] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t2);
+            c->t.alpha[v] = s > 0 ? f[0] / s : 0;
+        }
+    }
+}
+
+/* Where the edges hang the free blocks on the supports as a forest nothing need be searched for: how the sides of an edge move
+ * against each other can be chosen for each of them. All sink by eps, dn = -eps at every vertex, and slip like a plate whose
+ * drag is its pressure (sp__plate_of):
+ *
+ *     ft = fn g(r),    dt = -s g(r),    alpha = fn / s      s > 0 as small as eta likes
+ *
+ * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps and
+ * eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the normal,
+ * and else the judge tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
+ * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
+ *   returns 1 when the triple is verified */
+SP__APART static int sp__cra_hang(sp__cra *c, sp_arena a)
+{
+    const sp_problem *pb = c->pb;
+    const sp_real omega = c->omega;
+    sp__forest g;
+    if (!sp__hangs(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
+    for (int32_t k = pb->blocks; k-- > 0;) {
+        sp__plate p;
+        const sp_real most = sp__plate_of(c, &g, g.join[g.order[k]], &p), slip = c->k.L * (c->k.eta < 2 ? c->k.eta / 2 : 1);
+        const sp_real s = most > 0 ? slip / most : 0;
+        sp__plate_carry(c, g.order[k], &p, s);
+        sp__plate_lay(c, &g, &p, s);
+    }
+    c->out->cost.flops += 240 * (int64_t)pb->points;
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    if (c->omega <= c->set->tol && c->residual <= 1) return 1;
+    sp__cra_rest(c, omega);
+    return 0;
+}
+
+#endif
+
+#endif /* SP__COUPLED_FOREST_C */

@@ -1,0 +1,78 @@
+/* held: motions with joints held fast */
+#ifndef SP__COUPLED_HELD_C
+#define SP__COUPLED_HELD_C
+
+#include "springs.c"
+
+#if SP__WITH_COUPLED
+
+/* The motion is held fast: what each vertex may carry in it.     returns 0 when it is none that the conditions allow */
+SP__APART static int sp__cra_fasten(sp__cra *c)
+{
+    for (int deep = 1, round = 0; deep && round < 5; round++) {         /* what comes to lie too deep presses, too */
+        deep = 0;
+        sp__cra_press(c);
+        for (size_t v = 0; v < (size_t)c->pb->points; v++) {
+            if (c->d[3 * v] + c->k.eps >= -SP__GIVE) continue;
+            deep = !(c->f[3 * v] > 0);
+            c->f[3 * v] = 1;
+        }
+    }
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), gap = d[0] + c->k.eps;
+            const sp_real most = c->set->coupled.box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
+            const int rubs = slip > 2 * SP__SLIP;
+            if (gap < -SP__GIVE || sp__max(d[0], most) > c->k.eta) return 0;
+            c->held[v][0] = gap > SP__GIVE ? -1 : rubs ? sp__cra_reach(c, t, d) : 0;
+            c->held[v][1] = rubs ? -d[1] / slip : 0;
+            c->held[v][2] = rubs ? -d[2] / slip : 0;
+            c->held[v][3] = rubs ? 1 / slip : 0;
+        }
+    }
+    return 1;
+}
+
+/* The best answer so far: forces, and the motion with its alpha. */
+SP__APART static void sp__cra_keep(sp__cra *c)
+{
+    const sp__dual *w = c->w;
+    const sp_real soft = 1 / c->set->gamma;
+    c->least = -c->energy;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * c->still[k];
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_size(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real fm = s * soft * sp__max(c->d[3 * v], 0), *f = c->f + 3 * v;
+            sp_real *to = c->out->penalty + 4 * v;
+            c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->unit / c->k.L) * c->held[v][3];
+            to[0] = c->held[v][0] < 0 ? 0 : w->unit * sp__max(f[0] + fm, 0);
+            to[1] = w->unit * fm;
+            to[2] = w->unit * f[1];
+            to[3] = w->unit * f[2];
+        }
+    }
+}
+
+/* The penalty form in the motion at hand, put onto dn = -eps.     returns 1 when it is the best so far */
+SP__APART static int sp__cra_hold(sp__cra *c)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp__dual *w = c->w;
+    if (!sp__cra_fasten(c)) return 0;
+    memcpy(c->still, w->y, n * sizeof *w->y);
+    memset(w->y, 0, n * sizeof *w->y);
+    c->holds = 1;
+    c->goal = SP__AGREE;
+    const int better = sp__cra_descend(c) && sp__dual_norm(w, w->r) <= SP__AGREE * w->load && -c->energy < c->least;
+    if (better) sp__cra_keep(c);
+    c->holds = 0;
+    memcpy(w->y, c->still, n * sizeof *w->y);
+    return better;
+}
+
+#endif
+
+#endif /* SP__COUPLED_HELD_C */

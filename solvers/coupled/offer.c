@@ -1,0 +1,116 @@
+/* offer: triples made of forces and a motion, to be judged */
+#ifndef SP__COUPLED_OFFER_C
+#define SP__COUPLED_OFFER_C
+
+#include "springs.c"
+
+#if SP__WITH_COUPLED
+
+/* Forces are laid along the slips: df = -D Aeq' z where Aeq D Aeq' z = Aeq f + p; D of a vertex that presses, of one whose
+ * friction is free in size, of one at the rim of its cone.     returns 0 when a force changes its sign */
+SP__APART static int sp__cra_lay(sp__cra *c)
+{
+    sp__dual *w = c->w;
+    for (int round = 0; round < 4; round++) {
+        sp__cra_balance(c, c->f, 1);
+        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__dual_solve(w, w->r, w->d);
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6;
+            sp__dual_twist(w, t, w->d, V, W);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *D = c->D + 6 * (size_t)v;
+                sp_real *f = c->f + 3 * (size_t)v;
+                if (!(f[0] > 0)) continue;
+                sp__dual_rate(w, V, W, c->pb->local[v], u);
+                f[0] -= D[0] * u[0] + D[1] * u[1] + D[2] * u[2];
+                f[1] -= D[1] * u[0] + D[3] * u[1] + D[4] * u[2];
+                f[2] -= D[2] * u[0] + D[4] * u[1] + D[5] * u[2];
+                if (!(f[0] > 0) || f[1] * c->d[3 * (size_t)v + 1] + f[2] * c->d[3 * (size_t)v + 2] > 0) return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* How each vertex's force may change: none where it is open, along n, along the slip, along both at the rim of the cone.
+ * Friction whose slip is too short is dropped. */
+SP__APART static void sp__cra_freedoms(sp__cra *c)
+{
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), wn = sp__max(sp__max(f[0], ft) / c->most, (sp_real)1e-6 * s / c->most);
+            const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
+            const sp_real x = rubs ? -d[1] / slip : 0, y = rubs ? -d[2] / slip : 0;
+            const sp_real wt = rim ? wn * reach * reach : rubs ? wn : 0, cross = rim ? wn * reach : 0;
+            if (!rubs && ft > 100 * SP__DUST * s) c->tiny = 1;
+            D[0] = f[0] > 0 ? wn : 0;
+            D[1] = cross * x; D[2] = cross * y;
+            D[3] = wt * x * x; D[4] = wt * x * y; D[5] = wt * y * y;
+            f[1] = (rim ? reach * f[0] : ft) * x;
+            f[2] = (rim ? reach * f[0] : ft) * y;
+        }
+    }
+}
+
+#ifndef SP_NO_PLAN
+/* A triple in the plane as one in space: motions out of the axes e, f and alpha of mirrored corners those of their images. */
+static void sp__cra_lift(const sp__cra *c)
+{
+    const sp__flat *o = c->w->flat;
+    sp__flat_lift(c->w, c->t.dq);
+    sp__flat_spread(o, c->pb, c->t.f);
+    for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->mate[v] < v ? o->mate[v] : v];
+}
+#endif
+
+/* The triple in metres and newtons.     returns 1 when it is verified */
+SP__APART static int sp__cra_offer(sp__cra *c)
+{
+    const sp__dual *w = c->w;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * w->y[k];
+    memset(c->t.f, 0, 3 * (size_t)c->pb->points * sizeof *c->t.f);
+    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real *f = c->f + 3 * v, *d = c->d + 3 * v;
+            const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+            sp__scale3(w->unit, f, c->t.f + 3 * v);
+            if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
+        }
+    }
+#ifndef SP_NO_PLAN
+    if (w->flat) sp__cra_lift(c);
+#endif
+    if (!sp__dual_pay(c->w, 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points)) return 0;
+    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->offered = 1;
+    return c->omega <= c->set->tol && c->residual <= 1;
+}
+
+/* Forces and slips agree to some digits: the rest of the digits.     returns 1 when a triple is verified */
+SP__APART static int sp__cra_polish(sp__cra *c)
+{
+    memcpy(c->kept, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    c->tiny = 0;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (c->f[3 * (size_t)v] <= SP__DUST * s) memset(c->f + 3 * (size_t)v, 0, 3 * sizeof *c->f);
+    }
+    sp__cra_press(c);
+    sp__cra_freedoms(c);
+    return sp__cra_lay(c) && sp__cra_offer(c);
+}
+
+#endif
+
+#endif /* SP__COUPLED_OFFER_C */

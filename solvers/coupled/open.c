@@ -1,0 +1,70 @@
+/* open: what a coupled check needs, in an arena */
+#ifndef SP__COUPLED_OPEN_C
+#define SP__COUPLED_OPEN_C
+
+#include "springs.c"
+
+#if SP__WITH_COUPLED
+
+/* The dual, for work up to `limit`; flat (may be NULL): in 3 rows. */
+static int sp__cra_open(sp__cra *c, int64_t limit, sp__flat *flat, sp_arena *a)
+{
+    c->w = sp__dual_make(c->pb, c->set, SP__MOTION, flat, &c->out->cost, a);
+    if (!c->w) return 0;
+    c->w->limit = limit;
+    c->w->given = c->D;
+    return 1;
+}
+
+/* Its scales. */
+static void sp__cra_begin(const sp__cra *c)
+{
+    sp__dual_bilateral(c->w);
+    sp__dual_sizes(c->w, c->w->y);
+    if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
+}
+
+/* Is there a plane to search in? The seed's search takes the scene as it is. */
+static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat *o)
+{
+#ifndef SP_NO_PLAN
+    return !set->coupled.rounds && sp__flat_choose(pb, set, o) && o->mode == SP__PLANE;
+#else
+    (void)pb; (void)set; (void)o;
+    return 0;
+#endif
+}
+
+SP__APART static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
+{
+    sp_arena room = scratch;
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (!o) return SIZE_MAX;
+    const size_t dual = sp__dual_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
+    sp__cra *c = sp__take(&scratch, 1, sizeof *c);
+    if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
+    sp_arena dry = sp__arena_dry();
+    sp__take(&dry, 1, sizeof *c);
+    sp__triple_carve(&c->t, pb, &dry);
+    sp__cra_carve(c, pb, set->localise, &dry);
+    sp__take(&dry, 1, sp__judge_need(pb, set));
+    sp_arena branch = dry;
+    sp__take(&branch, 1, sp__branch_need(pb, set));
+    sp__take(&dry, 1, dual);
+    if (turns) sp__take(&dry, 1, turns);
+    return dry.used > branch.used ? dry.used : branch.used;
+}
+
+/* The forces of statics, all at rest. */
+static void sp__cra_rest(sp__cra *c, sp_real omega)
+{
+    memcpy(c->t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->t.f);
+    memset(c->t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->t.dq);
+    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
+    c->omega = omega;
+    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+}
+
+#endif
+
+#endif /* SP__COUPLED_OPEN_C */

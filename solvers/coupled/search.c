@@ -1,0 +1,109 @@
+/* search: rounds of the search */
+#ifndef SP__COUPLED_SEARCH_C
+#define SP__COUPLED_SEARCH_C
+
+#include "offer.c"
+#include "held.c"
+
+#if SP__WITH_COUPLED
+
+/* Rounds at one drag, to more digits where fewer do not do.
+ *   returns 1: a triple is verified, 0: go on, -1: the motion ran away */
+SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
+{
+    sp_real last = SP__HUGE;
+    c->goal = SP__AGREE;
+    for (int round = 0; round < 25; round++) {
+        c->out->rounds++;
+        if (!sp__cra_descend(c)) return -1;
+        if (c->soft > 0 && sp__cra_hold(c)) return 1;
+        c->far = 0;
+        if (sp__cra_update(c, damp)) {
+            c->far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
+            if (c->far || c->soft > 0) return 0;
+            if (sp__cra_polish(c)) return 1;
+            memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+            c->goal /= 1000;
+            if (c->goal < 100 * (sp_real)SP_EPSILON) return 0;
+        }
+        if (c->violation > last) damp = sp__max((sp_real)0.1, damp * (sp_real)0.7);
+        last = c->violation;
+    }
+    return 0;
+}
+
+/* A start with the joints that press already closed: forces as if dn + eps were dn, then the motion put onto dn = -eps there.
+ * Without eps they touch where they are, and press as statics found: nothing else would, where a squeezed block only slides. */
+static void sp__cra_close(sp__cra *c, sp_real drag)
+{
+    const int gives = c->k.eps > 0;
+    c->drag = drag;
+    c->goal = SP__AGREE;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real press = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            c->lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->unit;
+    }
+    if (!gives) return;
+    sp__cra_descend(c);
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = sp__max(c->f[3 * v], 0);
+    sp__cra_press(c);
+}
+
+/* From rest, with growing drag.     returns 1 when a triple is verified */
+SP__APART static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
+{
+    memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
+    sp__cra_close(c, drag);
+    for (c->drag = drag; c->drag < 200 || (c->far && c->drag < 20000); c->drag *= 10) {
+        const int found = sp__cra_rounds(c, damp);
+        if (found) return found > 0;
+    }
+    return 0;
+}
+
+/* Friction to start with: without a bound, at mu times statics' fn, a whole or (other contacts than `lone`, or it alone) hardly
+ * any of the drag. */
+typedef enum sp__start { SP__START_FREE, SP__START_STATICS, SP__START_DRAG, SP__START_LONE, SP__START_OTHERS } sp__start;
+
+static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
+{
+    c->viscous = how >= SP__START_DRAG;
+    c->grow = how == SP__START_DRAG ? 2 : 1;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real most = t->joint->joint.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->unit);
+            c->cap[v] = c->viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
+        }
+    }
+}
+
+#define SP__LONE_MOST 24                /* contacts up to which each is tried alone: what jams askew does so by unequal drag */
+
+/* Several starts, the likeliest first. */
+static int sp__cra_search(sp__cra *c)
+{
+    static const struct { sp__start how; sp_real drag, damp; } start[] = {
+        { SP__START_FREE, (sp_real)0.01, (sp_real)0.7 }, { SP__START_FREE, (sp_real)0.1, (sp_real)0.3 },
+        { SP__START_DRAG, (sp_real)0.01, 0 },            { SP__START_STATICS, (sp_real)0.01, (sp_real)0.3 },
+        { SP__START_DRAG, 1, 0 },                        { SP__START_STATICS, 1, (sp_real)0.3 },
+        { SP__START_FREE, 1, (sp_real)0.3 },             { SP__START_DRAG, (sp_real)1e-4, 0 } };
+    for (int k = 0; k < 8; k++) {
+        sp__cra_start(c, start[k].how, 0);
+        if (sp__cra_grow(c, start[k].drag, start[k].damp)) return 1;
+        if (c->w->spent) return 0;
+    }
+    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST && !c->w->spent; q++)
+        for (int others = 0; others < 2; others++) {
+            sp__cra_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
+            if (sp__cra_grow(c, (sp_real)0.01, 0)) return 1;
+        }
+    return 0;
+}
+
+#endif
+
+#endif /* SP__COUPLED_SEARCH_C */

@@ -1,0 +1,334 @@
+/* springs: the search: springs at pressing joints, drag at slipping ones */
+#ifndef SP__COUPLED_SPRINGS_C
+#define SP__COUPLED_SPRINGS_C
+
+#include "../statics/bilateral.c"
+#include "decide.c"
+
+#if SP__WITH_COUPLED
+
+/* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
+ * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; DESIGN 9.3]
+ *
+ * For any alpha >= 0 the motion that minimises   -p . dq + 1/2 sum alpha |dt|^2   subject to dn >= -eps   meets every condition
+ * but two: fn, its multiplier, balances the loads with ft = -alpha dt, but |ft| may exceed mu fn, and slips eta. So the search
+ * looks for alpha. It starts with a drag so weak that joints close before friction carries anything, cuts each vertex's friction
+ * at mu times the normal force it saw last, and lets the drag grow, which shortens the slips:
+ *
+ *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2       h: drag/2 |dt|^2, from drag |dt| = cap on linear
+ *
+ * by Newton steps on the block matrix of the dual; lam <- fn, cap <- mu fn. Where forces and slips then agree, the motion is
+ * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
+
+typedef struct sp__cra {
+    const sp_problem *pb;
+    const sp_settings *set;
+    sp__lengths k;
+    sp__judge j;
+    sp__triple t;                       /* on offer */
+    sp_real omega, residual;            /* what the judge says of it */
+    int offered;                        /* there was one */
+    sp_coupled *out;
+    sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
+    sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
+    sp_real *lam, *cap;                 /* points: multiplier of the normal, bound of the friction */
+    sp_real *kept;                      /* 6b */
+    const sp_real *statics;             /* 3 x points: the forces that were found [N] */
+    sp_real drag;                       /* of slip, in sbar / L */
+    sp_real most;                       /* largest sbar of a contact */
+    sp_real goal, violation, change;    /* friction beyond its cone, change of fn, relative to sbar */
+    int viscous;                        /* friction beyond its cone is lessened by its drag, cap is a factor on it; else cut */
+    int far;                            /* forces and slips agree, but a slip or opening exceeds eta */
+    sp_real grow;                       /* how fast a drag that was lessened may grow again */
+    int tiny;                           /* friction had to be dropped because its slip was too short */
+    int mirror, spent;                  /* it was searched for in the plane; the budget ended the search */
+    sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
+    sp_real (*held)[4];                 /* points, of a motion held fast: largest |ft| / fp, -1: open; direction; 1 / |dt| */
+    sp_real *still;                     /* 6b: that motion */
+    int holds;                          /* forces are those of the penalty form in the motion held fast */
+    sp_real energy, least;              /* at the end of a descent; of the penalty form so far */
+} sp__cra;
+
+#ifdef SP_REAL_FLOAT
+#define SP__AGREE ((sp_real)1e-3)       /* forces and slips agree so far when their other digits are tried */
+#define SP__STIFF ((sp_real)100)        /* kn: of joints, in sbar / L */
+#define SP__DUST ((sp_real)1e-5)        /* forces below it, relative to sbar, are taken for none */
+#else
+#define SP__AGREE ((sp_real)1e-7)
+#define SP__STIFF ((sp_real)1e4)
+#define SP__DUST ((sp_real)1e-8)
+#endif
+#define SP__CRA_FLOPS 4000000000        /* work after which the search gives up */
+#define SP__HOLD_SHIFT ((sp_real)(sizeof(sp_real) == 8 ? 1e-8 : 1e-5))          /* SP__SHIFT for a motion held fast */
+
+static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
+{
+    t->f = sp__take(a, (size_t)pb->points, 3 * sizeof *t->f);
+    t->dq = sp__take(a, (size_t)pb->blocks, 6 * sizeof *t->dq);
+    t->alpha = sp__take(a, (size_t)pb->points, sizeof *t->alpha);
+}
+
+static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_arena *a)
+{
+    const size_t v = (size_t)pb->points;
+    c->f = sp__take(a, v, 3 * sizeof *c->f);
+    c->d = sp__take(a, v, 3 * sizeof *c->d);
+    c->D = sp__take(a, v, 6 * sizeof *c->D);
+    c->lam = sp__take(a, v, sizeof *c->lam);
+    c->cap = sp__take(a, v, sizeof *c->cap);
+    c->kept = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->kept);
+    c->still = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->still);
+    c->held = sp__take(a, localise ? v : 0, sizeof *c->held);
+}
+
+/* sbar of the vertices of contact c, the smaller. */
+static sp_real sp__cra_sbar(const sp__cra *c, const sp_contact *t)
+{
+    return sp__lesser(t, &c->j.scale->s, sizeof *c->j.scale / sizeof c->j.scale->s);
+}
+
+/* Largest |ft| / fn against slip d: mu, of a pyramid what it reaches in that direction. */
+static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_real d[3])
+{
+    const sp_real mu = t->joint->joint.mu * c->j.mu_factor, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    sp_real most = 0;
+    if (!c->set->faces || !(slip > 0)) return mu;
+    for (int32_t k = 0; k < c->set->faces; k++)
+        most = sp__max(most, -(c->j.direction[k][0] * d[1] + c->j.direction[k][1] * d[2]));
+    return mu * (slip / most);
+}
+
+/* u = Aeq' y at every vertex. */
+SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
+{
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        sp_real V[3], W[3];
+        sp__dual_twist(c->w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (sp__dual_counts(c->w, v) > 0) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
+    }
+}
+
+/* w->r = Aeq f + load (load: 1 or 0), weighted. */
+SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int load)
+{
+    const sp_problem *pb = c->pb;
+    if (load) sp__dual_load(c->w, c->w->r);
+    else memset(c->w->r, 0, 6 * (size_t)pb->blocks * sizeof *c->w->r);
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
+    for (int32_t q = 0; q < pb->contacts; q++) {
+        const sp_contact *t = &pb->contact[q];
+        sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const sp_real *g = f + 3 * (size_t)v, times = sp__dual_counts(c->w, v);
+            if (!(times > 0)) continue;
+            sp__cross3(pb->local[v], g, m);
+            for (int k = 0; k < 3; k++) { F[k] += times * g[k]; M[k] += times * m[k]; }
+        }
+        sp__dual_scatter(c->w, t, F, M, c->w->r);
+    }
+    sp__dual_release(c->w, c->w->r);
+}
+
+/* Force and derivative of one vertex that moves by d; the energy stored in it is added to *energy. */
+static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
+{
+    const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), cap = c->viscous ? SP__HUGE : c->cap[v];
+    const sp_real drag = c->drag * s * (c->viscous ? c->cap[v] : 1), fn = c->lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
+    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    const int slides = drag * slip > cap;
+    const sp_real al = slides ? cap / slip : drag, z = al / (SP__STIFF * c->most);
+    const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
+    f[0] = fn > 0 ? fn : c->soft * fn;
+    f[1] = -al * d[1];
+    f[2] = -al * d[2];
+    D[0] = (fn > 0 ? 1 : c->soft) * s / c->most;
+    D[1] = D[2] = 0;
+    D[3] = z * (1 - x * x);
+    D[4] = -z * x * y;
+    D[5] = z * (1 - y * y);
+    *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
+}
+
+/* The same of a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
+ * the nearest to -(dn, e . dt / sqrt(tau)) in the wedge between (1, 0) and (1, m). */
+static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
+{
+    const sp_real *d = c->d + 3 * v, *held = c->held[v], soft = 1 / c->set->gamma, slide = 1 / SP_SQRT(c->set->tau);
+    const sp_real m = held[0] / slide, x = -d[0], z = -slide * (held[1] * d[1] + held[2] * d[2]);
+    const sp_real on = (x + m * z) / (1 + m * m);
+    const int open = held[0] < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
+    const int axis = !open && z <= 0 && x > 0;
+    const sp_real nn = inside || axis ? 1 : rim ? 1 / (1 + m * m) : 0;
+    const sp_real nt = rim ? m * nn : 0, tt = inside ? 1 : rim ? m * nt : 0;
+    const sp_real fp = inside || axis ? x : rim ? on : 0, ft = inside ? z : rim ? m * on : 0, fm = soft * sp__max(-x, 0);
+    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    f[0] = s * (fp - fm);
+    f[1] = s * slide * ft * held[1];
+    f[2] = s * slide * ft * held[2];
+    s /= c->most;
+    D[0] = s * (nn + (x < 0 ? soft : 0));
+    D[1] = s * slide * nt * held[1];
+    D[2] = s * slide * nt * held[2];
+    s *= slide * slide * tt;
+    D[3] = s * held[1] * held[1];
+    D[4] = s * held[1] * held[2];
+    D[5] = s * held[2] * held[2];
+    *energy += (f[0] * x + f[1] * -d[1] + f[2] * -d[2]) / 2;
+}
+
+/* sbar of contact t as the penalty form takes it: no metric unless there must be one. */
+static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
+{
+    return c->w->metric > 0 ? sp__cra_sbar(c, t) : c->most;
+}
+
+/* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
+SP__APART static sp_real sp__cra_springs(sp__cra *c)
+{
+    sp_real energy = 0;
+    sp__cra_rates(c, c->w->y, c->d);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = c->holds ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
+        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+            const sp_real times = sp__dual_counts(c->w, (int32_t)v);
+            sp_real part = 0;
+            if (!(times > 0)) continue;
+            if (c->holds) sp__cra_wedge(c, v, s, &part);
+            else sp__cra_vertex(c, v, s, &part);
+            energy += times * part;
+        }
+    }
+    sp__cra_balance(c, c->f, 1);
+    return energy - sp__dual_work(c->w, c->w->y);
+}
+
+/* Largest component of Aeq' y. */
+SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
+{
+    sp_real most = 0;
+    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return 0;
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        sp_real V[3], W[3], u[3];
+        sp__dual_twist(c->w, t, y, V, W);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (!(sp__dual_counts(c->w, v) > 0)) continue;
+            sp__dual_rate(c->w, V, W, c->pb->local[v], u);
+            for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
+        }
+    }
+    return most;
+}
+
+/* y <- kept + step d */
+static sp_real sp__cra_at(sp__cra *c, sp_real step)
+{
+    memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    sp__dual_axpy(c->w, step, c->w->d, c->w->y);
+    return sp__cra_springs(c);
+}
+
+/* Where between 0 and `high` along d the energy is least; it falls by `down` at first, and rises at `step`. */
+static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real down)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp_real low = 0, energy = 0;
+    for (int k = 0; k < 20; k++) {
+        energy = sp__cra_at(c, step);
+        const sp_real slope = sp__dot(c->w->r, c->w->d, n);
+        if (sp__abs(slope) < (sp_real)0.1 * down) break;
+        if (slope > 0) low = step;
+        else high = step;
+        step = (low + high) / 2;
+    }
+    return energy;
+}
+
+/* Newton steps with halving on the energy; a motion held fast has sharper bends, and takes more of them.
+ *   returns 0 when the motion runs away, or the work is spent */
+SP__APART static int sp__cra_descend(sp__cra *c)
+{
+    const size_t n = 6 * (size_t)c->pb->blocks;
+    sp__dual *w = c->w;
+    const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->goal);
+    const sp_real shift = c->holds ? SP__HOLD_SHIFT : SP__SHIFT;
+    const sp_real room = 1 + (c->holds ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((c->holds ? 1 : SP__STIFF) * c->most);
+    c->energy = sp__cra_springs(c);
+    for (int it = 0; it < (c->holds ? 150 : 15) && !w->spent; it++) {
+        if (sp__dual_norm(w, w->r) <= enough * w->load) break;
+        sp__dual_factor(w, SP__GIVEN, w->y, shift);
+        sp__dual_solve(w, w->r, w->d);
+        const sp_real down = sp__dot(w->r, w->d, n), far = sp__cra_extent(c, w->d);
+        memcpy(c->kept, w->y, n * sizeof *w->y);
+        sp_real step = far * whole > 20 * room ? 20 * room / far : whole, next = c->energy;
+        for (int half = 0; half < 30; half++, step /= 2) {
+            next = sp__cra_at(c, step);
+            if (next <= c->energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(c->energy)) break;
+        }
+        c->energy = c->holds && step < whole ? sp__cra_valley(c, step, whole, down) : next;
+        c->out->cost.iterations++;
+        if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
+    }
+    return !w->spent;
+}
+
+/* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
+SP__APART static int sp__cra_update(sp__cra *c, sp_real damp)
+{
+    c->violation = c->change = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            const sp_real s = sp__cra_sbar(c, t);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                const sp_real *f = c->f + 3 * (size_t)v;
+                const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->d + 3 * (size_t)v) * fp;
+                const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+                if (!pass) {
+                    c->violation = sp__max(c->violation, (ft - room) / s);
+                    c->change = sp__max(c->change, sp__abs(fp - c->lam[v]) / (SP__STIFF * s));
+                    c->lam[v] = fp;
+                } else if (c->viscous) {
+                    if (ft > 0) c->cap[v] *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->grow);
+                    if (c->cap[v] > 1) c->cap[v] = 1;
+                } else c->cap[v] = c->cap[v] < SP__HUGE ? damp * room + (1 - damp) * c->cap[v] : room;
+            }
+            if (q + 1 == c->pb->contacts && !pass && c->violation <= c->goal) pass = 1;     /* the caps are good */
+        }
+    return c->violation <= c->goal && c->change <= c->goal;
+}
+
+/* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
+SP__APART static void sp__cra_press(sp__cra *c)
+{
+    sp__dual *w = c->w;
+    for (int round = 0; round < 5; round++) {
+        sp__cra_rates(c, w->y, c->d);
+        for (int32_t q = 0; q < c->pb->contacts; q++) {
+            const sp_contact *t = &c->pb->contact[q];
+            const sp_real s = sp__cra_sbar(c, t) / c->most;
+            for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
+                const int presses = c->f[3 * v] > 0;
+                sp_real *D = c->D + 6 * v;
+                D[0] = presses ? s : 0;
+                D[1] = D[2] = D[4] = 0;
+                D[3] = D[5] = (sp_real)1e-6 * s;
+                c->d[3 * v] = presses ? -s * (c->d[3 * v] + c->k.eps) : 0;
+                c->d[3 * v + 1] = c->d[3 * v + 2] = 0;
+            }
+        }
+        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__cra_balance(c, c->d, 0);
+        sp__dual_solve(w, w->r, w->d);
+        sp__dual_axpy(w, 1, w->d, w->y);
+    }
+    sp__cra_rates(c, w->y, c->d);
+}
+
+#endif
+
+#endif /* SP__COUPLED_SPRINGS_C */

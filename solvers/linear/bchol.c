@@ -1,0 +1,399 @@
+/* bchol: Cholesky factors of a sparse symmetric matrix of 6 x 6 blocks, A = L L'.                    [George, Liu 1981, ch. 5]
+ *
+ * Rows are renumbered by sp__order. Column k of L: its diagonal block in d (the lower triangle by columns, 21 numbers, entry
+ * (r, c) at sp__column[c] + r - c, reciprocals on the diagonal), the blocks below it in x, row numbers ascending in i, entry
+ * (r, c) of a block at 6 c + r.
+ * Right-looking: when column k is final, every pair of its blocks updates one block further right.
+ * A pivot below `floor` is raised to it and the rest of its column dropped: such a direction carries nothing, and what rounding
+ * left of the column would grow. Its reciprocal is marked by a minus sign.
+ */
+#ifndef SP__BCHOL_C
+#define SP__BCHOL_C
+
+#include "order.c"
+
+#if SP__WITH_LARGE
+
+static const unsigned char sp__column[6] = { 0, 6, 11, 15, 18, 20 };    /* where the columns of a lower triangle start */
+static const unsigned char sp__column3[3] = { 0, 3, 5 };                /* of one of 3 x 3 */
+
+typedef struct sp__bchol {
+    int32_t n, rows;                    /* rows: 6, or 3 with blocks of 6 numbers in d and 9 in x */
+    int32_t *perm, *inv;                /* k-th eliminated row, and back */
+    int32_t *p, *i;                     /* column starts (n + 1), row numbers in elimination order */
+    sp__low *d, *x;                     /* 21 n, 36 p[n] */
+#ifdef SP_REAL_MIXED
+    sp_real *d3, *x3;                   /* in place of them where rows = 3 */
+#endif
+    sp_real *t;                         /* 6 n: right-hand side in elimination order, free between solves */
+    sp__low *z;                         /* the same in the factor's precision: t, where that is the only one */
+    int64_t flops;                      /* of one factorisation */
+} sp__bchol;
+
+static void sp__bchol_carve_pattern(sp__bchol *f, int32_t n, sp_arena *a)
+{
+    f->n = n;
+    f->rows = 6;
+    f->perm = sp__take(a, (size_t)n, sizeof *f->perm);
+    f->inv = sp__take(a, (size_t)n, sizeof *f->inv);
+    f->p = sp__take(a, (size_t)n + 1, sizeof *f->p);
+}
+
+static void sp__bchol_carve_values(sp__bchol *f, int32_t nnz, sp_arena *a)
+{
+    f->i = sp__take(a, (size_t)nnz, sizeof *f->i);
+    const int flat = f->rows == 3;
+#ifdef SP_REAL_MIXED
+    f->d3 = sp__take(a, (size_t)f->n, (flat ? 6 : 0) * sizeof *f->d3);
+    f->x3 = sp__take(a, (size_t)nnz, (flat ? 9 : 0) * sizeof *f->x3);
+    f->d = sp__take(a, (size_t)f->n, (flat ? 0 : 21) * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, (flat ? 0 : 36) * sizeof *f->x);
+#else
+    f->d = sp__take(a, (size_t)f->n, (flat ? 6 : 21) * sizeof *f->d);
+    f->x = sp__take(a, (size_t)nnz, (flat ? 9 : 36) * sizeof *f->x);
+#endif
+    f->t = sp__take(a, (size_t)f->n, 6 * sizeof *f->t);
+#ifdef SP_REAL_MIXED
+    f->z = sp__take(a, (size_t)f->n, 6 * sizeof *f->z);
+#else
+    f->z = f->t;
+#endif
+}
+
+/* Walk the pattern of L by rows: row k holds j if a path leads from j up the elimination tree to k. Without `i` the columns
+ * are counted into p (p[j + 1] for column j), with `i` they are filled; p then serves as cursor and is shifted back after. */
+static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark, int32_t *i)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        const int32_t v = f->perm[k];
+        mark[k] = k;
+        if (!i) parent[k] = -1;
+        for (int32_t q = xadj[v]; q < xadj[v + 1]; q++)
+            for (int32_t j = f->inv[adj[q]]; j < k && mark[j] != k; j = parent[j]) {
+                mark[j] = k;
+                if (i) i[f->p[j]++] = k;
+                else {
+                    f->p[j + 1]++;
+                    if (parent[j] < 0) parent[j] = k;
+                }
+            }
+    }
+}
+
+/* Count in the order of perm: fills inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
+ * does not fit an int32. parent (n) is for sp__bchol_pattern. */
+SP__APART static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
+{
+    for (int32_t k = 0; k < f->n; k++) { f->inv[f->perm[k]] = k; f->p[k] = 0; }
+    f->p[f->n] = 0;
+    sp__bchol_rows(f, xadj, adj, parent, mark, NULL);
+    int64_t nnz = 0;
+    f->flops = 0;
+    for (int32_t k = 0; k < f->n; k++) {
+        const int64_t c = f->p[k + 1];
+        f->flops += 91 + 468 * c + 432 * (c * (c - 1) / 2);     /* 6x6 Cholesky, c triangular solves and squares, products */
+        nnz += c;
+        if (nnz > INT32_MAX / 36) return -1;
+        f->p[k + 1] = (int32_t)nnz;
+    }
+    return (int32_t)nnz;
+}
+
+/* Order and count. Scratch: what sp__order_carve takes. */
+static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
+                                 sp_arena scratch)
+{
+    sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
+    return sp__bchol_count(f, xadj, adj, parent, mark);
+}
+
+static void sp__bchol_pattern(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
+{
+    for (int32_t k = 0; k < f->n; k++) mark[k] = -1;
+    sp__bchol_rows(f, xadj, adj, parent, mark, f->i);
+    for (int32_t k = f->n; k > 0; k--) f->p[k] = f->p[k - 1];
+    f->p[0] = 0;
+}
+
+/* Place of block (row r, column c) of the matrix, r and c unpermuted, r != c; *turned: it is stored as its transpose. */
+static int32_t sp__bchol_slot(const sp__bchol *f, int32_t r, int32_t c, int32_t *turned)
+{
+    int32_t k = f->inv[c], i = f->inv[r];
+    *turned = k > i;
+    if (*turned) { const int32_t s = k; k = i; i = s; }
+    int32_t lo = f->p[k], hi = f->p[k + 1];
+    while (hi - lo > 1) {
+        const int32_t mid = lo + (hi - lo) / 2;
+        if (f->i[mid] <= i) lo = mid; else hi = mid;
+    }
+    return lo;
+}
+
+/* L L' = A for one block, lower triangle in place, reciprocal diagonal. */
+static void sp__bchol_block(sp__low *a, sp__low floor)
+{
+    for (int c = 0; c < 6; c++) {
+        sp__low *ac = a + sp__column[c];
+        for (int k = 0; k < c; k++) {
+            const sp__low *ak = a + sp__column[k] + c - k;
+            const sp__low s = *ak;
+            for (int r = c; r < 6; r++) ac[r - c] -= ak[r - c] * s;
+        }
+        const int carries = *ac > floor;
+        const sp__low s = (sp__low)(1 / SP_SQRT((sp_real)(carries ? *ac : floor)));
+        *ac = carries ? s : -s;
+        for (int r = c + 1; r < 6; r++) ac[r - c] *= carries ? s : 0;
+    }
+}
+
+/* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
+static inline void sp__less6(sp__low *z, const sp__low *l, sp__low s)
+{
+    z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
+}
+
+/* X <- X L'^-1, column by column. */
+static void sp__bchol_right(sp__low *x, const sp__low *l)
+{
+    for (int c = 0; c < 6; c++) {
+        sp__low *xc = x + 6 * c;
+        for (int k = 0; k < c; k++) sp__less6(xc, x + 6 * k, l[sp__column[k] + c - k]);
+        const sp__low s = l[sp__column[c]] < 0 ? 0 : l[sp__column[c]];
+        xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
+    }
+}
+
+/* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
+static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
+{
+    for (int q = 0; q < 6; q++) {
+        sp__low *cq = c + 6 * q;
+        sp__low c0 = cq[0], c1 = cq[1], c2 = cq[2], c3 = cq[3], c4 = cq[4], c5 = cq[5];
+#define SP__STEP(k) { const sp__low s = b[6 * (k) + q]; const sp__low *ak = a + 6 * (k); \
+        c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
+        SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
+#undef SP__STEP
+        cq[0] = c0; cq[1] = c1; cq[2] = c2; cq[3] = c3; cq[4] = c4; cq[5] = c5;
+    }
+}
+
+/* C <- C - A A', the lower triangle C. */
+static void sp__bchol_square(sp__low *c, const sp__low *a)
+{
+    for (int k = 0; k < 6; k++, a += 6) {
+        const sp__low a0 = a[0], a1 = a[1], a2 = a[2], a3 = a[3], a4 = a[4], a5 = a[5];
+        c[0] -= a0 * a0; c[1] -= a1 * a0; c[2] -= a2 * a0; c[3] -= a3 * a0; c[4] -= a4 * a0; c[5] -= a5 * a0;
+        c[6] -= a1 * a1; c[7] -= a2 * a1; c[8] -= a3 * a1; c[9] -= a4 * a1; c[10] -= a5 * a1;
+        c[11] -= a2 * a2; c[12] -= a3 * a2; c[13] -= a4 * a2; c[14] -= a5 * a2;
+        c[15] -= a3 * a3; c[16] -= a4 * a3; c[17] -= a5 * a3;
+        c[18] -= a4 * a4; c[19] -= a5 * a4;
+        c[20] -= a5 * a5;
+    }
+}
+
+SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        sp__low *d = f->d + 21 * (size_t)k;
+        sp__bchol_block(d, floor);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) sp__bchol_right(f->x + 36 * (size_t)q, d);
+        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
+            const int32_t j = f->i[b];
+            const sp__low *xb = f->x + 36 * (size_t)b;
+            sp__bchol_square(f->d + 21 * (size_t)j, xb);
+            int32_t to = f->p[j];
+            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
+                while (f->i[to] < f->i[a]) to++;
+                sp__bchol_update(f->x + 36 * (size_t)to, f->x + 36 * (size_t)a, xb);
+            }
+        }
+    }
+}
+
+#if !defined SP_NO_PLAN || (!defined SP_NO_IPM && !defined SP_REAL_MIXED)
+/* Numbers of blocks in full precision: where it is mixed only those of 3 x 3 are. */
+#ifdef SP_REAL_MIXED
+static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d3; }
+static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x3; }
+#else
+static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d; }
+static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x; }
+#endif
+#endif
+
+#ifndef SP_NO_PLAN
+/* The same with blocks of 3 x 3: 6 numbers a diagonal block, 9 below. */
+static void sp__bchol3_block(sp_real *d, sp_real floor)
+{
+    for (int c = 0; c < 3; c++) {
+        sp_real *x = d + sp__column3[c];
+        const int carries = *x > floor;
+        const sp_real s = 1 / SP_SQRT(carries ? *x : floor);
+        for (int r = c + 1; r < 3; r++) x[r - c] *= carries ? s : 0;
+        *x = carries ? s : -s;
+        for (int k = c + 1; k < 3; k++)
+            for (int r = k; r < 3; r++) d[sp__column3[k] + r - k] -= x[r - c] * x[k - c];
+    }
+}
+
+SP__APART static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
+{
+    for (int32_t k = 0; k < f->n; k++) {
+        sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        sp__bchol3_block(d, floor);
+        const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {               /* X <- X L'^-1 */
+            sp_real *x = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) {
+                x[r] *= s0;
+                x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
+                x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
+            }
+        }
+        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
+            const int32_t j = f->i[b];
+            const sp_real *xb = sp__bchol_x(f) + 9 * (size_t)b;
+            sp_real *e = sp__bchol_d(f) + 6 * (size_t)j;
+            for (int c = 0, at = 0; c < 3; c++)
+                for (int r = c; r < 3; r++, at++) e[at] -= xb[r] * xb[c] + xb[3 + r] * xb[3 + c] + xb[6 + r] * xb[6 + c];
+            int32_t to = f->p[j];
+            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
+                while (f->i[to] < f->i[a]) to++;
+                const sp_real *xa = sp__bchol_x(f) + 9 * (size_t)a;
+                sp_real *x = sp__bchol_x(f) + 9 * (size_t)to;
+                for (int c = 0; c < 3; c++)
+                    for (int r = 0; r < 3; r++) x[3 * c + r] -= xa[r] * xb[c] + xa[3 + r] * xb[3 + c] + xa[6 + r] * xb[6 + c];
+            }
+        }
+    }
+}
+
+/* t <- (L L')^-1 t, 3 n in elimination order. */
+SP__APART static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
+{
+    for (int32_t k = 0; k < f->n; k++) {                                /* L z = b */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        v[0] *= sp__abs(d[0]);
+        v[1] = (v[1] - d[1] * v[0]) * sp__abs(d[3]);
+        v[2] = (v[2] - d[2] * v[0] - d[4] * v[1]) * sp__abs(d[5]);
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            sp_real *z = t + 3 * (size_t)f->i[q];
+            const sp_real *l = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int r = 0; r < 3; r++) z[r] -= l[r] * v[0] + l[3 + r] * v[1] + l[6 + r] * v[2];
+        }
+    }
+    for (int32_t k = f->n - 1; k >= 0; k--) {                           /* L' x = z */
+        sp_real *v = t + 3 * (size_t)k;
+        const sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp_real *z = t + 3 * (size_t)f->i[q], *l = sp__bchol_x(f) + 9 * (size_t)q;
+            for (int c = 0; c < 3; c++, l += 3) v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2];
+        }
+        v[2] *= sp__abs(d[5]);
+        v[1] = (v[1] - d[4] * v[2]) * sp__abs(d[3]);
+        v[0] = (v[0] - d[1] * v[1] - d[2] * v[2]) * sp__abs(d[0]);
+    }
+}
+#endif
+
+#if !defined SP_NO_IPM && !(defined SP_REAL_MIXED && defined SP_NO_PLAN)
+/* Numbers of a diagonal block, of one below; where column c of the former starts. */
+static size_t sp__bchol_triangle(const sp__bchol *f) { return f->rows == 3 ? 6 : 21; }
+static size_t sp__bchol_whole(const sp__bchol *f) { return f->rows == 3 ? 9 : 36; }
+static size_t sp__bchol_at(const sp__bchol *f, int c) { return f->rows == 3 ? sp__column3[c] : sp__column[c]; }
+
+/* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
+SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
+{
+    const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
+    for (size_t k = 0; k < (size_t)f->n; k++) {
+        sp_real *d = sp__bchol_d(f) + sp__bchol_triangle(f) * k, *t = f->t + n * k;
+        for (int c = 0; c < f->rows; c++) {
+            const sp_real x = d[sp__bchol_at(f, c)];
+            t[c] = x > 0 ? 1 / SP_SQRT(x) : 1;
+        }
+        for (int c = 0; c < f->rows; c++) {
+            sp_real *x = d + sp__bchol_at(f, c);
+            for (int r = c; r < f->rows; r++) x[r - c] *= t[c] * t[r];
+            *x += shift;
+        }
+    }
+    for (int32_t k = 0; k < f->n; k++)
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp_real *s = f->t + n * (size_t)k, *t = f->t + n * (size_t)f->i[q];
+            for (size_t c = 0; c < whole; c++) sp__bchol_x(f)[whole * (size_t)q + c] *= s[c / n] * t[c % n];
+        }
+}
+
+/* L <- T^-1 L: the factor of A, not of T A T. */
+SP__APART static void sp__bchol_unbalance(sp__bchol *f)
+{
+    const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
+    for (int32_t k = 0; k < f->n; k++) {
+        sp_real *d = sp__bchol_d(f) + sp__bchol_triangle(f) * (size_t)k, *t = f->t + n * (size_t)k;
+        for (int c = 0; c < f->rows; c++) {
+            sp_real *x = d + sp__bchol_at(f, c);
+            *x *= t[c];
+            for (int r = c + 1; r < f->rows; r++) x[r - c] /= t[r];
+        }
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++)
+            for (size_t c = 0; c < whole; c++) sp__bchol_x(f)[whole * (size_t)q + c] /= f->t[n * (size_t)f->i[q] + c % n];
+    }
+}
+#endif
+
+static void sp__bchol_zero(sp__bchol *f)
+{
+#ifndef SP_NO_PLAN
+    if (f->rows == 3) {
+        memset(sp__bchol_d(f), 0, (size_t)f->n * 6 * sizeof(sp_real));
+        memset(sp__bchol_x(f), 0, (size_t)f->p[f->n] * 9 * sizeof(sp_real));
+        return;
+    }
+#endif
+    memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);
+    memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
+}
+
+/* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
+SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
+{
+    sp__low *t = f->z;
+    for (int32_t k = 0; k < f->n; k++)
+        for (int r = 0; r < 6; r++) t[6 * (size_t)k + (size_t)r] = (sp__low)b[6 * (size_t)f->perm[k] + (size_t)r];
+    for (int32_t k = 0; k < f->n; k++) {                                        /* L z = b */
+        sp__low *v = t + 6 * (size_t)k;
+        const sp__low *d = f->d + 21 * (size_t)k;
+        for (int c = 0; c < 6; c++) {
+            const sp__low *dc = d + sp__column[c];
+            v[c] *= (sp__low)sp__abs((sp_real)*dc);
+            for (int r = c + 1; r < 6; r++) v[r] -= dc[r - c] * v[c];
+        }
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            sp__low *z = t + 6 * (size_t)f->i[q];
+            const sp__low *l = f->x + 36 * (size_t)q;
+            for (int c = 0; c < 6; c++, l += 6) sp__less6(z, l, v[c]);
+        }
+    }
+    for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
+        sp__low *v = t + 6 * (size_t)k;
+        const sp__low *d = f->d + 21 * (size_t)k;
+        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+            const sp__low *z = t + 6 * (size_t)f->i[q];
+            const sp__low *l = f->x + 36 * (size_t)q;
+            for (int c = 0; c < 6; c++, l += 6)
+                v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
+        }
+        for (int c = 5; c >= 0; c--) {
+            const sp__low *dc = d + sp__column[c];
+            for (int r = c + 1; r < 6; r++) v[c] -= dc[r - c] * v[r];
+            v[c] *= (sp__low)sp__abs((sp_real)*dc);
+        }
+    }
+    for (int32_t k = 0; k < f->n; k++)
+        for (int r = 0; r < 6; r++) x[6 * (size_t)f->perm[k] + (size_t)r] = (sp_real)t[6 * (size_t)k + (size_t)r];
+}
+
+#endif
+#endif /* SP__BCHOL_C */

@@ -1,0 +1,410 @@
+/* scale: f0 and what each block's imbalance is measured by */
+#ifndef SP__PROOF_SCALE_C
+#define SP__PROOF_SCALE_C
+
+#include "../scene/joint.c"
+
+/* What a force state or a motion proves, from the scene alone. Nothing here is used by the search, nothing of the search here:
+ * own projection, own sums, world coordinates instead of contact frames.                                   [DESIGN 3]
+ *
+ *   f0            bilateral least-squares force: least imbalance, then least norm
+ *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
+ *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
+ */
+#ifdef SP_REAL_FLOAT
+#define SP__SCALE_TOL ((sp_real)1e-4)   /* f0 is a scale: this many digits of it */
+#define SP__SCALE_NULL ((sp_real)3e-6)  /* what the normal matrix makes of a residual that nothing can take away, relative */
+#else
+#define SP__SCALE_TOL ((sp_real)1e-9)
+#define SP__SCALE_NULL ((sp_real)1e-14)
+#endif
+#define SP__SCALE_KNOWN ((sp_real)1e-3) /* imbalance of f0, relative to a block's load, up to which it is that block's scale */
+
+typedef struct sp__scale {
+    sp_real load, couple;               /* |force|, |moment| of the load */
+    sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
+    sp_real s, S;                       /* sbar, Sbar */
+    sp_real cap;                        /* sbar that bounds the forces of its contacts */
+    sp_real known;                      /* 1: f0 balances this block */
+    sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
+} sp__scale;
+
+/* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
+typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
+
+#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
+
+typedef struct sp__judge {
+    const sp_problem *pb;
+    const sp_settings *set;             /* tol and force_bound resolved */
+    sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
+    sp_real (*direction)[2];            /* of the pyramid's faces */
+    sp__scale *scale;                   /* b */
+    sp_real *x, *e, *r, *p, *q, *g;     /* 6b each: potential of f0 in two parts, residual, direction, G p, G r */
+    sp_real unit;                       /* of force [N]; everything below is counted in it */
+    sp_real total;                      /* sum of |load| */
+    sp_real cap;                        /* of the contact at hand */
+    sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
+    int32_t sweeps;                     /* passes over all contact vertices, for the work count */
+    int32_t most;                       /* of them, for the scales */
+} sp__judge;
+
+static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, sp_arena *a)
+{
+    const size_t b = (size_t)pb->blocks;
+    j->pb = pb;
+    j->scale = sp__take(a, b, sizeof *j->scale);
+    j->direction = sp__take(a, (size_t)faces, sizeof *j->direction);
+    j->x = sp__take(a, b, 6 * sizeof *j->x);
+    j->e = sp__take(a, b, 6 * sizeof *j->e);
+    j->r = sp__take(a, b, 6 * sizeof *j->r);
+    j->p = sp__take(a, b, 6 * sizeof *j->p);
+    j->q = sp__take(a, b, 6 * sizeof *j->q);
+    j->g = sp__take(a, b, 6 * sizeof *j->g);
+}
+
+SP__APART static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+{
+    sp__judge j;
+    sp_arena dry = sp__arena_dry();
+    sp__judge_carve(&j, pb, set->faces, &dry);
+    return dry.peak;
+}
+
+/* a / b for a, b >= 0; 0 / 0 is 0; SP__HUGE for what is larger or no number. */
+static sp_real sp__ratio(sp_real a, sp_real b)
+{
+    if (a <= 0 && a >= 0) return 0;
+    if (b > 1) return a / b < SP__HUGE ? a / b : SP__HUGE;      /* there SP__HUGE b may leave the range of float */
+    return a < SP__HUGE * b ? a / b : SP__HUGE;
+}
+
+/* A unit of force in which no square over- or underflows: the largest component of a load, of a couple where there are none. */
+static sp_real sp__load_unit(const sp_problem *pb)
+{
+    sp_real force = 0, couple = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
+        const sp_real x = sp__abs(pb->p[k]);
+        if (k % 6 < 3) force = sp__max(force, x);
+        else couple = sp__max(couple, x);
+    }
+    return force > 0 ? force : couple > 0 ? couple : 1;
+}
+
+/* sbar of the free blocks of a contact, the smaller. */
+static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
+{
+    if (t->a < 0) return s[stride * (size_t)t->b];
+    if (t->b < 0) return s[stride * (size_t)t->a];
+    const sp_real a = s[stride * (size_t)t->a], b = s[stride * (size_t)t->b];
+    return a < b ? a : b;
+}
+
+/* The directions in which free block i is held do not count. */
+static int sp__held(const sp_problem *pb, int32_t i, int k)
+{
+    return (int)(pb->scene->block[pb->block[i]].fixed >> k & 1u);
+}
+
+static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
+{
+    for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
+}
+
+/* r_v - c_i for a free block i, zero for a support. */
+static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
+{
+    arm[0] = arm[1] = arm[2] = 0;
+    if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
+}
+
+/* u = velocity of B seen from A at vertex v of a contact, v_i + w_i x (r - c_i) of each. With `scale` the motion is given in
+ * weighted rows. */
+static void sp__vertex_velocity(const sp_problem *pb, const sp__scale *scale, const sp_contact *t, int32_t v,
+                                const sp_real *motion, sp_real u[3])
+{
+    u[0] = u[1] = u[2] = 0;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->a : t->b;
+        if (i < 0) continue;
+        const sp_real *m = motion + 6 * (size_t)i, sign = side ? -1 : 1;
+        const sp_real wf = scale ? scale[i].wf : 1, wm = scale ? scale[i].wm : 1;
+        sp_real arm[3], w[3];
+        sp__arm(pb, i, v, arm);
+        sp__cross3(m + 3, arm, w);
+        for (int k = 0; k < 3; k++) u[k] += sign * (wf * m[k] + wm * w[k]);
+    }
+}
+
+/* (F, (r - c) x F) added to the row of B, taken off that of A; |F| and |(r - c) x F| to both blocks' sums (may be NULL). */
+static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real F[3], sp_real *row, sp_real *sum)
+{
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->a : t->b;
+        if (i < 0) continue;
+        sp_real arm[3], m[3], *to = row + 6 * (size_t)i;
+        const sp_real sign = side ? -1 : 1;
+        sp__arm(pb, i, v, arm);
+        sp__cross3(arm, F, m);
+        for (int k = 0; k < 3; k++) { to[k] += sign * F[k]; to[3 + k] += sign * m[k]; }
+        if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
+    }
+}
+
+/* The load of free block i in units. */
+static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
+{
+    for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
+}
+
+/* r = p, q = 0: where balances and their sums start. */
+static void sp__judge_start(sp__judge *j)
+{
+    for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
+        j->r[k] = j->pb->p[k] / j->unit;
+        j->q[k] = 0;
+    }
+}
+
+/* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
+ * not depend on units or axes. */
+static void sp__judge_weights(sp__judge *j)
+{
+    const sp_problem *pb = j->pb;
+    j->total = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        sp_real p[6];
+        sp__judge_load(j, i, p);
+        s->load = sp__norm3(p);
+        s->couple = sp__norm3(p + 3);
+        s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
+        j->total += s->load;
+    }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            for (int side = 0; side < 2; side++) {
+                const int32_t i = side ? t->b : t->a;
+                if (i < 0) continue;
+                sp__scale *s = &j->scale[i];
+                sp_real arm[3];
+                sp__arm(pb, i, v, arm);
+                const sp_real l = sp__norm3(arm);
+                if (l > s->arm) s->arm = l;
+                s->wf += 1;
+                s->wm += l * l * 2 / 3;
+            }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        s->wf = s->wf > 0 ? 1 / SP_SQRT(s->wf) : 0;
+        s->wm = s->wm > 0 ? 1 / SP_SQRT(s->wm) : 0;
+    }
+}
+
+/* row <- W row, held rows to zero. */
+static void sp__judge_weigh(const sp__judge *j, sp_real *row)
+{
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp_real *w = row + 6 * (size_t)i;
+        for (int k = 0; k < 3; k++) { w[k] *= j->scale[i].wf; w[k + 3] *= j->scale[i].wm; }
+        sp__release(j->pb, i, w);
+    }
+}
+
+/* out = W Aeq Aeq' W in; Aeq Aeq' needs no frames because a vertex's three forces are orthonormal. */
+static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
+{
+    const sp_problem *pb = j->pb;
+    memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real u[3];
+            sp__vertex_velocity(pb, j->scale, t, v, in, u);
+            sp__vertex_force(pb, t, v, u, out, NULL);
+        }
+    }
+    sp__judge_weigh(j, out);
+    j->sweeps++;
+}
+
+static sp_real sp__dot(const sp_real *a, const sp_real *b, size_t n)
+{
+    sp_real s = 0;
+    for (size_t k = 0; k < n; k++) s += a[k] * b[k];
+    return s;
+}
+
+/* a = s a + t b. */
+static void sp__add(sp_real *a, sp_real s, sp_real t, const sp_real *b, size_t n)
+{
+    for (size_t k = 0; k < n; k++) a[k] = s * a[k] + t * b[k];
+}
+
+/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
+ * is small, or as small as it can be (G times it vanishes), or without progress: rounding holds both over as many steps as news
+ * takes along half the blocks.                                                                                    [Stiefel 1955] */
+SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
+{
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
+    sp__judge_normal(j, j->r, j->g);
+    memcpy(j->p, j->r, n * sizeof *j->p);
+    memcpy(j->q, j->g, n * sizeof *j->q);
+    sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
+    for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
+        const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
+        if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
+        if (it % (100 + j->pb->blocks / 2) == 0) {
+            if (rr > (sp_real)0.9 * last_r && gg > last_g / 2) return;
+            last_r = rr;
+            last_g = gg;
+        }
+        const sp_real alpha = rg / qq;
+        sp__add(to, 1, alpha, j->p, n);
+        sp__add(j->r, 1, -alpha, j->q, n);
+        sp__judge_normal(j, j->r, j->g);
+        const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
+        sp__add(j->p, beta, 1, j->r, n);
+        sp__add(j->q, beta, 1, j->g, n);
+        rg = next;
+    }
+}
+
+/* Does f0 balance a block, so that it is its scale? Residual r of its rows, to a few digits of its load or to the rounding of
+ * what runs through it. */
+static int sp__scale_known(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
+{
+    const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * f0;
+    return sp__norm3(r) <= enough && sp__norm3(r + 3) <= enough * arm;
+}
+
+/* f0 = Aeq' W (x + e), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's potential is not lost in
+ * rounding. j->r = Aeq f0 + p; every block's sums, and whether they are its scale.     returns how many blocks are not known */
+static int32_t sp__judge_sums(sp__judge *j)
+{
+    const sp_problem *pb = j->pb;
+    int32_t unknown = 0;
+    sp__judge_start(j);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real f[3], rest[3];
+            sp__vertex_velocity(pb, j->scale, t, v, j->x, f);
+            sp__vertex_velocity(pb, j->scale, t, v, j->e, rest);
+            for (int k = 0; k < 3; k++) f[k] += rest[k];
+            sp__vertex_force(pb, t, v, f, j->r, j->q);
+        }
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        sp__release(pb, i, j->r + 6 * (size_t)i);
+        s->f0 = j->q[2 * (size_t)i];
+        s->m0 = j->q[2 * (size_t)i + 1];
+        s->known = (sp_real)sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
+        unknown += s->known < 1;
+    }
+    j->sweeps++;
+    return unknown;
+}
+
+/* One of the two parts of a hint y0 = W x into `to`; what is no number counts as none. */
+static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
+{
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp_real *x = to + 6 * (size_t)i;
+        for (size_t k = 0; k < 6; k++) {
+            const sp_real w = k < 3 ? j->scale[i].wf : j->scale[i].wm;
+            x[k] = y0 && w > 0 ? y0[6 * (size_t)i + k] / j->unit / w : 0;
+            if (!sp__finite(x[k] * x[k])) x[k] = 0;
+        }
+        sp__release(j->pb, i, x);
+    }
+}
+
+/* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
+ * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
+static int sp__judge_optimal(sp__judge *j, int last)
+{
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    sp_real sum = 0;
+    for (int32_t i = 0; SP__FULL && last && i < j->pb->blocks; i++) {
+        const sp__scale *s = &j->scale[i];
+        const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
+        sum += f * f + m * m;
+    }
+    sp__judge_normal(j, j->r, j->g);
+    const sp_real gg = sp__dot(j->g, j->g, n);
+    return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
+        || (SP__FULL && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
+}
+
+/* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
+ * its residual goes, else by our own solve, corrected twice.     returns 0 when neither settled */
+static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+{
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    for (int own = !y0; own < 2; own++) {
+        sp__judge_hint(j, own ? NULL : y0, j->x);
+        sp__judge_hint(j, own ? NULL : y0 + n, j->e);
+        for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
+            if (!sp__judge_sums(j)) return 1;
+            sp__judge_weigh(j, j->r);
+            if ((round || !own) && sp__judge_optimal(j, round == 3)) return 1;
+            if (!own || round == 3 || j->sweeps + 2 > j->most) break;
+            for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
+            sp__judge_solve(j, round ? j->e : j->x);
+        }
+    }
+    return 0;
+}
+
+/* |couple| + m + 16 u sbar max |r_v - c| / tol. */
+static sp_real sp__scale_couple(const sp__judge *j, const sp__scale *s, sp_real m)
+{
+    return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
+}
+
+/* The scales of every free block. One that f0 does not balance (nothing does, or its share is lost in rounding) has its load
+ * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
+ * thousand times all loads, more than what a bilateral force comes to. With j->most = 0 the loads alone, f0 = 0: no scale is
+ * larger than the true one, so forces that pass by these pass by those. */
+static void sp__judge_scales(sp__judge *j, const sp_real *y0)
+{
+    sp__judge_weights(j);
+    const int settled = j->most ? sp__judge_bilateral(j, y0) : 1;
+    for (int32_t i = 0; i < j->pb->blocks; i++) {
+        sp__scale *s = &j->scale[i];
+        if (!j->most) s->known = 1;
+        s->cap = s->load + s->f0;
+        if (s->known < 1) {
+            s->cap = settled ? s->cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
+            s->f0 = s->load;
+            s->m0 = s->load * s->arm;
+        }
+        s->s = s->load + s->f0;
+        s->S = sp__scale_couple(j, s, s->m0);
+    }
+}
+
+/* c_v of the vertices of a contact. */
+static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
+{
+    return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
+}
+
+/* Strength of a vertex in units; none where the joint has none. */
+static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
+{
+    const sp__strength none = { 0, 0, SP__HUGE };
+    if (!SP__FULL || !sp__contact_strong(j->pb, t)) return none;
+    sp__strength k = sp__vertex_strength(t->joint, j->pb->endless);
+    k.C *= j->mu_factor / j->unit;
+    k.T /= j->unit;
+    k.N = sp__ratio(k.N, j->unit);
+    return k;
+}
+
+#endif /* SP__PROOF_SCALE_C */

@@ -1,0 +1,170 @@
+/* triple: what forces, motion and slip of a coupled check prove */
+#ifndef SP__PROOF_TRIPLE_C
+#define SP__PROOF_TRIPLE_C
+
+#include "statics.c"
+
+#if SP__WITH_COUPLED
+
+/* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
+ * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap SP__GIVE_MOST
+ * at most, or a block that spins about the points it is held at would hide all of it. */
+#ifdef SP_REAL_FLOAT
+#define SP__GIVE ((sp_real)1e-4)
+#define SP__GIVE_MOST ((sp_real)1e-2)
+#define SP__SLIP ((sp_real)1e-2)
+#define SP__SLIP_ROUNDING (400 * (sp_real)SP_EPSILON)
+#else
+#define SP__GIVE ((sp_real)1e-10)
+#define SP__GIVE_MOST ((sp_real)1e-6)
+#define SP__SLIP ((sp_real)1e-6)
+#define SP__SLIP_ROUNDING (4000000 * (sp_real)SP_EPSILON)
+#endif
+#define SP__GIVE_ROUNDING (16 * (sp_real)SP_EPSILON)
+
+/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
+ * and no proof would reach as far. */
+#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
+
+/* Lengths of the coupled check; eps and eta are counted in L: (1, eta / eps), or (0, 1) where eps is 0. */
+typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;
+
+/* Mean edge of the joints that take part; where they have none (points), mean distance of a joint from its blocks' centroids. */
+static sp_real sp__mean_edge(const sp_problem *pb)
+{
+    sp_real edges = 0, arms = 0;
+    int32_t count = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const int32_t n = t->points > 2 ? t->points : t->points - 1;
+        for (int32_t k = 0; k < n; k++) {
+            sp_real e[3];
+            sp__sub3(pb->scene->point[t->point + (k + 1) % t->points], pb->scene->point[t->point + k], e);
+            edges += sp__norm3(e);
+        }
+        count += n;
+        arms += (sp__norm3(t->ra) + sp__norm3(t->rb)) / 2;
+    }
+    if (edges > 0) return edges / (sp_real)count;
+    return arms > 0 ? arms / (sp_real)pb->contacts : 1;
+}
+
+static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *set)
+{
+    const sp_coupled_settings *cs = &set->coupled;
+    const sp_real edge = sp__mean_edge(pb), eps = cs->eps < 0 ? (sp_real)1e-4 * edge : cs->eps;
+    const sp_real eta = cs->eta > 0 ? cs->eta : eps > 0 ? 100 * eps : (sp_real)1e-2 * edge;
+    sp__lengths k = { eps, 1, 0 };
+    if (eps > 0) k.eta = eta / eps;
+    else { k.L = eta; k.eps = 0; k.eta = 1; }
+    return k;
+}
+
+/* dd of vertex v of contact t in its frame, for the motion j->x. */
+static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, sp_real d[3])
+{
+    sp_real w[3];
+    sp__vertex_velocity(j->pb, NULL, t, v, j->x, w);
+    d[0] = sp__dot3(w, t->joint->n); d[1] = sp__dot3(w, t->joint->t1); d[2] = sp__dot3(w, t->joint->t2);
+}
+
+/* The spin of block i about the line through all its contact points, if they lie on one: it moves no contact, so motions are
+ * judged without it, and proofs need not bound it. In weighted rows z = dq / W, |k| = 1.     returns 0: there is none */
+SP__APART static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[6])
+{
+    const sp_problem *pb = j->pb;
+    sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, far = 0;
+    int32_t seen = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t c = 0; c < pb->contacts; c++) {
+            const sp_contact *t = &pb->contact[c];
+            for (int32_t v = t->point; (t->a == i || t->b == i) && v < t->point + t->points; v++) {
+                sp_real r[3], off[3];
+                sp__arm(pb, i, v, r);
+                if (!seen++) memcpy(first, r, sizeof first);
+                sp__sub3(r, first, r);
+                sp__cross3(line, r, off);
+                if (pass && sp__norm3(off) > 64 * (sp_real)SP_EPSILON * j->scale[i].arm) return 0;
+                if (pass || !(sp__norm3(r) > far)) continue;
+                far = sp__norm3(r);
+                memcpy(line, r, sizeof line);
+            }
+        }
+        if (!(far > 0)) return 0;
+        if (!pass) sp__scale3(1 / far, line, line);
+    }
+    sp__cross3(first, line, k);                         /* of the centroid */
+    sp_real size = 0;
+    for (int q = 0; q < 6; q++) {
+        k[q] = q < 3 ? k[q] / j->scale[i].wf : line[q - 3] / j->scale[i].wm;
+        if (sp__held(pb, i, q) && sp__abs(k[q]) > 0) return 0;
+        size += k[q] * k[q];
+    }
+    for (int q = 0; q < 6; q++) k[q] /= SP_SQRT(size);
+    return 1;
+}
+
+/* dq of block i without that spin; twice, for what rounding leaves of a fast one. */
+static void sp__judge_stop(const sp__judge *j, int32_t i, sp_real *dq)
+{
+    sp_real k[6];
+    if (!sp__judge_spin(j, i, k)) return;
+    for (int round = 0; round < 2; round++) {
+        sp_real along = 0;
+        for (int q = 0; q < 6; q++) along += k[q] * dq[q] / (q < 3 ? j->scale[i].wf : j->scale[i].wm);
+        for (int q = 0; q < 6; q++) dq[q] -= along * k[q] * (q < 3 ? j->scale[i].wf : j->scale[i].wm);
+    }
+}
+
+/* Worst violation of the conditions at one vertex relative to what is allowed. d: dd / L; ft and -alpha dt in units of force;
+ * least: force below which friction is not asked for its slip. */
+static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f[3], sp_real alpha, const sp_real d[3],
+                                  sp_real moved, sp_real least)
+{
+    const sp_real hidden = SP__GIVE_ROUNDING * moved, gap = d[0] + k->eps;
+    const sp_real g = SP__GIVE + (hidden < SP__GIVE_MOST ? hidden : SP__GIVE_MOST);
+    const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
+    const sp_real most = box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
+    sp_real worst = sp__max(d[0], most) > k->eta ? (sp__max(d[0], most) - k->eta) / g : 0;
+    if (gap < 0 || f[0] > 0) worst = sp__max(worst, sp__abs(gap) / g);
+    if (!(alpha >= 0)) return SP__HUGE;
+    if (ft > least) {
+        const sp_real x = f[1] + alpha * d[1], y = f[2] + alpha * d[2];
+        worst = sp__max(worst, sp__ratio(SP_SQRT(x * x + y * y), SP__SLIP * ft));
+        worst = sp__max(worst, sp__ratio(SP__SLIP + SP__SLIP_ROUNDING * moved, slip));
+    }
+    return worst < SP__HUGE ? worst : SP__HUGE;
+}
+
+/* Residual of a triple: f (3 x points), dq (6b), alpha (points).                                       [Kao 2022, Eqs. 8-10] */
+SP__APART static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
+                                           const sp_real *alpha)
+{
+    const sp_problem *pb = j->pb;
+    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;       /* only then there are proofs */
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
+        sp__release(pb, i, j->x + 6 * (size_t)i);
+        if (few) sp__judge_stop(j, i, j->x + 6 * (size_t)i);
+    }
+    sp_real worst = 0;
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
+        const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        j->cap = sp__judge_cap(j, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real g[3], d[3];
+            for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;
+            sp__judge_admit(j, t, g, g);
+            sp__judge_rate(j, t, v, d);
+            worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
+        }
+    }
+    j->sweeps++;
+    return worst;
+}
+
+#endif
+
+#endif /* SP__PROOF_TRIPLE_C */

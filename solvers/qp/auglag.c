@@ -1,0 +1,199 @@
+/* auglag: the last digits of a quadratic program by the method of multipliers.               [Hestenes 1969; Powell 1969]
+ *
+ * With a guess y of the multipliers
+ *
+ *     x <- least of  1/2 x'Px + q'x + sum_i R_i/2 dist^2(v_i, [l_i, u_i]),     v = Ax + y / R;     y <- R (v - v onto [l, u])
+ *
+ * The inner problem is convex and piecewise quadratic: Newton's method on the rows outside their bounds, with the exact step
+ * along each direction [Hermans, Themelis, Patrinos 2019, "QPALM"]. Once the rows are the right ones each round is a step of
+ * refinement of their KKT system, which is the polish of [OSQP, sec. 4]; until then it finds them where ADMM takes very long.
+ * The linear systems are those of ADMM with rho = r on these rows and nothing on the others, so R_i = r E_i^2 / c here.
+ *
+ * X is the point, yc the guess, Y what follows from both: the gradient at X is PX + q + A'Y. SP_QP_NO_POLISH leaves it out.
+ */
+#ifndef SP__AUGLAG_C
+#define SP__AUGLAG_C
+
+#include "certificate.c"
+
+#if !defined(SP_NO_QP) && !defined(SP_QP_NO_POLISH)
+
+#ifdef SP_REAL_FLOAT
+#define SP__AUGLAG_MOST ((sp_real)1e3)                  /* largest r */
+#else
+#define SP__AUGLAG_MOST ((sp_real)1e8)
+#endif
+#define SP__AUGLAG_LITTLE ((sp_real)1e-6)                /* a step that stays where it is */
+enum { SP__AUGLAG_ROUNDS = 2000, SP__AUGLAG_IDLE = 5, SP__AUGLAG_VAIN = 2 };
+
+typedef struct sp__auglag {
+    sp_real r, tol, violated, t;        /* penalty; where the inner problem ends; primal residual before; last step */
+    sp_real best;                       /* how far off what is kept in x, y is */
+    int32_t moved, full, stale;         /* rows came or went; the last step was a whole one; the factor is another's */
+    int32_t idle, vain;                 /* steps that moved nothing; rounds that did not better what is kept */
+} sp__auglag;
+
+static sp_real sp__auglag_weight(const sp__qp *w, int32_t i, sp_real r) { return r * w->E[i] * w->E[i] / w->c; }
+
+/* Y = R (v - v onto [l, u]) at X, and the products of both. Returns how many rows came in or went out. After a whole step t a
+ * row that stays has Y + t nu from the linear system, which does not lose digits to R as the formula does. */
+static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
+{
+    const sp_qp *qp = &w->qp;
+    int32_t moved = 0;
+    sp__qp_A(qp, w->X, w->Ax, 0);
+    for (int32_t i = 0; i < qp->m; i++) {
+        const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + w->yc[i] / R, to = sp__qp_clip(qp, i, v, 1);
+        const signed char side = v < to || v > to || sp__qp_equation(qp, i);
+        if (g->full && side && w->side[i] == side) w->Y[i] += g->t * w->E[i] * w->s[qp->n + i] / w->c;
+        else w->Y[i] = R * (v - to);
+        moved += side != w->side[i];
+        w->side[i] = side;
+    }
+    sp__qp_P(qp, w->X, w->Px, 0);
+    w->flops += w->products + 9 * (int64_t)qp->m;
+    return moved;
+}
+
+/* Newton's direction d (in xc): (P + sigma I + A_S' R A_S) d = -(Px + q + A'Y); Pd, Ad into b. */
+static void sp__auglag_direction(sp__qp *w, sp__auglag *g)
+{
+    const int32_t n = w->qp.n, m = w->qp.m;
+    if (g->stale) {
+        for (int32_t i = 0; i < m; i++) w->row[i] = w->side[i] ? g->r : (sp_real)0;
+        w->sigma = SP__QP_DELTA;
+        w->stale = 1;
+        sp__kkt_factor(w);
+        g->stale = 0;
+    }
+    for (int32_t j = 0; j < n; j++) w->b[j] = -w->c * w->D[j] * (w->Px[j] + w->Aty[j] + sp__qp_q(&w->qp, j));
+    for (int32_t i = 0; i < m; i++) w->b[n + i] = 0;
+    sp__kkt_solve(w, 1);
+    for (int32_t j = 0; j < n; j++) w->xc[j] = w->D[j] * w->s[j];
+    sp__qp_P(&w->qp, w->xc, w->b, 0);
+    sp__qp_A(&w->qp, w->xc, w->b + n, 0);
+    w->flops += w->products + 6 * (int64_t)n;
+}
+
+/* Slope along d at X + t d: d'(P(x + td) + q) + (Ad)'R (v - v onto [l, u]). */
+static sp_real sp__auglag_slope(sp__qp *w, sp_real r, sp_real t)
+{
+    const int32_t n = w->qp.n;
+    sp_real s = 0;
+    for (int32_t j = 0; j < n; j++) s += w->xc[j] * (w->Px[j] + sp__qp_q(&w->qp, j) + t * w->b[j]);
+    for (int32_t i = 0; i < w->qp.m; i++) {
+        const sp_real R = sp__auglag_weight(w, i, r), v = w->Ax[i] + t * w->b[n + i] + w->yc[i] / R;
+        s += w->b[n + i] * R * (v - sp__qp_clip(&w->qp, i, v, 1));
+    }
+    w->flops += 5 * (int64_t)n + 11 * (int64_t)w->qp.m;
+    return s;
+}
+
+/* The step where the slope, which rises in straight pieces, is 0 but for a hundredth: bracketed, then by secants and halves. */
+SP__APART static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
+{
+    const sp_real first = sp__auglag_slope(w, r, 0), enough = (sp_real)-0.01 * first;
+    sp_real low = 0, high = (sp_real)1, below = first, above = sp__auglag_slope(w, r, high);
+    for (int k = 0; k < 20 && above < -enough; k++) {
+        low = high; below = above;
+        high *= (sp_real)2;
+        above = sp__auglag_slope(w, r, high);
+    }
+    if (!(above > enough)) return high;
+    for (int k = 1; k < 40; k++) {
+        const sp_real t = k % 3 ? low + (high - low) * (below / (below - above)) : (sp_real)0.5 * (low + high);
+        const sp_real s = sp__auglag_slope(w, r, t);
+        if (!(sp__abs(s) > enough)) return t;
+        if (s < 0) { low = t; below = s; } else { high = t; above = s; }
+    }
+    return low;
+}
+
+/* X, Y to x, y; the iterate is not needed any more once they are good enough. */
+static void sp__auglag_keep(sp__qp *w)
+{
+    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j];
+    for (int32_t i = 0; i < w->qp.m; i++) w->y[i] = w->Y[i];
+}
+
+/* And back: 1 if there is anything kept. */
+static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
+{
+    if (!(g->best < SP__NEVER)) return 0;
+    for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = w->x[j];
+    for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = w->y[i];
+    sp__qp_judge(w, NULL);
+    return 1;
+}
+
+/* The inner problem is solved: judge X, Y. 1: there is nothing to gain by going on. 0: go on from the next guess; r grows where
+ * the violation does not shrink by itself. */
+static int sp__auglag_round(sp__qp *w, sp__auglag *g, sp_real off)
+{
+    sp__qp_judge(w, NULL);
+    if (!(w->off < SP__NEVER)) return 1;
+    if (w->off <= off && w->off < (sp_real)0.5 * g->best) {
+        sp__auglag_keep(w);
+        g->best = w->off;
+        if (w->off <= (sp_real)1e-8 * off) return 1;
+    } else if (g->best < SP__NEVER && ++g->vain > SP__AUGLAG_VAIN) return 1;
+    if (w->primal > (sp_real)0.25 * g->violated && g->r < SP__AUGLAG_MOST) {
+        g->r = sp__within((sp_real)10 * g->r, 1, SP__AUGLAG_MOST);
+        g->stale = 1;
+    }
+    for (int32_t i = 0; i < w->qp.m; i++) w->yc[i] = w->Y[i];
+    g->violated = w->primal;
+    g->tol = sp__max((sp_real)0.01 * w->rel_dual, (sp_real)8 * SP_EPSILON);
+    g->full = 0;
+    return 0;
+}
+
+/* Nothing good enough was found; if X, Y are nearer than the iterate all the same, ADMM goes on from them. */
+static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
+{
+    sp__auglag_sides(w, g);
+    sp__qp_judge(w, NULL);
+    if (!(w->off < (sp_real)0.1 * before)) return;
+    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j] / w->D[j];
+    for (int32_t i = 0; i < w->qp.m; i++) {
+        w->y[i] = w->c * w->Y[i] / w->E[i];
+        w->z[i] = w->E[i] * sp__qp_clip(&w->qp, i, w->Ax[i], 1);
+    }
+}
+
+/* Look for a point within `off` of eps near the iterate, for at most about as much work as was done so far: 1 and X, Y judged,
+ * or 0. */
+SP__APART static int sp__auglag_run(sp__qp *w, sp_real off)
+{
+    sp__auglag g = { sp__within((sp_real)10 * w->rho, (sp_real)0.01, SP__AUGLAG_MOST), (sp_real)0.01, w->primal, 0,
+                     SP__NEVER, 0, 0, 1, 0, 0 };
+    const int64_t step = w->factoring + sp__kkt_solve_flops(w, 1) + 4 * w->products +
+                         700 * ((int64_t)w->qp.n + w->qp.m);
+    const int64_t own = 2 * w->flops + 10 * step, end = own < w->limit ? own : w->limit;
+    const sp_real before = w->off;
+    sp__qp_unscale(w);
+    for (int32_t i = 0; i < w->qp.m; i++) { w->yc[i] = w->Y[i]; w->side[i] = -1; }
+    for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
+        sp__rest dual = { 0, 0, 0, 0, 0 };
+        g.moved = sp__auglag_sides(w, &g) > 0;
+        g.stale |= g.moved;
+        sp__qp_dual(w, NULL, &dual);
+        if (!sp__finite(dual.r)) return sp__auglag_kept(w, &g);
+        if (sp__rest_relative(&dual) <= g.tol || (g.full && !g.moved)) {
+            if (sp__auglag_round(w, &g, off)) return sp__auglag_kept(w, &g);
+            continue;
+        }
+        sp__auglag_direction(w, &g);
+        g.t = sp__auglag_stride(w, g.r);
+        g.full = g.t > (sp_real)0.9 && g.t < (sp_real)1.1;
+        g.idle = g.moved || g.t > SP__AUGLAG_LITTLE ? 0 : g.idle + 1;
+        for (int32_t j = 0; j < w->qp.n; j++) w->X[j] += g.t * w->xc[j];
+    }
+    if (sp__auglag_kept(w, &g)) return 1;
+    sp__auglag_hand_back(w, &g, before);
+    return 0;
+}
+
+#endif
+
+#endif /* SP__AUGLAG_C */

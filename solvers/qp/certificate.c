@@ -1,0 +1,199 @@
+/* proof: certificates that a quadratic program has no solution, judged on the data as given.
+ *
+ * y with A'y = 0 and u'y+ + l'y- < 0 proves that nothing is feasible, for y'Ax <= u'y+ + l'y- wherever l <= Ax <= u [OSQP, 3.4].
+ * Numbers leave a rest r = A'y; then any feasible x has
+ *
+ *     |r|_D |x / D|_1 >= r'x >= ... >= -(u'y+ + l'y-),       |r|_D = max_j D_j |r_j|
+ *
+ * so what is proved is that there is none with |x / D|_1 below radius = -(u'y+ + l'y-) / |r|_D. A claim asks for a radius far
+ * beyond the iterate: a feasible set of one point has radius <= |x / D|_1 and can't be taken for none. The mirror image for x:
+ * Px = 0, q'x < 0 and Ax in the recession cone of [l, u], but for rests, rules out all (x*, y*) with Px* + q + A'y* = 0 and
+ * |x* / D|_1 + |c y* / E|_1 below -q'x / max(D|Px|, E|rest|).                                      [Banjac, sec. 3]
+ *
+ * Banjac, Goulart, Stellato, Boyd 2019, J. Optim. Theory Appl. 183 [Banjac]; [seed 4.3].
+ */
+#ifndef SP__PROOF_C
+#define SP__PROOF_C
+
+#include "kkt.c"
+
+#ifndef SP_NO_QP
+
+/* r_j = |A'y|_j and what rounding may have hidden in it, times D_j: the largest. */
+static sp_real sp__proof_rest(const sp__qp *w)
+{
+    const sp_qp *qp = &w->qp;
+    sp_real worst = 0;
+    for (int32_t j = 0; j < qp->n; j++) {
+        sp_real size;
+        const sp_real r = sp__qp_column(qp, w->Y, j, &size);
+        worst = sp__max(worst, w->D[j] * (sp__abs(r) + (sp_real)4 * SP_EPSILON * size));
+    }
+    return worst;
+}
+
+/* What a proof is worth: `down` beyond its own rounding, over the rest; 0 if it proves nothing. */
+SP__APART static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
+{
+    down -= (sp_real)(count + 4) * SP_EPSILON * terms;
+    if (!(down > 0) || !(rest >= 0)) return 0;
+    return down < rest * SP__NEVER ? down / rest : SP__NEVER;
+}
+
+/* Y judged as a certificate of primal infeasibility. Multipliers of bounds that are not there are dropped first. */
+static sp_real sp__proof_primal(sp__qp *w)
+{
+    sp_real terms;
+    for (int32_t i = 0; i < w->qp.m; i++)
+        if (sp__qp_loose(&w->qp, i, w->Y[i])) w->Y[i] = 0;
+    const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
+    w->flops += w->products + w->vectors;
+    return down > 0 ? sp__proof_radius(down, terms, w->qp.m, sp__proof_rest(w)) : (sp_real)0;
+}
+
+/* X judged as a certificate of dual infeasibility. */
+static sp_real sp__proof_dual(sp__qp *w)
+{
+    const sp_qp *qp = &w->qp;
+    sp_real down = 0, terms = 0, rest = 0;
+    for (int32_t j = 0; j < qp->n; j++) {
+        const sp_real t = sp__qp_q(qp, j) * w->X[j];
+        down -= t;
+        terms += sp__abs(t);
+    }
+    w->flops += w->products + w->vectors;
+    if (!(down > 0)) return 0;
+    sp__qp_P(qp, w->X, w->Px, 0);
+    sp__qp_A(qp, w->X, w->Ax, 0);
+    for (int32_t j = 0; j < qp->n; j++) rest = sp__max(rest, w->D[j] * sp__abs(w->Px[j]));
+    for (int32_t i = 0; i < qp->m; i++)
+        if (!sp__qp_loose(qp, i, w->Ax[i])) rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
+    return sp__proof_radius(down, terms, qp->n, rest);
+}
+
+#ifndef SP_QP_NO_POLISH
+
+/* Regularisation where an exact answer is wanted and refined. */
+#ifdef SP_REAL_FLOAT
+#define SP__QP_DELTA ((sp_real)1e-3)
+#else
+#define SP__QP_DELTA ((sp_real)1e-6)
+#endif
+
+/* Y (unscaled) <- the nearest vector with A_S'y = 0, S its rows that count: from y near a certificate one that proves more.
+ *
+ *     [ delta I  A_S' ] [ -t ]   [  0 ]
+ *     [ A_S       -I  ] [ y' ] = [ -y ]       y' = (I + A_S A_S' / delta)^-1 y, some times
+ *
+ * P is taken out of the KKT matrix by c = 0. */
+SP__APART static void sp__proof_sharpen_y(sp__qp *w)
+{
+    const int32_t n = w->qp.n, m = w->qp.m;
+    const sp_real c = w->c;
+    for (int32_t i = 0; i < m; i++) w->Y[i] /= w->E[i];
+    const sp_real little = (sp_real)1e-3 * sp__largest(w->Y, m);
+    w->c = 0;
+    w->sigma = SP__QP_DELTA;
+    for (int32_t i = 0; i < m; i++) {
+        w->row[i] = sp__abs(w->Y[i]) > little ? (sp_real)1 : (sp_real)0;
+        w->Y[i] *= w->row[i];
+    }
+    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
+    sp__kkt_factor(w);
+    for (int round = 0; round < 4; round++) {
+        for (int32_t j = 0; j < n; j++) w->b[j] = 0;
+        for (int32_t i = 0; i < m; i++) w->b[n + i] = -w->Y[i];
+        sp__kkt_solve(w, 1);
+        for (int32_t i = 0; i < m; i++) w->Y[i] = w->row[i] > 0 ? w->s[n + i] : (sp_real)0;
+    }
+    for (int32_t i = 0; i < m; i++) w->Y[i] *= w->E[i];
+    w->c = c;
+    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
+    w->stale = 1;
+}
+
+/* X (unscaled) <- the nearest vector with PX = 0 and A_T X = 0, T the rows that must not move: the proximal point method on
+ * 1/2 x'Px + |A_T x|^2 / (2 delta). */
+SP__APART static void sp__proof_sharpen_x(sp__qp *w)
+{
+    const sp_qp *qp = &w->qp;
+    sp__qp_A(qp, w->X, w->Ax, 0);
+    for (int32_t i = 0; i < qp->m; i++) w->Ax[i] *= w->E[i];
+    const sp_real little = (sp_real)1e-3 * sp__largest(w->Ax, qp->m);
+    w->sigma = SP__QP_DELTA;
+    for (int32_t i = 0; i < qp->m; i++) {
+        const int stays = (!sp__qp_no_u(qp, i) && w->Ax[i] > -little) || (!sp__qp_no_l(qp, i) && w->Ax[i] < little);
+        w->row[i] = stays ? (sp_real)1 / w->sigma : (sp_real)0;
+    }
+    sp__kkt_factor(w);
+    for (int32_t j = 0; j < qp->n; j++) w->X[j] /= w->D[j];
+    for (int round = 0; round < 4; round++) {
+        for (int32_t j = 0; j < qp->n; j++) w->b[j] = w->sigma * w->X[j];
+        for (int32_t i = 0; i < qp->m; i++) w->b[qp->n + i] = 0;
+        sp__kkt_solve(w, 1);
+        for (int32_t j = 0; j < qp->n; j++) w->X[j] = w->s[j];
+    }
+    for (int32_t j = 0; j < qp->n; j++) w->X[j] *= w->D[j];
+    w->stale = 1;
+}
+
+#endif /* SP_QP_NO_POLISH */
+
+/* How large solutions must be to be believed away: a multiple of the iterate (of y for the mirror image: x runs away there). */
+static sp_real sp__proof_far(const sp_real *v, int32_t n, sp_real radius)
+{
+    sp_real s = (sp_real)1;
+    for (int32_t k = 0; k < n; k++) s += sp__abs(v[k]);
+    return s * radius;
+}
+
+/* Make v the certificate's direction: largest 1. 0 if it is nothing. */
+static int sp__proof_direction(sp_real *v, int32_t n)
+{
+    const sp_real size = sp__largest(v, n);
+    if (!(size > 0) || !sp__finite(size)) return 0;
+    for (int32_t k = 0; k < n; k++) v[k] /= size;
+    return 1;
+}
+
+static sp_real sp__proof_judge(sp__qp *w, int primal) { return primal ? sp__proof_primal(w) : sp__proof_dual(w); }
+
+/* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
+ * Its radius if it counts, else 0. */
+SP__APART static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
+{
+    const int32_t n = w->qp.n, m = w->qp.m, size = primal ? m : n;
+    const sp_real *to = primal ? w->y : w->x, *from = primal ? w->yc : w->xc;
+    sp_real *v = primal ? w->Y : w->X;
+    for (int32_t k = 0; k < size; k++) v[k] = to[k] - from[k];
+    sp__qp_scale(v, primal ? w->E : w->D, v, size);
+    if (!sp__proof_direction(v, size)) return 0;
+    const sp_real far = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
+    const sp_real least = sp__max(far, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
+    sp_real radius = sp__proof_judge(w, primal);
+#ifndef SP_QP_NO_POLISH
+    if (hard && radius > (sp_real)1 && !(radius > least)) {
+        if (primal) sp__proof_sharpen_y(w);
+        else sp__proof_sharpen_x(w);
+        radius = sp__proof_direction(v, size) ? sp__proof_judge(w, primal) : (sp_real)0;
+    }
+#else
+    (void)hard;
+#endif
+    return radius > least ? radius : (sp_real)0;
+}
+
+/* Is the problem infeasible? Then 1 with status and radius, the certificate in Y or X. */
+static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
+{
+    for (int primal = 1; primal >= 0; primal--) {
+        out->status = primal ? SP_QP_PRIMAL_INFEASIBLE : SP_QP_DUAL_INFEASIBLE;
+        out->radius = sp__proof_try(w, primal, hard);
+        if (out->radius > 0) return 1;
+    }
+    return 0;
+}
+
+#endif /* SP_NO_QP */
+
+#endif /* SP__PROOF_C */

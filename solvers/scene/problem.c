@@ -1,0 +1,265 @@
+/* problem: a scene made ready: rows, lever arms, loads */
+#ifndef SP__SCENE_PROBLEM_C
+#define SP__SCENE_PROBLEM_C
+
+#include "joint.c"
+
+/* A contact takes part if it touches a free block. */
+static int sp__contact_counts(const sp_scene *scene, const sp_interface *f)
+{
+    return scene->block[f->a].fixed != SP_FIXED || scene->block[f->b].fixed != SP_FIXED;
+}
+
+/* Is there anything that counts scene.live times? */
+static int sp__scene_live(const sp_scene *scene)
+{
+    for (int32_t k = 0; k < scene->count.loads; k++) if (scene->load[k].live) return 1;
+    for (int k = 0; k < 3; k++) if (scene->body[k] < 0 || scene->body[k] > 0) return 1;
+    return 0;
+}
+
+/* A vector of a joint's frame (n, t1, t2) in space, and back. */
+static void sp__joint_force(const sp_interface *t, const sp_real f[3], sp_real F[3])
+{
+    for (int k = 0; k < 3; k++) F[k] = f[0] * t->n[k] + f[1] * t->t1[k] + f[2] * t->t2[k];
+}
+
+static void sp__joint_frame(const sp_interface *t, const sp_real u[3], sp_real d[3])
+{
+    const sp_real x = sp__dot3(u, t->n), y = sp__dot3(u, t->t1), z = sp__dot3(u, t->t2);
+    d[0] = x; d[1] = y; d[2] = z;
+}
+
+/* Contact vertices that take part. */
+static int32_t sp__points_count(const sp_scene *scene)
+{
+    int32_t n = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        if (sp__contact_counts(scene, &scene->interface[k])) n += scene->interface[k].points;
+    return n;
+}
+
+#if !defined(SP_SMALL) || !defined(SP_NO_PLAN)
+/* What of an effect is in the scene. */
+static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
+{
+    int friction = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
+    return effect == SP_EFFECT_FRICTION ? friction
+         : effect == SP_EFFECT_DEPTH ? 1
+         : effect == SP_EFFECT_TOGETHER ? islands < 2
+         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
+         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
+         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
+         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
+}
+#endif
+
+static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
+{
+    problem->scene = scene;
+    problem->blocks = problem->contacts = 0;
+    problem->points = scene->count.points;
+    problem->ordered = problem->endless = 0;
+    for (int32_t k = 0; k < scene->count.blocks; k++)
+        if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        if (sp__contact_counts(scene, &scene->interface[k])) problem->contacts++;
+}
+
+static void sp__problem_carve(sp_problem *problem, sp_arena *a)
+{
+    problem->block = sp__take(a, (size_t)problem->blocks, sizeof *problem->block);
+    problem->contact = sp__take(a, (size_t)problem->contacts, sizeof *problem->contact);
+    problem->local = sp__take(a, (size_t)problem->points, sizeof *problem->local);
+    problem->p = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->p);
+    problem->live = NULL;
+    if (sp__scene_live(problem->scene)) problem->live = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->live);
+}
+
+SP_API size_t sp_problem_memory(const sp_scene *scene)
+{
+    if (!scene) return 0;
+    sp_problem problem;
+    sp_arena dry = sp__arena_dry();
+    sp__problem_count(scene, &problem);
+    sp__problem_carve(&problem, &dry);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+/* Row of a block of the scene among the free ones (their numbers ascend), -1: a support. */
+static int32_t sp__problem_row(const sp_problem *problem, int32_t block)
+{
+    int32_t lo = 0, hi = problem->blocks;
+    while (lo < hi) {
+        const int32_t mid = lo + (hi - lo) / 2;
+        if (problem->block[mid] < block) lo = mid + 1; else hi = mid;
+    }
+    return lo < problem->blocks && problem->block[lo] == block ? lo : -1;
+}
+
+/* Points of a contact from their mean, in its frame; the mean goes to `mean`, seen from the first point. Differences are taken
+ * of neighbouring places only, so coordinates far from the origin lose nothing. */
+static void sp__contact_local(const sp_problem *problem, const sp_interface *f, sp_real mean[3])
+{
+    const sp_real (*point)[3] = (const sp_real (*)[3])problem->scene->point + f->point;
+    sp_real x[3];
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int32_t k = 1; k < f->points; k++) {
+        sp__sub3(point[k], point[0], x);
+        sp__add3(mean, 1, x);
+    }
+    sp__scale3((sp_real)1 / (sp_real)f->points, mean, mean);
+    for (int32_t k = 0; k < f->points; k++) {
+        sp_real *local = problem->local[f->point + k];
+        sp__sub3(point[k], point[0], x);
+        sp__sub3(x, mean, x);
+        sp__joint_frame(f, x, local);
+    }
+}
+
+/* One contact: rows, frame, arms (first point - centroid) + (mean - first point). */
+static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact *contact)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_interface *f = &scene->interface[id];
+    contact->id = id;
+    contact->a = sp__problem_row(problem, f->a);
+    contact->b = sp__problem_row(problem, f->b);
+    contact->point = f->point;
+    contact->points = f->points;
+    contact->joint = f;
+    sp_real mean[3];
+    sp__contact_local(problem, f, mean);
+    const sp_real *first = scene->point[f->point], *ca = scene->block[f->a].centroid, *cb = scene->block[f->b].centroid;
+    sp__sub3(first, ca, contact->ra);
+    sp__add3(contact->ra, 1, mean);
+    sp__sub3(first, cb, contact->rb);
+    sp__add3(contact->rb, 1, mean);
+}
+
+/* p += (F, M + (x - c) x F) of a force F at x with a couple M. */
+static void sp__load_add(sp_real *p, const sp_real F[3], const sp_real M[3], const sp_real x[3], const sp_real c[3])
+{
+    sp_real r[3];
+    sp__sub3(x, c, r);
+    sp__cross3_add(r, F, p + 3);
+    sp__add3(p, 1, F);
+    sp__add3(p + 3, 1, M);
+}
+
+/* One load: what always acts goes to p, what counts scene.live times to problem.live. */
+static void sp__problem_load(const sp_problem *problem, const sp_load *load, int32_t row)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_real *c = scene->block[load->block].centroid, none[3] = { 0, 0, 0 };
+    sp_real *p = problem->p + 6 * (size_t)row, *live = problem->live ? problem->live + 6 * (size_t)row : p;
+    sp_real weight[3];
+    sp__load_add(load->live ? live : p, load->force, load->couple, load->point, c);
+    if (!(load->mass > 0)) return;
+    sp__scale3(load->mass, scene->gravity, weight);
+    sp__load_add(load->live ? live : p, weight, none, load->point, c);
+    sp__scale3(load->mass, scene->body, weight);
+    sp__load_add(live, weight, none, load->point, c);
+}
+
+/* What rounding leaves of terms that cancel is no load: q = (F, M) on a block, a sum of its weight, `share` of this load, others.
+ * Each component has rounding of its own, for a push sideways hides no weight. A point is known no better than its place.
+ *   g: what the load's mass weighs by, `share` times [m/s^2]
+ *   own: acceleration of the block and of all masses on it [m/s^2] */
+static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
+                            const sp_block *block)
+{
+    const sp_real noise = 16 * (sp_real)SP_EPSILON, near = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
+    sp_real F[3];
+    for (int k = 0; k < 3; k++) {
+        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * (load->mass + block->mass);
+        if (sp__abs(q[k]) > noise * F[k]) return;
+    }
+    q[0] = q[1] = q[2] = 0;
+    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * near)) q[3] = q[4] = q[5] = 0;
+}
+
+/* The same in the sums that a load is part of. The smallest build knows no body force here, nor what live loads leave of each
+ * other. */
+static void sp__load_settle(const sp_problem *problem, const sp_load *load, int32_t row)
+{
+    const sp_scene *scene = problem->scene;
+    const sp_block *block = &scene->block[load->block];
+    const sp_real times = sp__abs(scene->live);
+    const sp_real *own = scene->gravity;
+    sp_real both[3];
+    if (SP__FULL) {
+        for (int k = 0; k < 3; k++) both[k] = sp__abs(own[k]) + times * sp__abs(scene->body[k]);
+        own = both;
+    }
+    sp__load_cancel(problem->p + 6 * (size_t)row, load, load->live ? times : 1, scene->gravity, own, block);
+    if (SP__FULL && problem->live && load->live)
+        sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
+}
+
+/* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
+static sp_status sp__problem_loads(sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
+    if (!sp__finite(scene->live) || !sp__finite3(scene->gravity) || !sp__finite3(scene->body)) return SP_E_NOT_FINITE;
+    memset(problem->p, 0, (size_t)problem->blocks * 6 * sizeof *problem->p);
+    if (problem->live) memset(problem->live, 0, (size_t)problem->blocks * 6 * sizeof *problem->live);
+    for (int32_t i = 0; i < problem->blocks; i++) {
+        const sp_real mass = scene->block[problem->block[i]].mass;
+        sp__scale3(mass, scene->gravity, problem->p + 6 * (size_t)i);
+        if (problem->live) sp__scale3(mass, scene->body, problem->live + 6 * (size_t)i);
+    }
+    for (int32_t k = 0; k < scene->count.loads; k++) {
+        const int32_t row = sp__problem_row(problem, scene->load[k].block);
+        if (row >= 0) sp__problem_load(problem, &scene->load[k], row);
+    }
+    for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
+        if (problem->live) problem->p[k] += scene->live * problem->live[k];
+        if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
+    }
+    for (int32_t k = 0; k < scene->count.loads; k++) {
+        const int32_t row = sp__problem_row(problem, scene->load[k].block);
+        if (row >= 0) sp__load_settle(problem, &scene->load[k], row);
+    }
+    return SP_OK;
+}
+
+/* Loads and contacts, everything relative to the centroids. */
+static sp_status sp__problem_fill(sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
+    int32_t row = 0, contact = 0;
+    for (int32_t k = 0; k < scene->count.blocks; k++) if (scene->block[k].fixed != SP_FIXED) problem->block[row++] = k;
+    const sp_status status = sp__problem_loads(problem);
+    if (status) return status;
+    memset(problem->local, 0, (size_t)problem->points * sizeof *problem->local);
+    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+        sp_contact *c = &problem->contact[contact++];
+        sp__contact_build(problem, k, c);
+        sp_real size = sp__dot3(c->ra, c->ra) + sp__dot3(c->rb, c->rb);
+        for (int32_t v = 0; v < c->points; v++) size += sp__dot3(problem->local[c->point + v], problem->local[c->point + v]);
+        if (!sp__finite(size)) return SP_E_NOT_FINITE;
+    }
+    return SP_OK;
+}
+
+SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_problem *problem)
+{
+    if (!scene || !arena || !arena->base || !problem) return SP_E_ARGUMENT;
+    if (scene->count.blocks == 0) return SP_E_EMPTY;
+    sp_arena a = *arena;
+    sp_problem made;
+    sp__problem_count(scene, &made);
+    sp__problem_carve(&made, &a);
+    if (sp__failed(&a)) return SP_E_MEMORY;
+    const sp_status status = sp__problem_fill(&made);
+    if (status) return status;
+    *arena = a;
+    *problem = made;
+    return SP_OK;
+}
+
+#endif /* SP__SCENE_PROBLEM_C */

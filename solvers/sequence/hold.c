@@ -1,0 +1,186 @@
+/* hold: the smallest sets of blocks to hold */
+#ifndef SP__SEQUENCE_HOLD_C
+#define SP__SEQUENCE_HOLD_C
+
+#include "steps.c"
+
+#if SP__WITH_LARGE
+
+/* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does,
+ * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
+ * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
+
+/* Do the members stand that are not held now?     returns 0 also when the budget is spent */
+SP__APART static int sp__hold_stands(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    q->tries++;
+    sp__sequence_islands(q);
+    for (int32_t k = 0; k < h->members; k++) {
+        sp__check *c = NULL;
+        const int32_t root = h->member[k];
+        if (!sp__loose(q, root) || sp__root(q->up, root) != root) continue;
+        h->over |= h->budget > 0 && q->cost.flops >= h->budget;
+        if (h->over) return 0;
+        sp__part_island(q, root);
+        h->status = sp__part_check(q, &c);
+        if (h->status) { h->over = 1; return 0; }
+        if (c->r.verdict == SP_STABLE) continue;
+        h->unsure |= c->r.verdict == SP_UNDECIDED;
+        sp_real most = -1;
+        for (int32_t i = 0; i < q->members; i++) {
+            const sp_real *dq = c->r.dq + 6 * (size_t)i, size = sp__norm3(dq);
+            if (!(size > most) && !(size >= most && q->part_block[i] < h->worst)) continue;
+            most = size;
+            h->worst = q->part_block[i];
+        }
+        return 0;
+    }
+    return 1;
+}
+
+static void sp__hold_all(const sp__hold *h, sp_presence presence)
+{
+    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = presence;
+}
+
+/* must[b]: b falls even when all other members are held. */
+SP__APART static void sp__hold_must(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    sp__hold_all(h, SP_HELD);
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        h->unsure = 0;                                  /* of these sets nothing is claimed but who falls */
+        q->stone[h->member[k]].presence = SP_PRESENT;
+        q->must[h->member[k]] = !sp__hold_stands(h) && !h->over && !h->unsure;
+        q->stone[h->member[k]].presence = SP_HELD;
+    }
+}
+
+/* Exactly the members of this set are held. */
+static void sp__hold_set(const sp__hold *h, uint32_t set)
+{
+    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = set >> k & 1u ? SP_HELD : SP_PRESENT;
+}
+
+static int32_t sp__hold_size(const sp__hold *h)
+{
+    int32_t n = 0;
+    for (int32_t k = 0; k < h->members; k++) n += h->q->stone[h->member[k]].presence == SP_HELD;
+    return n;
+}
+
+/* All sets that hold what must be, the smallest first, in the order of their numbers.     leaves the first that does */
+SP__APART static sp_held_proof sp__hold_exhaust(sp__hold *h)
+{
+    uint32_t must = 0;
+    for (int32_t k = 0; k < h->members; k++) if (h->q->must[h->member[k]]) must |= 1u << k;
+    for (int32_t size = 1; size <= h->members; size++)
+        for (uint32_t set = 1; set < 1u << h->members && !h->over; set++) {
+            sp__hold_set(h, set);
+            if ((set & must) != must || sp__hold_size(h) != size) continue;
+            if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
+        }
+    sp__hold_all(h, SP_HELD);
+    return SP_HELD_ENOUGH;
+}
+
+/* Of those that can't be let go one is minimal; of two, does one of the others suffice?     leaves it so if it does */
+SP__APART static sp_held_proof sp__hold_one(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    int32_t pair[2] = { -1, -1 }, n = 0;
+    if (sp__hold_size(h) < 2) return SP_HELD_MINIMAL;
+    if (sp__hold_size(h) > 2) return SP_HELD_IRREDUCIBLE;
+    for (int32_t k = 0; k < h->members; k++)
+        if (q->stone[h->member[k]].presence == SP_HELD) pair[n++] = h->member[k];
+    sp__hold_all(h, SP_PRESENT);
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        const int32_t b = h->member[k];
+        if (b == pair[0] || b == pair[1] || (h->known && !q->must[b])) continue;    /* the pair itself: letting go has tried */
+        q->stone[b].presence = SP_HELD;
+        if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
+        q->stone[b].presence = SP_PRESENT;
+    }
+    q->stone[pair[0]].presence = q->stone[pair[1]].presence = SP_HELD;
+    return h->over ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
+}
+
+/* What must be held and what was held last; then what moves most, until it stands; then each let go that can be. */
+SP__APART static sp_held_proof sp__hold_guided(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    int32_t must = 0;
+    for (int32_t k = 0; k < h->members; k++) {
+        const int32_t b = h->member[k];
+        must += q->must[b];
+        q->stone[b].presence = q->must[b] || q->was[b] ? SP_HELD : SP_PRESENT;
+    }
+    while (!sp__hold_stands(h)) {
+        if (h->over) { sp__hold_all(h, SP_HELD); return SP_HELD_ENOUGH; }
+        q->stone[h->worst].presence = SP_HELD;
+    }
+    for (int32_t k = 0; k < h->members && !h->over; k++) {
+        const int32_t b = h->member[k];
+        if (q->stone[b].presence != SP_HELD || q->must[b]) continue;
+        q->stone[b].presence = SP_PRESENT;
+        if (!sp__hold_stands(h)) q->stone[b].presence = SP_HELD;
+    }
+    h->known = must;
+    return h->over ? SP_HELD_ENOUGH : sp__hold_size(h) == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
+}
+
+/* The island whose lowest block is q->list[0..members-1]'s first; its set to the answer. */
+SP__APART static sp_status sp__hold_island(sp__hold *h)
+{
+    sp_sequence *q = h->q;
+    h->worst = h->member[0];
+    for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
+    sp__hold_must(h);
+    h->unsure = q->stone[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
+    sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
+    if (proof == SP_HELD_IRREDUCIBLE) proof = sp__hold_one(h);
+    if (h->unsure) proof = SP_HELD_ENOUGH;
+    if (proof > h->proof) h->proof = proof;
+    for (int32_t k = 0; k < h->members; k++) {
+        const int32_t b = h->member[k];
+        q->was[b] = q->stone[b].presence == SP_HELD;
+        if (q->was[b]) q->answer[h->count++] = b;
+        q->stone[b].presence = SP_PRESENT;
+    }
+    sp__sequence_islands(q);
+    return h->status;
+}
+
+SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held)
+{
+    if (!sequence || !held || budget < 0) return SP_E_ARGUMENT;
+    sp_sequence *q = sequence;
+    sp__hold *h = &q->hold;
+    memset(h, 0, sizeof *h);
+    h->q = q;
+    h->member = q->list;
+    h->budget = budget;
+    sp__sequence_start(q);
+    for (int32_t root = 0; root < q->scene->count.blocks; root++) {
+        if (!sp__loose(q, root) || sp__root(q->up, root) != root || q->stone[root].verdict == SP_STABLE) continue;
+        h->members = 0;
+        for (int32_t b = root; b < q->scene->count.blocks; b++)
+            if (sp__loose(q, b) && sp__root(q->up, b) == root) q->list[h->members++] = b;
+        const sp_status status = sp__hold_island(h);
+        if (status) return status;
+    }
+    for (int32_t k = 0; k < h->count; k++) q->list[k] = q->must[q->answer[k]];
+    memset(held, 0, sizeof *held);
+    held->count = h->count;
+    held->block = q->answer;
+    held->must = q->list;
+    held->proof = h->proof;
+    held->checks = q->tries;
+    held->cost = q->cost;
+    return SP_OK;
+}
+
+#endif
+
+#endif /* SP__SEQUENCE_HOLD_C */

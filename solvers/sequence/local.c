@@ -1,0 +1,194 @@
+/* local: forces of the step before, changed near the change only */
+#ifndef SP__SEQUENCE_LOCAL_C
+#define SP__SEQUENCE_LOCAL_C
+
+#include "part.c"
+
+#if SP__WITH_LARGE
+
+/* What a check of the part found becomes what is known of its blocks. */
+SP__APART static void sp__part_keep(sp_sequence *q, const sp__check *c)
+{
+    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
+        const sp_interface *t = &q->part.interface[k];
+        memcpy(q->f + 3 * (size_t)q->pb.contact[q->part_joint[k]].point, c->r.f + 3 * (size_t)t->point,
+               3 * (size_t)t->points * sizeof *q->f);
+    }
+    for (int32_t k = 0; k < q->members; k++) {
+        const int32_t b = q->part_block[k];
+        sp__stone *s = &q->stone[b];
+        sp_real *dq = q->dq + 6 * (size_t)b;
+        s->plain = 0;
+        if (c->r.verdict == SP_STABLE) sp__stone_weigh(q, b);
+        for (size_t i = 0; i < 6; i++) dq[i] = c->r.verdict == SP_UNSTABLE ? c->r.dq[6 * (size_t)k + i] : 0;
+        s->verdict = c->r.verdict;
+        s->reason = c->r.reason;
+        s->final = c->r.final;
+        s->omega = c->r.omega;
+        s->least = c->r.least_imbalance;
+    }
+    q->again += q->members;
+}
+
+static void sp__lean_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
+{
+    if (q->mark[b]) return;
+    q->mark[b] = 1;
+    q->list[*n] = b;
+    q->origin[(*n)++] = origin;
+}
+
+/* How far block s is from block o across gravity g, squared; -1: s is not below b. */
+static sp_real sp__lean_aside(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
+{
+    const sp_real *g = q->scene->gravity, size = sp__norm3(g);
+    const int32_t s = sp__beside(t, b);
+    sp_real d[3], n[3];
+    sp__scale3(t->joint->a == b ? 1 : -1, t->joint->n, n);
+    if (!(sp__dot3(n, g) > SP__BELOW * size)) return -1;
+    sp__sub3(q->scene->block[s].centroid, q->scene->block[o].centroid, d);
+    const sp_real along = sp__dot3(d, g) / size;
+    return sp__max(0, sp__dot3(d, d) - along * along);
+}
+
+/* The blocks below block b that lie straightest below block o, unless b reaches something fixed. */
+SP__APART static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
+{
+    sp_real least = SP__HUGE;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->joint[k]];
+            const int32_t s = sp__beside(t, b);
+            const sp_real aside = q->stone[s].presence == SP_ABSENT ? -1 : sp__lean_aside(q, t, b, o);
+            if (aside < 0) continue;
+            if (!sp__loose(q, s)) return;
+            if (pass && aside <= (sp_real)1.05 * least) sp__lean_add(q, s, o, n);
+            if (aside < least) least = aside;
+        }
+}
+
+/* All loose blocks that block b touches. */
+static void sp__lean_beside(sp_sequence *q, int32_t b, int32_t *n)
+{
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const int32_t s = sp__beside(&q->pb.contact[q->joint[k]], b);
+        if (sp__loose(q, s)) sp__lean_add(q, s, b, n);
+    }
+}
+
+/* The island of `root`: marks what is not plain and what is below that, wide: and what touches those.
+ *     returns how many; 0: nothing, -1: most of it */
+SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
+{
+    int32_t n = 0, size = 0;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
+    for (int32_t b = root; b < q->scene->count.blocks; b++) {
+        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        size++;
+        if (!q->stone[b].plain) sp__stone_weigh(q, b);
+        if (!q->stone[b].plain) sp__lean_add(q, b, b, &n);
+    }
+    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__lean_below(q, q->list[k], q->origin[k], &n);
+    const int32_t narrow = wide ? n : 0;
+    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__lean_beside(q, q->list[k], &n);
+    return 2 * n > size ? -1 : n;
+}
+
+/* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
+SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
+{
+    for (int32_t i = 0; i < q->members; i++) {
+        const int32_t b = q->part_block[i];
+        sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
+        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->joint[k]];
+            const int32_t s = sp__beside(t, b);
+            if (!sp__loose(q, s) || q->mark[s]) continue;
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                sp_real F[3], m[3];
+                sp__stone_force(q, t, b, v, F, m);
+                for (int c = 0; c < 3; c++) { p[c] += q->judge.unit * F[c]; p[3 + c] += q->judge.unit * m[c]; }
+                size[0] += q->judge.unit * sp__norm3(F);
+                size[1] += q->judge.unit * sp__norm3(m);
+            }
+            q->cost.flops += 76 * (int64_t)t->points;
+        }
+        for (int c = 0; c < 6; c++)
+            if (sp__abs(p[c]) <= 64 * (sp_real)SP_EPSILON * size[c / 3]) p[c] = 0;
+    }
+}
+
+/* Forces of the part's joints, admitted.     returns 1 if all its blocks are plain then */
+SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
+{
+    int plain = 1;
+    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
+        const sp_interface *from = &q->part.interface[k];
+        const sp_contact *t = &q->pb.contact[q->part_joint[k]];
+        q->judge.cap = q->set.force_bound * sp__stone_load(q, t);
+        for (int32_t v = 0; v < t->points; v++) {
+            sp_real *f = q->f + 3 * (size_t)(t->point + v), g[3];
+            sp__scale3(1 / q->judge.unit, c->state.f + 3 * (size_t)(from->point + v), g);
+            sp__judge_admit(&q->judge, t, g, g);
+            sp__scale3(q->judge.unit, g, f);
+        }
+    }
+    for (int32_t k = 0; k < q->members; k++) {
+        sp__stone_weigh(q, q->part_block[k]);
+        plain &= q->stone[q->part_block[k]].plain;
+    }
+    return plain;
+}
+
+/* The marked blocks alone, all other forces as they are: in their plane where they, with these as loads, have one.
+ *     returns 1 if they are plain then */
+SP__APART static int sp__lean_solve(sp_sequence *q)
+{
+    sp__check *c = NULL;
+    sp__flat *flat = NULL;
+    sp_arena a = q->work;
+    sp_verdict claim = SP_UNDECIDED;
+    sp__part_make(q);
+    if (sp__part_open(q, &a, &c)) return 0;
+    sp__lean_load(q, &c->pb);
+#ifndef SP_NO_PLAN
+    sp_arena room = a;
+    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    if (o && sp__flat_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { flat = o; a = room; }
+#endif
+    if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
+    c->set.tol *= SP__LEAN_TOL;
+    c->state.left = sp__budget_left(&c->set, &c->r);
+    const sp_status status = sp__exact_search(&c->pb, &c->set, flat, &c->state, &a, &claim);
+    sp__cost_add(&q->cost, &c->state.cost);
+    q->again += q->members;
+    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
+}
+
+/* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
+SP__APART static int sp__lean_island(sp_sequence *q, int32_t root)
+{
+    int exact = 0, done = 0;
+    for (int32_t k = 0; k < q->set.stage_count; k++) exact |= q->set.stage[k] == SP_STAGE_EXACT;
+    for (int wide = 0; wide < 2 && exact && !done; wide++) {
+        const int32_t n = sp__lean_choose(q, root, wide);
+        if (n < 0) return 0;
+        done = n == 0 || sp__lean_solve(q);
+    }
+    if (!done) return 0;
+    for (int32_t b = root; b < q->scene->count.blocks; b++) {
+        sp__stone *s = &q->stone[b];
+        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        s->verdict = SP_STABLE;
+        s->reason = SP_REASON_FORCES;
+        s->final = 0;
+        s->least = 0;
+        for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
+    }
+    q->local++;
+    return 1;
+}
+
+#endif
+
+#endif /* SP__SEQUENCE_LOCAL_C */

@@ -1,0 +1,153 @@
+/* part: an island of what is there, as a scene of its own */
+#ifndef SP__SEQUENCE_PART_C
+#define SP__SEQUENCE_PART_C
+
+#include "../check/one.c"
+#include "state.c"
+
+#if SP__WITH_LARGE
+
+/* Which loose blocks hang together. */
+static void sp__sequence_islands(sp_sequence *q)
+{
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
+    for (int32_t c = 0; c < q->pb.contacts; c++) {
+        const sp_interface *t = q->pb.contact[c].joint;
+        if (sp__loose(q, t->a) && sp__loose(q, t->b)) sp__join(q->up, t->a, t->b);
+    }
+}
+
+/* Block b into the part. */
+static void sp__part_block(sp_sequence *q, int32_t b, int fixed)
+{
+    sp_block *to = &q->part.block[q->part.count.blocks];
+    *to = q->scene->block[b];
+    to->vertex = to->vertices = to->face = to->faces = 0;
+    if (fixed) to->fixed = SP_FIXED;
+    q->part_block[q->part.count.blocks] = b;
+    q->number[b] = q->part.count.blocks++;
+}
+
+/* Contact c into the part, if it is between members or of one and something fixed. */
+static void sp__part_joint(sp_sequence *q, int32_t c)
+{
+    const sp_interface *t = q->pb.contact[c].joint;
+    const int32_t end[2] = { t->a, t->b };
+    int inside = 0;
+    for (int k = 0; k < 2; k++) inside += q->number[end[k]] >= 0 && q->number[end[k]] < q->members;
+    if (!inside) return;
+    for (int k = 0; k < 2 && inside < 2; k++) {
+        if (q->number[end[k]] >= 0 && q->number[end[k]] < q->members) continue;
+        if (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k])) return;
+        if (q->number[end[k]] < 0) sp__part_block(q, end[k], 1);
+    }
+    sp_interface *to = &q->part.interface[q->part.count.interfaces];
+    *to = *t;
+    to->a = q->number[t->a];
+    to->b = q->number[t->b];
+    to->point = q->part.count.points;
+    memcpy(q->part.point[to->point], q->scene->point[t->point], (size_t)t->points * sizeof *q->part.point);
+    q->part.count.points += t->points;
+    q->part_joint[q->part.count.interfaces++] = c;
+}
+
+/* The part of all marked blocks. */
+SP__APART static void sp__part_make(sp_sequence *q)
+{
+    sp_capacity *n = &q->part.count;
+    memset(n, 0, sizeof *n);
+    for (int32_t k = 0; k < q->pb.blocks; k++) if (q->mark[q->order[k]]) sp__part_block(q, q->order[k], 0);
+    q->members = n->blocks;
+    for (int32_t c = 0; c < q->pb.contacts; c++) sp__part_joint(q, c);
+    for (int32_t k = 0; k < q->scene->count.loads; k++) {
+        const sp_load *load = &q->scene->load[k];
+        if (!q->mark[load->block]) continue;
+        q->part.load[n->loads] = *load;
+        q->part.load[n->loads++].block = q->number[load->block];
+    }
+    for (int32_t k = 0; k < n->blocks; k++) q->number[q->part_block[k]] = -1;
+}
+
+/* The part of the island of `root`. */
+static void sp__part_island(sp_sequence *q, int32_t root)
+{
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = sp__loose(q, b) && sp__root(q->up, b) == root;
+    sp__part_make(q);
+}
+
+/* A check of the part in `a`, before the first stage. */
+SP__APART static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
+{
+    const sp__apart one = { 1, 0, 0 };
+    sp_status status = sp__check_open(&q->part, &q->set, &one, a, c);
+    if (!status) status = sp__check_problem(*c, a);
+    if (!status) (*c)->pb.ordered = 1;
+    return status;
+}
+
+/* Does the part stand? sp_check without what is only told. */
+SP__APART static sp_status sp__part_check(sp_sequence *q, sp__check **c)
+{
+    sp_arena a = q->work;
+    sp_status status = sp__part_open(q, &a, c);
+    if (status) return status;
+    if ((*c)->pb.blocks) status = sp__check_run(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
+    sp__cost_add(&q->cost, &(*c)->r.cost);
+    return status;
+}
+
+/* F, m: force on block b at vertex v of contact t, its moment about the centroid, both in units. */
+static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
+{
+    const sp_interface *j = t->joint;
+    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->judge.unit;
+    sp_real arm[3];
+    for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);
+    sp__arm(&q->pb, q->row[b], v, arm);
+    sp__cross3(arm, F, m);
+}
+
+/* |load| of the free blocks of a contact, the lesser, in units; SP__HUGE: none of them is loose. */
+static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
+{
+    sp_real least = SP__HUGE;
+    for (int side = 0; side < 2; side++) {
+        const int32_t b = side ? t->joint->b : t->joint->a;
+        sp_real p[6];
+        if (!sp__loose(q, b)) continue;
+        sp__judge_load(&q->judge, q->row[b], p);
+        const sp_real load = sp__norm3(p);
+        if (load < least) least = load;
+    }
+    return least;
+}
+
+/* Is block b plain? Its omega, or more. */
+SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
+{
+    sp__stone *s = &q->stone[b];
+    sp_real r[6], m1 = 0;
+    int large = 0;
+    sp__judge_load(&q->judge, q->row[b], r);
+    const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
+    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
+        const sp_contact *t = &q->pb.contact[q->joint[k]];
+        if (q->stone[sp__beside(t, b)].presence == SP_ABSENT) continue;
+        const sp_real most = q->set.force_bound * sp__stone_load(q, t);
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real F[3], m[3];
+            sp__stone_force(q, t, b, v, F, m);
+            for (int c = 0; c < 3; c++) { r[c] += F[c]; r[3 + c] += m[c]; }
+            if (m1 < lever) m1 += sp__norm3(m);
+            large |= sp__dot3(F, F) > most * most;
+        }
+        q->cost.flops += 60 * (int64_t)t->points;
+    }
+    const sp_real arm = m1 < lever ? m1 : lever;
+    s->omega = sp__max(sp__ratio(sp__norm3(r), (sp_real)1.8 * load), sp__ratio(sp__norm3(r + 3), couple + arm));
+    s->plain = s->omega <= SP__PLAIN_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
+}
+
+#endif
+
+#endif /* SP__SEQUENCE_PART_C */

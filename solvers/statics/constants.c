@@ -1,0 +1,40 @@
+/* constants: tolerances of the search */
+#ifndef SP__STATICS_CONSTANTS_C
+#define SP__STATICS_CONSTANTS_C
+
+#include "../base/config.c"
+
+#ifdef SP_REAL_FLOAT
+#define SP__SHIFT ((sp_real)1e-6)       /* diagonal shift that keeps a semidefinite matrix of unit size factorable */
+#define SP__PROX ((sp_real)3e-7)        /* end of the proximal path: a few roundings of the diagonal */
+#define SP__DEEP ((sp_real)1e-4)        /* so far down the path proofs are tried even while the imbalance falls */
+#define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
+#define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
+#define SP__GAIN ((sp_real)0.9)         /* a round of balancing that leaves no less is the last: factors have few digits */
+#else
+#define SP__SHIFT ((sp_real)1e-13)
+#define SP__PROX ((sp_real)1e-15)
+#define SP__DEEP SP__SHIFT
+#define SP__TIE ((sp_real)1e-8)
+#define SP__PLAY ((sp_real)1e-6)
+#define SP__GAIN ((sp_real)0.5)
+#endif
+#define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
+#define SP__PLAY_IDLE ((sp_real)0.1)    /* SP__PLAY where rounding has ended the search */
+#define SP__IPM_MOST 60                 /* interior-point iterations */
+#define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
+#define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
+#define SP__IPM_NOWHERE ((sp_real)0.1)  /* length of a step that gets nowhere */
+#define SP__IPM_IDLE 8                  /* so many of them one after the other end it: rounding holds theta */
+#ifdef SP_REAL_MIXED
+#define SP__IPM_LAST 0                  /* factors in float hold them, but other ways refine in double */
+#else
+#define SP__IPM_LAST 1                  /* where they get nowhere nothing else does */
+#endif
+#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
+#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
+#else
+#define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more */
+#endif
+
+#endif /* SP__STATICS_CONSTANTS_C */

@@ -1,0 +1,305 @@
+/* factor: its factor, and what it solves */
+#ifndef SP__STATICS_FACTOR_C
+#define SP__STATICS_FACTOR_C
+
+#include "../linear/chol.c"
+#include "hessian.c"
+
+#if SP__WITH_LARGE
+
+#ifdef SP_REAL_MIXED
+/* L <- T A T + 2 u, u and L of the factor's precision, T = diag(A)^-1/2 (1 where that is 0): no number leaves the range of a
+ * float, and motions that A hardly resists are all slowed down alike. Pivots dropped one by one would tear them apart, and
+ * conjugate gradients would find each anew. Before that A's diagonal grows by its own `own`. */
+SP__APART static void sp__dual_lower(sp__dual *w, sp_real own)
+{
+    const sp__bchol *L = &w->L;
+    sp__bchol_zero(&w->L);
+    for (size_t k = 0; k < (size_t)L->n; k++) {
+        sp_real *d = w->diagonal + 21 * k, *t = w->scale + 6 * k;
+        sp__low *to = L->d + 21 * k;
+        for (int c = 0; c < 6; c++) {
+            sp_real *pivot = d + sp__column[c];
+            *pivot += own * *pivot;
+            t[c] = *pivot > 0 ? 1 / SP_SQRT(*pivot) : 1;
+        }
+        for (int c = 0; c < 6; c++) {
+            for (int r = c; r < 6; r++) to[sp__column[c] + r - c] = (sp__low)(d[sp__column[c] + r - c] * t[c] * t[r]);
+            to[sp__column[c]] += 2 * SP__LOW_EPSILON;
+        }
+    }
+    for (int32_t c = 0; c < w->pb->contacts; c++) {
+        if (w->slot[c] == INT32_MIN) continue;
+        const int32_t a = L->inv[w->pb->contact[c].a], b = L->inv[w->pb->contact[c].b], first = a < b ? a : b;
+        const sp_real *A = sp__dual_coupling(w, c), *col = w->scale + 6 * (size_t)first, *row = w->scale + 6 * (size_t)(a + b - first);
+        sp__low *to = L->x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
+        for (int k = 0; k < 36; k++) to[k] += (sp__low)(A[k] * col[k / 6] * row[k % 6]);
+    }
+}
+
+/* y <- A x, in the caller's order of rows. */
+SP__APART static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_real *y)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *d = sp__dual_diagonal(w, i), *xi = x + 6 * (size_t)i;
+        sp_real *yi = y + 6 * (size_t)i;
+        for (int r = 0; r < 6; r++) yi[r] = 0;
+        for (int c = 0; c < 6; c++)
+            for (int r = c; r < 6; r++) {
+                const sp_real a = d[sp__column[c] + r - c];
+                yi[r] += a * xi[c];
+                if (r > c) yi[c] += a * xi[r];
+            }
+    }
+    for (int32_t k = 0; k < pb->contacts; k++) {
+        if (w->slot[k] == INT32_MIN) continue;
+        const size_t a = (size_t)pb->contact[k].a, b = (size_t)pb->contact[k].b, first = w->L.inv[a] < w->L.inv[b] ? a : b;
+        const sp_real *block = sp__dual_coupling(w, k), *xc = x + 6 * first, *xr = x + 6 * (a + b - first);
+        sp_real *yc = y + 6 * first, *yr = y + 6 * (a + b - first);
+        for (int c = 0; c < 6; c++)
+            for (int r = 0; r < 6; r++) {
+                yr[r] += block[6 * c + r] * xc[c];
+                yc[c] += block[6 * c + r] * xr[r];
+            }
+    }
+}
+#endif
+
+#ifndef SP_NO_PLAN
+/* A contact's H = h of vv, vw, ww in its own frame as 3 x 3 in X. */
+static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real *h, sp_real *H)
+{
+    const sp_real *vv = h, *vw = h + 9, *ww = h + 18, x = g[2], y = g[3];
+    if (o->mode == SP__PLANE) {
+        H[0] = vv[0];
+        H[1] = H[3] = vv[1] * x + vv[2] * y;
+        H[4] = (vv[4] * x + 2 * vv[5] * y) * x + vv[8] * y * y;
+        H[2] = H[6] = vw[2] * x - vw[1] * y;
+        H[5] = H[7] = (vw[5] * x - vw[4] * y) * x + (vw[8] * x - vw[7] * y) * y;
+        H[8] = (ww[8] * x - 2 * ww[5] * y) * x + ww[4] * y * y;
+        return;
+    }
+    const sp_real p = ww[4] * g[0] + ww[5] * g[1], q = ww[5] * g[0] + ww[8] * g[1];
+    H[0] = vv[0];
+    H[1] = H[3] = vw[1] * g[0] + vw[2] * g[1];
+    H[2] = H[6] = vw[1] * x + vw[2] * y;
+    H[4] = p * g[0] + q * g[1];
+    H[5] = H[7] = p * x + q * y;
+    H[8] = (ww[4] * x + 2 * ww[5] * y) * x + ww[8] * y * y;
+}
+
+/* out = H T by columns, H symmetric. */
+static void sp__flat_right(const sp_real H[9], const sp_real T[7], sp_real out[9])
+{
+    for (int r = 0; r < 3; r++) {
+        out[r] = T[0] * H[r] + T[1] * H[3 + r];
+        out[3 + r] = T[2] * H[r] + T[3] * H[3 + r];
+        out[6 + r] = T[4] * H[r] + T[5] * H[3 + r] + T[6] * H[6 + r];
+    }
+}
+
+/* Row r of T' times a column x. */
+static sp_real sp__flat_left(const sp_real T[7], int r, const sp_real x[3])
+{
+    const sp_real sum = T[2 * r] * x[0] + T[2 * r + 1] * x[1];
+    return r == 2 ? sum + T[6] * x[2] : sum;
+}
+
+/* Contact c's H into L: T' H T. */
+SP__APART static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *T = sp__flat_frame(w, t) + 6;
+    sp_real *X = w->h + 36;
+    for (int side = 0; side < 2; side++) {
+        const int32_t i = side ? t->b : t->a;
+        if (i < 0) continue;
+        sp__flat_right(H, T + 7 * side, X + 9 * side);
+        sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
+        for (int q = 0; q < 3; q++)
+            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__flat_left(T + 7 * side, r, X + 9 * side + 3 * q);
+    }
+    if (w->slot[c] == INT32_MIN) return;
+    const int turn = w->slot[c] < 0;
+    sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
+    for (int k = 0; k < 9; k++) x[k] += sp__flat_left(T + 7 * turn, k % 3, X + 9 * !turn + k / 3 * 3);
+}
+
+/* sp__dual_assemble in 3 rows a block. */
+SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_problem *pb = w->pb;
+    sp_real *H = w->h + 27;
+    sp__bchol_zero(&w->L);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        if (law < SP__GIVEN && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
+        else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->h, H);
+        else continue;
+        sp__flat_add(w, c, H);
+    }
+    for (size_t k = 0; k < (size_t)pb->blocks; k++)
+        for (int q = 0; q < 3; q++) sp__bchol_d(&w->L)[6 * k + sp__column3[q]] += shift;
+}
+
+/* Solve by the factor of 3 rows. */
+static void sp__flat_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    sp_real *t = w->L.t;
+    for (size_t k = 0; k < (size_t)w->L.n; k++)
+        for (int r = 0; r < 3; r++) t[3 * k + (size_t)r] = b[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)];
+    sp__bchol3_solve(&w->L, t);
+    memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
+    for (size_t k = 0; k < (size_t)w->L.n; k++)
+        for (int r = 0; r < 3; r++) x[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)] = t[3 * k + (size_t)r];
+}
+#endif
+
+/* The assembled blocks as one dense lower triangle, in elimination order. */
+static void sp__dual_spread(sp__dual *w)
+{
+    const sp__bchol *L = &w->L;
+    const size_t n = 6 * (size_t)L->n;
+    memset(w->dense, 0, n * (n + 1) / 2 * sizeof *w->dense);
+    for (int32_t k = 0; k < L->n; k++)
+        for (int32_t q = L->p[k] - 1; q < L->p[k + 1]; q++) {
+            const int diagonal = q < L->p[k];
+            const int32_t i = diagonal ? k : L->i[q];
+            const sp__low *block = diagonal ? L->d + 21 * (size_t)k : L->x + 36 * (size_t)q;
+            for (size_t r = 0; r < 6; r++)
+                for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
+                    const size_t row = 6 * (size_t)i + r;
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = (sp_real)block[diagonal ? sp__column[c] + r - c : 6 * c + r];
+                }
+        }
+}
+
+#ifndef SP_NO_PLAN
+/* sp__dual_factor in 3 rows a block, in full precision. */
+static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_real floor = 4 * (sp_real)SP_EPSILON;
+    sp__flat_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->cost->factorisations++;
+#ifndef SP_NO_IPM
+    if (law == SP__INTERIOR) sp__bchol_balance(&w->L, shift);
+    sp__bchol3_factor(&w->L, floor);
+    if (law == SP__INTERIOR) sp__bchol_unbalance(&w->L);
+#else
+    sp__bchol3_factor(&w->L, floor);
+#endif
+}
+#endif
+
+/* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
+SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
+    const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
+    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, w->flat && w->flat->plain && law < SP__GIVEN)) return;
+#ifndef SP_NO_PLAN
+    if (w->flat) { sp__flat_factor(w, law, y, shift); return; }
+#endif
+    sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->cost->factorisations++;
+#ifdef SP_REAL_MIXED
+    sp__dual_lower(w, law == SP__INTERIOR ? shift : 0);
+#elif !defined SP_NO_IPM
+    if (law == SP__INTERIOR) {
+        sp__bchol_balance(&w->L, shift);
+        sp__bchol_factor(&w->L, floor);
+        sp__bchol_unbalance(&w->L);
+        return;
+    }
+#endif
+    if (w->dense) {
+        sp__dual_spread(w);
+        sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
+    } else sp__bchol_factor(&w->L, floor);
+}
+
+/* x <- (L L')^-1 b; x may be b. */
+static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    const size_t n = 6 * (size_t)w->L.n;
+    if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
+    for (size_t k = 0; k < n; k++) w->L.t[k] = b[6 * (size_t)w->L.perm[k / 6] + k % 6];
+    sp__chol_solve(w->dense, 6 * w->L.n, w->L.t);
+    for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
+}
+
+static int64_t sp__dual_solve_flops(const sp__dual *w)
+{
+    const int64_t n = 6 * (int64_t)w->L.n;
+    return w->dense ? 2 * n * n : (144 * (int64_t)w->L.p[w->L.n] + 12 * n) / (w->L.rows == 3 ? 4 : 1);
+}
+
+#ifdef SP_REAL_MIXED
+/* z <- T (L L')^-1 T r, in the range of a float whatever the size of r.     returns r.z */
+static sp_real sp__dual_precondition(sp__dual *w, const sp_real *r, sp_real *z)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    sp_real most = 0, rz = 0;
+    for (size_t k = 0; k < n; k++) {
+        z[k] = r[k] * w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6];
+        most = sp__max(most, sp__abs(z[k]));
+    }
+    for (size_t k = 0; k < n; k++) z[k] = most > 0 ? z[k] / most : 0;
+    sp__dual_back(w, z, z);
+    for (size_t k = 0; k < n; k++) {
+        z[k] *= w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6] * most;
+        rz += r[k] * z[k];
+    }
+    return rz;
+}
+
+/* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: a few steps, and where A is nearly singular
+ * one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one only in
+ * A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for. */
+static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    const int64_t flops = sp__dual_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
+    sp_real *p = w->cg, *q = p + n, *z = q + n, *r = z + n;
+#ifndef SP_NO_PLAN
+    if (w->flat) {
+        if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__flat_solve(w, b, x);
+        else memset(x, 0, n * sizeof *x);
+        return;
+    }
+#endif
+    memcpy(r, b, n * sizeof *r);
+    memset(x, 0, n * sizeof *x);
+    if (!sp__dual_pay(w, flops)) return;
+    sp_real rz = sp__dual_precondition(w, r, p);
+    const sp_real enough = 256 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * rz;
+    for (int it = 0; it < SP__REFINE && rz > enough; it++) {
+        sp__dual_times(w, p, q);
+        const sp_real pq = sp__dot(p, q, n);
+        if (!(pq > 0)) return;
+        const sp_real alpha = rz / pq;
+        for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
+        if (!sp__dual_pay(w, flops)) return;
+        const sp_real next = sp__dual_precondition(w, r, z), beta = -alpha * sp__dot(z, q, n) / rz;
+        for (size_t k = 0; k < n; k++) p[k] = z[k] + beta * p[k];
+        rz = next;
+    }
+}
+#else
+/* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
+static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+{
+    if (sp__dual_pay(w, sp__dual_solve_flops(w))) {
+#ifndef SP_NO_PLAN
+        if (w->flat) sp__flat_solve(w, b, x);
+        else
+#endif
+        sp__dual_back(w, b, x);
+    }
+    else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
+}
+#endif
+
+#endif
+
+#endif /* SP__STATICS_FACTOR_C */

@@ -1,0 +1,255 @@
+/* hessian: the Hessian of D, block by block */
+#ifndef SP__STATICS_HESSIAN_C
+#define SP__STATICS_HESSIAN_C
+
+#include "../cone/ipm.c"
+#include "gradient.c"
+
+#if SP__WITH_LARGE
+
+#ifndef SP_NO_IPM
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`.
+ * e[1] not written like e[2]: see sp__soc_square. */
+static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
+{
+    const sp_real mu = sp__dual_mu(w, c), h = mu * w->cone.tan_half, *d = w->cone.direction[k];
+    e[0] = w->inner->natural * sp__dual_S(w, c) / (sp_real)w->cone.faces;
+    e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
+    e[2] = e[0] * (mu * d[1] + h * d[0]);
+}
+
+/* A pyramid's share of sp__ipm_derivative. */
+SP__APART static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    const sp_real *x = w->inner->x + (size_t)w->cone.faces * (size_t)v, times = sp__dual_counts(w, v);
+    sp_real *e = w->h + 57;
+    for (int32_t k = 0; k < w->cone.faces; k++) {
+        sp__ipm_edge(w, c, k, e);
+        const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
+        if (!(zk > 0 && x[k] > 0)) w->inner->outside = 1;
+        w->inner->gap += times * x[k] * zk;
+        D[0] += s * e[0] * e[0]; D[1] += s * e[0] * e[1]; D[2] += s * e[0] * e[2];
+        D[3] += s * e[1] * e[1]; D[4] += s * e[1] * e[2]; D[5] += s * e[2] * e[2];
+        for (int q = 0; f && q < 3; q++) f[q] += x[k] * e[q];
+    }
+}
+
+/* The true cone's. */
+SP__APART static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    const sp_real *x = w->inner->x + 3 * (size_t)v;
+    const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    sp_real *z = w->h + 60;
+    z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
+    sp__nt W;
+    if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
+    const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
+    w->inner->gap += sp__dual_counts(w, v) * sp__dot3(x, z);
+    D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
+    D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
+    D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
+    if (f) { f[0] = S * x[0]; f[1] = T * x[1]; f[2] = T * x[2]; }
+}
+
+/* D = E W^2 E' for rates u = Aeq' y, z = theta e - E'u; f (may be NULL) = E x. Adds x.z to the gap. */
+static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+{
+    for (int k = 0; k < 6; k++) D[k] = 0;
+    for (int k = 0; f && k < 3; k++) f[k] = 0;
+    if (w->cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
+    else sp__ipm_by_cone(w, c, v, u, D, f);
+}
+#endif
+
+/* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */
+static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
+{
+    if (law == SP__GIVEN) { memcpy(D, w->given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
+    sp__dual_rate(w, twist, twist + 3, w->pb->local[v], u);
+#ifndef SP_NO_IPM
+    if (law == SP__INTERIOR) {
+        sp__ipm_derivative(w, c, v, u, D, NULL);
+        return 1;
+    }
+#endif
+    D[0] = D[3] = D[5] = 1;
+    D[1] = D[2] = D[4] = 0;
+    if (law == SP__ADMISSIBLE) {
+        const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
+        if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
+        else if (region == SP__APEX) return 0;
+    }
+    const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
+    D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
+    return 1;
+}
+
+/* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
+ *     returns 0 when all of it is zero: the contact is open */
+SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    sp_real *twist = h + 87, *u = h + 93, *D = h + 96;
+    int carries = 0;
+    sp__dual_twist(w, t, y, twist, twist + 3);
+    for (int q = 0; q < 27; q++) h[q] = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        if (!(sp__dual_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, u, D)) continue;
+        for (int k = 0; k < 6; k++) D[k] *= sp__dual_counts(w, v);
+        sp__vertex_hessian(D, w->pb->local[v], h);
+        carries = 1;
+    }
+    return carries;
+}
+
+/* out = R m R', R = (n, t1, t2): from the contact's frame to the world's. out may not be m. */
+SP__APART static void sp__rotate(const sp_contact *t, const sp_real *m, sp_real *out)
+{
+    const sp_real *R[3] = { t->joint->n, t->joint->t1, t->joint->t2 };
+    sp_real a[9];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) a[3 * i + j] = R[0][i] * m[j] + R[1][i] * m[3 + j] + R[2][i] * m[6 + j];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            out[3 * i + j] = a[3 * i] * R[0][j] + a[3 * i + 1] * R[1][j] + a[3 * i + 2] * R[2][j];
+}
+
+/* out = [c]x m (+ add, if not NULL) */
+static void sp__cross_left(const sp_real c[3], const sp_real *m, const sp_real *add, sp_real *out)
+{
+    for (int j = 0; j < 3; j++) {
+        const sp_real x = m[j], y = m[3 + j], s = m[6 + j];
+        out[j]     = c[1] * s - c[2] * y + (add ? add[j] : 0);
+        out[3 + j] = c[2] * x - c[0] * s + (add ? add[3 + j] : 0);
+        out[6 + j] = c[0] * y - c[1] * x + (add ? add[6 + j] : 0);
+    }
+}
+
+/* out = m - a [c]x, row i: m_i + c x a_i; `turn`: with a' in place of a */
+static void sp__cross_right(const sp_real c[3], const sp_real *a, int turn, const sp_real *m, sp_real *out)
+{
+    for (int i = 0; i < 3; i++) {
+        const sp_real x = turn ? a[i] : a[3 * i], y = turn ? a[3 + i] : a[3 * i + 1], s = turn ? a[6 + i] : a[3 * i + 2];
+        out[3 * i]     = m[3 * i]     + c[1] * s - c[2] * y;
+        out[3 * i + 1] = m[3 * i + 1] + c[2] * x - c[0] * s;
+        out[3 * i + 2] = m[3 * i + 2] + c[0] * y - c[1] * x;
+    }
+}
+
+/* to(r, c) += z m(r, c), 3 x 3; to has strides tr, tc, m is by rows or, mc = 3, by columns. */
+static void sp__add9(sp_real *to, int tr, int tc, sp_real z, const sp_real *m, int mr, int mc)
+{
+    for (int c = 0; c < 3; c++, to += tc, m += mc) {
+        to[0]      += z * m[0];
+        to[tr]     += z * m[mr];
+        to[2 * tr] += z * m[2 * mr];
+    }
+}
+
+/* Diagonal block += Z [ vv . ; vw' ww ] Z, Z = diag(z[0], z[1]): the lower triangle by columns. */
+static void sp__add_diagonal(sp_real *d, const sp_real *z, const sp_real *vv, const sp_real *vw, const sp_real *ww)
+{
+    const sp_real f = z[0] * z[0], g = z[0] * z[1], m = z[1] * z[1];
+    d[0] += f * vv[0]; d[1] += f * vv[3]; d[2] += f * vv[6];
+    d[6] += f * vv[4]; d[7] += f * vv[7];
+    d[11] += f * vv[8];
+    for (int k = 0; k < 3; k++) { d[3 + k] += g * vw[k]; d[8 + k] += g * vw[3 + k]; d[12 + k] += g * vw[6 + k]; }
+    d[15] += m * ww[0]; d[16] += m * ww[3]; d[17] += m * ww[6];
+    d[18] += m * ww[4]; d[19] += m * ww[7];
+    d[20] += m * ww[8];
+}
+
+/* Block -= Za [ vv qb ; qa' ww ] Zb, by columns, or by rows where it is stored transposed. */
+SP__APART static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
+                                       const sp_real *qa, const sp_real *qb, const sp_real *ww)
+{
+    const int tr = turn ? 6 : 1, tc = turn ? 1 : 6;
+    sp__add9(block, tr, tc, -za[0] * zb[0], vv, 3, 1);
+    sp__add9(block + 3 * tc, tr, tc, -za[0] * zb[1], qb, 3, 1);
+    sp__add9(block + 3 * tr, tr, tc, -za[1] * zb[0], qa, 1, 3);
+    sp__add9(block + 3 * tr + 3 * tc, tr, tc, -za[1] * zb[1], ww, 3, 1);
+}
+
+/* The matrix's block of free block i, the lower triangle by columns; of a contact between free blocks, or of all between the two:
+ * its rows are the later one's in elimination order. L is made in place, unless it is of other precision. */
+#ifdef SP_REAL_MIXED
+static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->diagonal + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c) { return w->coupling + 36 * (size_t)c; }
+#else
+static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->L.d + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c)
+{
+    return w->L.x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
+}
+#endif
+
+/* Rows and columns of held directions to zero, in every block they run through. */
+static void sp__dual_hold(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int k = 0; k < 6; k++) {
+            sp_real *d = sp__dual_diagonal(w, i);
+            if (!sp__held(pb, i, k)) continue;
+            for (int q = 0; q < 6; q++) d[q < k ? sp__column[q] + k - q : sp__column[k] + q - k] = 0;
+        }
+    for (int32_t c = 0; c < pb->contacts; c++)
+        for (int k = 0; k < 12 && w->slot[c] != INT32_MIN; k++) {
+            const int32_t i = k < 6 ? pb->contact[c].a : pb->contact[c].b;
+            const int turn = w->slot[c] < 0, row = (k < 6) != turn;     /* is block a's direction a row as stored? */
+            sp_real *x = sp__dual_coupling(w, c);
+            if (!sp__held(pb, i, k % 6)) continue;
+            for (int q = 0; q < 6; q++) x[row ? 6 * q + k % 6 : 6 * (k % 6) + q] = 0;
+        }
+}
+
+/* Contact c's H, in w->h, moved to the centroids of its blocks,
+ *
+ *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
+SP__APART static void sp__dual_add(sp__dual *w, int32_t c)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
+    sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
+    sp__rotate(t, h, vv);
+    sp__rotate(t, h + 9, vw);
+    sp__rotate(t, h + 18, ww);
+    if (t->a >= 0) {
+        sp__cross_right(t->ra, vv, 0, vw, qa);                              /* K_vw = vw - vv [arm]x */
+        sp__cross_right(t->ra, vw, 1, ww, nb);                              /* ww - vw' [arm]x */
+        sp__cross_left(t->ra, qa, nb, k);                                   /* K_ww */
+        sp__add_diagonal(sp__dual_diagonal(w, t->a), za, vv, qa, k);
+    }
+    if (t->b >= 0) {
+        sp__cross_right(t->rb, vv, 0, vw, qb);
+        sp__cross_right(t->rb, vw, 1, ww, nb);
+        sp__cross_left(t->rb, qb, nb, k);
+        sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, vv, qb, k);
+    }
+    if (w->slot[c] != INT32_MIN) {
+        sp__cross_left(t->ra, qb, nb, k);
+        sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, vv, qa, qb, k);
+    }
+}
+
+/* Aeq S DP Aeq' + shift into L. */
+SP__APART static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+{
+    const sp_problem *pb = w->pb;
+    int held = 0;
+#ifdef SP_REAL_MIXED
+    memset(w->diagonal, 0, 21 * (size_t)pb->blocks * sizeof *w->diagonal);
+    memset(w->coupling, 0, 36 * (size_t)pb->contacts * sizeof *w->coupling);
+#else
+    sp__bchol_zero(&w->L);
+#endif
+    for (int32_t c = 0; c < pb->contacts; c++) if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__dual_add(w, c);
+    for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
+    if (held) sp__dual_hold(w);
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (int q = 0; q < 6; q++) sp__dual_diagonal(w, i)[sp__column[q]] += shift;
+}
+
+#endif
+
+#endif /* SP__STATICS_HESSIAN_C */

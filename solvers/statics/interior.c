@@ -1,0 +1,333 @@
+/* interior: interior points, where Newton stalls */
+#ifndef SP__STATICS_INTERIOR_C
+#define SP__STATICS_INTERIOR_C
+
+#include "newton.c"
+
+#if SP__WITH_LARGE
+
+/* Where Newton stalls, with thousands of joints about to slide or open at once. Forces f = E x of any size (E: sp__ipm_edge):
+ *
+ *   Aeq E x + tau p = theta r0,  z + E' Aeq' y = theta e,  kappa + p.y = k theta,  x o z = mu e,  tau kappa = k mu,
+ *
+ * x, z in cones, from x = z = e, y = 0, tau = theta = mu = 1, kappa = k down to theta = mu = 0: the homogeneous self-dual
+ * embedding of "is there an f". Then f = E x / tau balances p, or no contact resists dq = -y while the load does work kappa: of
+ * all such motions the centre, with k / (k + number of cones) of the most work there is; so k is not 1, and late, where little
+ * work has to do for a proof, more than there are cones. A step factorises
+ * Aeq E W^2 E' Aeq', the same blocks as Newton's; z is never stored. Mostly it ends long before that: when the least change of
+ * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
+ *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
+
+#ifndef SP_NO_IPM
+
+/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
+ * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
+SP__APART static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
+{
+    sp__nt W;
+    const sp_real keep = 1 - m->sigma;
+    sp_real *h = t, *z = t + 3, *dz = t + 6;
+    sp__scale3(-1, u[0], z);
+    z[0] += m->theta;
+    if (!sp__soc_scaling(x, z, &W)) { m->outside = 1; return; }
+    for (int k = 0; k < 3; k++) h[k] = -x[k];
+    if (m->corrected) {
+        for (int k = 0; k < 3; k++) h[k] = u[1][k];
+        h[0] += m->theta;
+        sp__scale3(-1, h, dz);
+        sp__soc_square(&W, h);
+        sp__sub3(h, x, h);
+        sp__soc_aim(&W, x, z, h, dz, m->sigma * m->mu, h);
+    }
+    for (int k = 0; k < 3; k++) g[k] = m->pass == SP__AIM ? 0 : u[2][k];
+    g[0] += keep * m->theta;
+    sp__scale3(-1, g, dz);
+    sp__soc_square(&W, g);
+    for (int k = 0; k < 3; k++) g[k] += h[k];                               /* dx */
+    if (m->pass == SP__REACH) m->reach = sp__soc_step(z, dz, sp__soc_step(x, g, m->reach));
+    for (int k = 0; k < 3; k++) {
+        if (m->pass == SP__MOVE) x[k] += m->reach * g[k];
+        g[k] = -(keep * x[k] + g[k]);
+    }
+}
+
+/* The same for one edge of a pyramid, where W^2 = x / z. */
+static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
+{
+    const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z;
+    sp_real h = -*x;
+    if (m->corrected) {
+        const sp_real dz = -m->theta - u[1], dx = -*x - s * dz;
+        h += (m->sigma * m->mu - dx * dz) / z;
+    }
+    const sp_real dz = -keep * m->theta - (m->pass == SP__AIM ? 0 : u[2]), dx = h - s * dz;
+    if (m->pass == SP__REACH) m->reach = sp__ray_step(z, dz, sp__ray_step(*x, dx, m->reach));
+    if (m->pass == SP__MOVE) *x += m->reach * dx;
+    return -(keep * *x + dx);
+}
+
+/* The edges of a vertex's pyramid. */
+SP__APART static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = w->h + 42, *rate = w->h + 45;
+    for (int32_t k = 0; k < w->cone.faces; k++) {
+        sp__ipm_edge(w, c, k, e);
+        for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
+        const sp_real a = sp__ipm_ray(m, x + k, rate);
+        for (int q = 0; q < 3; q++) g[q] += a * e[q];
+    }
+}
+
+/* One vertex: its cone or the edges of its pyramid. g is a force. */
+SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    g[0] = g[1] = g[2] = 0;
+    if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
+    const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
+    sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, w->h + 42);
+    g[0] *= S; g[1] *= T; g[2] *= T;
+}
+
+/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is not
+ * corrected no predictor: those rates are 0. */
+SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
+{
+    const sp_problem *pb = w->pb;
+    const int counts[3] = { 1, m->corrected, pass != SP__AIM }, rates = 1 + counts[1] + counts[2];
+    m->pass = pass;
+    if (!sp__dual_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
+    if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        sp_real *twist = w->h, *g = w->h + 27, *a = w->h + 30, *F = w->h + 33, *M = w->h + 36;
+        sp_real (*u)[3] = (sp_real (*)[3])(w->h + 18);
+        for (int k = 0; k < 3; k++) {
+            F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
+            if (counts[k]) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
+        }
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            if (!(sp__dual_counts(w, v) > 0)) continue;
+            for (int k = 0; k < 3; k++)
+                if (counts[k]) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
+            sp__ipm_vertex(w, m, c, v, u, g);
+            sp__scale3(sp__dual_counts(w, v), g, g);
+            sp__cross3(pb->local[v], g, a);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
+        }
+        if (pass == SP__AIM) sp__dual_scatter(w, t, F, M, r);
+    }
+    if (pass == SP__AIM) sp__dual_release(w, r);
+}
+
+/* g = P_K(f - D u); g may be f. */
+static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3], const sp_real f[3],
+                           sp_real g[3])
+{
+    const sp_real a = f[0] - (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]), b = f[1] - (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
+    g[2] = f[2] - (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
+    g[0] = a; g[1] = b;
+    sp__cone_project(&w->cone, yield, g, g);
+}
+
+/* Forces of the live loads alone: is this a vertex that only others press, W^2 < 1, so x -> 0? What x is left there would have
+ * to balance stones that nothing else holds. */
+static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp_real D[6])
+{
+    const sp_real S = m->natural * sp__dual_S(w, c);
+    return m->ray && D[0] < S * S;
+}
+
+/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). m NULL: D = S DP_K and
+ * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
+ * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
+ * hide small ones. */
+SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
+{
+    const sp_problem *pb = w->pb;
+    if (!sp__dual_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
+    sp__dual_load(w, w->r);
+    memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp__yield *yield = sp__dual_yield(w, c);
+        sp_real *twist = w->h, *u = w->h + 18, *D = w->h + 21, *g = w->h + 27, *F = w->h + 30, *M = w->h + 33;
+        sp__dual_twist(w, t, w->y, twist, twist + 3);
+        sp__dual_twist(w, t, d, twist + 6, twist + 9);
+        sp__dual_twist(w, t, e, twist + 12, twist + 15);
+        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *f = state->f + 3 * (size_t)v;
+            const sp_real times = sp__dual_counts(w, v);
+            if (!(times > 0)) continue;
+            sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
+            if (m) sp__ipm_derivative(w, c, v, u, D, g);
+            else {
+                sp__dual_force(w, c, yield, u, g);
+                if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist, u, D)) memset(D, 0, 6 * sizeof *D);
+            }
+            if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
+            if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
+            sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
+            sp__ipm_change(w, yield, D, u, f, f);
+            sp__dual_rate(w, twist + 12, twist + 15, pb->local[v], u);
+            sp__ipm_change(w, yield, D, u, f, g);
+            sp__scale3(times, g, g);
+            sp__cross3(pb->local[v], g, u);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
+            sp__dual_bear(w, t, pb->local[v], g);
+        }
+        sp__dual_scatter(w, t, F, M, w->r);
+    }
+    sp__dual_release(w, w->r);
+}
+
+/* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
+ * and the rest balanced again while that gains. Then state->f holds them. */
+SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp_real last = SP__HUGE, strict = SP__HUGE;
+    int more = 8;                                       /* once balanced: lightly loaded blocks come to rest last */
+    memset(state->dq, 0, size * sizeof *w->d);
+    memset(w->d, 0, size * sizeof *w->d);
+    for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
+        w->bears = w->L.t;
+        sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
+        const sp_real now = sp__dual_omega(w, w->r);
+        w->bears = NULL;
+        if (w->spent) return;
+        n->omega = sp__dual_omega(w, w->r);
+        const int slow = n->omega > SP__GAIN * last && now > SP__GAIN * strict;
+        if (it == 60 || (slow && (last > n->goal || now >= strict || !more--))) break;
+        last = n->omega;
+        strict = now;
+        memcpy(state->dq, w->d, size * sizeof *w->d);
+        sp__dual_solve(w, w->r, w->d);
+    }
+    n->omega = strict;
+    if (strict > SP__ENOUGH * w->set->tol) return;
+    for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->unit;
+    n->best = strict;
+    n->found = 1;
+}
+
+/* Changes of tau and kappa, from the step w->r of y that leaves tau alone and state->dq = dy / dtau. */
+static void sp__ipm_homogeneous(const sp__dual *w, sp__ipm *m, const sp_state *state, sp_real product)
+{
+    const sp_real rest = m->kappa + sp__dual_work(w, w->y), keep = 1 - m->sigma;
+    const sp_real c = m->tau * m->kappa + product - m->sigma * m->stake * m->mu;
+    m->dtau = (c / m->tau - keep * rest - sp__dual_work(w, w->r)) / (sp__dual_work(w, state->dq) - m->kappa / m->tau);
+    m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
+}
+
+/* Longest step along m->along[2] that stays inside. */
+static void sp__ipm_reach(sp__dual *w, sp__ipm *m)
+{
+    m->reach = 1000;
+    sp__ipm_sweep(w, m, SP__REACH, NULL);
+    m->reach = sp__ray_step(m->kappa, m->dkappa, sp__ray_step(m->tau, m->dtau, m->reach));
+}
+
+/* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of dy / dtau
+ * that the load's work is kappa it is tried as a proof. */
+SP__APART static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__dual_load(w, state->dq);
+    for (size_t k = 0; k < size; k++) state->dq[k] = -state->dq[k];
+    sp__dual_solve(w, state->dq, state->dq);
+    m->corrected = 0;
+    m->sigma = 0;
+    sp__ipm_sweep(w, m, SP__AIM, w->d);
+    sp__dual_solve(w, w->d, w->d);
+    const sp_real pulls = -sp__dual_work(w, state->dq);
+    if (!(pulls > 0)) return;
+    const sp_real share = (m->kappa + sp__dual_work(w, w->y) + sp__dual_work(w, w->d)) / pulls;
+    for (size_t k = 0; k < size; k++) w->r[k] = w->y[k] + w->d[k] + share * state->dq[k];
+    sp__newton_try(w, n, w->r, state);
+}
+
+/* Predictor and corrector with the factor at hand, from what sp__ipm_motion left in w->d and state->dq. */
+SP__APART static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    for (size_t k = 0; k < n; k++) w->r[k] = w->d[k] + m->tau * state->dq[k];
+    sp__ipm_homogeneous(w, m, state, 0);
+    sp__dual_axpy(w, m->tau + m->dtau, state->dq, w->d);
+    m->along[1] = m->along[2] = w->d;
+    sp__ipm_reach(w, m);
+    const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), product = m->dtau * m->dkappa;
+    m->corrected = 1;
+    m->sigma = left * left * left;
+    sp__ipm_sweep(w, m, SP__AIM, w->r);
+    sp__dual_solve(w, w->r, w->r);
+    sp__dual_axpy(w, (1 - m->sigma) * m->tau, state->dq, w->r);
+    sp__ipm_homogeneous(w, m, state, product);
+    sp__dual_axpy(w, m->dtau, state->dq, w->r);
+    m->along[2] = w->r;
+    sp__ipm_reach(w, m);
+    m->reach *= SP__IPM_KEEP;
+    if (m->reach > 1) m->reach = 1;
+    sp__ipm_sweep(w, m, SP__MOVE, NULL);
+    sp__dual_axpy(w, m->reach, w->r, w->y);
+    m->tau += m->reach * m->dtau;
+    m->kappa += m->reach * m->dkappa;
+    m->theta *= 1 - m->reach * (1 - m->sigma);
+}
+
+/* x = z = e, y = 0. The natural force is a quarter of what an average block bears. */
+static void sp__ipm_start(sp__dual *w, sp__ipm *m)
+{
+    const int32_t faces = w->cone.faces;
+    memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    for (size_t k = 0; k < (size_t)(faces ? faces : 3) * (size_t)w->pb->points; k++) m->x[k] = faces || k % 3 == 0;
+    m->natural = 0;
+    for (int32_t i = 0; i < w->pb->blocks; i++) m->natural += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
+    if (w->metric > 0) m->natural = 1 / (4 * w->metric);
+    m->theta = m->tau = 1;
+    m->kappa = m->stake;
+    m->ray = 0;
+    m->along[0] = m->along[1] = m->along[2] = w->y;
+    w->inner = m;
+}
+
+/* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
+ *   returns 1 where SP__IPM_IDLE steps one after the other got nowhere and no other way does: factors have too few digits */
+SP__APART static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+{
+    const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
+    int idle = 0;
+    m->stake = sp__max(1, cones / 10);
+    sp__ipm_start(w, m);
+    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
+        m->gap = 0;
+        m->outside = 0;
+        if (m->theta < SP__IPM_LATE) m->stake = 3 * cones;
+        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->spent) break;
+        n->left--;
+        state->cost.iterations++;
+        state->cost.interior++;
+        if (m->outside) break;
+        m->mu = (m->gap + m->tau * m->kappa) / (cones + m->stake);
+        sp__ipm_forces(w, m, n, state);
+        if (n->found) return 0;
+        sp__newton_try(w, n, w->y, state);
+        if (!n->proved) sp__ipm_motion(w, m, n, state);
+        if (n->proved || w->spent) return 0;
+        sp__ipm_step(w, m, state);
+        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
+    }
+    sp__newton_look(w, n, state);
+    if (idle == SP__IPM_IDLE) {                         /* y still shows what goes together, roughly */
+        memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+        sp__newton_tie(w, n, SP__PLAY_IDLE, state);
+    }
+    return idle == SP__IPM_IDLE && SP__IPM_LAST;
+}
+#endif
+
+#endif
+
+#endif /* SP__STATICS_INTERIOR_C */

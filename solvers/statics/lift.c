@@ -1,0 +1,143 @@
+/* lift: from 3 rows a block to 6 and back */
+#ifndef SP__STATICS_LIFT_C
+#define SP__STATICS_LIFT_C
+
+#include "../base/groups.c"
+#include "motion.c"
+
+#if SP__WITH_LARGE
+
+#ifndef SP_NO_PLAN
+/* Height of contact c along e2 above the centroid of its free block of the lower number. */
+static sp_real sp__flat_height(const sp__dual *w, const sp_contact *t)
+{
+    const int a = t->a >= 0 && (t->b < 0 || t->a < t->b);
+    return sp__dot3(a ? t->ra : t->rb, w->flat->e[2]);
+}
+
+/* Are joints of one pair of nodes in one plane, none across and none warped?     L.d, L.x: a mark and the height of the first */
+SP__APART static int sp__flat_tidy(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    const sp_real eps = sp__flat_small(w->set);
+    sp__bchol_zero(&w->L);
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const int32_t i = t->a >= 0 ? t->a : t->b, slot = w->slot[c];
+        sp_real *first = slot == INT32_MIN ? sp__bchol_d(&w->L) + 6 * (size_t)i : sp__bchol_x(&w->L) + 9 * (size_t)(slot < 0 ? -1 - slot : slot);
+        const sp_real height = sp__flat_height(w, t), size = sp__norm3(t->ra) + sp__norm3(t->rb);
+        if (first[0] > 0 && sp__abs(first[1] - height) > eps * size) return 0;
+        first[0] = 1;
+        first[1] = height;
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (w->flat->mate[v] < 0 || sp__abs(pb->local[v][0]) > eps * (size + sp__norm3(pb->local[v]))) return 0;
+    }
+    return 1;
+}
+
+/* Nodes less edges are as many as trees: a forest. Supports are one node, of edges between free blocks each is in adj twice.
+ * mark: trees without supports; parent: does a block, then a tree, touch one? */
+SP__APART static int sp__flat_forest(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    int64_t edges = w->xadj[pb->blocks] / 2, trees = 1;
+    if (!sp__flat_tidy(w)) return 0;
+    for (int32_t i = 0; i < pb->blocks; i++) { w->mark[i] = i; w->parent[i] = 0; }
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        if (t->a >= 0 && t->b >= 0) sp__join(w->mark, t->a, t->b);
+        else w->parent[t->a >= 0 ? t->a : t->b] = 1;
+    }
+    for (int32_t i = 0; i < pb->blocks; i++) edges += w->parent[i];
+    for (int32_t i = 0; i < pb->blocks; i++) w->parent[sp__root(w->mark, i)] |= w->parent[i];
+    for (int32_t i = 0; i < pb->blocks; i++) trees += sp__root(w->mark, i) == i && !w->parent[i];
+    return edges + trees == (int64_t)pb->blocks + 1;
+}
+
+/* Sideways motion of a forest, rows 0 and 1, from supports upwards so that no joint slips; m: motions in the axes e. With turns w0,
+ * w1 a block's points at arm r2 along e2 go sideways by v0 + w1 r2, v1 - w0 r2.     mark: has it been placed? */
+SP__APART static void sp__flat_place(sp__dual *w, sp_real *m)
+{
+    const sp_problem *pb = w->pb;
+    for (int32_t i = 0; i < pb->blocks; i++) w->mark[i] = 0;
+    for (int more = 1, turn = 0; more; turn = !turn) {
+        more = 0;
+        w->cost->flops += 8 * (int64_t)pb->contacts;
+        for (int32_t k = 0; k < pb->contacts; k++) {
+            const sp_contact *t = &pb->contact[turn ? pb->contacts - 1 - k : k];
+            const int a = t->a < 0 || w->mark[t->a], b = t->b < 0 || w->mark[t->b];
+            if (a == b) continue;
+            const int32_t from = a ? t->a : t->b, to = a ? t->b : t->a;
+            const sp_real below = sp__dot3(a ? t->ra : t->rb, w->flat->e[2]), above = sp__dot3(a ? t->rb : t->ra, w->flat->e[2]);
+            sp_real *x = m + 6 * (size_t)to, v[2] = { 0, 0 };
+            if (from >= 0) {
+                const sp_real *y = m + 6 * (size_t)from;
+                v[0] = y[0] + y[4] * below;
+                v[1] = y[1] - y[3] * below;
+            }
+            x[0] = v[0] - x[4] * above;
+            x[1] = v[1] + x[3] * above;
+            w->mark[to] = more = 1;
+        }
+    }
+}
+
+/* Motions out of the axes e, of a forest with what goes sideways. */
+static void sp__flat_lift(sp__dual *w, sp_real *m)
+{
+    if (w->flat->forest) sp__flat_place(w, m);
+    for (int32_t i = 0; i < 2 * w->pb->blocks; i++) sp__flat_unturn(w->flat, m + 3 * (size_t)i);
+}
+
+#ifndef SP_NO_IPM
+/* And into them: planar rows alone. */
+static void sp__flat_drop(const sp__flat *o, int32_t blocks, sp_real *m)
+{
+    for (int32_t i = 0; i < 2 * blocks; i++, m += 3) {
+        sp__flat_turn(o, m, m);
+        if (i % 2) m[0] = m[1] = 0; else m[2] = 0;
+    }
+}
+#endif
+
+/* What a search in 3 rows has besides: frames, images, work of a factor. */
+SP__APART static void sp__flat_open(sp__dual *w)
+{
+    const sp_problem *pb = w->pb;
+    sp__flat_mates(w->flat, pb, w->set);
+    w->flat->plain = !sp__problem_strong(pb);
+    for (int32_t c = 0; c < pb->contacts; c++) sp__flat_contact(w->flat, &w->cone, &pb->contact[c], w->flat->g + SP__FLAT_G * (size_t)c);
+    w->L.flops = 0;
+    for (int32_t k = 0; k < w->L.n; k++) {
+        const int64_t below = w->L.p[k + 1] - w->L.p[k];
+        w->L.flops += 17 + 57 * below + 54 * (below * (below - 1) / 2);
+    }
+    w->flat->forest = w->flat->mode == SP__PLUMB && sp__flat_forest(w);
+    w->flat->slick = w->flat->mode == SP__PLUMB;
+    for (int32_t c = 0; c < pb->contacts; c++)
+        if (pb->contact[c].joint->joint.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->slick = 0;
+}
+
+/* Forces of vertices that do not count: those of their images, or none; what rounding left of forces across the plane goes. */
+static void sp__flat_spread(const sp__flat *o, const sp_problem *pb, sp_real *f)
+{
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real *g = o->g + SP__FLAT_G * (size_t)c;
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            sp_real *fv = f + 3 * (size_t)v;
+            if (o->mate[v] < 0) fv[0] = fv[1] = fv[2] = 0;
+            else if (o->mate[v] < v) memcpy(fv, f + 3 * (size_t)o->mate[v], 3 * sizeof *f);
+            else if (o->mode == SP__PLANE) {
+                const sp_real slip = fv[1] * g[2] + fv[2] * g[3];
+                fv[1] = slip * g[2];
+                fv[2] = slip * g[3];
+            }
+        }
+    }
+}
+#endif
+
+#endif
+
+#endif /* SP__STATICS_LIFT_C */

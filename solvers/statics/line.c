@@ -1,0 +1,131 @@
+/* line: line search, proofs on the way */
+#ifndef SP__STATICS_LINE_C
+#define SP__STATICS_LINE_C
+
+#include "gradient.c"
+
+#if SP__WITH_LARGE
+
+/* Semismooth Newton on the dual with a line search, from the bilateral potential; where that stalls (collapse, or close to
+ * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
+ * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
+
+#ifdef SP_REAL_FLOAT
+#define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own omega that will do */
+#define SP__MORE ((sp_real)1.1)         /* of tol: the search's own value of a proof that will do */
+#else
+#define SP__ENOUGH ((sp_real)0.999)
+#define SP__MORE ((sp_real)1.001)
+#endif
+#define SP__FINE ((sp_real)(sizeof(sp_real) == 4 ? 1 : 1e-12))  /* omega from which forces are taken as they come */
+#define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
+
+typedef struct sp__newton {
+    sp_real prox;                       /* weight of |y|^2 / 2 */
+    sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
+    sp_real omega, best;                /* of the current y, of the best (kept in state->y) */
+    sp_real goal;                       /* omega to reach */
+    int32_t left;                       /* factorisations */
+    int proved;                         /* state->dq holds a proof */
+    sp_real level;                      /* imbalance at the end of the last piece of the path */
+    int stalled;                        /* it no longer falls with prox: something moves */
+    int found;                          /* state->f holds forces that balance */
+} sp__newton;
+
+/* Is there work left to spend? */
+static int sp__newton_left(const sp__dual *w, const sp__newton *n) { return n->left > 0 && !w->spent; }
+
+static int sp__newton_open(const sp__newton *n) { return n->omega > n->goal && !n->proved && !n->found; }
+
+/* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
+typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
+
+static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 * sp__abs(l->start), l->noise); }
+
+/* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
+SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
+{
+    sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
+    for (int it = 0; it < 14; it++) {
+        if (it) f = sp__dual_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
+        if (sp__abs(f) <= sp__line_enough(l)) return s;
+        if (f < 0) { lo = s; flo = f; }
+        else { hi = s; fhi = f; }
+        if (!(hi > 0)) {
+            if (s > 1000) return s;
+            s *= 4;
+            continue;
+        }
+        s = lo + (hi - lo) * (-flo / (fhi - flo));
+        const sp_real edge = (sp_real)0.1 * (hi - lo);          /* keep off the ends, or one of them never moves */
+        if (s < lo + edge) s = lo + edge;
+        if (s > hi - edge) s = hi - edge;
+    }
+    return lo > 0 ? lo : s;
+}
+
+/* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared with,
+ * for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)| (with strength: the support function of K_v),
+ * sum (sbar |v| + Sbar |w|). */
+typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
+
+/* sp__flat_resist in 6 rows a block. */
+SP__APART static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
+    sp__dual_twist(w, t, y, V, W);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
+        sp__dual_rate(w, V, W, w->pb->local[v], u);
+        sum += times * sp__cone_support(&w->cone, w->yield, u, most);
+    }
+    return sum;
+}
+
+/* What the vertices of contact c can resist a motion with. */
+SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+{
+    const int plain = sp__dual_yield(w, c)->plain;
+    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(&w->pb->contact[c], w->size, 2) / S;
+#ifndef SP_NO_PLAN
+    if (w->flat && plain) return sp__flat_resist(w, c, y, most);
+#else
+    (void)plain;
+#endif
+    return S * sp__space_resist(w, c, y, most);
+}
+
+SP__APART static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
+{
+    const sp_problem *pb = w->pb;
+    o->work = o->resist = o->scale = 0;
+    if (!sp__dual_sweep(w, 1, 1)) return;
+    o->work = -sp__dual_work(w, y);
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        o->scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
+    }
+    for (int32_t c = 0; c < pb->contacts && o->resist < o->work; c++) o->resist += sp__newton_resist(w, c, y);
+}
+
+/* (work - resist) / scale */
+static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
+{
+    sp__proof o;
+    sp__newton_weigh(w, y, &o);
+    return o.work > o.resist ? sp__ratio(o.work - o.resist, o.scale) : 0;
+}
+
+/* Keep y as the mechanism if it is a proof. */
+static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_state *state)
+{
+    if (n->proved || sp__newton_proof(w, y) <= SP__MORE * w->set->tol) return;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->weight[k / 3] * y[k];
+    n->proved = 1;
+}
+
+#endif
+
+#endif /* SP__STATICS_LINE_C */

@@ -1,0 +1,253 @@
+/* newton: semismooth Newton, proximal path */
+#ifndef SP__STATICS_NEWTON_C
+#define SP__STATICS_NEWTON_C
+
+#include "line.c"
+#include "rigid.c"
+
+#if SP__WITH_LARGE
+
+/* After a step: imbalance, best so far. */
+static void sp__newton_keep(const sp__dual *w, sp__newton *n, sp_state *state)
+{
+    if (w->spent) return;                               /* w->r is not of this y */
+    n->omega = sp__dual_omega(w, w->r);
+    if (n->omega < n->best) {
+        n->best = n->omega;
+        memcpy(state->y, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    }
+}
+
+static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__newton_keep(w, n, state);
+}
+
+SP__APART static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__line *l)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    l->yd = n->prox * sp__dot(w->y, w->d, size);
+    l->dd = n->prox * sp__dot(w->d, w->d, size);
+    l->start = sp__dot(w->r, w->d, size) + l->yd;
+    l->noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+}
+
+/* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
+SP__APART static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__line l;
+    sp_real s = 1;
+    sp__line_open(w, n, &l);
+    memcpy(w->L.t, w->y, size * sizeof *w->y);
+    sp__dual_axpy(w, 1, w->d, w->y);
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
+    if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
+        memcpy(w->y, w->L.t, size * sizeof *w->y);
+        s = sp__newton_search(w, &l, f);
+        sp__dual_axpy(w, s, w->d, w->y);
+        sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    }
+    sp__newton_keep(w, n, state);
+    return s;
+}
+
+/* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
+static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *state)
+{
+    for (int it = 0; it < 2 && !n->proved; it++) {
+        sp__dual_solve(w, x, x);
+        const sp_real size = sp__dual_norm(w, x);
+        if (!(size > 0)) return;
+        for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) x[k] /= size;
+        sp__newton_try(w, n, x, state);
+    }
+}
+
+/* The candidate in w->d, tied into rigid groups: opened, else as it is. */
+SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, sp_state *state)
+{
+    if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    sp__rigid_groups(w, w->d, play, w->xadj);
+    if (sp__rigid_sharpen(w, w->xadj, state)) {
+        memcpy(w->r, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->r);
+        sp__rigid_open(w, w->d, (sp_real (*)[3])state->dq);
+        sp__newton_try(w, n, w->d, state);
+        sp__newton_try(w, n, w->r, state);
+    }
+    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+}
+
+/* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
+SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
+    if (w->spent) return 0;
+    n->left--;
+    state->cost.iterations++;
+    if (n->stalled) {
+        memcpy(w->d, w->y, size * sizeof *w->d);
+        sp__newton_purify(w, n, w->d, state);
+        if (n->prox < SP__TIE) sp__newton_tie(w, n, SP__PLAY, state);
+    }
+    for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
+    sp__dual_solve(w, w->d, w->d);
+    sp__newton_try(w, n, w->d, state);
+    const sp_real s = sp__newton_move(w, n, state);
+    if (n->omega > n->goal && !n->proved) {
+        sp__newton_try(w, n, w->y, state);
+        if (s > 10) sp__newton_purify(w, n, w->d, state);
+    }
+    return s;
+}
+
+/* y += (Aeq S DP Aeq')^-1 (-r), with the factor at hand. */
+static void sp__newton_correct(sp__dual *w)
+{
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
+    sp__dual_solve(w, w->d, w->d);
+    sp__dual_axpy(w, 1, w->d, w->y);
+}
+
+/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then omega as forces are judged, and
+ * more steps where that asks for them. What is good enough goes to state->f. */
+SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    if (n->found || n->proved || n->omega > n->goal) return;
+    for (int it = 0; it < 4; it++) {
+        const sp_real last = n->omega;
+        sp__newton_correct(w);
+        sp__newton_look(w, n, state);
+        if (n->omega > last / 10) break;
+    }
+    memcpy(w->y, state->y, size * sizeof *w->y);
+    w->bears = w->L.t;
+    n->omega = SP__HUGE;
+    for (int it = 0; it < 12 && !n->found; it++) {
+        const sp_real last = n->omega;
+        if (it) sp__newton_correct(w);
+        sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
+        if (w->spent) break;
+        n->best = n->omega = sp__dual_omega(w, w->r);
+        n->found = n->omega <= SP__ENOUGH * w->set->tol;
+        if (n->omega > last / 2) break;
+    }
+    w->bears = NULL;
+}
+
+/* After a step of length s, more or less on the diagonal.     returns whether the step was tiny */
+SP__APART static int sp__newton_damp(sp__newton *n, sp_real s)
+{
+    const int tiny = s < (sp_real)0.03;
+    if (tiny) n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1;
+    if (s > (sp_real)0.5) n->shift = sp__max(SP__SHIFT, n->shift / 100);
+    return tiny;
+}
+
+/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
+SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    int tiny = 0;
+    n->prox = 0;
+    n->stalled = 0;
+    n->shift = SP__SHIFT;
+    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved && tiny < 2; it++)
+        tiny += sp__newton_damp(n, sp__newton_step(w, n, state));
+}
+
+/* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
+ * load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x), a little too far, moves the direction of y to where no contact resists it at
+ * all; curved cones want more than the inverse iteration that is enough for hinges. */
+SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    const sp_real y = sp__dual_norm(w, w->y);
+    if (!(y > 0)) return;
+    for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
+    for (int it = 0; it < 3 && sp__newton_left(w, n) && !n->proved; it++, n->left--) {
+        sp__dual_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
+        sp__dual_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
+        sp__dual_load(w, w->L.t);
+        for (size_t k = 0; k < size; k++) w->r[k] -= w->L.t[k];
+        sp__dual_solve(w, w->r, w->r);
+        sp__dual_axpy(w, -(sp_real)1.1, w->r, w->d);
+        sp__newton_try(w, n, w->d, state);
+    }
+    if (!n->proved) sp__newton_tie(w, n, SP__PLAY, state);
+}
+
+/* Is y near enough to the minimum for this prox?     n->stalled: does the imbalance no longer fall with it? */
+SP__APART static int sp__newton_level(sp__dual *w, sp__newton *n)
+{
+    const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
+    const sp_real inner = sp__dual_norm(w, w->d);
+    if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) return 0;
+    n->stalled = r > (sp_real)0.1 * n->level && n->prox < (sp_real)1e-4;
+    n->level = r;
+    return 1;
+}
+
+/* Proximal path from y = 0. */
+SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
+    n->prox = (sp_real)0.1;
+    n->shift = 0;
+    n->level = SP__HUGE;
+    sp__newton_look(w, n, state);
+    for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved; ) {
+        sp__newton_step(w, n, state);
+        if (n->prox <= SP__SHIFT) {
+            if (extra-- == 8) sp__newton_restore(w, n, state);
+            continue;
+        }
+        if (!sp__newton_level(w, n)) continue;
+        if (n->stalled && !n->proved) sp__newton_restore(w, n, state);
+        n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+        n->stalled |= n->prox <= SP__DEEP;
+    }
+}
+
+/* A motion that not even bilateral joints resist: the part of the load along null vectors, by inverse iteration. */
+static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
+{
+    sp__dual_load(w, w->d);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->d[k];
+    sp__newton_purify(w, n, w->d, state);
+}
+
+/* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
+ * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts as
+ * tied: where that ties all, every block goes alone. state->y is used up. */
+SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];
+    sp__proof best, now;
+    sp__newton_weigh(w, w->d, &best);
+    for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
+        memcpy(w->d, state->y, n * sizeof *w->d);
+        if (pass) sp__dual_solve(w, w->d, w->d);
+        if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
+        sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
+        if (!sp__rigid_sharpen(w, w->xadj, state)) {
+            memcpy(w->d, state->y, n * sizeof *w->d);
+            sp__rigid_groups(w, w->d, -1, w->xadj);
+            if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
+        }
+        sp__newton_weigh(w, w->d, &now);
+        if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;
+        best = now;
+        memcpy(state->y, w->d, n * sizeof *w->d);
+    }
+    for (size_t k = 0; k < n; k++) state->dq[k] = -w->weight[k / 3] * state->y[k];
+}
+
+#endif
+
+#endif /* SP__STATICS_NEWTON_C */
