@@ -13,6 +13,7 @@ ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
 PARTS    = stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 GEN      = tests/scenes/gen.c
+# The program, bottom-up: run.c and its neighbours, files/, picture/, worker/, command/, main.c; tests/checks/host_floors.sh holds it.
 READ     = $(addprefix port/host/,run.c clock.c files/scene.c files/obj_read.c files/text.c)
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c port/host/*/*.c)) $(GEN)
@@ -122,7 +123,7 @@ RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
 
 build/run build/run_float: Makefile
 $(foreach p,double float mixed,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
-  build/$p/port/host/solvers.o build/$p/port/host/command/settle.o): build/plugins
+  build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
 build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
 	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
 

@@ -391,7 +391,7 @@ cppcheck_run() {
 # Solvers of others: what make found of them (PLUGINS, PLUG_C, PLUG_L).
 warn_plugins() {                                        # warn_plugins COMPILER DIRECTORY
     for wp_real in '' -DSP_REAL_FLOAT; do
-        for wp_file in "$2"/*.c port/host/solvers.c tests/host/test_plugins.c; do
+        for wp_file in "$2"/*.c port/host/command/solvers.c tests/host/test_plugins.c; do
             # shellcheck disable=SC2086
             "$1" $host $wp_real $PLUG_C -O2 -Wno-unused-function -c "$wp_file" -o $out/warn.o || return 1
         done

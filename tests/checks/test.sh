@@ -33,4 +33,5 @@ for real in double float; do part "same bits without optimisation, $real" end bi
 count "program" end program
 if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
+part "floors of the program" sh tests/checks/host_floors.sh
 total

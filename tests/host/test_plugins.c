@@ -8,7 +8,7 @@
 #endif
 #ifdef WITH_IPOPT
 #include "../scenes/gen.h"
-#include "../../port/host/solvers.h"
+#include "../../port/host/command/solvers.h"
 #include "../../port/ipopt/ipopt_qp.h"
 
 #include <math.h>

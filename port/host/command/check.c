@@ -3,7 +3,6 @@
 #include "commands.h"
 #include "../files/done.h"
 #include "report.h"
-#include "../picture/svg.h"
 #include "../worker/worker_client.h"
 
 #include <stdlib.h>
@@ -58,7 +57,7 @@ static int draw(const report *r, text_error *error)
     const char *path = r->options->svg;
     FILE *out = text_create(path, error);
     if (!out) return error->status;
-    return text_finish(out, path, svg_write(out, r) ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
+    return text_finish(out, path, report_svg(out, r) ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
 /* The coupled question once more, as the program its authors publish. */

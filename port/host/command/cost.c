@@ -1,8 +1,10 @@
 /* cost: what accuracy costs on one scene: cones, stages and tolerances side by side, as a table, a picture, JSON. */
 #define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
-#include "commands.h"
-#include "cost.h"
 #include "../files/json_out.h"
+#include "../picture/cost_svg.h"
+#include "../run.h"
+#include "commands.h"
+#include "report.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,7 +67,8 @@ static sp_status refer(const host_scene *s, const sp_settings *base, cost_table 
     return SP_OK;
 }
 
-sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *t)
+/* base: all but cone, stages and tol.     returns as sp_check; progress goes to a terminal's stderr */
+static sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *t)
 {
     sp_settings set = *base;
     memset(t, 0, sizeof *t);

@@ -1,8 +1,10 @@
 /* limit: how much of the live loads does it bear, and what gives way? */
-#include "commands.h"
 #include "../files/json_out.h"
-#include "limit.h"
-#include "../picture/svg.h"
+#include "../motion.h"
+#include "../run.h"
+#include "commands.h"
+#include "report.h"
+#include "tilt.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -165,7 +167,7 @@ static void print_text(const report *r)
     const sp_capacity *n = &r->scene->scene.count;
     int32_t moving = 0;
     print_multiplier(r);
-    for (int32_t b = 0; b < n->blocks; b++) moving += report_motion(r, b) > REPORT_STILL;
+    for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {
         row("mechanism");
         printf("%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");
@@ -189,7 +191,7 @@ static int draw(const report *r, const tilt_margin *m, text_error *error)
     const char *path = r->options->svg;
     FILE *out = text_create(path, error);
     if (!out) return error->status;
-    const int drawn = m ? tilt_draw(out, r->scene, r->options, m) : svg_write(out, r);
+    const int drawn = m ? tilt_draw(out, r->options, m) : report_svg(out, r);
     return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 

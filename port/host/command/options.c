@@ -1,5 +1,5 @@
 #include "options.h"
-#include "../solvers.h"
+#include "solvers.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,7 @@
-#include "report.h"
+#include "../motion.h"
 #include "../files/json_out.h"
+#include "../picture/svg.h"
+#include "report.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,25 +9,6 @@
 int report_exit(sp_verdict verdict)
 {
     return verdict == SP_STABLE ? EXIT_STABLE : verdict == SP_UNSTABLE ? EXIT_UNSTABLE : EXIT_UNDECIDED;
-}
-
-int report_virtual(const report *r)
-{
-    const sp_result *x = &r->result;
-    const int helped = x->coupled.tension_ratio >= 0 && (x->verdict == SP_UNDECIDED || x->reason == SP_REASON_NO_MOTION);
-    return x->coupled.dq != NULL && (x->level == SP_COUPLED || helped);
-}
-
-const sp_real *report_dq(const report *r) { return report_virtual(r) ? r->result.coupled.dq : r->result.dq; }
-
-double report_motion(const report *r, int32_t b)
-{
-    const sp_scene *s = &r->scene->scene;
-    const sp_real *dq = report_dq(r) + 6 * (size_t)b;
-    const double unit = report_virtual(r) ? (double)(r->result.coupled.eps > 0 ? r->result.coupled.eps : r->result.coupled.eta) : 1;
-    const double turn = sqrt((double)(dq[3] * dq[3] + dq[4] * dq[4] + dq[5] * dq[5])) * (double)s->block[b].diameter / 2;
-    const double go = sqrt((double)(dq[0] * dq[0] + dq[1] * dq[1] + dq[2] * dq[2]));
-    return (go > turn ? go : turn) / unit;
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- JSON */
@@ -55,8 +38,8 @@ static void json_interfaces(json_out *j, const report *r)
 static void json_mechanism(json_out *j, const report *r)
 {
     json_open(j, "mechanism", '[');
-    for (int32_t b = 0; r->result.verdict == SP_UNSTABLE && !report_virtual(r) && b < r->scene->scene.count.blocks; b++) {
-        if (!(report_motion(r, b) > 0)) continue;
+    for (int32_t b = 0; r->result.verdict == SP_UNSTABLE && !motion_is_virtual(&r->result) && b < r->scene->scene.count.blocks; b++) {
+        if (!(motion_speed(&r->scene->scene, &r->result, b) > 0)) continue;
         json_open(j, NULL, '{');
         json_string(j, "block", r->scene->name[b]);
         json_reals(j, "dq", r->result.dq + 6 * (size_t)b, 6);
@@ -395,7 +378,7 @@ static void text_mechanism(FILE *out, const report *r)
     if (r->result.verdict != SP_UNSTABLE || r->result.reason == SP_REASON_NO_MOTION) return;
     row(out, "moving");
     for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
-        if (report_motion(r, b) > REPORT_STILL && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
+        if (motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL && moving++ < SHOWN) fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
     if (moving > SHOWN) fprintf(out, " and %ld more", (long)(moving - SHOWN));
     fputc('\n', out);
 }
@@ -474,4 +457,12 @@ void report_text(FILE *out, const report *r)
     row(out, "of it coupled");
     scaled(out, (double)x->coupled.cost.flops, "flop");
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- picture */
+
+int report_svg(FILE *out, const report *r)
+{
+    const svg_subject subject = { r->scene, &r->result, r->limit };
+    return svg_write(out, &subject);
 }

@@ -6,7 +6,7 @@
 #include "../run.h"
 #include "options.h"
 #include "../files/scene.h"
-#include "../solvers.h"
+#include "solvers.h"
 
 /* A check that was made. */
 typedef struct report {
@@ -31,13 +31,8 @@ const char *report_tol_by(const report *r);
 /* A line on that where it was not asked for. */
 void report_tol(FILE *out, const report *r);
 
-/* Is the motion to be shown the virtual one of the coupled check, not a mechanism? And that motion, 6 x blocks. */
-int report_virtual(const report *r);
-const sp_real *report_dq(const report *r);
-
-/* How block b moves in it: fastest point's speed relative to the largest dq (virtual: way, in eps), 0: at rest. */
-double report_motion(const report *r, int32_t b);
-#define REPORT_STILL 1e-6       /* what moves less than this is told as still: rounding of what goes with a support */
+/* Draw it.                                                 returns 1, 0: out of memory */
+int report_svg(FILE *out, const report *r);
 
 /* Exit status of a verdict. */
 int report_exit(sp_verdict verdict);

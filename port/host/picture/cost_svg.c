@@ -1,6 +1,6 @@
 /* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape the kind of
  * cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
-#include "../command/cost.h"
+#include "cost_svg.h"
 
 #include <math.h>
 #include <string.h>

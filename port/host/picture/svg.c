@@ -2,9 +2,10 @@
  *
  * World lengths become paper lengths by one scale, y downwards. Everything drawn is measured before the scale is chosen.
  */
-#include "svg.h"
-#include "hidden.h"
 #include "../files/json_out.h"
+#include "../motion.h"
+#include "hidden.h"
+#include "svg.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,8 +25,10 @@ typedef struct edge { int32_t low, high, face; } edge;
 /* What the drawing needs to know. */
 typedef struct picture {
     FILE *out;
-    const report *r;
+    const host_scene *scene;            /* NULL of a sheet */
     const sp_scene *s;
+    const sp_result *x;
+    const sp_limit_result *limit;       /* x is of it; NULL: of a check */
     const unsigned char *mark;          /* of each block an svg_mark, or NULL */
     view v;
     double low[2], high[2];             /* of all that is drawn, on paper in world lengths */
@@ -294,7 +297,7 @@ static int draw_blocks(picture *p)
 
 static void draw_weakest(const picture *p)
 {
-    const int32_t weakest = p->r->result.weakest;
+    const int32_t weakest = p->x->weakest;
     const sp_interface *c;
     double at[2];
 
@@ -316,11 +319,11 @@ static void draw_weakest(const picture *p)
 /* Joints of a limit's mechanism: hinges as thick lines with their ends, sliding joints as tinted polygons. */
 static void draw_gives(picture *p)
 {
-    for (int32_t i = 0; p->r->limit && i < p->s->count.interfaces; i++) {
+    for (int32_t i = 0; p->limit && i < p->s->count.interfaces; i++) {
         const sp_interface *c = &p->s->interface[i];
         sp_joint_motion m;
         double a[2], b[2];
-        if (sp_joint_moves(p->s, p->r->limit->dq, i, &m) != SP_OK) continue;
+        if (sp_joint_moves(p->s, p->limit->dq, i, &m) != SP_OK) continue;
         if (m.kind == SP_JOINT_HINGE) {
             p->hinges++;
             world_px(p, m.a, a);
@@ -345,7 +348,7 @@ static int joint_force(const picture *p, int32_t i, sp_real from[3], sp_real to[
 {
     sp_interface_force f;
     double lift = 0, sign;
-    if (sp_interface_resultant(p->s, &p->r->result, i, &f) != SP_OK) return 0;
+    if (sp_interface_resultant(p->s, p->x, i, &f) != SP_OK) return 0;
     *size = norm_real(f.force);
     if (!(*size > 0)) return 0;
     for (int c = 0; c < 3; c++) lift -= (double)f.force[c] * (double)p->s->gravity[c];
@@ -432,7 +435,7 @@ static int draw_forces(const picture *p)
 /* Where a corner of block b goes: x -> c + R (x - c) + shift v, R the rotation by shift w.                  [Rodrigues] */
 static void moved(const picture *p, int32_t b, const sp_real x[3], double shift, sp_real out[3])
 {
-    const sp_real *dq = report_dq(p->r) + 6 * (size_t)b, *o = p->s->block[b].centroid;
+    const sp_real *dq = motion_shown(p->x) + 6 * (size_t)b, *o = p->s->block[b].centroid;
     const double rate = norm_real(dq + 3), angle = shift * rate, k = rate > 0 ? 1 / rate : 0;
     const double w[3] = { k * (double)dq[3], k * (double)dq[4], k * (double)dq[5] };
     double d[3], along;
@@ -487,7 +490,7 @@ static void draw_mechanism(const picture *p)
             color_motion);
     for (int32_t b = 0; b < p->s->count.blocks; b++) {
         const int32_t end = p->s->block[b].face + p->s->block[b].faces;
-        if (!(report_motion(p->r, b) > 1e-3)) continue;
+        if (!(motion_speed(p->s, p->x, b) > 1e-3)) continue;
         fputs("<path d=\"", p->out);
         for (int32_t i = p->s->block[b].face; i < end; i++)
             if (moved_seen(p, b, i)) moved_outline(p, b, i);
@@ -540,7 +543,7 @@ static double farthest(const picture *p, double shift)
 {
     double most = 0;
     for (int32_t b = 0; b < p->s->count.blocks; b++)
-        for (int32_t k = 0; k < p->s->block[b].vertices && report_motion(p->r, b) > 0; k++) {
+        for (int32_t k = 0; k < p->s->block[b].vertices && motion_speed(p->s, p->x, b) > 0; k++) {
             const sp_real *x = p->s->vertex[p->s->block[b].vertex + k];
             sp_real y[3], d[3];
             moved(p, b, x, shift, y);
@@ -555,15 +558,15 @@ static void scale_motion(picture *p)
 {
     const double length = fmin(fmax(p->block / 3, 0.04 * p->size), 0.12 * p->size);
     double probe, rate;
-    if (p->r->result.verdict != SP_UNSTABLE && !report_virtual(p->r)) return;
-    probe = 1e-3 * p->size * (report_virtual(p->r) ? 1 / fmax((double)p->r->result.coupled.eta, 1e-300) : 1);
+    if (p->x->verdict != SP_UNSTABLE && !motion_is_virtual(p->x)) return;
+    probe = 1e-3 * p->size * (motion_is_virtual(p->x) ? 1 / fmax((double)p->x->coupled.eta, 1e-300) : 1);
     rate = farthest(p, probe) / probe;
     if (!(rate > 0)) return;
     p->moving = 1;
     p->shift = length / rate;
     p->largest_shift = farthest(p, p->shift);
     for (int32_t b = 0; b < p->s->count.blocks; b++)
-        for (int32_t k = 0; k < p->s->block[b].vertices && report_motion(p->r, b) > 1e-3; k++) {
+        for (int32_t k = 0; k < p->s->block[b].vertices && motion_speed(p->s, p->x, b) > 1e-3; k++) {
             sp_real y[3];
             moved(p, b, p->s->vertex[p->s->block[b].vertex + k], p->shift, y);
             cover(p, y);
@@ -634,12 +637,12 @@ static void friction(const picture *p)
 
 static void title_limit(const picture *p)
 {
-    const sp_limit_result *x = p->r->limit;
+    const sp_limit_result *x = p->limit;
     fprintf(p->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"#333\">", MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(p->out, "falls at %.6g", (double)x->multiplier);
     else fputs(sp_limit_text(x->kind), p->out);
     fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", p->out);
-    escaped(p->out, file_name(p->r->scene->path), 50);
+    escaped(p->out, file_name(p->scene->path), 50);
     fprintf(p->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints", MARGIN,
             (long)p->s->count.blocks, (long)p->s->count.interfaces);
     friction(p);
@@ -651,13 +654,13 @@ static void title_limit(const picture *p)
 
 static void title(const picture *p)
 {
-    const sp_result *x = &p->r->result;
+    const sp_result *x = p->x;
     const char *word = x->verdict == SP_STABLE ? "stable" : x->verdict == SP_UNSTABLE ? "unstable" : "undecided";
     const char *color = x->verdict == SP_STABLE ? "#1b7837" : x->verdict == SP_UNSTABLE ? color_motion : "#8a6d00";
 
     fprintf(p->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"%s\">%s"
             "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", MARGIN, color, word);
-    escaped(p->out, file_name(p->r->scene->path), 60);
+    escaped(p->out, file_name(p->scene->path), 60);
     fprintf(p->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", MARGIN);
     fprintf(p->out, "%ld block%s, %ld of them free, %ld joint%s", (long)p->s->count.blocks, p->s->count.blocks == 1 ? "" : "s",
             (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s");
@@ -685,27 +688,27 @@ static void legend_forces(const picture *p, double x, double y)
     arrow(p->out, a, b, color_force, 1.7, 8);
     label(p->out, x + length + 10, y);
     quantity(p->out, force, "N");
-    fputs(p->r->limit ? ", force of a joint at the limit</text>\n" : p->r->result.verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
+    fputs(p->limit ? ", force of a joint at the limit</text>\n" : p->x->verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
                                             : ", best force that joints can give</text>\n", p->out);
 }
 
 static void legend_weakest(const picture *p, double x, double y)
 {
-    const int32_t i = p->r->result.weakest;
-    const sp_demand *help = &p->r->result.demand[i];
+    const int32_t i = p->x->weakest;
+    const sp_demand *help = &p->x->demand[i];
     sp_interface_force f;
     fprintf(p->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
             "stroke-width=\"2\"/>\n", x, y - 11, color_weak, color_weak);
     label(p->out, x + 36, y);
     fputs("weakest joint ", p->out);
-    escaped(p->out, p->r->scene->name[p->s->interface[i].a], 20);
+    escaped(p->out, p->scene->name[p->s->interface[i].a], 20);
     fputs(" | ", p->out);
-    escaped(p->out, p->r->scene->name[p->s->interface[i].b], 20);
+    escaped(p->out, p->scene->name[p->s->interface[i].b], 20);
     if (help->tension > 0 || help->friction > 0) {
         fputs(", lacks ", p->out);
         quantity(p->out, fmax((double)help->tension, (double)help->friction), "N");
         fputs(help->friction > help->tension ? " of friction" : " of tension", p->out);
-    } else if (sp_interface_resultant(p->s, &p->r->result, i, &f) == SP_OK)
+    } else if (sp_interface_resultant(p->s, p->x, i, &f) == SP_OK)
         fprintf(p->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
     fputs("</text>\n", p->out);
 }
@@ -715,7 +718,7 @@ static void legend_motion(const picture *p, double x, double y)
     fprintf(p->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
             "stroke-dasharray=\"5 3\"/>\n", x, y - 11, color_motion);
     label(p->out, x + 36, y);
-    fputs(!report_virtual(p->r) ? "how it starts to move" : p->r->result.level == SP_COUPLED
+    fputs(!motion_is_virtual(p->x) ? "how it starts to move" : p->x->level == SP_COUPLED
           ? "virtual motion that explains the forces" : "virtual motion that would, with such help, explain forces", p->out);
     fputs(", drawn to ", p->out);
     quantity(p->out, p->largest_shift, "m");
@@ -779,7 +782,7 @@ static void legend(const picture *p, double y)
     legend_support(p, MARGIN, y);
     legend_length(p, MARGIN + 110, y);
     if (p->forces) legend_forces(p, second, y);
-    if (p->r->result.weakest >= 0) legend_weakest(p, MARGIN, y + 26);
+    if (p->x->weakest >= 0) legend_weakest(p, MARGIN, y + 26);
     legend_gives(p, MARGIN, y + 26);
     if (p->moving) legend_motion(p, MARGIN, y + 52);
     legend_gravity(p);
@@ -794,7 +797,7 @@ static void page_start(const picture *p, double height)
     fprintf(p->out, "<rect width=\"%.0f\" height=\"%.0f\" fill=\"#fcfbf8\"/>\n", WIDTH, height);
 }
 
-int svg_write(FILE *out, const report *r)
+int svg_write(FILE *out, const svg_subject *subject)
 {
     picture p;
     double height, foot;
@@ -802,8 +805,10 @@ int svg_write(FILE *out, const report *r)
 
     memset(&p, 0, sizeof p);
     p.out = out;
-    p.r = r;
-    p.s = &r->scene->scene;
+    p.scene = subject->scene;
+    p.s = &subject->scene->scene;
+    p.x = subject->result;
+    p.limit = subject->limit;
     p.v = choose_view(p.s);
     for (int c = 0; c < 2; c++) { p.low[c] = HUGE_VAL; p.high[c] = -HUGE_VAL; }
     for (int32_t k = 0; k < p.s->count.vertices; k++) cover(&p, p.s->vertex[k]);
@@ -822,7 +827,7 @@ int svg_write(FILE *out, const report *r)
     if (good) {
         draw_mechanism(&p);
         draw_gives(&p);
-        if (r->limit) title_limit(&p); else title(&p);
+        if (p.limit) title_limit(&p); else title(&p);
         legend(&p, height - foot + 46);
     }
     fputs("</svg>\n", out);

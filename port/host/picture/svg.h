@@ -2,10 +2,17 @@
 #ifndef STONEPACK_HOST_SVG_H
 #define STONEPACK_HOST_SVG_H
 
-#include "../command/report.h"
+#include "../files/scene.h"
+
+/* A scene and what was found about it. */
+typedef struct svg_subject {
+    const host_scene *scene;
+    const sp_result *result;
+    const sp_limit_result *limit;       /* of a limit: result has its forces and motion only; NULL: of a check */
+} svg_subject;
 
 /* Draw the scene with its forces, its weakest joint and, where it is unstable, how it moves.  returns 1, 0: out of memory */
-int svg_write(FILE *out, const report *r);
+int svg_write(FILE *out, const svg_subject *subject);
 
 typedef enum svg_mark { SVG_PLAIN = 0, SVG_ABSENT, SVG_NEW, SVG_HELD, SVG_FALLS } svg_mark;
 

@@ -1,8 +1,8 @@
-/* What accuracy costs: the same scene checked with every cone, stage and tolerance. */
-#ifndef STONEPACK_HOST_COST_H
-#define STONEPACK_HOST_COST_H
+/* What accuracy costs: the same scene checked with every cone, stage and tolerance, as a picture. */
+#ifndef STONEPACK_HOST_COST_SVG_H
+#define STONEPACK_HOST_COST_SVG_H
 
-#include "report.h"
+#include "../files/scene.h"
 
 enum { COST_CONES = 9, COST_STAGES = 4, COST_TOLS = 6, COST_ROWS = COST_CONES * COST_STAGES * COST_TOLS };
 
@@ -33,9 +33,6 @@ typedef struct cost_table {
     int64_t budget;             /* flops a check had: a hundred times what the reference took, 1e8 at least */
     cost_row row[COST_ROWS];    /* by stage, cone, tol */
 } cost_table;
-
-/* base: all but cone, stages and tol.     returns as sp_check; progress goes to a terminal's stderr */
-sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *table);
 
 /* Imbalance over work and over time, one mark a check. */
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t);

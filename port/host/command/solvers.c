@@ -1,14 +1,14 @@
 #include "solvers.h"
-#include "run.h"
+#include "../run.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #ifdef WITH_OSQP
-#include "../osqp/osqp_qp.h"
+#include "../../osqp/osqp_qp.h"
 #endif
 #ifdef WITH_IPOPT
-#include "../ipopt/ipopt_qp.h"
+#include "../../ipopt/ipopt_qp.h"
 #endif
 
 /* Who solves quadratic programs: made by `make`, NULL where this build is without it, and what brings it. */

@@ -1,9 +1,9 @@
-/* How much of the live loads a scene bears, and how far it can be tilted. */
-#ifndef STONEPACK_HOST_LIMIT_H
-#define STONEPACK_HOST_LIMIT_H
+/* How far a scene can be tilted. */
+#ifndef STONEPACK_HOST_TILT_H
+#define STONEPACK_HOST_TILT_H
 
-#include "options.h"
 #include "../files/scene.h"
+#include "options.h"
 
 enum { TILT_AZIMUTHS = 72 };
 
@@ -24,6 +24,6 @@ int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **m
 int tilt_at_least(const tilt_margin *m);
 
 /* A polar plot of the angles.              returns 1, 0: can't write */
-int tilt_draw(FILE *out, const host_scene *s, const options *o, const tilt_margin *m);
+int tilt_draw(FILE *out, const options *o, const tilt_margin *m);
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef STONEPACK_HOST_SOLVERS_H
 #define STONEPACK_HOST_SOLVERS_H
 
-#include "files/text.h"
-#include "../ipopt/ipopt_cra.h"
+#include "../files/text.h"
+#include "../../ipopt/ipopt_cra.h"
 
 /* The solver of this name: "admm", "dykstra", "osqp" or "ipopt".
  * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */

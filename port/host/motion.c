@@ -1,0 +1,20 @@
+#include "motion.h"
+
+#include <math.h>
+
+int motion_is_virtual(const sp_result *x)
+{
+    const int helped = x->coupled.tension_ratio >= 0 && (x->verdict == SP_UNDECIDED || x->reason == SP_REASON_NO_MOTION);
+    return x->coupled.dq != NULL && (x->level == SP_COUPLED || helped);
+}
+
+const sp_real *motion_shown(const sp_result *x) { return motion_is_virtual(x) ? x->coupled.dq : x->dq; }
+
+double motion_speed(const sp_scene *s, const sp_result *x, int32_t b)
+{
+    const sp_real *dq = motion_shown(x) + 6 * (size_t)b;
+    const double unit = motion_is_virtual(x) ? (double)(x->coupled.eps > 0 ? x->coupled.eps : x->coupled.eta) : 1;
+    const double turn = sqrt((double)(dq[3] * dq[3] + dq[4] * dq[4] + dq[5] * dq[5])) * (double)s->block[b].diameter / 2;
+    const double go = sqrt((double)(dq[0] * dq[0] + dq[1] * dq[1] + dq[2] * dq[2]));
+    return (go > turn ? go : turn) / unit;
+}

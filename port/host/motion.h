@@ -1,0 +1,17 @@
+/* The motion that a result shows: the mechanism it falls by, or the virtual motion of the coupled check. */
+#ifndef STONEPACK_HOST_MOTION_H
+#define STONEPACK_HOST_MOTION_H
+
+#include "../../stonepack.h"
+
+/* Is it the virtual one? */
+int motion_is_virtual(const sp_result *result);
+
+/* Both as 6 x blocks: velocity and spin of each. */
+const sp_real *motion_shown(const sp_result *result);
+
+/* How fast block b moves in it: its fastest point relative to the largest dq (virtual: its way, in eps), 0: at rest. */
+double motion_speed(const sp_scene *scene, const sp_result *result, int32_t b);
+#define MOTION_STILL 1e-6       /* what moves less than this counts as at rest: rounding of what goes with a support */
+
+#endif
