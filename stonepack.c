@@ -1,44 +1,20 @@
-/* stonepack.c: the mechanics of rigid blocks, bottom-up; read it from the top like the paper. Mathematics that has never heard
- * of a stone is in solvers/ and comes first. `cc -O2 -ffp-contract=off -c stonepack.c` is the whole build.
+/* stonepack.c: the spine. `cc -O2 -ffp-contract=off -c stonepack.c` is the whole build: it includes every part of solvers/,
+ * bottom-up. Folders are floors: a part includes only parts of its own folder and of folders above it in this list
+ * (tests/checks/floors.sh holds that), private functions are static and defined before they are used.
  *
- *    1  words                            texts of enumerators
- *    2  scene, empty                     room for blocks and interfaces
- *    3  local coordinates                polygons seen from one of their points
- *    4  mesh and mass                    volume and centroid, closed and outward [seed 1.3]
- *    5  scene, blocks                    adding stones and supports
- *    6  scene, interfaces and loads      adding joints: frames, planarity; forces, couples, weights, pressures
- *    7  contacts                         what touches what: patches, box tree, clipping, overlaps
- *    8  problem                          a scene made ready: rows, arms, loads
- *    9  matrices                         Aeq, Afr [seed 1.1, 1.2, 1.4]
- *   10  certificate check                what forces and motions prove; shares nothing with the search
- *   11  the dual                         D(y), its gradient and Hessian, sizes and metric; planar and level scenes
- *   12  search constants                 and the table of the seed's
- *   13  gates                            no contact, no support, no load
- *   14  bilateral force                  least squares, sparse and dense [seed 2.1]
- *   15  polish                           alternating projections [seed 2.2]
- *   16  exact stage: search and proof
- *   17  exact stage: rigid groups
- *   18  exact stage: steps               semismooth Newton, proximal path
- *   19  exact stage: interior point      where Newton stalls
- *   20  exact stage: its run             in 6 rows a block, or in 3 where the scene lets them
- *   21  penalty form                     where help is wanted [seed 1.5]
- *   22  penalty program                  the same as a quadratic program [seed 1.5, 4]
- *   23  coupled check: exact decision    branch and bound over the states of joints
- *   24  coupled check                    a motion that explains the forces [seed 3]
- *   25  islands                          groups of free blocks that touch, each as a scene of its own
- *   26  ladder                           settings, stages, memory, judgement
- *   27  reading a result                 resultants, utilisation, weakest joint
- *   28  check                            sp_check
- *   29  verify                           sp_verify
- *   30  plan                             which effects a scene calls for, and what that saves
- *   31  placing a stone                  support, seats, resting faces, next-best-object gate [seed 6.1, 6.2]
- *   32  build order                      sp_sequence: islands, steps from the forces of the step before
- *   33  what to hold                     smallest sets of held blocks; what may come next
- *   34  limit: both ends                 sp_limit_verify
- *   35  limit: search                    sp_limit, sp_limit_memory; hinges and sliding joints of a motion
- *   36  smallest check                   SP_SMALL: sp_check, sp_memory, sp_plan by a search of its own; not 11, 13-28, 30
- *   37  smallest limit                   in place of 35
- *   38  smallest build order             in place of 32 and 33
+ * The story, as sp_check lives it:
+ *
+ *   scene/      A scene is blocks, joints between them and loads. It is made into a problem: rows of equilibrium about the
+ *               centroids of the free blocks, Aeq f + p = 0, and a friction cone K for the force f at each contact vertex.
+ *   statics/    The search. The shortest force in the cones that balances p is f = P_K(Aeq' y) for the y that minimises
+ *               D(y) = 1/2 |P_K(Aeq' y)|^2 + p . y, with 6 unknowns a block: semismooth Newton, and interior points where that
+ *               stalls. Where no such f exists y runs off along a collapse mechanism dq = -y.
+ *   proof/      The certificate check. It takes the forces, or the motion, that a search proposes, and the scene, and nothing
+ *               else of the search: own projection, own sums. Only what it accepts becomes a verdict.
+ *   check/      Settings, memory, islands and the order of stages; what sp_check and sp_verify return.
+ *   coupled/    Is there also a motion that explains the forces?          limit/      How much more load until it falls?
+ *   sequence/   Does it stand at every step of a build order?             small/      All of that in a third of the code.
+ *   seed/       The specification's own way: its table of constants, polish, penalty program; equations in seed/README.md.
  *
  * Symbols                       code            shape                           unit
  *   f; Aeq; p                   f; -; p         3 per vertex; 6b x 3v; 6b       N; 1 and m; N and N m
@@ -48,7 +24,17 @@
  *   b, v                        blocks, points  free blocks, contact vertices
  * A row of a block is (Fx Fy Fz Mx My Mz) about its centroid, a force (fn, ft1, ft2) acts on B, fn > 0 presses.
  *
- * Sources: [seed n] the document the system was specified by, section n; [DESIGN n] its design. The others by name:
+ * Words
+ *   f0          the bilateral force: joints may pull and slide as they like; least imbalance, then least norm
+ *   sbar, Sbar  what a block's imbalance of force, of moment, is measured by: its load, and what f0 puts on it
+ *   cap         the largest force of a contact that a proof counts with: force_bound times the lesser sbar of its blocks
+ *   metric      weights of contacts in |f|^2 by which a pebble beside a cathedral is not lost
+ *   triple      forces, motion and slip rates (f, dq, alpha) of the coupled check
+ *   island      free blocks that touch each other, directly or through others; supports do not join them
+ *   forest      joints that close no loop between blocks
+ *   stage       one way to look for forces or a motion; it proposes, the certificate check decides
+ *
+ * Sources: [seed n] the specification, section n, retold in solvers/seed/README.md. The others by name:
  *   Kao, Iannuzzo, Thomaszewski, Coros, Van Mele, Block 2022, Computer-Aided Design 146:103216; Heyman 1966; Qi, Sun 1993,
  *   Math. Programming 58; Rockafellar 1976, SIAM J. Control Optim. 14; Amestoy, Davis, Duff 1996, SIAM J. Matrix Anal. 17;
  *   Hestenes, Stiefel 1952; Stiefel 1955; Dekker 1971, Numer. Math. 18; Davis 2006, Direct Methods for Sparse Linear Systems;
@@ -56,113 +42,127 @@
  */
 #include "stonepack.h"
 
-#include "solvers/base/config.c"
-#include "solvers/base/arena.c"                /* memory handed out by offsets from an aligned base */
-#include "solvers/base/real.c"                 /* numbers, and what is one */
-#include "solvers/linear/order.c"              /* a fill-reducing elimination order of an undirected graph */
-#include "solvers/linear/chol.c"               /* Cholesky factor of a dense symmetric positive matrix, A = L L' */
-#include "solvers/linear/ldl.c"                /* factors of a sparse quasi-definite matrix, K = L D L' in any symmetric order */
-#include "solvers/linear/cg.c"                 /* conjugate gradients on a positive definite operator, preconditioned by its diagonal */
-#include "solvers/qp/ruiz.c"                   /* scales of a quadratic program that bring every row and column of its KKT matrix near 1 */
-#include "solvers/qp/qp.c"                     /* a quadratic program, a point of it, and how good that point is on the data as given */
-#include "solvers/qp/kkt.c"                    /* the linear system of every iteration, three ways */
-#include "solvers/qp/certificate.c"            /* certificates that a quadratic program has no solution, judged on the data as given */
-#include "solvers/qp/auglag.c"                 /* the last digits of a quadratic program by the method of multipliers */
-#include "solvers/qp/admm.c"                   /* quadratic programs by the alternating direction method of multipliers, and the public calls */
-#include "solvers/qp/dykstra.c"                /* quadratic programs by alternating projections, the seed's first solver, kept to be compared with */
-#include "solvers/base/vec3.c"                 /* vectors of three, with care for what rounding, overflow and underflow do to them */
-#include "solvers/linear/csc.c"                /* a sparse matrix by columns from its entries in any order */
-#include "solvers/cone/pyramids.c"             /* the face directions of a K-sided friction pyramid, K = 3..64, without trigonometry */
-#include "solvers/linear/envelope.c"           /* Cholesky factor of a sparse symmetric positive matrix kept row by row from its first entry on, A = L L': what lies */
-#include "solvers/cone/cone.c"                 /* nearest point of a friction cone and the derivative of that map, for the search */
-#include "solvers/linear/bchol.c"              /* Cholesky factors of a sparse symmetric matrix of 6 x 6 blocks, A = L L' */
-#include "solvers/cone/ipm.c"                  /* what a primal-dual interior-point method needs of a cone: Nesterov-Todd scaling and steps to the boundary */
-#include "solvers/base/sort.c"                 /* heap sort of numbers 0..n-1 by a rule of the caller's */
-#include "solvers/geometry/hull.c"             /* convex hull of points in a plane, and how far inside it a point lies */
-#include "solvers/geometry/convex.c"           /* what two convex polygons have in common; in place of clip.c in the smallest build */
-#include "solvers/geometry/clip.c"             /* what two plane regions have in common, as simple polygons */
-#include "solvers/linear/lp.c"                 /* is there an x with  l_i <= a_i x <= u_i  for every row i and  l_j <= x_j <= u_j  for every variable j? */
-#include "solvers/base/words.c"                /* texts of a status; words one after the other without a table of pointers */
-#include "solvers/qp/words.c"                  /* text of a status of a quadratic program */
+#include "solvers/base/config.c"                /* what is built, from the switches; attributes of functions */
+#include "solvers/base/arena.c"                 /* memory handed out by offsets from an aligned base */
+#include "solvers/base/real.c"                  /* numbers, and what is one */
+#include "solvers/base/vectors.c"               /* sums and products of vectors of any length, quotients that stay in range */
+#include "solvers/base/vec3.c"                  /* vectors of three */
+#include "solvers/base/sort.c"                  /* heap sort of numbers 0..n-1 by a rule of the caller's */
+#include "solvers/base/groups.c"                /* groups by union-find */
+#include "solvers/base/words.c"                 /* texts of a status; words one after the other without a table of pointers */
+
+#include "solvers/linear/order.c"               /* a fill-reducing elimination order of an undirected graph */
+#include "solvers/linear/csc.c"                 /* a sparse matrix by columns from its entries in any order */
+#include "solvers/linear/envelope.c"            /* Cholesky factor of a sparse matrix kept row by row from its first entry */
+#include "solvers/linear/chol.c"                /* Cholesky factor of a dense symmetric positive matrix, A = L L' */
+#include "solvers/linear/bchol.c"               /* Cholesky factors of a sparse symmetric matrix of 6 x 6 blocks, A = L L' */
+#include "solvers/linear/ldl.c"                 /* factors of a sparse quasi-definite matrix, K = L D L' */
+#include "solvers/linear/cg.c"                  /* conjugate gradients, preconditioned by the diagonal */
+#include "solvers/linear/lp.c"                  /* is there an x within bounds of its rows and its own? */
+
+#include "solvers/qp/words.c"                   /* text of a status of a quadratic program */
+#include "solvers/qp/ruiz.c"                    /* scales that bring every row and column of the KKT matrix near 1 */
+#include "solvers/qp/qp.c"                      /* a quadratic program, a point of it, and how good that point is */
+#include "solvers/qp/kkt.c"                     /* the linear system of every iteration, three ways */
+#include "solvers/qp/certificate.c"             /* proofs that a quadratic program has no solution */
+#include "solvers/qp/auglag.c"                  /* the last digits of a quadratic program by the method of multipliers */
+#include "solvers/qp/admm.c"                    /* the alternating direction method of multipliers, and the public calls */
+#include "solvers/qp/dykstra.c"                 /* alternating projections, the specification's first solver */
 
 #ifndef SP_QP_ONLY
-#include "solvers/scene/words.c"               /* texts of verdicts, reasons, effects and the rest */
-#include "solvers/scene/scene.c"               /* room for blocks, joints and loads in an arena */
-#include "solvers/geometry/local.c"            /* polygons seen from one of their points, so that far coordinates lose nothing */
-#include "solvers/scene/mesh.c"                /* volume and centroid of a mesh; is it closed, and does it look outward? [seed 1.3] */
-#include "solvers/scene/block.c"               /* adding stones and supports */
-#include "solvers/scene/joint.c"               /* adding joints: frames, planarity, strength; forces, couples, weights, pressures */
-#include "solvers/contacts/touch.c"            /* distances and settings; do two faces touch? */
-#include "solvers/contacts/patch.c"            /* faces of a block that lie in one plane, merged into patches */
-#include "solvers/contacts/sweep.c"            /* boxes sorted so that only near ones are compared */
-#include "solvers/contacts/pair.c"             /* the contacts of two blocks */
-#include "solvers/contacts/overlap.c"          /* how deep two blocks overlap */
-#include "solvers/contacts/find.c"             /* what touches what, over the whole scene */
-#include "solvers/scene/problem.c"             /* a scene made ready: rows, lever arms, loads */
-#include "solvers/scene/matrix.c"              /* Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
-#include "solvers/proof/scale.c"               /* f0 and what each block's imbalance is measured by */
-#include "solvers/proof/statics.c"             /* what forces prove, and what a motion proves */
-#include "solvers/proof/triple.c"              /* what forces, motion and slip of a coupled check prove */
-#include "solvers/proof/refute.c"              /* what a tree of multipliers proves: no triple exists */
-#include "solvers/base/groups.c"               /* groups by union-find */
-#include "solvers/statics/mirror.c"            /* planar and level scenes: which 3 rows a block are enough */
-#include "solvers/statics/system.c"            /* the dual D(y): its unknowns, weights and settings */
-#include "solvers/statics/motion.c"            /* rates at contact vertices of a motion, and forces gathered to blocks */
-#include "solvers/statics/gradient.c"          /* the forces of y, and the gradient of D */
-#include "solvers/statics/hessian.c"           /* the Hessian of D, block by block */
-#include "solvers/statics/factor.c"            /* its factor, and what it solves */
-#include "solvers/statics/size.c"              /* what imbalances are measured by, as the search sees it */
-#include "solvers/statics/lift.c"              /* from 3 rows a block to 6 and back */
-#include "solvers/statics/open.c"              /* making the system in an arena */
-#include "solvers/statics/constants.c"         /* tolerances of the search */
-#include "solvers/seed/none.c"                 /* no table of the seed's in the smallest build */
-#include "solvers/seed/table.c"                /* the seed's constants, one table */
-#include "solvers/statics/gates.c"             /* no contact, no support, no load */
-#include "solvers/statics/bilateral.c"         /* the bilateral force: least squares [seed 2.1] */
-#include "solvers/seed/stages.c"               /* least squares as a stage, sparse and dense [seed 2.1] */
-#include "solvers/seed/polish.c"               /* alternating projections [seed 2.2] */
-#include "solvers/statics/line.c"              /* line search, proofs on the way */
-#include "solvers/statics/rigid.c"             /* rigid groups: joints that do not open tie blocks together */
-#include "solvers/statics/newton.c"            /* semismooth Newton, proximal path */
-#include "solvers/statics/interior.c"          /* interior points, where Newton stalls */
-#include "solvers/statics/exact.c"             /* the exact stage: its run, in 6 rows a block or in 3 */
-#include "solvers/statics/penalty.c"           /* the penalty form: where help is wanted [seed 1.5] */
-#include "solvers/seed/program.c"              /* the penalty form as a quadratic program [seed 1.5, 4] */
-#include "solvers/coupled/decide.c"            /* branch and bound over the states of joints */
-#include "solvers/coupled/springs.c"           /* the search: springs at pressing joints, drag at slipping ones */
-#include "solvers/coupled/offer.c"             /* triples made of forces and a motion, to be judged */
-#include "solvers/coupled/held.c"              /* motions with joints held fast */
-#include "solvers/coupled/search.c"            /* rounds of the search */
-#include "solvers/coupled/help.c"              /* where help is wanted so that a motion explains the forces */
-#include "solvers/coupled/alternate.c"         /* the seed's alternation [seed 3] */
-#include "solvers/coupled/open.c"              /* what a coupled check needs, in an arena */
-#include "solvers/coupled/forest.c"            /* joints that form a forest: the triple without a search */
-#include "solvers/coupled/coupled.c"           /* the coupled check's run */
-#include "solvers/check/parts.c"               /* islands: groups of free blocks that touch, each as a scene of its own */
-#include "solvers/check/settings.c"            /* settings, resolved against the scene */
-#include "solvers/check/memory.c"              /* what a check keeps, and what its stages need */
-#include "solvers/proof/motion.c"              /* a judged motion as a result has it */
-#include "solvers/check/ladder.c"              /* one stage after the other, and the judgement of each */
-#include "solvers/check/read.c"                /* resultants of joints and blocks */
-#include "solvers/check/extremes.c"            /* extremes of a force state, the weakest joint */
-#include "solvers/check/one.c"                 /* the check of one part */
-#include "solvers/check/islands.c"             /* the check of all islands, one after the other */
-#include "solvers/check/check.c"               /* sp_check */
-#include "solvers/check/verify.c"              /* sp_verify */
-#include "solvers/check/plan.c"                /* sp_plan: which effects a scene calls for, and what that saves */
-#include "solvers/scene/place.c"               /* placing a stone: support, seats, resting faces, next-best-object gate [seed 6.1, 6.2] */
-#include "solvers/sequence/state.c"            /* a build order under way */
-#include "solvers/sequence/part.c"             /* an island of what is there, as a scene of its own */
-#include "solvers/sequence/local.c"            /* forces of the step before, changed near the change only */
-#include "solvers/sequence/steps.c"            /* a step: what came, went or is held */
-#include "solvers/sequence/hold.c"             /* the smallest sets of blocks to hold */
-#include "solvers/sequence/next.c"             /* a next stone after which everything stands */
-#include "solvers/limit/ends.c"                /* what proves each end of the bracket */
-#include "solvers/limit/interior.c"            /* interior points in forces, motion and multiplier at once */
-#include "solvers/limit/climb.c"               /* joints with strength: Newton's method with the multiplier in it */
-#include "solvers/limit/limit.c"               /* sp_limit: the bracket, by Newton's method on the power balance */
-#include "solvers/limit/joints.c"              /* hinges and sliding joints of a motion */
-#include "solvers/small/check.c"               /* sp_check, sp_memory, sp_plan by the smallest search */
-#include "solvers/small/limit.c"               /* sp_limit by the smallest search */
-#include "solvers/small/sequence.c"            /* sp_sequence by the smallest search */
-#endif
+
+#include "solvers/geometry/local.c"             /* polygons seen from one of their points */
+#include "solvers/geometry/hull.c"              /* convex hull of points in a plane, and how far inside it a point lies */
+#include "solvers/geometry/clip.c"              /* what two plane regions have in common, as simple polygons */
+#include "solvers/geometry/convex.c"            /* the common part of two convex polygons, for the smallest build */
+
+#include "solvers/cone/pyramids.c"              /* face directions of a K-sided friction pyramid, without trigonometry */
+#include "solvers/cone/cone.c"                  /* nearest point of a friction cone, and the derivative of that map */
+#include "solvers/cone/ipm.c"                   /* what interior points need of a cone: scaling, steps to the boundary */
+
+#include "solvers/scene/words.c"                /* texts of verdicts, reasons, effects and the rest */
+#include "solvers/scene/scene.c"                /* room for blocks, joints and loads in an arena */
+#include "solvers/scene/mesh.c"                 /* volume and centroid; is it closed, does it look outward? */
+#include "solvers/scene/block.c"                /* adding stones and supports */
+#include "solvers/scene/joint.c"                /* adding joints: frames, strength; forces, couples, weights, pressures */
+#include "solvers/scene/problem.c"              /* a scene made ready: rows, lever arms, loads */
+#include "solvers/scene/matrix.c"               /* Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
+#include "solvers/scene/place.c"                /* placing a stone: support, seats, resting faces, next-best-object gate */
+
+#include "solvers/contacts/touch.c"             /* distances and settings; do two faces touch? */
+#include "solvers/contacts/patch.c"             /* faces of a block that lie in one plane, merged into patches */
+#include "solvers/contacts/sweep.c"             /* boxes sorted so that only near ones are compared */
+#include "solvers/contacts/pair.c"              /* the contacts of two blocks */
+#include "solvers/contacts/overlap.c"           /* how deep two blocks overlap */
+#include "solvers/contacts/find.c"              /* what touches what, over the whole scene */
+
+#include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */
+#include "solvers/proof/statics.c"              /* what forces prove, and what a motion proves */
+#include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
+#include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
+
+#include "solvers/statics/constants.c"          /* tolerances of the search */
+#include "solvers/statics/mirror.c"             /* planar and level scenes: which 3 rows a block are enough */
+#include "solvers/statics/system.c"             /* the dual D(y): its unknowns, weights and settings */
+#include "solvers/statics/motion.c"             /* rates at contact vertices of a motion, and forces gathered to blocks */
+#include "solvers/statics/gradient.c"           /* the forces of y, and the gradient of D */
+#include "solvers/statics/hessian.c"            /* the Hessian of D, block by block */
+#include "solvers/statics/factor.c"             /* its factor, and what it solves */
+#include "solvers/statics/size.c"               /* what imbalances are measured by, as the search sees it */
+#include "solvers/statics/lift.c"               /* from 3 rows a block to 6 and back */
+#include "solvers/statics/open.c"               /* making the system in an arena */
+#include "solvers/statics/gates.c"              /* no contact, no support, no load */
+#include "solvers/statics/bilateral.c"          /* the bilateral force: least squares [seed 2.1] */
+#include "solvers/statics/line.c"               /* line search, proofs on the way */
+#include "solvers/statics/rigid.c"              /* rigid groups: joints that do not open tie blocks together */
+#include "solvers/statics/newton.c"             /* semismooth Newton, proximal path */
+#include "solvers/statics/interior.c"           /* interior points, where Newton stalls */
+#include "solvers/statics/exact.c"              /* the exact stage: its run, in 6 rows a block or in 3 */
+#include "solvers/statics/penalty.c"            /* the penalty form: where help is wanted [seed 1.5] */
+
+#include "solvers/seed/table.c"                 /* the seed's constants, one table */
+#include "solvers/seed/stages.c"                /* least squares as a stage, sparse and dense [seed 2.1] */
+#include "solvers/seed/polish.c"                /* alternating projections [seed 2.2] */
+#include "solvers/seed/program.c"               /* the penalty form as a quadratic program [seed 1.5, 4] */
+
+#include "solvers/coupled/decide.c"             /* branch and bound over the states of joints */
+#include "solvers/coupled/springs.c"            /* the search: springs at pressing joints, drag at slipping ones */
+#include "solvers/coupled/offer.c"              /* triples made of forces and a motion, to be judged */
+#include "solvers/coupled/held.c"               /* motions with joints held fast */
+#include "solvers/coupled/search.c"             /* rounds of the search */
+#include "solvers/coupled/help.c"               /* where help is wanted so that a motion explains the forces */
+#include "solvers/coupled/alternate.c"          /* the seed's alternation [seed 3] */
+#include "solvers/coupled/open.c"               /* what a coupled check needs, in an arena */
+#include "solvers/coupled/forest.c"             /* joints that form a forest: the triple without a search */
+#include "solvers/coupled/coupled.c"            /* the coupled check's run */
+
+#include "solvers/check/parts.c"                /* islands: groups of free blocks that touch, each as a scene of its own */
+#include "solvers/check/settings.c"             /* settings, resolved against the scene */
+#include "solvers/check/memory.c"               /* what a check keeps, and what its stages need */
+#include "solvers/check/ladder.c"               /* one stage after the other, and the judgement of each */
+#include "solvers/check/read.c"                 /* resultants of joints and blocks */
+#include "solvers/check/extremes.c"             /* extremes of a force state, the weakest joint */
+#include "solvers/check/one.c"                  /* the check of one part */
+#include "solvers/check/islands.c"              /* the check of all islands, one after the other */
+#include "solvers/check/check.c"                /* sp_check */
+#include "solvers/check/verify.c"               /* sp_verify */
+#include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
+
+#include "solvers/limit/ends.c"                 /* what proves each end of the bracket */
+#include "solvers/limit/interior.c"             /* interior points in forces, motion and multiplier at once */
+#include "solvers/limit/climb.c"                /* joints with strength: Newton's method with the multiplier in it */
+#include "solvers/limit/limit.c"                /* sp_limit: the bracket, by Newton's method on the power balance */
+#include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
+
+#include "solvers/sequence/state.c"             /* a build order under way */
+#include "solvers/sequence/part.c"              /* an island of what is there, as a scene of its own */
+#include "solvers/sequence/local.c"             /* forces of the step before, changed near the change only */
+#include "solvers/sequence/steps.c"             /* a step: what came, went or is held */
+#include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */
+#include "solvers/sequence/next.c"              /* a next stone after which everything stands */
+
+#include "solvers/small/check.c"                /* sp_check, sp_memory, sp_plan by the smallest search */
+#include "solvers/small/limit.c"                /* sp_limit by the smallest search */
+#include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
+
+#endif /* SP_QP_ONLY */

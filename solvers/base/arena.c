@@ -20,27 +20,6 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
     return SP_OK;
 }
 
-/* A function whose frame stays its own: merged into its only caller it would cost that caller's whole call tree its stack. */
-#ifdef __GNUC__
-#define SP__APART __attribute__((noinline))
-#else
-#define SP__APART
-#endif
-
-/* A function that the smallest build calls wherever it is used: there that is shorter. */
-#ifdef SP_SMALL
-#define SP__CALLED SP__APART
-#else
-#define SP__CALLED
-#endif
-
-/* Does the certificate check know pyramids and strength? In expressions: what is left out is compiled all the same, and gone. */
-#ifdef SP_SMALL
-enum { SP__FULL = 0 };
-#else
-enum { SP__FULL = 1 };
-#endif
-
 /* An arena that only counts. */
 SP__CALLED static sp_arena sp__arena_dry(void)
 {

@@ -3,7 +3,6 @@
 #define SP__CHECK_LADDER_C
 
 #include "memory.c"
-#include "../proof/motion.c"
 
 #ifndef SP_SMALL
 /* Flops that are left of the budget. */

@@ -106,19 +106,6 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     r->islands = b ? 1 : 0;
 }
 
-/* Why an effect is on or off. */
-static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, int present)
-{
-    const sp_choice choice = effect < SP_EFFECTS_FORCED ? set->effect[effect] : SP_PLANNED;
-    if (choice == SP_WITH) return SP_WHY_ASKED;
-    if (effect == SP_EFFECT_TOGETHER && (set->budget > 0 || !sp__plan_stages(set))) return SP_WHY_STAGES;
-    if (effect == SP_EFFECT_TOGETHER) return present ? SP_WHY_CALLED : SP_WHY_APART;
-    if (choice == SP_WITHOUT) return SP_WHY_LEFT_OUT;
-    if (effect < SP_EFFECTS_FORCED && present && !sp__plan_stages(set)) return SP_WHY_STAGES;
-    if (effect == SP_EFFECT_DYNAMICS) return SP_WHY_STATICS;
-    return present ? SP_WHY_CALLED : effect == SP_EFFECT_COUPLED ? SP_WHY_NOT_ASKED : SP_WHY_ABSENT;
-}
-
 /* Everything of a check in arena `a` but the problem; `a` may be used up.
  *   out    *check: where the result is found on SP_OK */
 SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__apart *apart, sp_arena *a,

@@ -2,9 +2,9 @@
 #ifndef SP__CHECK_PARTS_C
 #define SP__CHECK_PARTS_C
 
+#include "../base/groups.c"
 #include "../scene/scene.c"
 #include "../scene/problem.c"
-#include "../base/groups.c"
 #include "../statics/mirror.c"
 
 #if SP__WITH_LARGE

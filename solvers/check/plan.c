@@ -2,7 +2,8 @@
 #ifndef SP__CHECK_PLAN_C
 #define SP__CHECK_PLAN_C
 
-#include "one.c"
+#include "../coupled/forest.c"
+#include "memory.c"
 
 #if !defined(SP_NO_PLAN) && !defined(SP_SMALL)
 /* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,

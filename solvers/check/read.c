@@ -2,8 +2,8 @@
 #ifndef SP__CHECK_READ_C
 #define SP__CHECK_READ_C
 
+#include "../base/vectors.c"
 #include "../scene/problem.c"
-#include "../proof/scale.c"
 
 /* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
 static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)

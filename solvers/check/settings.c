@@ -4,8 +4,8 @@
 
 #include "../proof/triple.c"
 #include "../statics/gates.c"
-#include "../seed/polish.c"
 #include "../statics/exact.c"
+#include "../seed/polish.c"
 #include "../seed/program.c"
 
 SP_API sp_settings sp_settings_default(void)
@@ -152,6 +152,36 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (other) return SP_E_UNSUPPORTED;
     sp__settings_fit(scene, out);
     return SP_OK;
+}
+#endif
+
+/* What of an effect is in the scene. */
+static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
+{
+    int friction = 0;
+    for (int32_t k = 0; k < scene->count.interfaces; k++)
+        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
+    return effect == SP_EFFECT_FRICTION ? friction
+         : effect == SP_EFFECT_DEPTH ? 1
+         : effect == SP_EFFECT_TOGETHER ? islands < 2
+         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
+         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
+         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
+         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
+}
+
+#if SP__WITH_LARGE
+/* Why an effect is on or off. */
+static sp_effect_why sp__effect_why(const sp_settings *set, sp_effect effect, int present)
+{
+    const sp_choice choice = effect < SP_EFFECTS_FORCED ? set->effect[effect] : SP_PLANNED;
+    if (choice == SP_WITH) return SP_WHY_ASKED;
+    if (effect == SP_EFFECT_TOGETHER && (set->budget > 0 || !sp__plan_stages(set))) return SP_WHY_STAGES;
+    if (effect == SP_EFFECT_TOGETHER) return present ? SP_WHY_CALLED : SP_WHY_APART;
+    if (choice == SP_WITHOUT) return SP_WHY_LEFT_OUT;
+    if (effect < SP_EFFECTS_FORCED && present && !sp__plan_stages(set)) return SP_WHY_STAGES;
+    if (effect == SP_EFFECT_DYNAMICS) return SP_WHY_STATICS;
+    return present ? SP_WHY_CALLED : effect == SP_EFFECT_COUPLED ? SP_WHY_NOT_ASKED : SP_WHY_ABSENT;
 }
 #endif
 

@@ -91,12 +91,6 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
     return dry.used;
 }
 
-/* The motion of the free blocks out of a claim's. */
-static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
-{
-    for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
-}
-
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence)
 {

@@ -3,8 +3,8 @@
 #define SP__CONTACTS_TOUCH_C
 
 #include "../geometry/hull.c"
-#include "../geometry/convex.c"
 #include "../geometry/clip.c"
+#include "../geometry/convex.c"
 
 /* Which faces of which blocks touch, and in what polygons.
  *

@@ -10,7 +10,6 @@
 #ifndef SP__CONVEX_C
 #define SP__CONVEX_C
 
-#include "../base/arena.c"
 #include "../base/real.c"
 
 #if SP__WITH_SMALL

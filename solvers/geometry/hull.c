@@ -5,8 +5,6 @@
 #ifndef SP__HULL_C
 #define SP__HULL_C
 
-#include "../base/config.c"
-#include "../base/arena.c"
 #include "../base/vec3.c"
 #include "../base/sort.c"
 

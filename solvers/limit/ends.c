@@ -2,8 +2,7 @@
 #ifndef SP__LIMIT_ENDS_C
 #define SP__LIMIT_ENDS_C
 
-#include "../proof/motion.c"
-#include "../check/verify.c"
+#include "../check/settings.c"
 
 #if SP__WITH_LIMIT
 

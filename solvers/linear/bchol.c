@@ -10,6 +10,7 @@
 #ifndef SP__BCHOL_C
 #define SP__BCHOL_C
 
+#include "../base/real.c"
 #include "order.c"
 
 #if SP__WITH_LARGE

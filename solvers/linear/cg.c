@@ -5,7 +5,7 @@
 #ifndef SP__CG_C
 #define SP__CG_C
 
-#include "../base/real.c"
+#include "../base/arena.c"
 
 #if SP__WITH_QP_CG
 

@@ -6,15 +6,13 @@
 #ifndef SP__CHOL_C
 #define SP__CHOL_C
 
-#include "../base/real.c"
+#include "envelope.c"
 
 #if SP__WITH_LARGE || SP__WITH_QP
 
 #define SP__NEVER ((sp_real)1e30)
 
 #ifdef SP_SMALL
-#include "envelope.c"
-
 static int32_t sp__chol_factor(sp_real *a, int32_t n, sp_real floor) { return sp__envelope_factor(a, NULL, n, floor); }
 static void sp__chol_solve(const sp_real *a, int32_t n, sp_real *x) { sp__envelope_solve(a, NULL, n, x); }
 #else

@@ -9,7 +9,7 @@
 #ifndef SP__ORDER_C
 #define SP__ORDER_C
 
-#include "../base/real.c"
+#include "../base/arena.c"
 
 #if SP__WITH_LARGE || SP__WITH_QP
 

@@ -2,7 +2,9 @@
 #ifndef SP__PROOF_SCALE_C
 #define SP__PROOF_SCALE_C
 
+#include "../base/vectors.c"
 #include "../scene/joint.c"
+#include "../scene/problem.c"
 
 /* What a force state or a motion proves, from the scene alone. Nothing here is used by the search, nothing of the search here:
  * own projection, own sums, world coordinates instead of contact frames.                                   [DESIGN 3]
@@ -12,10 +14,8 @@
  *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
  */
 #ifdef SP_REAL_FLOAT
-#define SP__SCALE_TOL ((sp_real)1e-4)   /* f0 is a scale: this many digits of it */
 #define SP__SCALE_NULL ((sp_real)3e-6)  /* what the normal matrix makes of a residual that nothing can take away, relative */
 #else
-#define SP__SCALE_TOL ((sp_real)1e-9)
 #define SP__SCALE_NULL ((sp_real)1e-14)
 #endif
 #define SP__SCALE_KNOWN ((sp_real)1e-3) /* imbalance of f0, relative to a block's load, up to which it is that block's scale */
@@ -69,53 +69,6 @@ SP__APART static size_t sp__judge_need(const sp_problem *pb, const sp_settings *
     sp_arena dry = sp__arena_dry();
     sp__judge_carve(&j, pb, set->faces, &dry);
     return dry.peak;
-}
-
-/* a / b for a, b >= 0; 0 / 0 is 0; SP__HUGE for what is larger or no number. */
-static sp_real sp__ratio(sp_real a, sp_real b)
-{
-    if (a <= 0 && a >= 0) return 0;
-    if (b > 1) return a / b < SP__HUGE ? a / b : SP__HUGE;      /* there SP__HUGE b may leave the range of float */
-    return a < SP__HUGE * b ? a / b : SP__HUGE;
-}
-
-/* A unit of force in which no square over- or underflows: the largest component of a load, of a couple where there are none. */
-static sp_real sp__load_unit(const sp_problem *pb)
-{
-    sp_real force = 0, couple = 0;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
-        const sp_real x = sp__abs(pb->p[k]);
-        if (k % 6 < 3) force = sp__max(force, x);
-        else couple = sp__max(couple, x);
-    }
-    return force > 0 ? force : couple > 0 ? couple : 1;
-}
-
-/* sbar of the free blocks of a contact, the smaller. */
-static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
-{
-    if (t->a < 0) return s[stride * (size_t)t->b];
-    if (t->b < 0) return s[stride * (size_t)t->a];
-    const sp_real a = s[stride * (size_t)t->a], b = s[stride * (size_t)t->b];
-    return a < b ? a : b;
-}
-
-/* The directions in which free block i is held do not count. */
-static int sp__held(const sp_problem *pb, int32_t i, int k)
-{
-    return (int)(pb->scene->block[pb->block[i]].fixed >> k & 1u);
-}
-
-static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
-{
-    for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
-}
-
-/* r_v - c_i for a free block i, zero for a support. */
-static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
-{
-    arm[0] = arm[1] = arm[2] = 0;
-    if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
 }
 
 /* u = velocity of B seen from A at vertex v of a contact, v_i + w_i x (r - c_i) of each. With `scale` the motion is given in
@@ -228,19 +181,6 @@ static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
     }
     sp__judge_weigh(j, out);
     j->sweeps++;
-}
-
-static sp_real sp__dot(const sp_real *a, const sp_real *b, size_t n)
-{
-    sp_real s = 0;
-    for (size_t k = 0; k < n; k++) s += a[k] * b[k];
-    return s;
-}
-
-/* a = s a + t b. */
-static void sp__add(sp_real *a, sp_real s, sp_real t, const sp_real *b, size_t n)
-{
-    for (size_t k = 0; k < n; k++) a[k] = s * a[k] + t * b[k];
 }
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r

@@ -3,7 +3,6 @@
 #define SP__PROOF_STATICS_C
 
 #include "../cone/pyramids.c"
-#include "../scene/problem.c"
 #include "scale.c"
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension beyond strength, no more than the cap (K_v is
@@ -242,5 +241,27 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
     return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
 }
 #endif
+
+/* The judge's motion into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
+static void sp__check_motion(const sp__judge *j, sp_real *dq)
+{
+    const sp_problem *pb = j->pb;
+    sp_real largest = 0, block = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *m = j->x + 6 * (size_t)i;
+        block = sp__max(block, j->scale[i].arm);
+        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__judge_arm(j, i)));
+    }
+    const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
+    memset(dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *dq);
+    for (int32_t i = 0; i < pb->blocks; i++)
+        for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
+}
+
+/* The motion of the free blocks out of a claim's. */
+static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
+{
+    for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
+}
 
 #endif /* SP__PROOF_STATICS_C */

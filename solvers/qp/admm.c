@@ -9,7 +9,6 @@
 #define SP__ADMM_C
 
 #include "auglag.c"
-#include "certificate.c"
 
 #ifndef SP_NO_QP
 

@@ -14,8 +14,8 @@
 #ifndef SP__QP_C
 #define SP__QP_C
 
-#include "../linear/ldl.c"
 #include "../linear/chol.c"
+#include "../linear/ldl.c"
 #include "../linear/cg.c"
 #include "ruiz.c"
 

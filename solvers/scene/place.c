@@ -2,8 +2,8 @@
 #ifndef SP__SCENE_PLACE_C
 #define SP__SCENE_PLACE_C
 
-#include "../geometry/hull.c"
 #include "../base/words.c"
+#include "../geometry/hull.c"
 #include "joint.c"
 
 SP_API size_t sp_support_memory(int32_t points)

@@ -2,7 +2,14 @@
 #ifndef SP__SCENE_PROBLEM_C
 #define SP__SCENE_PROBLEM_C
 
-#include "joint.c"
+#include "../base/vec3.c"
+
+/* To so many digits is the bilateral force found where it is a scale: by the search, and by the certificate check. */
+#ifdef SP_REAL_FLOAT
+#define SP__SCALE_TOL ((sp_real)1e-4)
+#else
+#define SP__SCALE_TOL ((sp_real)1e-9)
+#endif
 
 /* A contact takes part if it touches a free block. */
 static int sp__contact_counts(const sp_scene *scene, const sp_interface *f)
@@ -40,20 +47,6 @@ static int32_t sp__points_count(const sp_scene *scene)
 }
 
 #if !defined(SP_SMALL) || !defined(SP_NO_PLAN)
-/* What of an effect is in the scene. */
-static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
-{
-    int friction = 0;
-    for (int32_t k = 0; k < scene->count.interfaces; k++)
-        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].joint.mu > 0;
-    return effect == SP_EFFECT_FRICTION ? friction
-         : effect == SP_EFFECT_DEPTH ? 1
-         : effect == SP_EFFECT_TOGETHER ? islands < 2
-         : effect == SP_EFFECT_STRENGTH ? sp__scene_strong(scene)
-         : effect == SP_EFFECT_LOADS ? scene->count.loads > 0
-         : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
-         : effect == SP_EFFECT_COUPLED && set->coupled.asked;
-}
 #endif
 
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
@@ -260,6 +253,45 @@ SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_pro
     *arena = a;
     *problem = made;
     return SP_OK;
+}
+
+/* A unit of force in which no square over- or underflows: the largest component of a load, of a couple where there are none. */
+static sp_real sp__load_unit(const sp_problem *pb)
+{
+    sp_real force = 0, couple = 0;
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
+        const sp_real x = sp__abs(pb->p[k]);
+        if (k % 6 < 3) force = sp__max(force, x);
+        else couple = sp__max(couple, x);
+    }
+    return force > 0 ? force : couple > 0 ? couple : 1;
+}
+
+/* sbar of the free blocks of a contact, the smaller. */
+static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
+{
+    if (t->a < 0) return s[stride * (size_t)t->b];
+    if (t->b < 0) return s[stride * (size_t)t->a];
+    const sp_real a = s[stride * (size_t)t->a], b = s[stride * (size_t)t->b];
+    return a < b ? a : b;
+}
+
+/* The directions in which free block i is held do not count. */
+static int sp__held(const sp_problem *pb, int32_t i, int k)
+{
+    return (int)(pb->scene->block[pb->block[i]].fixed >> k & 1u);
+}
+
+static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
+{
+    for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
+}
+
+/* r_v - c_i for a free block i, zero for a support. */
+static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
+{
+    arm[0] = arm[1] = arm[2] = 0;
+    if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
 }
 
 #endif /* SP__SCENE_PROBLEM_C */

@@ -2,7 +2,6 @@
 #ifndef SP__SEED_POLISH_C
 #define SP__SEED_POLISH_C
 
-#include "none.c"
 #include "table.c"
 #include "stages.c"
 

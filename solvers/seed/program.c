@@ -2,9 +2,10 @@
 #ifndef SP__SEED_PROGRAM_C
 #define SP__SEED_PROGRAM_C
 
+#include "../base/vectors.c"
 #include "../qp/admm.c"
+#include "../scene/problem.c"
 #include "../scene/matrix.c"
-#include "../proof/scale.c"
 #include "table.c"
 
 #if SP__WITH_LARGE

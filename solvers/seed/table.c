@@ -42,6 +42,10 @@ static const sp_seed sp__seed = {
 
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
+#elif SP__WITH_SMALL
+
+SP_API const sp_seed *sp_seed_table(void) { return NULL; }
+
 #endif
 
 #endif /* SP__SEED_TABLE_C */

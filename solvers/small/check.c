@@ -2,9 +2,7 @@
 #ifndef SP__SMALL_CHECK_C
 #define SP__SMALL_CHECK_C
 
-#include "../linear/envelope.c"
 #include "../check/memory.c"
-#include "../proof/motion.c"
 
 #if SP__WITH_SMALL
 

@@ -4,7 +4,6 @@
 
 #include "factor.c"
 #include "open.c"
-#include "constants.c"
 
 #if SP__WITH_LARGE
 

@@ -4,10 +4,9 @@
 
 #include "../cone/cone.c"
 #include "../scene/joint.c"
+#include "constants.c"
 
 #if SP__WITH_LARGE
-
-#define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 
 /* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
  * fewer iterations than usual, because what they buy is then told of the stages as they are. */

@@ -2,7 +2,8 @@
 #ifndef SP__STATICS_MOTION_C
 #define SP__STATICS_MOTION_C
 
-#include "../proof/scale.c"
+#include "../base/vectors.c"
+#include "../scene/problem.c"
 #include "system.c"
 
 #if SP__WITH_LARGE

@@ -1,0 +1,98 @@
+#!/bin/sh
+# floors: the parts of solvers/ stand on one another as solvers/README.md says.
+#
+#     sh tests/checks/floors.sh [LINES]                 LINES: the longest file there may be, default 700
+#
+#   1. a folder includes only itself and folders below it; proof/ nothing of a search; statics/ and seed/ nothing of proof/
+#   2. who stands above proof/ calls it through the names listed here
+#   3. no include stands inside a condition, but those of the spine under one for all that knows of stones
+#   4. every part compiles alone, in double and in float
+#   5. no private name is defined twice, but where a precision or small/ takes another way
+#   6. no file is longer than LINES
+. tests/checks/tally.sh
+most=${1:-700}
+floors='base linear qp geometry cone scene contacts proof statics seed coupled check limit sequence small'
+
+# What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
+offered='sp__judge sp__scale sp__judge_need sp__judge_carve sp__judge_open sp__judge_scales sp__judge_cone sp__judge_load sp__judge_cap
+ sp__judge_forces sp__judge_mechanism sp__judge_motion sp__judge_rest sp__judge_admit sp__judge_coupled sp__judge_stop sp__judge_refuted
+ sp__check_motion sp__verify_motion sp__lengths sp__coupled_lengths sp__refute sp__refute_need sp__budget_sweeps
+ SP__FLOPS_JUDGE SP__COUPLED_TOL SP__GIVE SP__SLIP SP__PROOF_DEPTH'
+
+# Quoted includes of the parts, as `folder/part.c folder/part.c`.
+includes() {
+    for part in solvers/*/*.c; do
+        sed -n 's/^#[ ]*include[ ]*"\([^"]*\)".*/\1/p' "$part" | while read -r name; do
+            folder=$(basename "$(dirname "$part")")
+            case $name in
+            ../../*) ;;
+            ../*) echo "$folder/$(basename "$part") ${name#../}" ;;
+            *) echo "$folder/$(basename "$part") $folder/$name" ;;
+            esac
+        done
+    done
+}
+downward() {
+    includes | awk -v floors="$floors" '
+        BEGIN { n = split(floors, f, " "); for (k = 1; k <= n; k++) level[f[k]] = k }
+        { split($1, a, "/"); split($2, b, "/"); from = a[1]; to = b[1] }
+        !(from in level) || !(to in level) { print $1 " includes " $2 ": no floor of that name"; bad = 1; next }
+        level[to] > level[from] { print $1 " includes " $2 ", which stands above"; bad = 1 }
+        from == "proof" && to !~ /^(base|linear|cone|scene|proof)$/ { print $1 " includes " $2 ": proof/ knows scene, cones and vectors only"; bad = 1 }
+        from ~ /^(statics|seed)$/ && to == "proof" { print $1 " includes " $2 ": no search knows what judges it"; bad = 1 }
+        END { exit bad }'
+}
+# Names of a part: what begins at the left edge or ends a typedef.
+names() {
+    awk '
+        FNR == 1 { inside = 0 }
+        /^#define (SP|sp)__/ { sub(/\(.*/, "", $2); print $2, FILENAME; next }
+        /^(SP__[A-Z_]+ )?(static|SP_API) / && /\(/ { s = $0; sub(/\(.*/, "", s); n = split(s, w, /[ *]+/); if (w[n] ~ /^sp_/) print w[n], FILENAME; next }
+        /^(typedef )?(struct|enum) sp__[a-z_0-9]+ \{/ { s = $0; sub(/^typedef /, "", s); split(s, w, " "); print w[2], FILENAME; next }
+        /^static const/ { s = $0; sub(/[\[=].*/, "", s); n = split(s, w, /[ *]+/); if (w[n] == "") n--; print w[n], FILENAME }
+    ' "$@"
+}
+through() {
+    names solvers/proof/*.c | awk -v offered="$offered" '
+        BEGIN { n = split(offered, o, /[ \n]+/); for (k = 1; k <= n; k++) ok[o[k]] = 1 }
+        FILENAME == "-" { if (!($1 in ok)) hidden[$1] = $2; next }
+        { line = $0
+          gsub(/"([^"\\]|\\.)*"/, "", line)
+          if (line ~ /^ \*/ || line ~ /^\/\*/) next
+          sub(/\/\*.*/, "", line)
+          while (match(line, /(sp|SP)__[A-Za-z_0-9]+/)) {
+              name = substr(line, RSTART, RLENGTH)
+              line = substr(line, RSTART + RLENGTH)
+              if (name in hidden) { print FILENAME " uses " name " of " hidden[name] ", which proof/ does not offer"; bad = 1 }
+          } }
+        END { exit bad }' - solvers/coupled/*.c solvers/check/*.c solvers/limit/*.c solvers/sequence/*.c solvers/small/*.c
+}
+unconditional() {
+    awk '
+        FNR == 1 { depth = 0; guard = 0; where = "" }
+        /^#[ ]*if/ { depth++; if (depth == 1 && FILENAME != "stonepack.c" && !guard) { guard = 1; depth = 0 } else if (depth == 1) where = $0 }
+        /^#[ ]*endif/ { if (depth > 0) depth-- }
+        /^#[ ]*include[ ]*"/ && depth > 0 && !(FILENAME == "stonepack.c" && depth == 1 && where == "#ifndef SP_QP_ONLY") {
+            print FILENAME ":" FNR ": an include inside a condition"; bad = 1 }
+        END { exit bad }' stonepack.c solvers/*/*.c
+}
+alone() {                                               # alone FLAGS...
+    for part in solvers/*/*.c; do
+        ${CC:-gcc} -std=c99 -fsyntax-only -Werror=implicit-function-declaration "$@" "$part" || { echo "$part does not compile alone"; return 1; }
+    done
+}
+once() {
+    names solvers/*/*.c | sort -u | awk '
+        { split($2, p, "/"); if (p[2] == "small" || $2 ~ /(convex|envelope)\.c$/) next; if ($1 in at && at[$1] != $2) { print $1 " is defined in " at[$1] " and in " $2; bad = 1 } at[$1] = $2 }
+        END { exit bad }'
+}
+short() { wc -l stonepack.c solvers/*/*.c | awk -v most="$most" '$2 != "total" && $1 > most { print $2 " has " $1 " lines"; bad = 1 } END { exit bad }'; }
+
+part "floors: folders include only what stands below" downward
+part "floors: proof/ is asked through what it offers" through
+part "floors: no include inside a condition" unconditional
+part "floors: every part compiles alone" alone
+part "floors: every part compiles alone, float" alone -DSP_REAL_FLOAT
+part "floors: no private name twice" once
+part "floors: no file over $most lines" short
+total
