@@ -17,7 +17,7 @@
 #ifndef SP__CLIP_C
 #define SP__CLIP_C
 
-#include "../base/arena.c"
+#include "../base/real.c"
 #include "../base/sort.c"
 
 #if SP__WITH_LARGE

@@ -10,7 +10,6 @@
 #ifndef SP__BCHOL_C
 #define SP__BCHOL_C
 
-#include "../base/real.c"
 #include "order.c"
 
 #if SP__WITH_LARGE

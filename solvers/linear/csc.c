@@ -5,7 +5,7 @@
 #ifndef SP__CSC_C
 #define SP__CSC_C
 
-#include "../base/arena.c"
+#include "../base/real.c"
 #include "../base/sort.c"
 
 #if SP__WITH_STONES

@@ -9,7 +9,7 @@
 #ifndef SP__ORDER_C
 #define SP__ORDER_C
 
-#include "../base/arena.c"
+#include "../base/real.c"
 
 #if SP__WITH_LARGE || SP__WITH_QP
 

@@ -2,7 +2,7 @@
 #ifndef SP__SCENE_SCENE_C
 #define SP__SCENE_SCENE_C
 
-#include "../base/arena.c"
+#include "../base/real.c"
 
 static void sp__scene_carve(sp_scene *scene, sp_arena *a)
 {
