@@ -463,6 +463,6 @@ void report_text(FILE *out, const report *r)
 
 int report_svg(FILE *out, const report *r)
 {
-    const svg_subject subject = { r->scene, &r->result, r->limit };
-    return svg_write(out, &subject);
+    const subject of = { r->scene, &r->result, r->limit };
+    return svg_write(out, &of);
 }

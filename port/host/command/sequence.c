@@ -7,7 +7,7 @@
 #include "options.h"
 #include "report.h"
 #include "../files/scene.h"
-#include "../picture/svg.h"
+#include "../picture/sheet.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ typedef struct told {
     sp_held held;                       /* its lists lie in `list` */
     int32_t *list;
     sp_suggestion next;
-    unsigned char *mark;                /* of each block: an svg_mark; NULL: no picture wanted */
+    unsigned char *mark;                /* of each block: an block_mark; NULL: no picture wanted */
 } told;
 
 typedef struct run {
@@ -162,13 +162,13 @@ static sp_status mark(run *r, int32_t k)
         double size = 0;
         for (int c = 0; c < 6; c++) size += fabs((double)dq[c]);
         const int there = r->scene.scene.block[b].fixed == SP_FIXED || r->options->remove;
-        t->mark[b] = size > 1e-6 ? SVG_FALLS : there ? SVG_PLAIN : SVG_ABSENT;
+        t->mark[b] = size > 1e-6 ? MARK_FALLS : there ? MARK_PLAIN : MARK_ABSENT;
     }
     for (int32_t i = 0; i <= k; i++) {
         unsigned char *m = &t->mark[r->order[i]];
-        if (*m != SVG_FALLS) *m = r->options->remove ? SVG_ABSENT : i == k ? SVG_NEW : SVG_PLAIN;
+        if (*m != MARK_FALLS) *m = r->options->remove ? MARK_ABSENT : i == k ? MARK_NEW : MARK_PLAIN;
     }
-    for (int32_t i = 0; i < t->held.count; i++) t->mark[t->held.block[i]] = SVG_HELD;
+    for (int32_t i = 0; i < t->held.count; i++) t->mark[t->held.block[i]] = MARK_HELD;
     return SP_OK;
 }
 
@@ -347,19 +347,19 @@ static int shown(const run *r, int32_t step[STRIP])
     return n;
 }
 
-static void caption(const run *r, const told *t, int32_t k, char text[SVG_CAPTION])
+static void caption(const run *r, const told *t, int32_t k, char text[SHEET_CAPTION])
 {
     static const char *const word[] = { "undecided", "stands", "falls" };
-    snprintf(text, SVG_CAPTION, "%ld: %s%.12s %s", (long)k + 1, r->options->remove ? "without " : "", name_of(r, t->block),
+    snprintf(text, SHEET_CAPTION, "%ld: %s%.12s %s", (long)k + 1, r->options->remove ? "without " : "", name_of(r, t->block),
              word[t->step.verdict]);
-    if (t->held.count) snprintf(text + strlen(text), SVG_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
+    if (t->held.count) snprintf(text + strlen(text), SHEET_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
 }
 
 static int draw(const run *r, text_error *error)
 {
     const char *path = r->options->svg;
     FILE *out = text_create(path, error);
-    svg_frame frame[STRIP];
+    sheet_frame frame[STRIP];
     int32_t step[STRIP];
     char title[96];
     const int n = shown(r, step);
@@ -373,7 +373,7 @@ static int draw(const run *r, text_error *error)
     }
     if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
     else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
-    const int drawn = svg_sheet(out, &r->scene.scene, n, frame, title);
+    const int drawn = sheet_write(out, &r->scene.scene, n, frame, title);
     return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 

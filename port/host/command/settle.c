@@ -20,7 +20,7 @@ int command_settle(int argc, char **argv)
 
 #include "../files/json_out.h"
 #include "report.h"
-#include "../picture/svg.h"
+#include "../picture/sheet.h"
 #include "../../../settle/settle.h"
 
 #include <math.h>
@@ -95,7 +95,7 @@ typedef struct session {
     settle_settings set;
     settle_pair *pair;
     settle_result result;
-    svg_frame frame[MOMENTS];           /* vertices as they were at multiples of `stride` steps, where asked for */
+    sheet_frame frame[MOMENTS];           /* vertices as they were at multiples of `stride` steps, where asked for */
     int frames, bar;                    /* bar: shown so far, in percent */
     int32_t stride;
     int32_t container;                  /* its block in the scene written, -1: none */
@@ -133,7 +133,7 @@ static sp_real (*moved_vertices(const session *s, const settle_pose *pose))[3]
 /* Add a moment; of too many every other goes.                                              returns 0: out of memory */
 static int keep_moment(session *s, int32_t step, double energy, const settle_pose *pose)
 {
-    svg_frame *f;
+    sheet_frame *f;
     if (s->frames == MOMENTS) {
         for (int k = 1; k < MOMENTS; k++) {
             if (k % 2) free(s->frame[k].vertex);
@@ -369,7 +369,7 @@ static int write_scene(session *s, text_error *error)
 
 static int write_frames(session *s, text_error *error)
 {
-    svg_frame shown[FRAMES], *last;
+    sheet_frame shown[FRAMES], *last;
     const int n = s->frames < FRAMES - 1 ? s->frames : FRAMES - 1;
     FILE *file = text_create(s->o->frames, error);
     const char *slash = strrchr(s->in.path, '/');
@@ -383,7 +383,7 @@ static int write_frames(session *s, text_error *error)
     snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt, s->result.energy);
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
              (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
-    if (!last->vertex || !svg_sheet(file, &s->in.scene, n + 1, shown, title))
+    if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, title))
         status = text_fail(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     free(last->vertex);
     return text_finish(file, s->o->frames, status, error);

@@ -1,6 +1,7 @@
 /* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape the kind of
  * cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
 #include "cost_svg.h"
+#include "page.h"
 
 #include <math.h>
 #include <string.h>
@@ -70,22 +71,13 @@ static void panel(FILE *out, const cost_table *t, double left, int time)
     }
 }
 
-static void escaped(FILE *out, const char *s)
-{
-    for (; *s; s++) {
-        if (*s == '&') fputs("&amp;", out);
-        else if (*s == '<') fputs("&lt;", out);
-        else fputc(*s, out);
-    }
-}
-
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
 {
     const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96;
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" font-family=\"Helvetica, "
             "Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
-    escaped(out, s->path);
+    page_text(out, s->path, SIZE_MAX);
     fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage says %s</text>\n",
             COST_REAL, sp_verdict_text(t->truth));
     panel(out, t, 60, 0);

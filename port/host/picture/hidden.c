@@ -35,35 +35,6 @@ typedef struct paint {
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-static double dot_real(const double a[3], const sp_real b[3])
-{
-    return a[0] * (double)b[0] + a[1] * (double)b[1] + a[2] * (double)b[2];
-}
-
-void view_point(const view *v, const sp_real x[3], double paper[2])
-{
-    paper[0] = dot_real(v->right, x);
-    paper[1] = dot_real(v->up, x);
-}
-
-/* n = sum p_k x p_(k+1), about the first corner */
-void view_normal(const sp_scene *s, int32_t face, double n[3])
-{
-    const sp_face *f = &s->face[face];
-    const sp_real *o = s->vertex[s->corner[f->corner]];
-    n[0] = n[1] = n[2] = 0;
-    for (int32_t k = 1; k + 1 < f->corners; k++) {
-        double a[3], b[3];
-        for (int c = 0; c < 3; c++) {
-            a[c] = (double)s->vertex[s->corner[f->corner + k]][c] - (double)o[c];
-            b[c] = (double)s->vertex[s->corner[f->corner + k + 1]][c] - (double)o[c];
-        }
-        n[0] += a[1] * b[2] - a[2] * b[1];
-        n[1] += a[2] * b[0] - a[0] * b[2];
-        n[2] += a[0] * b[1] - a[1] * b[0];
-    }
-}
-
 /* -------------------------------------------------------------------------------------------------------------- pieces */
 
 /* Twice the area of the triangle a b c, positive anticlockwise. */

@@ -1,0 +1,86 @@
+#include "forces.h"
+#include "page.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The force of a joint on the block it holds up: the one it pushes against gravity. */
+static int arrow_of(const forces *f, const sp_scene *s, int32_t i, sp_real from[3], sp_real to[3], double *size)
+{
+    sp_interface_force on;
+    double lift = 0, sign;
+    if (sp_interface_resultant(s, f->result, i, &on) != SP_OK) return 0;
+    *size = view_length(on.force);
+    if (!(*size > 0)) return 0;
+    for (int c = 0; c < 3; c++) lift -= (double)on.force[c] * (double)s->gravity[c];
+    sign = lift < 0 ? -1 : 1;
+    for (int c = 0; c < 3; c++) {
+        from[c] = on.point[c];
+        to[c] = (sp_real)((double)on.point[c] + sign * f->scale * (double)on.force[c]);
+    }
+    return 1;
+}
+
+void forces_scale(forces *f, drawing *d, const sp_result *result, double length)
+{
+    sp_real from[3], to[3];
+    double size;
+    memset(f, 0, sizeof *f);
+    f->result = result;
+    for (int32_t i = 0; i < d->s->count.interfaces; i++)
+        if (arrow_of(f, d->s, i, from, to, &size)) f->largest = fmax(f->largest, size);
+    if (!(f->largest > 0)) return;
+    f->scale = length / f->largest;
+    for (int32_t i = 0; i < d->s->count.interfaces; i++)
+        if (arrow_of(f, d->s, i, from, to, &size)) drawing_cover(d, to);
+}
+
+typedef struct arrow { double depth, a[2], b[2]; } arrow;
+
+static int nearer(const void *pa, const void *pb)
+{
+    const arrow *a = pa, *b = pb;
+    return (a->depth > b->depth) - (a->depth < b->depth);
+}
+
+/* Those long enough to be seen, from the farthest to the nearest.     returns their number */
+static int32_t gather(const forces *f, const drawing *d, arrow *drawn)
+{
+    int32_t n = 0;
+    for (int32_t i = 0; f->largest > 0 && i < d->s->count.interfaces; i++) {
+        sp_real from[3], to[3];
+        double size;
+        if (!arrow_of(f, d->s, i, from, to, &size)) continue;
+        drawing_point(d, from, drawn[n].a);
+        drawing_point(d, to, drawn[n].b);
+        if (hypot(drawn[n].b[0] - drawn[n].a[0], drawn[n].b[1] - drawn[n].a[1]) < 2) continue;
+        drawn[n].depth = 0;
+        for (int c = 0; c < 3; c++) drawn[n].depth += d->v.toward[c] * (double)from[c];
+        n++;
+    }
+    qsort(drawn, (size_t)n, sizeof *drawn, nearer);
+    return n;
+}
+
+int forces_draw(const forces *f, const drawing *d, int fade)
+{
+    const int many = d->s->count.interfaces > 400;
+    arrow *drawn = malloc(((size_t)d->s->count.interfaces + 1) * sizeof *drawn);
+    int32_t n;
+    double range;
+
+    if (!drawn) return 0;
+    n = gather(f, d, drawn);
+    range = n ? drawn[n - 1].depth - drawn[0].depth : 0;
+    for (int32_t i = 0; i < n; i++) {
+        const arrow *a = &drawn[i];
+        const double far = fade && range > 0 ? (drawn[n - 1].depth - a->depth) / range : 0;
+        fprintf(d->out, "<g opacity=\"%.2f\">", 1 - 0.85 * far);
+        page_arrow(d->out, a->a, a->b, INK_FORCE, many ? 1.0 : 1.7, many ? 5 : 8);
+        if (!many) fprintf(d->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>", a->a[0], a->a[1], INK_FORCE);
+        fputs("</g>\n", d->out);
+    }
+    free(drawn);
+    return 1;
+}

@@ -1,0 +1,54 @@
+#include "joints.h"
+#include "page.h"
+
+static void put_polygon(const drawing *d, const sp_interface *c)
+{
+    for (int32_t k = 0; k < c->points; k++) {
+        double at[2];
+        drawing_point(d, d->s->point[c->point + k], at);
+        fprintf(d->out, "%s%.1f %.1f", k ? "L" : "M", at[0], at[1]);
+    }
+    fputs(c->points > 2 ? "Z\"/>\n" : "\"/>\n", d->out);
+}
+
+void joints_draw_weakest(const drawing *d, int32_t weakest)
+{
+    const sp_interface *c;
+    double at[2];
+
+    if (weakest < 0) return;
+    c = &d->s->interface[weakest];
+    fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\" d=\"",
+            INK_WEAK, INK_WEAK);
+    put_polygon(d, c);
+    for (int32_t k = 0; k < c->points && c->points < 3; k++) {
+        drawing_point(d, d->s->point[c->point + k], at);
+        fprintf(d->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", at[0], at[1], INK_WEAK);
+    }
+}
+
+static void draw_hinge(const drawing *d, const sp_joint_motion *m)
+{
+    double a[2], b[2];
+    drawing_point(d, m->a, a);
+    drawing_point(d, m->b, b);
+    fprintf(d->out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
+            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", a[0], a[1], b[0], b[1],
+            INK_HINGE, a[0], a[1], INK_HINGE);
+}
+
+void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides)
+{
+    for (int32_t i = 0; i < d->s->count.interfaces; i++) {
+        sp_joint_motion m;
+        if (sp_joint_moves(d->s, dq, i, &m) != SP_OK) continue;
+        if (m.kind == SP_JOINT_HINGE) {
+            ++*hinges;
+            draw_hinge(d, &m);
+        }
+        if (m.kind != SP_JOINT_SLIDING) continue;
+        ++*slides;
+        fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2\" d=\"", INK_SLIDE, INK_SLIDE);
+        put_polygon(d, &d->s->interface[i]);
+    }
+}

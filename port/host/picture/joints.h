@@ -1,0 +1,13 @@
+/* Joints over the blocks: the weakest one, and those that a mechanism uses. */
+#ifndef STONEPACK_HOST_JOINTS_H
+#define STONEPACK_HOST_JOINTS_H
+
+#include "drawing.h"
+
+/* The weakest joint, tinted; -1: none. */
+void joints_draw_weakest(const drawing *d, int32_t weakest);
+
+/* Joints of a mechanism: hinges as thick lines with their ends, sliding joints as tinted polygons. Counts both. */
+void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides);
+
+#endif

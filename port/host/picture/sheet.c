@@ -1,0 +1,155 @@
+#include "sheet.h"
+#include "page.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 3, ROWS = 20 };
+#define GAP     14.0                    /* [px] */
+#define CAPTION 24.0                    /* height of one */
+#define TOP     62.0                    /* of the first row */
+
+/* A sheet being drawn. */
+typedef struct sheet {
+    const sp_scene *all;
+    sp_scene s;                         /* its blocks that are there, at one moment: arrays of its own for blocks and faces */
+    drawing d;
+    int frames;
+    const sheet_frame *frame;
+    double width, height[ROWS];         /* of a picture; of the pictures in a row [px] */
+    double lowest;                      /* height of the lowest vertex at the first moment [m] */
+} sheet;
+
+/* Paper for some moments, without what fell below where everything began. */
+static void cover_moments(sheet *t, int first, int count)
+{
+    drawing *d = &t->d;
+    drawing_clear(d);
+    for (int i = first; i < first + count; i++)
+        for (int32_t k = 0; k < t->all->count.vertices; k++)
+            if ((double)t->frame[i].vertex[k][2] >= t->lowest) drawing_cover(d, t->frame[i].vertex[k]);
+    for (int c = 0; c < 2 && !(d->high[0] >= d->low[0]); c++) d->low[c] = d->high[c] = 0;
+}
+
+/* Only the faces of blocks that are there. */
+static void leave_absent(sp_scene *s, const sp_scene *all, const unsigned char *mark)
+{
+    s->count.faces = 0;
+    for (int32_t b = 0; b < all->count.blocks; b++) {
+        const sp_block *from = &all->block[b];
+        const int there = !mark || mark[b] != MARK_ABSENT;
+        s->block[b] = *from;
+        s->block[b].face = s->count.faces;
+        s->block[b].faces = there ? from->faces : 0;
+        for (int32_t f = 0; there && f < from->faces; f++) s->face[s->count.faces++] = all->face[from->face + f];
+    }
+}
+
+/* Columns are as wide as the page allows, a row is as high as what it shows.             returns the height of the page [px] */
+static double lay_out(sheet *t)
+{
+    drawing *d = &t->d;
+    double bottom, total = TOP + GAP;
+    t->width = (PAGE_WIDTH - 2 * PAGE_MARGIN - (COLUMNS - 1) * GAP) / COLUMNS;
+    cover_moments(t, 0, t->frames);
+    bottom = d->low[1];
+    d->scale = (t->width - 2) / fmax(fmax(d->high[0] - d->low[0], 0.6 * (d->high[1] - d->low[1])), 1e-12 * drawing_size(d));
+    d->left = (t->width - d->scale * (d->high[0] - d->low[0])) / 2;
+    d->top = 1;
+    for (int first = 0; first < t->frames; first += COLUMNS) {
+        const int n = t->frames - first < COLUMNS ? t->frames - first : COLUMNS;
+        cover_moments(t, first, n);
+        t->height[first / COLUMNS] = d->scale * (d->high[1] - bottom) + 2;
+        total += t->height[first / COLUMNS] + CAPTION + GAP;
+    }
+    cover_moments(t, 0, t->frames);
+    return total;
+}
+
+static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, double h)
+{
+    FILE *out = t->d.out;
+    faces seen;
+    int good;
+    t->s.vertex = f->vertex;
+    leave_absent(&t->s, t->all, f->mark);
+    if (f->bad) fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#fbeae7\" stroke=\"%s\"/>\n", x - 3,
+                        y - 3, t->width + 6, h + CAPTION + 2, INK_MOTION);
+    fprintf(out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, t->width, h);
+    good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
+    page_end(out);
+    page_label(out, x, y + h + 16);
+    page_text(out, f->caption, sizeof f->caption);
+    fputs("</text>\n", out);
+    faces_free(&seen);
+    return good;
+}
+
+static int draw_moments(sheet *t)
+{
+    double y = TOP;
+    for (int i = 0; i < t->frames; i++) {
+        const int row = i / COLUMNS, column = i % COLUMNS;
+        if (column == 0) {
+            if (row) y += t->height[row - 1] + CAPTION + GAP;
+            t->d.high[1] = t->d.low[1] + (t->height[row] - 2) / t->d.scale;
+        }
+        if (!draw_moment(t, &t->frame[i], PAGE_MARGIN + column * (t->width + GAP), y, t->height[row])) return 0;
+    }
+    return 1;
+}
+
+/* What the colours say. */
+static void legend(FILE *out)
+{
+    static const char *const word[5] = { NULL, NULL, "new", "to be held", "moves" };
+    double x = PAGE_WIDTH - PAGE_MARGIN - 240;
+    for (int k = MARK_NEW; k <= MARK_FALLS; x += k == MARK_NEW ? 66 : 106, k++) {
+        int c[3];
+        faces_color((block_mark)k, c);
+        fprintf(out, "<rect x=\"%.0f\" y=\"29\" width=\"12\" height=\"12\" fill=\"#%02x%02x%02x\" stroke=\"#555\"/>\n", x, c[0], c[1],
+                c[2]);
+        page_label(out, x + 18, 40);
+        fprintf(out, "%s</text>\n", word[k]);
+    }
+}
+
+/* A page with everything on it; t's scene has room for all blocks and faces. */
+static int draw_page(sheet *t, FILE *out, const char *title)
+{
+    int good;
+    leave_absent(&t->s, t->all, NULL);
+    t->s.vertex = t->frame[t->frames - 1].vertex;
+    t->d.out = out;
+    t->d.s = &t->s;
+    t->d.v = view_choose(&t->s);
+    t->lowest = HUGE_VAL;
+    for (int32_t k = 0; k < t->all->count.vertices; k++) t->lowest = fmin(t->lowest, (double)t->frame[0].vertex[k][2]);
+    page_begin(out, lay_out(t));
+    fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN);
+    page_text(out, title, 90);
+    fputs("</text>\n", out);
+    if (t->frame[0].mark) legend(out);
+    good = draw_moments(t);
+    page_end(out);
+    return good;
+}
+
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const char *title)
+{
+    sheet t;
+    int good = 0;
+    if (frames <= 0 || frames > ROWS * COLUMNS) return 0;
+    memset(&t, 0, sizeof t);
+    t.all = scene;
+    t.s = *scene;
+    t.frames = frames;
+    t.frame = frame;
+    t.s.block = malloc(((size_t)scene->count.blocks + 1) * sizeof *t.s.block);
+    t.s.face = malloc(((size_t)scene->count.faces + 1) * sizeof *t.s.face);
+    if (t.s.block && t.s.face) good = draw_page(&t, out, title);
+    free(t.s.block);
+    free(t.s.face);
+    return good;
+}

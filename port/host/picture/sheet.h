@@ -1,0 +1,21 @@
+/* A sheet of small pictures of one scene, at several moments. */
+#ifndef STONEPACK_HOST_SHEET_H
+#define STONEPACK_HOST_SHEET_H
+
+#include "faces.h"
+
+#define SHEET_CAPTION 48
+
+/* One picture of a sheet: the scene's vertices at that moment, and what stands below. */
+typedef struct sheet_frame {
+    sp_real (*vertex)[3];
+    const unsigned char *mark;  /* of each block a block_mark; NULL: all plain */
+    int bad;                    /* the picture has a red rim, its caption too */
+    char caption[SHEET_CAPTION];
+} sheet_frame;
+
+/* Draw a scene at several moments, three in a row, up to 60, all in the view that suits the last and in one scale.
+ *   returns 1, 0: out of memory */
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const char *title);
+
+#endif

@@ -1,0 +1,13 @@
+/* What a picture is of: a scene, and what was found about it. */
+#ifndef STONEPACK_HOST_SUBJECT_H
+#define STONEPACK_HOST_SUBJECT_H
+
+#include "../files/scene.h"
+
+typedef struct subject {
+    const host_scene *scene;
+    const sp_result *result;
+    const sp_limit_result *limit;       /* of a limit: result has its forces and motion only; NULL: of a check */
+} subject;
+
+#endif

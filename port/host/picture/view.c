@@ -1,0 +1,95 @@
+#include "view.h"
+
+#include <math.h>
+
+static double dot_real(const double a[3], const sp_real b[3])
+{
+    return a[0] * (double)b[0] + a[1] * (double)b[1] + a[2] * (double)b[2];
+}
+
+double view_length(const sp_real a[3])
+{
+    return sqrt((double)a[0] * (double)a[0] + (double)a[1] * (double)a[1] + (double)a[2] * (double)a[2]);
+}
+
+void view_point(const view *v, const sp_real x[3], double paper[2])
+{
+    paper[0] = dot_real(v->right, x);
+    paper[1] = dot_real(v->up, x);
+}
+
+/* n = sum p_k x p_(k+1), about the first corner */
+void view_normal(const sp_scene *s, int32_t face, double n[3])
+{
+    const sp_face *f = &s->face[face];
+    const sp_real *o = s->vertex[s->corner[f->corner]];
+    n[0] = n[1] = n[2] = 0;
+    for (int32_t k = 1; k + 1 < f->corners; k++) {
+        double a[3], b[3];
+        for (int c = 0; c < 3; c++) {
+            a[c] = (double)s->vertex[s->corner[f->corner + k]][c] - (double)o[c];
+            b[c] = (double)s->vertex[s->corner[f->corner + k + 1]][c] - (double)o[c];
+        }
+        n[0] += a[1] * b[2] - a[2] * b[1];
+        n[1] += a[2] * b[0] - a[0] * b[2];
+        n[2] += a[0] * b[1] - a[1] * b[0];
+    }
+}
+
+/* How badly joints are seen from a direction: best from a little above, which shows how the blocks stand on each other. */
+static double joints_seen(const sp_scene *s, const double toward[3])
+{
+    const double best = 0.35;           /* sine of the angle between joint and view */
+    double sum = 0, area = 0;
+    for (int32_t i = 0; i < s->count.interfaces; i++) {
+        const sp_interface *c = &s->interface[i];
+        double t = 0;
+        for (int k = 0; k < 3; k++) t += toward[k] * (double)c->n[k];
+        sum += fabs((c->n[2] < 0 ? -t : t) - best) * (double)c->area;
+        area += (double)c->area;
+    }
+    return area > 0 ? sum / area : 0;
+}
+
+/* From `yaw` to the left of the front (0: -y, 1: +x) and `rise` above the horizon. */
+static view look(int front, double yaw, double rise)
+{
+    const double f[2] = { front ? 1 : 0, front ? 0 : -1 }, side[2] = { front ? 0 : 1, front ? 1 : 0 };
+    view v;
+    for (int c = 0; c < 2; c++) {
+        const double level = cos(yaw) * f[c] - sin(yaw) * side[c];
+        v.right[c] = cos(yaw) * side[c] + sin(yaw) * f[c];
+        v.toward[c] = cos(rise) * level;
+        v.up[c] = -sin(rise) * level;
+    }
+    v.right[2] = 0;
+    v.toward[2] = sin(rise);
+    v.up[2] = cos(rise);
+    return v;
+}
+
+/* Where the plan is about square, the other side, the front right and directions nearer to square on are tried, too. Thin walls
+ * are seen more squarely, towers from lower down. */
+view view_choose(const sp_scene *s)
+{
+    const double rad = 3.14159265358979323846 / 180;
+    double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+    double d[3], ratio, yaw, rise;
+    view best;
+
+    for (int32_t k = 0; k < s->count.vertices; k++)
+        for (int c = 0; c < 3; c++) {
+            low[c] = fmin(low[c], (double)s->vertex[k][c]);
+            high[c] = fmax(high[c], (double)s->vertex[k][c]);
+        }
+    for (int c = 0; c < 3; c++) d[c] = fmax(high[c] - low[c], 0);
+    ratio = fmin(d[0], d[1]) / fmax(fmax(d[0], d[1]), 1e-300);
+    yaw = (18 + 14 * ratio) * rad;
+    rise = (d[2] > 2.5 * fmax(d[0], d[1]) ? 14 : 16 + 10 * ratio) * rad;
+    best = look(d[1] > d[0], yaw, rise);
+    for (int k = 1; k < 8 && ratio > 0.5; k++) {
+        const view other = look(k & 1 ? d[1] <= d[0] : d[1] > d[0], (k & 2 ? -yaw : yaw) * (k & 4 ? 0.4 : 1), rise);
+        if (joints_seen(s, other.toward) < 0.9 * joints_seen(s, best.toward)) best = other;
+    }
+    return best;
+}

@@ -1,0 +1,200 @@
+#include "words.h"
+#include "../motion.h"
+#include "page.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The largest 1, 2 or 5 times a power of ten below x. */
+static double round_below(double x)
+{
+    const double ten = pow(10, floor(log10(x)));
+    return ten * (x / ten >= 5 ? 5 : x / ten >= 2 ? 2 : 1);
+}
+
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static void put_friction(const words *w)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int32_t i = 0; i < w->d->s->count.interfaces; i++) {
+        low = fmin(low, (double)w->d->s->interface[i].joint.mu);
+        high = fmax(high, (double)w->d->s->interface[i].joint.mu);
+    }
+    if (!(low <= high)) return;
+    fprintf(w->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);
+}
+
+static void title_of_limit(const words *w)
+{
+    const sp_limit_result *x = w->of->limit;
+    fprintf(w->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN);
+    if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "falls at %.6g", (double)x->multiplier);
+    else fputs(sp_limit_text(x->kind), w->out);
+    fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", w->out);
+    page_text(w->out, file_name(w->of->scene->path), 50);
+    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints", PAGE_MARGIN,
+            (long)w->d->s->count.blocks, (long)w->d->s->count.interfaces);
+    put_friction(w);
+    fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
+    if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
+                                           (double)x->upper, x->verified ? ", verified" : "");
+    fputs("with friction an upper value</text>\n", w->out);
+}
+
+/* How sure the verdict is, in a line. */
+static void put_certainty(const words *w)
+{
+    const sp_result *x = w->of->result;
+    if (x->verdict == SP_STABLE)
+        fprintf(w->out, "largest imbalance of a block %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+    else if (x->verdict == SP_UNSTABLE && x->final) fputs("no joint forces of any size balance it", w->out);
+    else if (x->reason == SP_REASON_NO_MOTION) fputs("forces exist, but no virtual motion explains any of them", w->out);
+    else if (x->verdict == SP_UNSTABLE)
+        fprintf(w->out, "at best a block stays unbalanced by %.2g of its forces", (double)x->least_imbalance);
+    else fprintf(w->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+    if (x->verdict != SP_UNDECIDED) fputs(x->verified ? ", verified" : ", not verified", w->out);
+}
+
+static void title_of_check(const words *w)
+{
+    const sp_result *x = w->of->result;
+    const char *word = x->verdict == SP_STABLE ? "stable" : x->verdict == SP_UNSTABLE ? "unstable" : "undecided";
+    const char *color = x->verdict == SP_STABLE ? "#1b7837" : x->verdict == SP_UNSTABLE ? INK_MOTION : "#8a6d00";
+    const int32_t blocks = w->d->s->count.blocks;
+
+    fprintf(w->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"%s\">%s"
+            "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", PAGE_MARGIN, color, word);
+    page_text(w->out, file_name(w->of->scene->path), 60);
+    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
+    fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s", (long)x->free_blocks,
+            (long)x->interfaces, x->interfaces == 1 ? "" : "s");
+    put_friction(w);
+    fputs("; largest compression ", w->out);
+    page_quantity(w->out, (double)x->max_compression, "N");
+    fputs("</text>\n", w->out);
+    fprintf(w->out, "<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
+    put_certainty(w);
+    fputs("</text>\n", w->out);
+}
+
+void words_title(const words *w)
+{
+    if (w->of->limit) title_of_limit(w);
+    else title_of_check(w);
+}
+
+/* -------------------------------------------------------------------------------------------------------------- legend */
+
+static void legend_forces(const words *w, double x, double y)
+{
+    const double force = round_below(w->forces->largest), length = force * w->forces->scale * w->d->scale;
+    const double a[2] = { x, y - 4 }, b[2] = { x + length, y - 4 };
+    page_arrow(w->out, a, b, INK_FORCE, 1.7, 8);
+    page_label(w->out, x + length + 10, y);
+    page_quantity(w->out, force, "N");
+    fputs(w->of->limit ? ", force of a joint at the limit</text>\n"
+          : w->of->result->verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
+          : ", best force that joints can give</text>\n", w->out);
+}
+
+static void legend_weakest(const words *w, double x, double y)
+{
+    const int32_t i = w->of->result->weakest;
+    const sp_demand *help = &w->of->result->demand[i];
+    sp_interface_force f;
+    fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
+            "stroke-width=\"2\"/>\n", x, y - 11, INK_WEAK, INK_WEAK);
+    page_label(w->out, x + 36, y);
+    fputs("weakest joint ", w->out);
+    page_text(w->out, w->of->scene->name[w->d->s->interface[i].a], 20);
+    fputs(" | ", w->out);
+    page_text(w->out, w->of->scene->name[w->d->s->interface[i].b], 20);
+    if (help->tension > 0 || help->friction > 0) {
+        fputs(", lacks ", w->out);
+        page_quantity(w->out, fmax((double)help->tension, (double)help->friction), "N");
+        fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
+    } else if (sp_interface_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
+        fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
+    fputs("</text>\n", w->out);
+}
+
+static void legend_motion(const words *w, double x, double y)
+{
+    fprintf(w->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
+            "stroke-dasharray=\"5 3\"/>\n", x, y - 11, INK_MOTION);
+    page_label(w->out, x + 36, y);
+    fputs(!motion_is_virtual(w->of->result) ? "how it starts to move" : w->of->result->level == SP_COUPLED
+          ? "virtual motion that explains the forces" : "virtual motion that would, with such help, explain forces", w->out);
+    fputs(", drawn to ", w->out);
+    page_quantity(w->out, w->motion->largest, "m");
+    fputs(" at most</text>\n", w->out);
+}
+
+static void legend_support(const words *w, double x, double y)
+{
+    fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"#9ea6ae\"/><rect x=\"%.1f\" y=\"%.1f\" "
+            "width=\"26\" height=\"13\" fill=\"url(#hatch)\" stroke=\"#555\"/>\n", x, y - 11, x, y - 11);
+    page_label(w->out, x + 36, y);
+    fputs("fixed</text>\n", w->out);
+}
+
+/* A length on the paper's horizontal, which parallel projection keeps. */
+static void legend_length(const words *w, double x, double y)
+{
+    const double length = round_below(150 / w->d->scale), wide = length * w->d->scale;
+    fprintf(w->out, "<path d=\"M%.1f %.1fv8m0 -4h%.1fm0 -4v8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.3\"/>\n", x, y - 9,
+            wide);
+    page_label(w->out, x + wide + 8, y);
+    page_quantity(w->out, length, "m");
+    fputs("</text>\n", w->out);
+}
+
+/* Gravity where it is not straight down. */
+static void legend_gravity(const words *w)
+{
+    const sp_real origin[3] = { 0, 0, 0 };
+    const double size = view_length(w->d->s->gravity);
+    double o[2], g[2], a[2] = { PAGE_WIDTH - 70, 26 }, b[2];
+    if (!(size > 0) || (double)w->d->s->gravity[2] < -size * (1 - 1e-12)) return;
+    view_point(&w->d->v, origin, o);
+    view_point(&w->d->v, w->d->s->gravity, g);
+    b[0] = a[0] + 44 * (g[0] - o[0]) / size;
+    b[1] = a[1] - 44 * (g[1] - o[1]) / size;
+    page_arrow(w->out, a, b, "#333333", 1.7, 8);
+    page_label(w->out, a[0] + 12, a[1] + 6);
+    fputs("gravity</text>\n", w->out);
+}
+
+/* What the marks on the joints of a mechanism mean. */
+static void legend_joints(const words *w, double x, double y)
+{
+    if (w->hinges) {
+        fprintf(w->out, "<path d=\"M%.1f %.1fh22\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", x + 3, y - 4, INK_HINGE, x + 3, y - 4, INK_HINGE);
+        page_label(w->out, x + 36, y);
+        fprintf(w->out, "%ld hinge%s</text>\n", (long)w->hinges, w->hinges == 1 ? "" : "s");
+    }
+    if (!w->slides) return;
+    if (w->hinges) x += 150;
+    fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
+            "stroke-width=\"2\"/>\n", x, y - 11, INK_SLIDE, INK_SLIDE);
+    page_label(w->out, x + 36, y);
+    fprintf(w->out, "%ld sliding joint%s</text>\n", (long)w->slides, w->slides == 1 ? "" : "s");
+}
+
+void words_legend(const words *w, double y)
+{
+    const double second = 400;
+    legend_support(w, PAGE_MARGIN, y);
+    legend_length(w, PAGE_MARGIN + 110, y);
+    if (w->forces->largest > 0) legend_forces(w, second, y);
+    if (w->of->result->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
+    legend_joints(w, PAGE_MARGIN, y + 26);
+    if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y + 52);
+    legend_gravity(w);
+}

@@ -1,0 +1,24 @@
+/* The words around a picture: a title above, a legend below. */
+#ifndef STONEPACK_HOST_WORDS_H
+#define STONEPACK_HOST_WORDS_H
+
+#include "forces.h"
+#include "mechanism.h"
+#include "subject.h"
+
+/* What the words are about. */
+typedef struct words {
+    FILE *out;
+    const subject *of;
+    const drawing *d;
+    const forces *forces;
+    const mechanism *motion;
+    int32_t hinges, slides;             /* drawn, of a limit's mechanism */
+} words;
+
+void words_title(const words *w);
+
+/* Three lines, the first at this height [px]. */
+void words_legend(const words *w, double y);
+
+#endif
