@@ -1,5 +1,6 @@
 /* stonepack: the program. */
 #include "command/commands.h"
+#include "files/obj.h"
 #include "files/text.h"
 
 #include <stdio.h>
@@ -163,20 +164,9 @@ static void help(void)
 {
     puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
     for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", command[k].name, command[k].summary);
-    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may hold:\n\n"
-         "  o NAME                             starts a block; v and f as in any OBJ\n"
-         "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
-         "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
-         "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
-         "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these directions\n"
-         "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
-         "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n"
-         "  #@ load A fx fy fz px py pz        force at a point; fx fy fz mx my mz couple: force and couple\n"
-         "  #@ live A ...                      the same, scaled by `limit`\n"
-         "  #@ mass A kg px py pz [live]       weight at a point, a gripper for instance\n"
-         "  #@ pressure A FACE p [live]        [Pa] on its FACE-th f line, from 1\n"
-         "  #@ cohesion c                      [Pa] of joints, as mu; also tension, crushing\n\n"
-         "Without interface and points lines contacts are found.");
+    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may hold:\n");
+    fputs(obj_format, stdout);
+    puts("\nWithout interface and points lines contacts are found.");
 }
 
 static int wants_help(int argc, char **argv)

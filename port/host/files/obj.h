@@ -1,17 +1,4 @@
-/* A scene file as written: a legal Wavefront OBJ whose `#@` comments carry what OBJ can't say.
- *
- *   o NAME                             starts a block; v and f as usual; vn vt g s usemtl mtllib are ignored
- *   #@ mu 0.84                         friction, whole scene; after an interface: that interface
- *   #@ gravity 0 0 -9.80665
- *   #@ cohesion 1e5                    [Pa] likewise; also tension, crushing (none: it is never crushed)
- *   #@ density 2400                    whole scene; after an o line: that block
- *   #@ fixed                           after an o line; only in some directions: #@ fixed x y z rx ry rz
- *   #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B
- *   #@ points A B nx ny nz x y z ...   point or edge contact with its normal
- *   #@ load NAME fx fy fz px py pz     force [N] at a point; fx fy fz mx my mz couple: at the centroid, and a moment [N m]
- *   #@ live ...                        as load, counts scene.live times
- *   #@ mass NAME kg px py pz           weight [kg] at a point that goes with the block; `live` at its end: counts scene.live times
- *   #@ pressure NAME FACE p            [Pa] on the block's FACE-th f line, from 1; < 0 pulls; `live` likewise
+/* A scene file as written: a legal Wavefront OBJ whose `#@` comments carry what OBJ can't say. obj_format tells its lines.
  *
  * Reading gives tables in the order of the file, indices resolved and checked, names as places in the text. Whether blocks
  * are closed and contacts plane is for the library to say, when scene.c builds them.
@@ -20,6 +7,9 @@
 #define STONEPACK_HOST_OBJ_H
 
 #include "text.h"
+
+/* The lines that a scene file may hold, one a line, as `stonepack --help` prints them. */
+extern const char *const obj_format;
 
 typedef struct obj_block {
     text_word name;

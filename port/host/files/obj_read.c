@@ -5,6 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const obj_format =
+    "  o NAME                             starts a block; v and f as in any OBJ\n"
+    "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
+    "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
+    "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
+    "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these "
+    "directions\n"
+    "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
+    "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n"
+    "  #@ load A fx fy fz px py pz        force at a point; fx fy fz mx my mz couple: force and couple\n"
+    "  #@ live A ...                      the same, scaled by `limit`\n"
+    "  #@ mass A kg px py pz [live]       weight at a point, a gripper for instance\n"
+    "  #@ pressure A FACE p [live]        [Pa] on its FACE-th f line, from 1\n"
+    "  #@ cohesion c                      [Pa] of joints, as mu; also tension, crushing\n";
+
 #define DEFAULT_MU      ((sp_real)0.84)         /* [1] */
 #define DEFAULT_DENSITY ((sp_real)2400)         /* [kg/m^3] */
 #define DEFAULT_GRAVITY ((sp_real)-9.80665)     /* [m/s^2] along z */
@@ -199,6 +214,7 @@ static int read_block(reader *r)
 
 /* ------------------------------------------------------------------------------------------------------------ #@ lines */
 
+/* Of the whole scene, or of the interface before it. */
 static int read_mu(reader *r)
 {
     sp_real mu;
@@ -219,6 +235,7 @@ static int strength_word(text_word w)
     return -1;
 }
 
+/* [Pa], likewise. What no line tells of crushing is never crushed. */
 static int read_strength(reader *r, int k, text_word w)
 {
     sp_real x;
@@ -238,6 +255,7 @@ static int read_gravity(reader *r)
     return status ? status : line_is_over(r);
 }
 
+/* Of the whole scene, or of the block it stands in. */
 static int read_density(reader *r)
 {
     sp_real density;
@@ -271,6 +289,7 @@ static int read_fixed(reader *r)
     return 0;
 }
 
+/* NAME, then a force and its point; or a force at the centroid, a moment, and `couple`. live: it counts scene.live times. */
 static int read_load(reader *r, int live)
 {
     obj_load load = { { NULL, 0 }, -1, r->at.line, live, OBJ_FORCE, 0, { 0, 0, 0 }, { 0, 0, 0 } };
@@ -291,7 +310,8 @@ static int read_load(reader *r, int live)
     return 0;
 }
 
-/* NAME kg px py pz, or NAME FACE Pa, either with `live` behind it. */
+/* NAME kg px py pz, a weight at a point that goes with the block, or NAME FACE Pa, which pulls below 0; either with `live` behind
+ * it. */
 static int read_weight(reader *r, obj_load_kind kind)
 {
     const char *what = kind == OBJ_MASS ? "a mass needs kilograms and a point" : "a pressure needs the number of a face and pascals";

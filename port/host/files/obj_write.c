@@ -1,20 +1,20 @@
 /* The writer of scene files. */
 #include "scene.h"
 
-static void triple(FILE *out, const char *before, const sp_real x[3])
+static void write_triple(FILE *out, const char *before, const sp_real x[3])
 {
     char text[32];
     fputs(before, out);
     for (int c = 0; c < 3; c++) fprintf(out, " %s", text_shortest(x[c], text));
 }
 
-static void setting(FILE *out, const char *word, sp_real x)
+static void write_setting(FILE *out, const char *word, sp_real x)
 {
     char text[32];
     fprintf(out, "#@ %s %s\n", word, text_shortest(x, text));
 }
 
-static void name_of(FILE *out, const char *const *name, int32_t b)
+static void write_name(FILE *out, const char *const *name, int32_t b)
 {
     if (name) fprintf(out, " %s", name[b]);
     else fprintf(out, " b%ld", (long)b);
@@ -33,12 +33,12 @@ static void write_block(FILE *out, const sp_scene *s, int32_t b, const char *con
 {
     const sp_block *block = &s->block[b];
     fputs("o", out);
-    name_of(out, name, b);
+    write_name(out, name, b);
     fputs("\n", out);
     if (block->fixed) write_fixed(out, block->fixed);
-    if (own_density && block->density > 0) setting(out, "density", block->density);
+    if (own_density && block->density > 0) write_setting(out, "density", block->density);
     for (int32_t v = 0; v < block->vertices; v++) {
-        triple(out, "v", s->vertex[block->vertex + v]);
+        write_triple(out, "v", s->vertex[block->vertex + v]);
         fputs("\n", out);
     }
     for (int32_t i = block->face; i < block->face + block->faces; i++) {
@@ -52,15 +52,15 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
 {
     const sp_interface *c = &s->interface[i];
     fputs(c->area > 0 ? "#@ interface" : "#@ points", out);
-    name_of(out, name, c->a);
-    name_of(out, name, c->b);
-    if (!(c->area > 0)) triple(out, "", c->n);
-    for (int32_t k = 0; k < c->points; k++) triple(out, "", s->point[c->point + k]);
+    write_name(out, name, c->a);
+    write_name(out, name, c->b);
+    if (!(c->area > 0)) write_triple(out, "", c->n);
+    for (int32_t k = 0; k < c->points; k++) write_triple(out, "", s->point[c->point + k]);
     fputs("\n", out);
-    if (own_mu) setting(out, "mu", c->joint.mu);
-    if (c->joint.cohesion > 0) setting(out, "cohesion", c->joint.cohesion);
-    if (c->joint.tension > 0) setting(out, "tension", c->joint.tension);
-    if (c->joint.cap > 0) setting(out, "crushing", c->joint.cap);
+    if (own_mu) write_setting(out, "mu", c->joint.mu);
+    if (c->joint.cohesion > 0) write_setting(out, "cohesion", c->joint.cohesion);
+    if (c->joint.tension > 0) write_setting(out, "tension", c->joint.tension);
+    if (c->joint.cap > 0) write_setting(out, "crushing", c->joint.cap);
 }
 
 static int is_zero(const sp_real x[3])
@@ -76,17 +76,17 @@ static void write_load(FILE *out, const sp_load *load, const char *const *name)
     for (int couple = 0; couple < 2; couple++) {
         if (couple ? is_zero(load->couple) : is_zero(load->force) && (!is_zero(load->couple) || load->mass > 0)) continue;
         fputs(load->live ? "#@ live" : "#@ load", out);
-        name_of(out, name, load->block);
-        triple(out, "", couple ? none : load->force);
-        triple(out, "", couple ? load->couple : load->point);
+        write_name(out, name, load->block);
+        write_triple(out, "", couple ? none : load->force);
+        write_triple(out, "", couple ? load->couple : load->point);
         fputs(couple ? " couple\n" : "\n", out);
     }
     if (!(load->mass > 0)) return;
     char kg[32];
     fputs("#@ mass", out);
-    name_of(out, name, load->block);
+    write_name(out, name, load->block);
     fprintf(out, " %s", text_shortest(load->mass, kg));
-    triple(out, "", load->point);
+    write_triple(out, "", load->point);
     fputs(load->live ? " live\n" : "\n", out);
 }
 
@@ -106,9 +106,9 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
     }
     for (int32_t i = 1; i < s->count.interfaces; i++)
         one_mu = one_mu && same(s->interface[i].joint.mu, s->interface[0].joint.mu);
-    if (one_mu) setting(out, "mu", s->interface[0].joint.mu);
-    if (one_density && density > 0) setting(out, "density", density);
-    triple(out, "#@ gravity", s->gravity);
+    if (one_mu) write_setting(out, "mu", s->interface[0].joint.mu);
+    if (one_density && density > 0) write_setting(out, "density", density);
+    write_triple(out, "#@ gravity", s->gravity);
     fputs("\n", out);
     for (int32_t b = 0; b < s->count.blocks; b++) write_block(out, s, b, name, !one_density);
     for (int32_t i = 0; i < s->count.interfaces; i++) write_contact(out, s, i, name, !one_mu);
