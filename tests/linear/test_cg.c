@@ -2,6 +2,7 @@
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/linear/cg.c"
+#include <string.h>
 
 enum { MOST = 40 };
 

@@ -3,8 +3,11 @@
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/linear/chol.c"
+#if !SP__WITH_SMALL                                     /* its body was left out: both are wanted here */
 #undef SP__WITH_SMALL
+#undef SP__ENVELOPE_C
 #define SP__WITH_SMALL 1
+#endif
 #include "../../solvers/linear/envelope.c"
 
 enum { MOST = 40, ENTRIES = MOST * (MOST + 1) / 2 };
