@@ -1,9 +1,8 @@
 /* check: does each scene stand? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
-#include "commands.h"
 #include "../files/done.h"
+#include "commands.h"
 #include "report.h"
-#include "../worker/worker_client.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,49 +14,6 @@
 static void progress(const char *what, const char *path)
 {
     if (isatty(STDERR_FILENO)) fprintf(stderr, *what ? "\r\033[K%s %s ..." : "\r\033[K", what, path);
-}
-
-/* By a worker, this program once more. */
-static int by_worker(report *r, void **memory, text_error *error)
-{
-    const options *o = r->options;
-    const char *const command[] = { o->program, "worker", NULL };
-    const worker_client client = { command, o->worker, (size_t)o->worker_memory, o->fallback };
-    worker_answer a;
-    const sp_status status = worker_check(&client, &r->scene->scene, &o->settings, &a);
-
-    *memory = a.memory;
-    r->result = a.result;
-    r->cost = a.cost;
-    if (a.end > WORKER_REFUSED && !a.fell_back) return text_fail(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
-    if (status == SP_E_UNSUPPORTED && !(o->settings.coupled.asked && r->scene->strength_line))
-        return text_fail(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s", sp_status_text(status));
-    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
-}
-
-static int by_us(report *r, void **memory, text_error *error)
-{
-    const sp_status status = run_check(&r->scene->scene, &r->options->settings, &r->result, &r->cost, memory);
-    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
-}
-
-int report_check(report *r, void **memory, text_error *error)
-{
-    sp_settings without = r->options->settings;
-    size_t bytes;
-    const int status = r->options->worker > 0 ? by_worker(r, memory, error) : by_us(r, memory, error);
-    if (status || !without.coupled.asked) return status;
-    without.coupled.asked = 0;
-    if (run_check_bytes(&r->scene->scene, &without, &bytes) == SP_OK && bytes < r->cost.bytes) r->coupled_bytes = r->cost.bytes - bytes;
-    return 0;
-}
-
-static int draw(const report *r, text_error *error)
-{
-    const char *path = r->options->svg;
-    FILE *out = text_create(path, error);
-    if (!out) return error->status;
-    return text_finish(out, path, report_svg(out, r) ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
 /* The coupled question once more, as the program its authors publish. */
@@ -88,7 +44,7 @@ static int check_one(const char *path, const options *o, text_error *error)
     if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = publish(&r, &p, error);
-    if (!status && o->svg) status = draw(&r, error);
+    if (!status && o->svg) status = report_draw(&r, error);
     progress("", "");
     if (!status) {
         if (o->json) report_json(stdout, &r);
@@ -120,8 +76,8 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt --coupled --cra-eps --cra-eta"
-                     " --cra-box --effects --worker --fallback --skip-done --cra-nodes ", &o, &error)) {
+    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt --coupled"
+                     " --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done ", &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

@@ -110,8 +110,6 @@ static void print_json(const report *r)
 
 /* --------------------------------------------------------------------------------------------------------------- words */
 
-static void row(const char *label) { printf("  %-15s", label); }
-
 static void print_joints(const report *r, sp_joint_kind kind, const char *label)
 {
     enum { SHOWN = 6 };
@@ -120,7 +118,7 @@ static void print_joints(const report *r, sp_joint_kind kind, const char *label)
     for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
         sp_joint_motion m;
         if (sp_joint_moves(&s->scene, r->limit->dq, i, &m) != SP_OK || m.kind != kind || n++ >= SHOWN) continue;
-        if (n == 1) row(label);
+        if (n == 1) report_row(stdout, label);
         printf("%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.interface[i].a], s->name[s->scene.interface[i].b]);
     }
     if (n > SHOWN) printf(" and %ld more", (long)(n - SHOWN));
@@ -138,26 +136,26 @@ static void print_multiplier(const report *r)
     default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
                                                                                     : "the ends stay apart at this tol");
     }
-    row("how sure");
+    report_row(stdout, "how sure");
     if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->omega);
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
     if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
     puts(x->verified ? "; verified" : "; NOT verified");
     if (is_vague(x)) {
-        row("how near");
+        report_row(stdout, "how near");
         printf("known to within %.2g only: tol %.2g counts against the loads, and the multiplier is small beside that\n",
                (double)x->within, (double)x->tol);
     }
     report_tol(stdout, r);
     if (x->dead == SP_UNSTABLE && x->lowest >= 0) {
-        row("mind");
+        report_row(stdout, "mind");
         printf("it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n", (double)x->lowest);
     } else if (x->dead == SP_UNDECIDED && x->kind) {
-        row("mind");
+        report_row(stdout, "mind");
         puts("whether it stands under the dead loads alone was not decided");
     }
     if (!any_friction(&r->scene->scene) || (x->kind != SP_LIMIT_FOUND && x->kind != SP_LIMIT_UNBOUNDED)) return;
-    row("mind");
+    report_row(stdout, "mind");
     puts("with friction this is an upper value: real sliding does not open joints, and may fall at less");
 }
 
@@ -169,30 +167,30 @@ static void print_text(const report *r)
     print_multiplier(r);
     for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {
-        row("mechanism");
+        report_row(stdout, "mechanism");
         printf("%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");
         print_joints(r, SP_JOINT_HINGE, "hinges");
         print_joints(r, SP_JOINT_SLIDING, "sliding");
         print_joints(r, SP_JOINT_OPEN, "opening");
     }
-    row("scene");
+    report_row(stdout, "scene");
     printf("%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->interfaces,
            n->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "");
-    row("cost");
+    report_row(stdout, "cost");
     printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
            (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- command */
 
-/* A picture into o->svg by either of the two. */
-static int draw(const report *r, const tilt_margin *m, text_error *error)
+static int draw_tilt(const report *r, const tilt_margin *m, text_error *error)
 {
     const char *path = r->options->svg;
     FILE *out = text_create(path, error);
+    int status = 0;
     if (!out) return error->status;
-    const int drawn = m ? tilt_draw(out, r->options, m) : report_svg(out, r);
-    return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
+    if (!tilt_draw(out, r->options, m)) status = text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture");
+    return text_finish(out, path, status, error);
 }
 
 static void print_tilt(const report *r, const tilt_margin *m)
@@ -219,11 +217,11 @@ static void print_tilt(const report *r, const tilt_margin *m)
     else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", r->scene->path, tilt_at_least(m) ? "at least " : "",
                 m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
     if (m->least < 90 && m->within > 1e-3 * m->least) {
-        row("how near");
+        report_row(stdout, "how near");
         printf("known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n", m->within);
     }
     if (m->worst.tol > 0) report_tol(stdout, r);
-    row("how");
+    report_row(stdout, "how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
 }
 
@@ -232,7 +230,7 @@ static int tilt_command(report *r, text_error *error)
     tilt_margin m;
     void *memory;
     int status = tilt_measure(r->scene, r->options, &m, &memory, error);
-    if (!status && r->options->svg) status = draw(r, &m, error);
+    if (!status && r->options->svg) status = draw_tilt(r, &m, error);
     r->result.tol = m.worst.tol;
     if (!status) print_tilt(r, &m);
     free(memory);
@@ -269,7 +267,7 @@ static int limit_command(report *r, text_error *error)
         r->result.weakest = -1;
         r->result.verified = x.verified;
         r->result.tol = x.tol;
-        if (r->options->svg) status = draw(r, NULL, error);
+        if (r->options->svg) status = report_draw(r, error);
     }
     if (!status && r->options->json) print_json(r);
     if (!status && !r->options->json) print_text(r);

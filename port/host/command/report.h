@@ -1,4 +1,4 @@
-/* The result of a check in words and as JSON. */
+/* A check that was made, and what is told of it: in words, as JSON, as a picture. */
 #ifndef STONEPACK_HOST_REPORT_H
 #define STONEPACK_HOST_REPORT_H
 
@@ -19,11 +19,15 @@ typedef struct report {
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */
 } report;
 
-/* Make the check of r->scene, by a worker if the options ask for one; its arrays live in *memory, to be freed by the caller.      returns 0 or an exit status */
+/* Make the check of r->scene, by a worker if the options ask for one; its arrays live in *memory, to be freed by the caller.
+ *   returns 0 or an exit status */
 int report_check(report *r, void **memory, text_error *error);
 
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
+
+/* The label of a line of report_text. */
+void report_row(FILE *out, const char *label);
 
 /* Who told the tol in force, r->result.tol: "asked", "least friction" whose eighth is less, or "coupled". */
 const char *report_tol_by(const report *r);
@@ -31,8 +35,8 @@ const char *report_tol_by(const report *r);
 /* A line on that where it was not asked for. */
 void report_tol(FILE *out, const report *r);
 
-/* Draw it.                                                 returns 1, 0: out of memory */
-int report_svg(FILE *out, const report *r);
+/* Draw it into the file of --svg.                          returns 0 or an exit status */
+int report_draw(const report *r, text_error *error);
 
 /* Exit status of a verdict. */
 int report_exit(sp_verdict verdict);

@@ -1,0 +1,226 @@
+#include "../motion.h"
+#include "report.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *capitals(sp_verdict v)
+{
+    return v == SP_STABLE ? "STABLE" : v == SP_UNSTABLE ? "UNSTABLE" : "UNDECIDED";
+}
+
+static const char *text_of_reason(sp_reason reason)
+{
+    switch (reason) {
+    case SP_REASON_FORCES:     return "forces that the joints can carry hold every block in equilibrium";
+    case SP_REASON_NOTHING:    return "nothing to carry: no free block, or no load";
+    case SP_REASON_NO_CONTACT: return "a block touches nothing";
+    case SP_REASON_NO_SUPPORT: return "a group of blocks has no path to a support";
+    case SP_REASON_MECHANISM:  return "the blocks can move in a way that no force of the joints can resist";
+    case SP_REASON_LIMIT:      return "neither forces nor a motion within tol: the limit is nearer than that";
+    case SP_REASON_BUDGET:     return "the search gave up, its work spent or without progress: "
+                                      "neither forces nor a motion within tol";
+    case SP_REASON_STAGES:     return "the chosen stages can't decide this";
+    case SP_REASON_NO_MOTION:  return "forces exist, but no virtual motion explains any of them";
+    case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was "
+                                       "found";
+    case SP_REASON_TENSION:    return "the penalty form is solved, but wants tension: no proof either way";
+    case SP_REASON_UNVERIFIED: return "a solver's answer did not pass verification: no forces, and no motion that proves "
+                                      "anything";
+    case SP_REASON_EFFECT:     return "an effect was left out that the scene calls for";
+    default:                   return "";
+    }
+}
+
+/* 1234.5 with a unit of thousands: "1.23 kN". */
+static void put_scaled(FILE *out, double x, const char *unit)
+{
+    static const char *const prefix[] = { "n", "u", "m", "", "k", "M", "G", "T" };
+    int k = 3;
+    double y = fabs(x);
+    while (y >= 999.5 && k < 7) { y /= 1000; x /= 1000; k++; }
+    while (y > 0 && y < 0.9995 && k > 0) { y *= 1000; x *= 1000; k--; }
+    fprintf(out, "%.3g %s%s", x, prefix[k], unit);
+}
+
+void report_row(FILE *out, const char *label) { fprintf(out, "  %-15s", label); }
+
+static void text_certainty(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    report_row(out, "how sure");
+    if (x->verdict == SP_STABLE)
+        fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->omega, (double)x->tol);
+    else if (x->verdict == SP_UNSTABLE && x->final) fprintf(out, "no forces of any size would do");
+    else if (x->reason == SP_REASON_NO_MOTION)
+        fprintf(out, "no motion in any of %ld cases, margin %.2g", (long)x->coupled.proof.leaves, (double)x->coupled.margin);
+    else if (x->verdict == SP_UNSTABLE)
+        fprintf(out, "at least %.2g of a block's forces stays unbalanced, tol %.2g", (double)x->least_imbalance,
+                (double)x->tol);
+    else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
+    if (x->verdict != SP_UNDECIDED) fprintf(out, x->verified ? "; verified" : "; NOT verified");
+    fputc('\n', out);
+}
+
+void report_tol(FILE *out, const report *r)
+{
+    const char *by = report_tol_by(r);
+    if (strcmp(by, "asked") == 0) return;
+    report_row(out, "tol");
+    fprintf(out, "%.2g instead of %.2g: %s\n", (double)r->result.tol, (double)r->options->settings.tol,
+            strcmp(by, "coupled") ? "an eighth of the least friction, or slopes too steep for it would pass"
+                                  : "a coupled check is asked with no coarser one");
+}
+
+static void text_coupled(FILE *out, const report *r)
+{
+    const sp_coupled *c = &r->result.coupled;
+    if (!r->options->settings.coupled.asked) return;
+    report_row(out, "coupled");
+    fputs(sp_coupling_text(c->verdict), out);
+    if (c->verdict == SP_COUPLING_COUPLED)
+        fprintf(out, ": a virtual motion explains the forces, residual %.2g; verified", (double)c->residual);
+    else fprintf(out, " (%s)", sp_coupling_reason_text(c->reason));
+    fprintf(out, "; eta/eps ");
+    if (c->eps > 0) fprintf(out, "%.3g\n", (double)(c->eta / c->eps));
+    else fputs("unbounded\n", out);
+}
+
+static void text_published(FILE *out, const solvers_published *p)
+{
+    const ipopt_cra_answer *a = p ? &p->answer : NULL;
+    if (!a) return;
+    report_row(out, "Ipopt");
+    fprintf(out, "%s after %ld iterations, %.3g s; objective %.9g, residual %.2g; %s\n", a->status, (long)a->iterations,
+            a->seconds, a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
+}
+
+static void text_weakest(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    const sp_scene *s = &r->scene->scene;
+    sp_interface_force f;
+    if (x->weakest < 0 || sp_interface_resultant(s, x, x->weakest, &f) != SP_OK) return;
+    const sp_demand *help = &x->demand[x->weakest];
+    report_row(out, "weakest joint");
+    fprintf(out, "%s - %s", r->scene->name[s->interface[x->weakest].a], r->scene->name[s->interface[x->weakest].b]);
+    if (help->friction > help->tension) {
+        fputs(": lacks ", out);
+        put_scaled(out, (double)help->friction, "N");
+        fputs(" of friction\n", out);
+    } else if (help->tension > 0) {
+        fputs(": asks for ", out);
+        put_scaled(out, (double)help->tension, "N");
+        fputs(" of tension\n", out);
+    } else fprintf(out, ": friction used to %.0f %%\n", 100 * (double)f.utilisation);
+}
+
+static void text_mechanism(FILE *out, const report *r)
+{
+    enum { SHOWN = 6 };
+    int32_t moving = 0;
+    if (r->result.verdict != SP_UNSTABLE || r->result.reason == SP_REASON_NO_MOTION) return;
+    report_row(out, "moving");
+    for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
+        if (motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL && moving++ < SHOWN)
+            fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
+    if (moving > SHOWN) fprintf(out, " and %ld more", (long)(moving - SHOWN));
+    fputc('\n', out);
+}
+
+/* How the islands do; those that don't stand by the names of their first blocks. */
+static void text_islands(FILE *out, const report *r)
+{
+    enum { SHOWN = 4 };
+    const sp_result *x = &r->result;
+    int32_t stable = 0, named = 0;
+    if (!x->part) return;
+    for (int32_t k = 0; k < x->islands; k++) stable += x->part[k].verdict == SP_STABLE;
+    report_row(out, "islands");
+    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands, (long)stable);
+    for (int32_t k = 0; k < x->islands && named < SHOWN; k++)
+        if (x->part[k].verdict != SP_STABLE)
+            fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->part[k].block],
+                    sp_verdict_text(x->part[k].verdict));
+    fprintf(out, x->islands - stable > named ? ", ...\n" : "\n");
+}
+
+static void text_overlaps(FILE *out, const host_scene *s)
+{
+    if (s->overlaps == 0) return;
+    report_row(out, "overlap");
+    fprintf(out, "%s - %s by ", s->name[s->overlap[0].a], s->name[s->overlap[0].b]);
+    put_scaled(out, (double)s->overlap[0].depth, "m");
+    if (s->overlaps > 1) fprintf(out, " and %ld more pairs", (long)(s->overlaps - 1));
+    fputc('\n', out);
+}
+
+static void text_forces(FILE *out, const sp_result *x)
+{
+    report_row(out, "forces");
+    fputs("largest compression ", out);
+    put_scaled(out, (double)x->max_compression, "N");
+    fputs(x->max_tension > 0 ? ", largest tension asked for " : "", out);
+    if (x->max_tension > 0) put_scaled(out, (double)x->max_tension, "N");
+    fputc('\n', out);
+}
+
+/* What help the penalty form asks for, of statics and of the coupled question. */
+static void text_penalty(FILE *out, const report *r)
+{
+    for (int coupled = 0; coupled < 2; coupled++) {
+        const double ratio = (double)(coupled ? r->result.coupled.tension_ratio : r->result.tension_ratio);
+        if (!(ratio >= 0) || (coupled && !r->options->settings.coupled.asked)) continue;
+        report_row(out, "penalty form");
+        fputs(coupled ? "joined with a motion: " : "", out);
+        fprintf(out, ratio < 1e30 ? "largest tension / largest compression %.2g\n" : "nothing but tension\n", ratio);
+    }
+}
+
+static void text_scene(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    const int32_t blocks = r->scene->scene.count.blocks;
+    report_row(out, "scene");
+    fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)blocks, blocks == 1 ? "" : "s",
+            (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "",
+            (long)x->points);
+    if (x->reason != SP_REASON_EFFECT) return;
+    report_row(out, "left out");
+    fprintf(out, "%s\n", sp_effect_text(x->missing));
+}
+
+static void text_cost(FILE *out, const report *r)
+{
+    const sp_result *x = &r->result;
+    report_row(out, "cost");
+    fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");
+    if (x->cost.interior) fprintf(out, "%ld of them interior-point, ", (long)x->cost.interior);
+    put_scaled(out, (double)x->cost.flops, "flop");
+    fprintf(out, ", %.1f KiB, ", (double)r->cost.bytes / 1024);
+    put_scaled(out, r->cost.seconds, "s");
+    fprintf(out, ", by %s\n", sp_stage_text(x->stage));
+    if (!r->options->settings.coupled.asked) return;
+    report_row(out, "of it coupled");
+    put_scaled(out, (double)x->coupled.cost.flops, "flop");
+    fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
+}
+
+void report_text(FILE *out, const report *r)
+{
+    fprintf(out, "%s: %s\n", r->scene->path, capitals(r->result.verdict));
+    report_row(out, "why");
+    fprintf(out, "%s\n", text_of_reason(r->result.reason));
+    text_certainty(out, r);
+    report_tol(out, r);
+    text_coupled(out, r);
+    text_published(out, r->published);
+    text_weakest(out, r);
+    text_mechanism(out, r);
+    text_forces(out, &r->result);
+    text_penalty(out, r);
+    text_scene(out, r);
+    text_islands(out, r);
+    text_overlaps(out, r->scene);
+    text_cost(out, r);
+}
