@@ -1,6 +1,7 @@
 /* check: does each scene stand? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../files/done.h"
+#include "../tilt.h"
 #include "commands.h"
 #include "report.h"
 
@@ -40,7 +41,7 @@ static int check_one(const char *path, const options *o, text_error *error)
     r.options = o;
     progress("reading", path);
     status = scene_read(path, o->mu, SCENE_GIVEN, &s, error);
-    if (!status) options_tilt(o->tilt, o->azimuth, s.scene.gravity);
+    if (!status) tilt_turn(o->tilt, o->azimuth, s.scene.gravity);
     if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = publish(&r, &p, error);

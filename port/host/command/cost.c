@@ -3,6 +3,7 @@
 #include "../files/json_out.h"
 #include "../picture/cost_svg.h"
 #include "../run.h"
+#include "../tilt.h"
 #include "commands.h"
 #include "report.h"
 
@@ -222,7 +223,7 @@ int command_cost(int argc, char **argv)
     memset(&s, 0, sizeof s);
     if (!code && o.files != 1) code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
     if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
-    if (!code) options_tilt(o.tilt, o.azimuth, s.scene.gravity);
+    if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);
     if (!code && o.svg) code = draw(o.svg, &s, &table, &error);

@@ -2,9 +2,10 @@
 #include "../files/json_out.h"
 #include "../motion.h"
 #include "../run.h"
+#include "../tilt.h"
 #include "commands.h"
 #include "report.h"
-#include "tilt.h"
+#include "tilt_report.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,12 +31,12 @@ static int is_vague(const sp_limit_result *x)
     return x->kind == SP_LIMIT_FOUND && (double)x->within > 1e-3 * (double)x->multiplier;
 }
 
-/* What moves, and what the joints do meanwhile. */
-static void json_motion(json_out *j, const host_scene *s, const sp_limit_result *x)
+/* Blocks that move. */
+static void json_mechanism(json_out *j, const host_scene *s, const sp_real *of)
 {
     json_open(j, "mechanism", '[');
     for (int32_t b = 0; b < s->scene.count.blocks; b++) {
-        const sp_real *dq = x->dq + 6 * (size_t)b;
+        const sp_real *dq = of + 6 * (size_t)b;
         int moves = 0;
         for (int k = 0; k < 6; k++) moves |= dq[k] < 0 || dq[k] > 0;
         if (!moves) continue;
@@ -45,25 +46,66 @@ static void json_motion(json_out *j, const host_scene *s, const sp_limit_result 
         json_close(j, '}');
     }
     json_close(j, ']');
+}
+
+static void json_joint(json_out *j, const host_scene *s, int32_t i, const sp_joint_motion *m)
+{
+    json_open(j, NULL, '{');
+    json_string(j, "a", s->name[s->scene.interface[i].a]);
+    json_string(j, "b", s->name[s->scene.interface[i].b]);
+    json_string(j, "kind", sp_joint_text(m->kind));
+    json_real(j, "opening", (double)m->opening);
+    json_real(j, "slip", (double)m->slip);
+    if (m->kind == SP_JOINT_HINGE) {
+        json_open(j, "line", '[');
+        json_reals(j, NULL, m->a, 3);
+        json_reals(j, NULL, m->b, 3);
+        json_close(j, ']');
+    }
+    json_close(j, '}');
+}
+
+/* What the joints do meanwhile. */
+static void json_joints(json_out *j, const host_scene *s, const sp_real *dq)
+{
     json_open(j, "joints", '[');
     for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
         sp_joint_motion m;
-        if (sp_joint_moves(&s->scene, x->dq, i, &m) != SP_OK || m.kind == SP_JOINT_RIGID) continue;
-        json_open(j, NULL, '{');
-        json_string(j, "a", s->name[s->scene.interface[i].a]);
-        json_string(j, "b", s->name[s->scene.interface[i].b]);
-        json_string(j, "kind", sp_joint_text(m.kind));
-        json_real(j, "opening", (double)m.opening);
-        json_real(j, "slip", (double)m.slip);
-        if (m.kind == SP_JOINT_HINGE) {
-            json_open(j, "line", '[');
-            json_reals(j, NULL, m.a, 3);
-            json_reals(j, NULL, m.b, 3);
-            json_close(j, ']');
-        }
-        json_close(j, '}');
+        if (sp_joint_moves(&s->scene, dq, i, &m) == SP_OK && m.kind != SP_JOINT_RIGID) json_joint(j, s, i, &m);
     }
     json_close(j, ']');
+}
+
+static void json_cost(json_out *j, const report *r)
+{
+    const sp_cost *c = &r->limit->cost;
+    json_open(j, "cost", '{');
+    json_int(j, "flops", c->flops);
+    json_int(j, "factorisations", c->factorisations);
+    json_int(j, "iterations", c->iterations);
+    json_int(j, "interior", c->interior);
+    json_int(j, "peak_bytes", (int64_t)r->limit->peak_bytes);
+    json_real(j, "seconds", r->cost.seconds);
+    json_close(j, '}');
+}
+
+/* The multiple, from both sides, and what stands at none of it. */
+static void json_multiplier(json_out *j, const sp_limit_result *x)
+{
+    if (x->kind == SP_LIMIT_FOUND) json_real(j, "multiplier", (double)x->multiplier + 0.0);   /* no -0 */
+    else if (x->kind == SP_LIMIT_NONE) json_null(j, "multiplier");
+    else json_string(j, "multiplier", sp_limit_text(x->kind));
+    json_string(j, "kind", sp_limit_text(x->kind));
+    json_string(j, "reason", sp_reason_text(x->reason));
+    json_bool(j, "verified", x->verified);
+    json_end(j, "lower", x->lower);
+    json_end(j, "upper", x->upper);
+    if (x->kind == SP_LIMIT_FOUND) json_real(j, "within", (double)x->within);
+    else json_null(j, "within");
+    json_bool(j, "vague", is_vague(x));
+    if (x->dead == SP_UNDECIDED) json_null(j, "falls_under_dead_loads");
+    else json_bool(j, "falls_under_dead_loads", x->dead == SP_UNSTABLE);
+    json_end(j, "lowest", x->lowest);
 }
 
 static void print_json(const report *r)
@@ -72,20 +114,7 @@ static void print_json(const report *r)
     json_out j = { stdout, 0 };
     json_open(&j, NULL, '{');
     json_string(&j, "scene", r->scene->path);
-    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "multiplier", (double)x->multiplier + 0.0);   /* no -0 */
-    else if (x->kind == SP_LIMIT_NONE) json_null(&j, "multiplier");
-    else json_string(&j, "multiplier", sp_limit_text(x->kind));
-    json_string(&j, "kind", sp_limit_text(x->kind));
-    json_string(&j, "reason", sp_reason_text(x->reason));
-    json_bool(&j, "verified", x->verified);
-    json_end(&j, "lower", x->lower);
-    json_end(&j, "upper", x->upper);
-    if (x->kind == SP_LIMIT_FOUND) json_real(&j, "within", (double)x->within);
-    else json_null(&j, "within");
-    json_bool(&j, "vague", is_vague(x));
-    if (x->dead == SP_UNDECIDED) json_null(&j, "falls_under_dead_loads");
-    else json_bool(&j, "falls_under_dead_loads", x->dead == SP_UNSTABLE);
-    json_end(&j, "lowest", x->lowest);
+    json_multiplier(&j, x);
     json_bool(&j, "upper_value_by_friction", any_friction(&r->scene->scene));
     json_string(&j, "cone", r->options->cone);
     json_bool(&j, "final", x->final);
@@ -94,15 +123,9 @@ static void print_json(const report *r)
     json_real(&j, "force_bound", (double)x->force_bound);
     json_real(&j, "omega", (double)x->omega);
     json_real(&j, "least_imbalance", (double)x->least_imbalance);
-    json_motion(&j, r->scene, x);
-    json_open(&j, "cost", '{');
-    json_int(&j, "flops", x->cost.flops);
-    json_int(&j, "factorisations", x->cost.factorisations);
-    json_int(&j, "iterations", x->cost.iterations);
-    json_int(&j, "interior", x->cost.interior);
-    json_int(&j, "peak_bytes", (int64_t)x->peak_bytes);
-    json_real(&j, "seconds", r->cost.seconds);
-    json_close(&j, '}');
+    json_mechanism(&j, r->scene, x->dq);
+    json_joints(&j, r->scene, x->dq);
+    json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     json_close(&j, '}');
     fputc('\n', stdout);
@@ -147,9 +170,16 @@ static void print_multiplier(const report *r)
                (double)x->within, (double)x->tol);
     }
     report_tol(stdout, r);
+}
+
+/* What the multiplier does not tell. */
+static void print_reservations(const report *r)
+{
+    const sp_limit_result *x = r->limit;
     if (x->dead == SP_UNSTABLE && x->lowest >= 0) {
         report_row(stdout, "mind");
-        printf("it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n", (double)x->lowest);
+        printf("it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n",
+               (double)x->lowest);
     } else if (x->dead == SP_UNDECIDED && x->kind) {
         report_row(stdout, "mind");
         puts("whether it stands under the dead loads alone was not decided");
@@ -165,6 +195,7 @@ static void print_text(const report *r)
     const sp_capacity *n = &r->scene->scene.count;
     int32_t moving = 0;
     print_multiplier(r);
+    print_reservations(r);
     for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {
         report_row(stdout, "mechanism");
@@ -182,60 +213,6 @@ static void print_text(const report *r)
 }
 
 /* ------------------------------------------------------------------------------------------------------------- command */
-
-static int draw_tilt(const report *r, const tilt_margin *m, text_error *error)
-{
-    const char *path = r->options->svg;
-    FILE *out = text_create(path, error);
-    int status = 0;
-    if (!out) return error->status;
-    if (!tilt_draw(out, r->options, m)) status = text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-    return text_finish(out, path, status, error);
-}
-
-static void print_tilt(const report *r, const tilt_margin *m)
-{
-    if (r->options->json) {
-        json_out j = { stdout, 0 };
-        json_open(&j, NULL, '{');
-        json_string(&j, "scene", r->scene->path);
-        if (m->stands) json_real(&j, "tilt_margin", m->least); else json_null(&j, "tilt_margin");
-        if (m->stands) json_real(&j, "azimuth", m->azimuth); else json_null(&j, "azimuth");
-        if (m->stands && m->least < 90) json_real(&j, "within", m->within); else json_null(&j, "within");
-        json_bool(&j, "at_least", tilt_at_least(m));
-        json_int(&j, "undecided", m->undecided);
-        json_string(&j, "cone", r->options->cone);
-        json_open(&j, "angles", '[');
-        for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) json_real(&j, NULL, m->angle[k]);
-        json_close(&j, ']');
-        json_close(&j, '}');
-        putchar('\n');
-        return;
-    }
-    if (!m->stands) { printf("%s: %s\n", r->scene->path, m->undecided ? "UNDECIDED while level" : "does not stand while level"); return; }
-    if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", r->scene->path);
-    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", r->scene->path, tilt_at_least(m) ? "at least " : "",
-                m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
-    if (m->least < 90 && m->within > 1e-3 * m->least) {
-        report_row(stdout, "how near");
-        printf("known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n", m->within);
-    }
-    if (m->worst.tol > 0) report_tol(stdout, r);
-    report_row(stdout, "how");
-    printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS, m->undecided);
-}
-
-static int tilt_command(report *r, text_error *error)
-{
-    tilt_margin m;
-    void *memory;
-    int status = tilt_measure(r->scene, r->options, &m, &memory, error);
-    if (!status && r->options->svg) status = draw_tilt(r, &m, error);
-    r->result.tol = m.worst.tol;
-    if (!status) print_tilt(r, &m);
-    free(memory);
-    return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
-}
 
 /* The live load of every block as --body asks: its weight times that vector. */
 static int set_body(host_scene *s, const options *o, text_error *error)
@@ -290,11 +267,11 @@ int command_limit(int argc, char **argv)
         r.scene = &s;
         r.options = &o;
         status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
-        if (!status) options_tilt(o.tilt, o.azimuth, s.scene.gravity);
+        if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
-        if (!status) status = o.tilt_margin ? tilt_command(&r, &error) : limit_command(&r, &error);
+        if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);
     }
     if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);

@@ -295,30 +295,3 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
     if (o->couple == SP_WITH) o->settings.coupled.asked = 1;
     return coupled_only && !o->settings.coupled.asked ? usage(error, coupled_only, "belongs to --coupled") : 0;
 }
-
-/* h0: x (y where gravity is within 26 degrees of x) made orthogonal to gravity; h1 = h0 x g: y where gravity is down. */
-void options_level(const sp_real gravity[3], double h[2][3])
-{
-    double g[3], size = 0, across = 0;
-    for (int k = 0; k < 3; k++) size += (double)gravity[k] * (double)gravity[k];
-    size = sqrt(size);
-    for (int k = 0; k < 3; k++) g[k] = size > 0 ? (double)gravity[k] / size : 0;
-    const int first = fabs(g[0]) > 0.9;
-    for (int k = 0; k < 3; k++) {
-        h[0][k] = (k == first) - g[first] * g[k];
-        across += h[0][k] * h[0][k];
-    }
-    for (int k = 0; k < 3; k++) h[0][k] *= size / sqrt(across);
-    for (int k = 0; k < 3; k++) h[1][k] = h[0][(k + 1) % 3] * g[(k + 2) % 3] - h[0][(k + 2) % 3] * g[(k + 1) % 3];
-}
-
-/* g' = cos t g + sin t (cos a h0 + sin a h1) */
-void options_tilt(double degrees, double azimuth, sp_real gravity[3])
-{
-    const double rad = 3.14159265358979323846 / 180, c = cos(degrees * rad), s = sin(degrees * rad);
-    double h[2][3];
-    if (!(fabs(degrees) > 0)) return;
-    options_level(gravity, h);
-    for (int k = 0; k < 3; k++)
-        gravity[k] = (sp_real)(c * (double)gravity[k] + s * (cos(azimuth * rad) * h[0][k] + sin(azimuth * rad) * h[1][k]));
-}

@@ -40,11 +40,4 @@ int options_read(int argc, char **argv, const char *allowed, options *o, text_er
 /* "true", K"i" or K"c" with K = 3..64.     returns 1, 0: not a cone */
 int options_cone(const char *text, sp_settings *settings);
 
-/* The tilt table is what is level, perpendicular to gravity: two directions across each other and gravity, as long as that.
- * Azimuths, of --tilt and --tilt-margin alike, turn from the first, x made level, to the second; with gravity down: from x to y. */
-void options_level(const sp_real gravity[3], double h[2][3]);
-
-/* Turn gravity as --tilt asks. */
-void options_tilt(double tilt, double azimuth, sp_real gravity[3]);
-
 #endif

@@ -4,6 +4,7 @@
 #include "../files/json_out.h"
 #include "options.h"
 #include "../files/scene.h"
+#include "../tilt.h"
 
 static void print_table(const host_scene *s, const sp_outlook *o)
 {
@@ -68,7 +69,7 @@ int command_plan(int argc, char **argv)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
-            options_tilt(o.tilt, o.azimuth, s.scene.gravity);
+            tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
             const sp_status status = run_plan(&s.scene, &o.settings, &outlook);
             if (status) scene_refused(&s, &o.settings, status, &error);
             else if (o.json) print_json(&s, &outlook);

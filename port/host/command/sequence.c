@@ -8,6 +8,7 @@
 #include "report.h"
 #include "../files/scene.h"
 #include "../picture/sheet.h"
+#include "../tilt.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -405,7 +406,7 @@ int command_sequence(int argc, char **argv)
         if (o.settings.stage[k] == SP_STAGE_ADMM)
             status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
     if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
-    if (!status) options_tilt(o.tilt, o.azimuth, r.scene.scene.gravity);
+    if (!status) tilt_turn(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);
     if (!status) {
         const sp_status s = all_steps(&r);

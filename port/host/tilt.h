@@ -1,9 +1,15 @@
-/* How far a scene can be tilted. */
+/* Gravity turned: by an angle that is given, or by as much as a scene stands. */
 #ifndef STONEPACK_HOST_TILT_H
 #define STONEPACK_HOST_TILT_H
 
-#include "../files/scene.h"
-#include "options.h"
+#include "../../stonepack.h"
+
+/* The tilt table is what is level, perpendicular to gravity: two directions across each other and gravity, as long as that.
+ * Azimuths turn from the first, x made level, to the second; with gravity down: from x to y. */
+void tilt_level(const sp_real gravity[3], double h[2][3]);
+
+/* Turn gravity by so many degrees towards an azimuth [degree]. */
+void tilt_turn(double degrees, double azimuth, sp_real gravity[3]);
 
 enum { TILT_AZIMUTHS = 72 };
 
@@ -17,13 +23,12 @@ typedef struct tilt_margin {
     sp_limit_result worst;      /* the limit at `azimuth`: its mechanism */
 } tilt_margin;
 
-/* returns 0 or an exit status; the arrays of m->worst lie in *memory, freed by the caller in every case */
-int tilt_measure(const host_scene *s, const options *o, tilt_margin *m, void **memory, text_error *error);
+/* Measure it. Loads must be weights, since gravity turns weights alone, and joints without strength, which does not scale with
+ * gravity as cones do.
+ *   returns   as sp_limit; the arrays of m->worst lie in *memory, freed by the caller in every case */
+sp_status tilt_measure(const sp_scene *scene, const sp_settings *settings, tilt_margin *m, void **memory);
 
 /* Is the margin only what is known to stand: an azimuth was not decided, or farther than 90 degrees was not asked? */
 int tilt_at_least(const tilt_margin *m);
-
-/* A polar plot of the angles.              returns 1, 0: can't write */
-int tilt_draw(FILE *out, const options *o, const tilt_margin *m);
 
 #endif

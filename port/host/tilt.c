@@ -1,0 +1,183 @@
+#include "tilt.h"
+#include "run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+/* -------------------------------------------------------------------------------------------------------------- gravity */
+
+/* h0: x (y where gravity is within 26 degrees of x) made orthogonal to gravity; h1 = h0 x g: y where gravity is down. */
+void tilt_level(const sp_real gravity[3], double h[2][3])
+{
+    double g[3], size = 0, across = 0;
+    for (int k = 0; k < 3; k++) size += (double)gravity[k] * (double)gravity[k];
+    size = sqrt(size);
+    for (int k = 0; k < 3; k++) g[k] = size > 0 ? (double)gravity[k] / size : 0;
+    const int first = fabs(g[0]) > 0.9;
+    for (int k = 0; k < 3; k++) {
+        h[0][k] = (k == first) - g[first] * g[k];
+        across += h[0][k] * h[0][k];
+    }
+    for (int k = 0; k < 3; k++) h[0][k] *= size / sqrt(across);
+    for (int k = 0; k < 3; k++) h[1][k] = h[0][(k + 1) % 3] * g[(k + 2) % 3] - h[0][(k + 2) % 3] * g[(k + 1) % 3];
+}
+
+/* g' = cos t g + sin t (cos a h0 + sin a h1) */
+void tilt_turn(double degrees, double azimuth, sp_real gravity[3])
+{
+    const double a = azimuth * DEGREE, c = cos(degrees * DEGREE), s = sin(degrees * DEGREE);
+    double h[2][3];
+    if (!(fabs(degrees) > 0)) return;
+    tilt_level(gravity, h);
+    for (int k = 0; k < 3; k++)
+        gravity[k] = (sp_real)(c * (double)gravity[k] + s * (cos(a) * h[0][k] + sin(a) * h[1][k]));
+}
+
+/* --------------------------------------------------------------------------------------------------------------- margin
+ *
+ * Gravity turns by t towards azimuth a, so that  weight cos t + |weight| sin t h(a)  acts, h level. Where all loads are weights
+ * that is as admissible as  weight + tan t (body force along h(a)): one limit for every azimuth. What stands is convex in
+ * tan t h(a), so the mechanism of each azimuth bounds the whole region by a line, and the nearest line gives the worst one. */
+
+/* The limit towards one azimuth [rad].     *lambda: what stands */
+static sp_status towards(const sp_scene *scene, const sp_settings *settings, double azimuth, double h[2][3],
+                         sp_limit_result *x, double *lambda, void **memory)
+{
+    sp_scene s = *scene;
+    run_cost cost;
+    for (int k = 0; k < 3; k++) s.body[k] = (sp_real)(cos(azimuth) * h[0][k] + sin(azimuth) * h[1][k]);
+    const sp_status status = run_limit(&s, settings, x, &cost, memory);
+    if (status != SP_OK) return status;
+    *lambda = x->kind == SP_LIMIT_UNBOUNDED ? HUGE_VAL
+            : x->kind == SP_LIMIT_FOUND ? (double)x->multiplier : fmax(0, (double)x->lower);
+    return SP_OK;
+}
+
+/* Power of a mass that moves with velocity v: lost to gravity, and gained from either level direction. */
+static void add_power(double mass, const double v[3], const sp_real gravity[3], double h[2][3], double *dead, double live[2])
+{
+    for (int k = 0; k < 3; k++) {
+        const double push = mass * v[k];
+        *dead -= push * (double)gravity[k];
+        for (int i = 0; i < 2; i++) live[i] += push * h[i][k];
+    }
+}
+
+/* Velocity of a load's point on its block, v + w x (p - centroid). */
+static void velocity_of(const sp_load *l, const sp_block *b, const sp_real *dq, double v[3])
+{
+    const sp_real *w = dq + 3;
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        v[k] = (double)dq[k] + ((double)w[i] * (double)(l->point[j] - b->centroid[j])
+                              - (double)w[j] * (double)(l->point[i] - b->centroid[i]));
+    }
+}
+
+/* Where the line that the mechanism draws comes nearest: its azimuth [rad] and tan t. */
+static double nearest_line(const sp_scene *scene, const sp_limit_result *x, double h[2][3], double *azimuth)
+{
+    double dead = 0, live[2] = { 0, 0 }, v[3];
+    for (int32_t b = 0; b < scene->count.blocks; b++) {
+        const sp_real *dq = x->dq + 6 * (size_t)b;
+        if (scene->block[b].fixed == SP_FIXED) continue;
+        for (int k = 0; k < 3; k++) v[k] = (double)dq[k];
+        add_power((double)scene->block[b].mass, v, scene->gravity, h, &dead, live);
+    }
+    for (int32_t n = 0; n < scene->count.loads; n++) {  /* weights laid on */
+        const sp_load *l = &scene->load[n];
+        if (scene->block[l->block].fixed == SP_FIXED) continue;
+        velocity_of(l, &scene->block[l->block], x->dq + 6 * (size_t)l->block, v);
+        add_power((double)l->mass, v, scene->gravity, h, &dead, live);
+    }
+    *azimuth = atan2(live[1], live[0]);
+    return x->kind == SP_LIMIT_FOUND ? dead / hypot(live[0], live[1]) : HUGE_VAL;
+}
+
+/* Does it stand while level? */
+static sp_status ask_level(const sp_scene *scene, const sp_settings *settings, tilt_margin *m)
+{
+    void *memory = NULL;
+    sp_limit_result x;
+    run_cost cost;
+    sp_scene still = *scene;
+    for (int k = 0; k < 3; k++) still.body[k] = 0;
+    const sp_status status = run_limit(&still, settings, &x, &cost, &memory);
+    free(memory);
+    if (status != SP_OK) return status;
+    m->stands = x.kind == SP_LIMIT_UNBOUNDED;
+    m->undecided = x.kind == SP_LIMIT_UNDECIDED;
+    return SP_OK;
+}
+
+/* The angle of every azimuth, and the nearest line of them all: its tan t, HUGE_VAL where there is none, and azimuth [rad]. */
+static sp_status ask_around(const sp_scene *scene, const sp_settings *settings, double h[2][3], tilt_margin *m, double *nearest,
+                            double *azimuth)
+{
+    *nearest = HUGE_VAL;
+    for (int k = 0; k < TILT_AZIMUTHS; k++) {
+        void *memory = NULL;
+        sp_limit_result x;
+        double lambda, at, line;
+        const sp_status status = towards(scene, settings, 360.0 * k / TILT_AZIMUTHS * DEGREE, h, &x, &lambda, &memory);
+        if (status != SP_OK) {
+            free(memory);
+            return status;
+        }
+        m->angle[k] = atan(lambda) / DEGREE;
+        m->undecided += x.kind == SP_LIMIT_UNDECIDED;
+        line = nearest_line(scene, &x, h, &at);
+        if (line < *nearest) {
+            *nearest = line;
+            *azimuth = at;
+        }
+        free(memory);
+    }
+    return SP_OK;
+}
+
+/* From the nearest line on, each azimuth's mechanism shows a nearer one, or none. */
+static sp_status refine(const sp_scene *scene, const sp_settings *settings, double h[2][3], double azimuth, tilt_margin *m,
+                        void **memory)
+{
+    double best = HUGE_VAL;
+    for (int it = 0; it < 12; it++) {
+        void *own = NULL;
+        sp_limit_result x;
+        double lambda;
+        const sp_status status = towards(scene, settings, azimuth, h, &x, &lambda, &own);
+        if (status != SP_OK || !(lambda < best * (1 - 1e-12))) { free(own); return status; }
+        free(*memory);
+        *memory = own;
+        m->worst = x;
+        best = lambda;
+        m->least = atan(lambda) / DEGREE;
+        m->within = (atan(lambda + (double)x.within) - atan(lambda)) / DEGREE;
+        m->azimuth = azimuth / DEGREE;
+        if (!(nearest_line(scene, &x, h, &azimuth) < HUGE_VAL)) return SP_OK;
+    }
+    return SP_OK;
+}
+
+int tilt_at_least(const tilt_margin *m) { return m->undecided > 0 || m->least >= 90; }
+
+sp_status tilt_measure(const sp_scene *scene, const sp_settings *settings, tilt_margin *m, void **memory)
+{
+    double h[2][3], nearest = HUGE_VAL, azimuth = 0;
+    sp_status status;
+    memset(m, 0, sizeof *m);
+    *memory = NULL;
+    status = ask_level(scene, settings, m);
+    if (status != SP_OK || !m->stands) return status;
+    tilt_level(scene->gravity, h);
+    m->least = 90;
+    status = ask_around(scene, settings, h, m, &nearest, &azimuth);
+    if (status == SP_OK && nearest < HUGE_VAL) status = refine(scene, settings, h, azimuth, m, memory);
+    for (int k = 0; k < TILT_AZIMUTHS; k++)
+        if (m->angle[k] < m->least) { m->least = m->angle[k]; m->azimuth = 360.0 * k / TILT_AZIMUTHS; }
+    m->azimuth = fmod(floor(1e9 * m->azimuth + 0.5) / 1e9 + 360, 360);     /* a billionth of a degree: 0 is 0 */
+    return status;
+}
