@@ -21,7 +21,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
 }
 
 /* An arena that only counts. */
-SP__CALLED static sp_arena sp__arena_dry(void)
+SP__NOINLINE_SMALL static sp_arena sp__arena_dry(void)
 {
     sp_arena a = { NULL, SIZE_MAX - SP_ALIGN, 0, 0 };
     return a;

@@ -54,23 +54,23 @@
 
 /* A function whose frame stays its own: merged into its only caller it would cost that caller's whole call tree its stack. */
 #ifdef __GNUC__
-#define SP__APART __attribute__((noinline))
+#define SP__NOINLINE __attribute__((noinline))
 #else
-#define SP__APART
+#define SP__NOINLINE
 #endif
 
 /* A function that the smallest build calls wherever it is used: there that is shorter. */
 #ifdef SP_SMALL
-#define SP__CALLED SP__APART
+#define SP__NOINLINE_SMALL SP__NOINLINE
 #else
-#define SP__CALLED
+#define SP__NOINLINE_SMALL
 #endif
 
 /* Does the certificate check know pyramids and strength? In expressions: what is left out is compiled all the same, and gone. */
 #ifdef SP_SMALL
-enum { SP__FULL = 0 };
+enum { SP__HAS_STRENGTH = 0 };
 #else
-enum { SP__FULL = 1 };
+enum { SP__HAS_STRENGTH = 1 };
 #endif
 
 #endif /* SP__CONFIG_C */

@@ -32,10 +32,10 @@ static sp_real sp__abs(sp_real x) { return __builtin_fabs(x); }
 #else
 static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x + (sp_real)0; }
 #endif
-SP__CALLED static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
+SP__NOINLINE_SMALL static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
 
 /* x - x is 0 for a number, NaN for an infinity or a NaN. */
-SP__CALLED static int sp__finite(sp_real x) { return x - x >= 0; }
+SP__NOINLINE_SMALL static int sp__finite(sp_real x) { return x - x >= 0; }
 
 static int sp__all_finite(const sp_real *x, size_t n)
 {

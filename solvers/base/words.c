@@ -5,9 +5,9 @@
 #include "config.c"
 
 #ifdef SP_SMALL
-#define SP__TOLD(text) ""                               /* told by other builds only, most of it of what this one does without */
+#define SP__LONG_TEXT(text) ""                          /* left to other builds, most of it names what this one does without */
 #else
-#define SP__TOLD(text) text
+#define SP__LONG_TEXT(text) text
 #endif
 
 /* The k-th of zero-terminated words that follow each other: no table of pointers, so nothing to relocate. */
@@ -25,23 +25,23 @@ SP_API const char *sp_status_text(sp_status status)
 {
     const int k = -(int)status;
     return sp__word("no error\0"
-                    "bad argument" SP__TOLD(": a null pointer, a negative count or an unknown choice") "\0"
-                    "not enough memory" SP__TOLD(" in the arena") "\0"
+                    "bad argument" SP__LONG_TEXT(": a null pointer, a negative count or an unknown choice") "\0"
+                    "not enough memory" SP__LONG_TEXT(" in the arena") "\0"
                     "the scene is full\0"
-                    SP__TOLD("a number is ") "infinite" SP__TOLD(", not a number, or too large to be squared") "\0"
-                    SP__TOLD("a block, vertex or interface of ") "that number does not exist\0"
-                    SP__TOLD("a number is ") "outside its range\0"
-                    "the mesh is open" SP__TOLD(": an edge lacks its opposite") "\0"
-                    SP__TOLD("the mesh is inside out: ") "its faces look inward\0"
-                    "the mesh encloses no volume" SP__TOLD(", or a face has fewer than three corners") "\0"
+                    SP__LONG_TEXT("a number is ") "infinite" SP__LONG_TEXT(", not a number, or too large to be squared") "\0"
+                    SP__LONG_TEXT("a block, vertex or interface of ") "that number does not exist\0"
+                    SP__LONG_TEXT("a number is ") "outside its range\0"
+                    "the mesh is open" SP__LONG_TEXT(": an edge lacks its opposite") "\0"
+                    SP__LONG_TEXT("the mesh is inside out: ") "its faces look inward\0"
+                    "the mesh encloses no volume" SP__LONG_TEXT(", or a face has fewer than three corners") "\0"
                     "a face is out of plane\0"
-                    "the interface" SP__TOLD(" polygon") " is out of plane\0"
-                    "the interface has no area" SP__TOLD(", or its normal no length") "\0"
-                    SP__TOLD("an interface ") "between a block and itself\0"
-                    SP__TOLD("the scene has ") "no block\0"
+                    "the interface" SP__LONG_TEXT(" polygon") " is out of plane\0"
+                    "the interface has no area" SP__LONG_TEXT(", or its normal no length") "\0"
+                    SP__LONG_TEXT("an interface ") "between a block and itself\0"
+                    SP__LONG_TEXT("the scene has ") "no block\0"
                     "not supported here"
-                    SP__TOLD(": strength of joints with the coupled check, or a part this build leaves out") "\0"
-                    "P" SP__TOLD(" of the quadratic program") " is not positive semidefinite\0"
+                    SP__LONG_TEXT(": strength of joints with the coupled check, or a part this build leaves out") "\0"
+                    "P" SP__LONG_TEXT(" of the quadratic program") " is not positive semidefinite\0"
                     "unknown status", k >= 0 && k <= 16 ? k : 17);
 }
 

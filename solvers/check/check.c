@@ -9,7 +9,7 @@
 
 #ifndef SP_NO_CRA
 /* What the coupled check makes of what statics said, of every island and of the whole. */
-SP__APART static void sp__check_told(sp__check *c)
+SP__NOINLINE static void sp__check_told(sp__check *c)
 {
     sp_result *r = &c->r;
     for (int32_t k = 0; r->part && k < r->islands; k++) {
@@ -23,7 +23,7 @@ SP__APART static void sp__check_told(sp__check *c)
 #endif
 
 /* What a check starts with: of several islands the way over them. */
-SP__APART static sp_status sp__check_begin(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **c,
+SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **c,
                                            sp__tour **w)
 {
     sp__apart apart;
@@ -35,7 +35,7 @@ SP__APART static sp_status sp__check_begin(const sp_scene *scene, const sp_setti
 }
 
 /* Words and resultants of what was found. */
-SP__APART static void sp__check_close(const sp_scene *scene, sp__check *c)
+SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
 {
     sp_result *r = &c->r;
     const int32_t islands = r->islands > 1 ? r->islands : 1;

@@ -8,7 +8,7 @@
 
 #ifndef SP_NO_CRA
 /* The same of its triple, or its penalty form, where its forces take the place of that if it is coupled. */
-SP__APART static void sp__island_triple(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+SP__NOINLINE static void sp__island_triple(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_coupled *from = &found->r.coupled;
     sp_coupled *out = &c->r.coupled;
@@ -36,7 +36,7 @@ SP__APART static void sp__island_triple(const sp_scene *scene, const sp__islands
 #endif
 
 /* What was found about island k into the arrays of the whole; motions stay where they are looked for, free blocks first. */
-SP__APART static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+SP__NOINLINE static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_result *from = &found->r;
     sp_result *r = &c->r;
@@ -87,7 +87,7 @@ static int32_t sp__islands_worst(const sp_result *r)
 #ifndef SP_NO_CRA
 /* The coupled check of the whole from those of all islands; r->verdict is that of statics. Where all are coupled the triple is
  * judged once more. */
-SP__APART static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     sp_coupled *out = &r->coupled;
@@ -122,7 +122,7 @@ SP__APART static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 #endif
 
 /* The evidence of all islands, judged on the whole. */
-SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__islands_judge(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     const int32_t *label = w->t.label, *row = w->t.row;
@@ -155,7 +155,7 @@ SP__APART static sp_status sp__islands_judge(const sp_scene *scene, const sp__to
 
 #ifndef SP_NO_CRA
 /* eps and eta of the whole, for its islands. */
-SP__APART static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
+SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
 {
     sp_problem pb;
     const sp_status status = sp_problem_build(scene, &a, &pb);
@@ -168,7 +168,7 @@ SP__APART static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled
 #endif
 
 /* The way over all islands, in the arena. */
-SP__APART static sp_status sp__tour_open(const sp_scene *scene, sp__check *c, sp_arena *a, sp__tour **walk)
+SP__NOINLINE static sp_status sp__tour_open(const sp_scene *scene, sp__check *c, sp_arena *a, sp__tour **walk)
 {
     const size_t start = a->used;
     sp_status status = SP_OK;
@@ -194,7 +194,7 @@ static int sp__tour_more(const sp__tour *w, const sp__check *c, int32_t k)
 }
 
 /* A check of the k-th island as a scene of its own. A proof goes into the room the whole has for it. */
-SP__APART static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
+SP__NOINLINE static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
                                          sp__check **found)
 {
     const sp__apart one = { 1, 0, 0 };
@@ -207,7 +207,7 @@ SP__APART static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int
 }
 
 /* What it found. */
-SP__APART static void sp__tour_keep(const sp_scene *scene, sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
+SP__NOINLINE static void sp__tour_keep(const sp_scene *scene, sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
 {
     const sp_coupled *o = &found->r.coupled;
     if (!w->again) sp__island_keep(scene, &w->t, w->at, found, c);

@@ -22,7 +22,7 @@ static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
 
 /* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
  * Forces are judged unless a motion is claimed, and a motion unless forces are. */
-SP__APART static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+SP__NOINLINE static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
     const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
@@ -68,7 +68,7 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
 }
 
 /* The judgement of what a stage left in the state, `most` sweeps for the scales: r->verdict. */
-SP__APART static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
+SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
                                            sp_state *state, sp_arena *a, sp_result *r)
 {
     sp__judge j;
@@ -89,7 +89,7 @@ typedef struct sp__sought {
 } sp__sought;
 
 /* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
-SP__APART static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
+SP__NOINLINE static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
                                             sp_arena *a, sp__sought *s)
 {
     sp_arena room = sp__work_open(set, a);
@@ -106,14 +106,14 @@ SP__APART static sp_status sp__check_search(const sp_problem *pb, const sp_setti
 }
 
 /* f0 by all 6 rows. */
-SP__APART static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
+SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
 {
     return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
 }
 
 /* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
  * unless there is a budget. What a budget ended is judged, too. */
-SP__APART static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__sought *s, sp_state *state,
+SP__NOINLINE static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__sought *s, sp_state *state,
                                             sp_arena *a, sp_result *r)
 {
     const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
@@ -128,7 +128,7 @@ SP__APART static sp_status sp__check_sought(const sp_problem *pb, const sp_setti
 }
 
 /* What is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
-SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                              sp_arena *a, sp_result *r, int *done)
 {
     sp__sought s = { SP_UNDECIDED, 0, 0, 0 };
@@ -159,7 +159,7 @@ SP__APART static sp_status sp__check_reduced(const sp_problem *pb, const sp_sett
 #endif /* SP_NO_PLAN */
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
-SP__APART static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
+SP__NOINLINE static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
                                            sp_result *r, int *done)
 {
     sp_verdict claim = SP_UNDECIDED;

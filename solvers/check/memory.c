@@ -45,7 +45,7 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
 }
 
 /* Bytes of that. */
-SP__APART static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set)
+SP__NOINLINE static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set)
 {
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
@@ -124,7 +124,7 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 }
 
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
-SP__APART static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     const size_t most = sp__judge_need(pb, set);
     size_t work = 0;
@@ -151,7 +151,7 @@ static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, siz
 }
 
 /* That of every stage and of the coupled check on the whole of a scene. */
-SP__APART static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
 {
     const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
@@ -167,7 +167,7 @@ SP__APART static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, s
 }
 
 /* An island's scene, what its check keeps, and `behind`. */
-SP__APART static size_t sp__island_bytes(const sp_scene *s, const sp_settings *set, size_t behind)
+SP__NOINLINE static size_t sp__island_bytes(const sp_scene *s, const sp_settings *set, size_t behind)
 {
     const sp__apart one = { 1, 0, 0 };                  /* its proof lies with the whole's */
     sp_arena dry = sp__arena_dry();
@@ -180,7 +180,7 @@ SP__APART static size_t sp__island_bytes(const sp_scene *s, const sp_settings *s
 }
 
 /* Bytes that island k takes behind the tables. */
-SP__APART static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, sp__check *c, sp_arena scratch,
+SP__NOINLINE static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, sp__check *c, sp_arena scratch,
                                            size_t *bytes)
 {
     const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
@@ -200,7 +200,7 @@ typedef struct sp__tour {
 } sp__tour;
 
 /* Bytes of the tables and what is `behind`. */
-SP__APART static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, size_t behind)
+SP__NOINLINE static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, size_t behind)
 {
     sp__islands t;
     int32_t label = 0;
@@ -212,7 +212,7 @@ SP__APART static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, siz
 }
 
 /* Bytes of the tables and the island that wants most. */
-SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch, size_t *bytes)
 {
     size_t most = 0;
     sp__islands *t = sp__take(&scratch, 1, sizeof *t);
@@ -230,7 +230,7 @@ SP__APART static sp_status sp__islands_need(const sp_scene *scene, int32_t count
 }
 
 /* Bytes behind what a check keeps: islands apart, then all of them judged; or the whole. */
-SP__APART static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
 {
     if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
     sp__problem_count(scene, &c->pb);

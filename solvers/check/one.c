@@ -9,7 +9,7 @@
 #if SP__WITH_LARGE
 
 /* Where tension is wanted, of what did not turn out stable. */
-SP__APART static sp_status sp__check_demand(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+SP__NOINLINE static sp_status sp__check_demand(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
@@ -38,7 +38,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
 
 #ifndef SP_NO_CRA
 /* eps and eta in force. */
-SP__APART static void sp__coupled_told_lengths(sp__check *c)
+SP__NOINLINE static void sp__coupled_told_lengths(sp__check *c)
 {
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     c->r.coupled.eps = k.eps > 0 ? k.L : 0;
@@ -46,7 +46,7 @@ SP__APART static void sp__coupled_told_lengths(sp__check *c)
 }
 
 /* The coupled check, where forces were found; its answer, its cost and its forces into the result. */
-SP__APART static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     sp_coupled *out = &r->coupled;
@@ -108,7 +108,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
 
 /* Everything of a check in arena `a` but the problem; `a` may be used up.
  *   out    *check: where the result is found on SP_OK */
-SP__APART static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__apart *apart, sp_arena *a,
+SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__apart *apart, sp_arena *a,
                                           sp__check **check)
 {
     sp_problem count;

@@ -49,7 +49,7 @@ static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
 typedef struct sp__apart { int32_t islands, points, blocks; } sp__apart;
 
 /* What each island has, by its root. */
-SP__APART static void sp__islands_few(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks, sp__apart *o)
+SP__NOINLINE static void sp__islands_few(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks, sp__apart *o)
 {
     const sp_capacity *n = &scene->count;
     o->points = o->blocks = 0;
@@ -87,7 +87,7 @@ static sp_status sp__islands_count(const sp_scene *scene, const sp_settings *set
 }
 
 /* Tables for up to `count` islands. `label` (may be NULL) lies elsewhere. */
-SP__APART static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
+SP__NOINLINE static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
 {
     const size_t b = (size_t)scene->count.blocks, n = (size_t)count;
     t->count = count;
@@ -118,7 +118,7 @@ static int32_t sp__islands_joint(const sp_scene *scene, const sp__islands *t, in
 }
 
 /* Labels by lowest block, lists in ascending order. */
-SP__APART static void sp__islands_fill(const sp_scene *scene, const sp__islands *t)
+SP__NOINLINE static void sp__islands_fill(const sp_scene *scene, const sp__islands *t)
 {
     const sp_capacity *n = &scene->count;
     int32_t count = 0, row = 0;
@@ -154,7 +154,7 @@ static void sp__island_size(const sp_scene *scene, const sp__islands *t, int32_t
 
 /* Island k as a scene of its own in `a`: one support, then its blocks (without meshes), interfaces and loads in their order.
  *     returns NULL when it does not fit */
-SP__APART static sp_scene *sp__island_scene(const sp_scene *scene, const sp__islands *t, int32_t k, sp_arena *a)
+SP__NOINLINE static sp_scene *sp__island_scene(const sp_scene *scene, const sp__islands *t, int32_t k, sp_arena *a)
 {
     sp_scene *s = sp__take(a, 1, sizeof *s);
     if (!s) return NULL;

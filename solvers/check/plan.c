@@ -46,7 +46,7 @@ static void sp__plan_flat(const sp_problem *pb, const sp__flat *f, int64_t full,
 }
 
 /* Adds the work of a scene as one problem. */
-SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
+SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
 {
     sp_problem pb;
     const sp_status status = sp_problem_build(scene, &scratch, &pb);
@@ -70,7 +70,7 @@ SP__APART static sp_status sp__plan_whole(const sp_scene *scene, const sp_settin
 }
 
 /* The same, island by island. */
-SP__APART static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+SP__NOINLINE static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
                                            sp__work *o)
 {
     sp__islands t;
@@ -128,7 +128,7 @@ SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
 }
 
 /* Needs and work as planned, then with all blocks together. */
-SP__APART static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, sp_arena scratch)
+SP__NOINLINE static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p, sp_arena scratch)
 {
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
     sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);

@@ -9,7 +9,7 @@
 typedef struct sp__part { sp__islands t; sp_problem pb; sp__judge j; sp_real *hint; } sp__part;
 
 /* Bytes of that, at most: what is refuted has few vertices and blocks. */
-SP__APART static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
+SP__NOINLINE static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
 {
     sp_problem pb;
     sp__islands t;
@@ -36,7 +36,7 @@ SP__APART static size_t sp__verify_part_need(const sp_scene *scene, const sp_set
 }
 
 /* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
-SP__APART static sp_status sp__verify_part(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
+SP__NOINLINE static sp_status sp__verify_part(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
                                            const sp_result *claim, sp_arena a, sp_real *margin)
 {
     const int32_t island = claim->coupled.proof.island - 1;

@@ -136,7 +136,7 @@ static sp__region sp__cone_project(const sp__cone *k, const sp__yield *yield, co
 }
 
 /* D = DP_K(u), symmetric 3 x 3: D[0..5] = nn, n1, n2, 11, 12, 22. Returns the region. */
-SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp_real D[6])
+SP__NOINLINE static sp__region sp__cone_derivative(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp_real D[6])
 {
     const sp_real mu = yield->mu;
     sp__foot o;
@@ -166,7 +166,7 @@ SP__APART static sp__region sp__cone_derivative(const sp__cone *k, const sp__yie
 
 /* Largest f.u over f in K with |f| <= most, or a little more: over the rims; over the cone or pyramid |ft| <= mu fn from the lower
  * rim, the vector to which is no longer than T + low / cos(pi/K), most times the length of u's foot on it. */
-SP__APART static sp_real sp__yield_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
+SP__NOINLINE static sp_real sp__yield_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
 {
     sp__foot o;
     o.t = 0;

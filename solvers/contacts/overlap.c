@@ -190,7 +190,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     const sp_real least = sp__shadow_faces(t, flat);
     if (least <= flat) return 0;
     if (p->convex && q->convex && work <= 10000000) return sp__shadow_edges(t, least, flat);
-    if (!SP__FULL) return 0;
+    if (!SP__HAS_STRENGTH) return 0;
     sp_real most = sp__max(sp__depth_edges(t, t->a, t->b, flat), sp__depth_edges(t, t->b, t->a, flat));
     for (int side = 0; side < 2; side++) {
         const sp_real *x = t->scene->block[side ? t->b : t->a].centroid;
@@ -200,7 +200,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     return most < least ? most : least;
 }
 
-SP__CALLED static void sp__pair_overlap(sp__touch *t)
+SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
 {
     const sp_real flat = t->near + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
     const sp_real depth = sp__pair_depth(t, flat);

@@ -16,7 +16,7 @@ static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
 }
 
 /* Plane of a face through its vertex mean; normal 0 without one.     returns twice the area */
-SP__APART static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
+SP__NOINLINE static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
 {
     const sp_face *face = &t->scene->face[t->face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;

@@ -100,7 +100,7 @@ static sp_real sp__alt_pull(const sp__alt *m, size_t v)
 }
 
 /* P and q; m NULL: only where their entries are. */
-SP__APART static void sp__explain_cost(sp__explain *g, const sp_problem *pb, const sp__alt *m)
+SP__NOINLINE static void sp__explain_cost(sp__explain *g, const sp_problem *pb, const sp__alt *m)
 {
     const int32_t y = 6 * pb->blocks, d = 3 * pb->points;
     int32_t e = 0;
@@ -136,7 +136,7 @@ static void sp__explain_bounds(sp__explain *g, const sp_problem *pb, const sp__a
 }
 
 /* The program in `a`; m NULL: its shape alone. NULL: it does not fit. */
-SP__APART static sp__explain *sp__explain_make(const sp_problem *pb, const sp__alt *m, sp_arena *a)
+SP__NOINLINE static sp__explain *sp__explain_make(const sp_problem *pb, const sp__alt *m, sp_arena *a)
 {
     if (pb->points > INT32_MAX / 512 || pb->blocks > INT32_MAX / 512) return NULL;
     sp__explain *g = sp__take(a, 1, sizeof *g);
@@ -181,7 +181,7 @@ static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_
 }
 
 /* Bytes of its own arrays. */
-SP__APART static size_t sp__alt_own(const sp_problem *pb)
+SP__NOINLINE static size_t sp__alt_own(const sp_problem *pb)
 {
     sp_arena dry = sp__arena_dry();
     sp__alt m;
@@ -242,7 +242,7 @@ static int32_t sp__alt_engage(sp__alt *m)
 }
 
 /* The motion of least squares, beta free, into w->y: (2J'J + reg) y = -2J' (residual of rest). */
-SP__APART static void sp__alt_squares(sp__alt *m)
+SP__NOINLINE static void sp__alt_squares(sp__alt *m)
 {
     const sp__cra *c = m->c;
     const sp_real weak = SP__ALT_WEAK;
@@ -306,7 +306,7 @@ static int sp__alt_solved(const sp__cra *c, const sp_qp_result *r, int close)
 }
 
 /* The same under its constraints.     returns 1, 0: no answer */
-SP__APART static int sp__alt_explain(sp__alt *m)
+SP__NOINLINE static int sp__alt_explain(sp__alt *m)
 {
     const sp__cra *c = m->c;
     const size_t n = 6 * (size_t)c->pb->blocks, d = 3 * (size_t)c->pb->points;
@@ -351,7 +351,7 @@ static int32_t sp__alt_peel(sp__alt *m, sp_real worst)
 }
 
 /* Forces anew, columns of what is pinned out of A.     returns 1; 0: none, or with tension */
-SP__APART static int sp__alt_forces(sp__alt *m)
+SP__NOINLINE static int sp__alt_forces(sp__alt *m)
 {
     const sp__cra *c = m->c;
     sp_arena a = m->rest;
@@ -378,7 +378,7 @@ SP__APART static int sp__alt_forces(sp__alt *m)
 
 /* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a in lam, b in cap, from the round's forces.
  * The derivative for a step in proportion to a and b:  D = a e e' + b g g'. */
-SP__APART static void sp__alt_spread(const sp__alt *m, int first)
+SP__NOINLINE static void sp__alt_spread(const sp__alt *m, int first)
 {
     const sp__cra *c = m->c;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
@@ -407,7 +407,7 @@ SP__APART static void sp__alt_spread(const sp__alt *m, int first)
 }
 
 /* One step towards balance that keeps a and b positive: df = -D Aeq' z, Aeq D Aeq' z = Aeq f + p. */
-SP__APART static void sp__alt_step(const sp__alt *m)
+SP__NOINLINE static void sp__alt_step(const sp__alt *m)
 {
     const sp__cra *c = m->c;
     sp__dual *w = c->w;

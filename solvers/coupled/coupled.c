@@ -40,7 +40,7 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 /* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
  * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
  * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
-SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
+SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
 {
     int slick = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
@@ -66,7 +66,7 @@ SP__APART static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_re
  * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
  * nothing: motions that explain forces need not be convex, and the mean of a triple and its image is none.
  *   returns 1 when a triple is verified, 0: none, or there is no such plane (c->mirror tells), -1: no memory */
-SP__APART static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
+SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 {
     const size_t mark = a->used;
     const sp_real omega = c->omega;
@@ -91,7 +91,7 @@ SP__APART static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 #endif
 
 /* In space, by search unless one is found, which `found` tells, then the decision. */
-SP__APART static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
     const size_t mark = a->used;
@@ -140,7 +140,7 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
  *          state->left: flops, ten sweeps or more
  *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->omega of the new forces, r->demand; r->effect: in space after
  *          all */
-SP__APART static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
+SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
                                            sp_result *r)
 {
     sp_coupled *out = &r->coupled;

@@ -155,7 +155,7 @@ static void sp__branch_near(sp__branch *s, int32_t v, int32_t state, const sp_re
 }
 
 /* Rows of the sector of vertex v. */
-SP__APART static void sp__branch_sector(sp__branch *s, int32_t v, int32_t state)
+SP__NOINLINE static void sp__branch_sector(sp__branch *s, int32_t v, int32_t state)
 {
     sp_real a[2], m[2], b[2];
     const int32_t ends = sp__branch_row(s, v, SP__ROW_ENDS), rub = sp__branch_row(s, v, SP__ROW_RUB);
@@ -306,7 +306,7 @@ static void sp__branch_fixed(sp__branch *s, int32_t v, int32_t *e)
 }
 
 /* The root programme. */
-SP__APART static void sp__branch_make(sp__branch *s)
+SP__NOINLINE static void sp__branch_make(sp__branch *s)
 {
     const sp_problem *pb = s->pb;
     sp_real c = 1, tangent = 0;
@@ -438,7 +438,7 @@ static int64_t sp__branch_check(const sp__branch *s)
 
 typedef enum sp__outcome { SP__OUT_REFUTED, SP__OUT_POINT, SP__OUT_BUDGET } sp__outcome;
 
-SP__APART static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
+SP__NOINLINE static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
 {
     s->depth = 0;
     s->proof->nodes = s->proof->leaves = s->proof->entries = 0;
@@ -496,7 +496,7 @@ static void sp__proof_carve(sp_proof *p, int32_t points, int32_t blocks, const s
     p->row = sp__take(a, (size_t)entries, sizeof *p->row);
 }
 
-SP__APART static size_t sp__branch_bytes(const sp_problem *pb)
+SP__NOINLINE static size_t sp__branch_bytes(const sp_problem *pb)
 {
     sp__branch s;
     sp_arena dry = sp__arena_dry();
@@ -528,7 +528,7 @@ static void sp__branch_point(const sp__branch *s, const sp__triple *t)
 
 /* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL): gets
  * the point, if there is one; it is a triple where mu = 0. */
-SP__APART static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
+SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
                                              int64_t left, const sp__triple *t, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;

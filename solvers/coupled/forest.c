@@ -32,7 +32,7 @@ static int sp__seam_before(const void *what, int32_t i, int32_t j)
 }
 
 /* Seams.     returns 0 where joints of the same two nodes have two normals, a ring */
-SP__APART static int sp__forest_seams(const sp_problem *pb, sp__forest *g)
+SP__NOINLINE static int sp__forest_seams(const sp_problem *pb, sp__forest *g)
 {
     for (int32_t q = 0; q < pb->contacts; q++) g->seam[q] = q;
     sp__sort(g->seam, pb->contacts, sp__seam_before, pb);
@@ -48,7 +48,7 @@ SP__APART static int sp__forest_seams(const sp_problem *pb, sp__forest *g)
 
 /* Leaves first: block order[k] goes with its only edge left, join[order[k]].
  *   returns 1 when no block stays: a forest that hangs on the supports; 0: it does not, or no memory */
-SP__APART static int sp__forest_of(const sp_problem *pb, sp__forest *g, sp_arena *a)
+SP__NOINLINE static int sp__forest_of(const sp_problem *pb, sp__forest *g, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
     int32_t n = 0;
@@ -103,7 +103,7 @@ static void sp__plate_friction(const sp__cra *c, const sp__plate *p, const sp_co
 }
 
 /* One of four sums over an edge:  0 F, F o;  1 Ft;  2 I, Mn;  3 the largest |g|, returned. */
-SP__APART static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g, sp__plate *p, int pass)
+SP__NOINLINE static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g, sp__plate *p, int pass)
 {
     const sp_scene *scene = c->pb->scene;
     const sp_real *at = scene->point[p->first->point];
@@ -129,7 +129,7 @@ SP__APART static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g, sp
 
 /* G = Ft / F, w = Mn / I n;  F = sum fn, o = sum fn r / F, I = sum fn |n x (r - o)|^2, Ft and Mn: friction and its moment
  * about o.     returns the largest |g| of the edge's vertices */
-SP__APART static sp_real sp__plate_of(const sp__cra *c, const sp__forest *g, int32_t from, sp__plate *p)
+SP__NOINLINE static sp_real sp__plate_of(const sp__cra *c, const sp__forest *g, int32_t from, sp__plate *p)
 {
     memset(p, 0, sizeof *p);
     p->first = &c->pb->contact[g->seam[from]];
@@ -145,7 +145,7 @@ SP__APART static sp_real sp__plate_of(const sp__cra *c, const sp__forest *g, int
 }
 
 /* dq of block v from that of the block or support on the other side of the edge: sinking by eps, slip -s g. */
-SP__APART static void sp__plate_carry(const sp__cra *c, int32_t v, const sp__plate *p, sp_real s)
+SP__NOINLINE static void sp__plate_carry(const sp__cra *c, int32_t v, const sp__plate *p, sp_real s)
 {
     const sp_contact *t = p->first;
     const sp_problem *pb = c->pb;
@@ -166,7 +166,7 @@ SP__APART static void sp__plate_carry(const sp__cra *c, int32_t v, const sp__pla
 }
 
 /* f and alpha of an edge. */
-SP__APART static void sp__plate_lay(const sp__cra *c, const sp__forest *g, const sp__plate *p, sp_real s)
+SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, const sp__plate *p, sp_real s)
 {
     for (int32_t k = p->from; k < p->to; k++) {
         const sp_contact *t = &c->pb->contact[g->seam[k]];
@@ -192,7 +192,7 @@ SP__APART static void sp__plate_lay(const sp__cra *c, const sp__forest *g, const
  * and else the judge tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
  * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
  *   returns 1 when the triple is verified */
-SP__APART static int sp__cra_hang(sp__cra *c, sp_arena a)
+SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
 {
     const sp_problem *pb = c->pb;
     const sp_real omega = c->omega;

@@ -7,7 +7,7 @@
 #if SP__WITH_COUPLED
 
 /* The motion is held fast: what each vertex may carry in it.     returns 0 when it is none that the conditions allow */
-SP__APART static int sp__cra_fasten(sp__cra *c)
+SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
 {
     for (int deep = 1, round = 0; deep && round < 5; round++) {         /* what comes to lie too deep presses, too */
         deep = 0;
@@ -35,7 +35,7 @@ SP__APART static int sp__cra_fasten(sp__cra *c)
 }
 
 /* The best answer so far: forces, and the motion with its alpha. */
-SP__APART static void sp__cra_keep(sp__cra *c)
+SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 {
     const sp__dual *w = c->w;
     const sp_real soft = 1 / c->set->gamma;
@@ -57,7 +57,7 @@ SP__APART static void sp__cra_keep(sp__cra *c)
 }
 
 /* The penalty form in the motion at hand, put onto dn = -eps.     returns 1 when it is the best so far */
-SP__APART static int sp__cra_hold(sp__cra *c)
+SP__NOINLINE static int sp__cra_hold(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__dual *w = c->w;

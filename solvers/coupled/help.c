@@ -7,7 +7,7 @@
 #if SP__WITH_COUPLED
 
 /* The best answer into the result: alpha, what each joint demands, the largest fm / the largest fp. */
-SP__APART static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
+SP__NOINLINE static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
 {
     sp_coupled *out = c->out;
     sp_real press = 0, pull = 0;
@@ -33,7 +33,7 @@ SP__APART static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
  *
  * Motions come from the search, with joints that stick: pulled open they give softly. Each is held fast; what is left is
  * convex, and its dual is unconstrained as that of the penalty form. The least of them counts. */
-SP__APART static void sp__cra_help(sp__cra *c, sp_demand *demand)
+SP__NOINLINE static void sp__cra_help(sp__cra *c, sp_demand *demand)
 {
     static const sp_real part[] = { 1, (sp_real)0.1, 10, 100 };
     const int32_t rounds = c->out->rounds;

@@ -8,7 +8,7 @@
 
 /* Forces are laid along the slips: df = -D Aeq' z where Aeq D Aeq' z = Aeq f + p; D of a vertex that presses, of one whose
  * friction is free in size, of one at the rim of its cone.     returns 0 when a force changes its sign */
-SP__APART static int sp__cra_lay(sp__cra *c)
+SP__NOINLINE static int sp__cra_lay(sp__cra *c)
 {
     sp__dual *w = c->w;
     for (int round = 0; round < 4; round++) {
@@ -36,7 +36,7 @@ SP__APART static int sp__cra_lay(sp__cra *c)
 
 /* How each vertex's force may change: none where it is open, along n, along the slip, along both at the rim of the cone.
  * Friction whose slip is too short is dropped. */
-SP__APART static void sp__cra_freedoms(sp__cra *c)
+SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
 {
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
@@ -70,7 +70,7 @@ static void sp__cra_lift(const sp__cra *c)
 #endif
 
 /* The triple in metres and newtons.     returns 1 when it is verified */
-SP__APART static int sp__cra_offer(sp__cra *c)
+SP__NOINLINE static int sp__cra_offer(sp__cra *c)
 {
     const sp__dual *w = c->w;
     for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * w->y[k];
@@ -96,7 +96,7 @@ SP__APART static int sp__cra_offer(sp__cra *c)
 }
 
 /* Forces and slips agree to some digits: the rest of the digits.     returns 1 when a triple is verified */
-SP__APART static int sp__cra_polish(sp__cra *c)
+SP__NOINLINE static int sp__cra_polish(sp__cra *c)
 {
     memcpy(c->kept, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
     c->tiny = 0;

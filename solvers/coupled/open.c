@@ -35,7 +35,7 @@ static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat
 #endif
 }
 
-SP__APART static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
+SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
 {
     sp_arena room = scratch;
     sp__flat *o = sp__take(&room, 1, sizeof *o);

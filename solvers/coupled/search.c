@@ -9,7 +9,7 @@
 
 /* Rounds at one drag, to more digits where fewer do not do.
  *   returns 1: a triple is verified, 0: go on, -1: the motion ran away */
-SP__APART static int sp__cra_rounds(sp__cra *c, sp_real damp)
+SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
 {
     sp_real last = SP__HUGE;
     c->goal = SP__AGREE;
@@ -52,7 +52,7 @@ static void sp__cra_close(sp__cra *c, sp_real drag)
 }
 
 /* From rest, with growing drag.     returns 1 when a triple is verified */
-SP__APART static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
+SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
 {
     memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
     sp__cra_close(c, drag);

@@ -99,7 +99,7 @@ static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_rea
 }
 
 /* u = Aeq' y at every vertex. */
-SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
+SP__NOINLINE static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
 {
     if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
@@ -112,7 +112,7 @@ SP__APART static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real 
 }
 
 /* w->r = Aeq f + load (load: 1 or 0), weighted. */
-SP__APART static void sp__cra_balance(const sp__cra *c, const sp_real *f, int load)
+SP__NOINLINE static void sp__cra_balance(const sp__cra *c, const sp_real *f, int load)
 {
     const sp_problem *pb = c->pb;
     if (load) sp__dual_load(c->w, c->w->r);
@@ -186,7 +186,7 @@ static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
 }
 
 /* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
-SP__APART static sp_real sp__cra_springs(sp__cra *c)
+SP__NOINLINE static sp_real sp__cra_springs(sp__cra *c)
 {
     sp_real energy = 0;
     sp__cra_rates(c, c->w->y, c->d);
@@ -207,7 +207,7 @@ SP__APART static sp_real sp__cra_springs(sp__cra *c)
 }
 
 /* Largest component of Aeq' y. */
-SP__APART static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
+SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 {
     sp_real most = 0;
     if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return 0;
@@ -250,7 +250,7 @@ static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real do
 
 /* Newton steps with halving on the energy; a motion held fast has sharper bends, and takes more of them.
  *   returns 0 when the motion runs away, or the work is spent */
-SP__APART static int sp__cra_descend(sp__cra *c)
+SP__NOINLINE static int sp__cra_descend(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__dual *w = c->w;
@@ -277,7 +277,7 @@ SP__APART static int sp__cra_descend(sp__cra *c)
 }
 
 /* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
-SP__APART static int sp__cra_update(sp__cra *c, sp_real damp)
+SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
 {
     c->violation = c->change = 0;
     for (int pass = 0; pass < 2; pass++)
@@ -303,7 +303,7 @@ SP__APART static int sp__cra_update(sp__cra *c, sp_real damp)
 }
 
 /* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
-SP__APART static void sp__cra_press(sp__cra *c)
+SP__NOINLINE static void sp__cra_press(sp__cra *c)
 {
     sp__dual *w = c->w;
     for (int round = 0; round < 5; round++) {

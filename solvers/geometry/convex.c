@@ -124,7 +124,7 @@ static sp_real sp__clip_wide(sp_real (*corner)[2], int32_t n, sp_real thin)
 }
 
 /* Common polygon of P and Q. Returns 0 if the room of sp__clip_carve was too small. */
-SP__CALLED static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
+SP__NOINLINE_SMALL static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
 {
     c->eps = eps;
     if (!(sp__clip_wide(c->corner, c->corners, 4 * thin) > 0 && sp__clip_wide(c->side, c->sides, 4 * thin) > 0)) thin = 0;

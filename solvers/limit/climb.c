@@ -13,7 +13,7 @@
  * The larger c, the nearer lambda is to the limit (it lacks |f|^2 / 2c at most, and nothing from some c on if K is polyhedral) and y
  * to a multiple of the mechanism, along which D is flat; but q is not across it, so a bordered Newton step is regular there:
  * d = -H^-1 (r + dlambda q), q . d = 0.                                              [Mangasarian, Meyer 1979: exact for large c] */
-SP__APART static sp_real sp__climb_step(sp__limit *L, sp_real c)
+SP__NOINLINE static sp_real sp__climb_step(sp__limit *L, sp_real c)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -42,7 +42,7 @@ SP__APART static sp_real sp__climb_step(sp__limit *L, sp_real c)
 }
 
 /* y for that c: by Newton, and where that stalls and `far` by the proximal path.     returns 1: it is found */
-SP__APART static int sp__climb_at(sp__limit *L, sp_real c, int far)
+SP__NOINLINE static int sp__climb_at(sp__limit *L, sp_real c, int far)
 {
     const sp__dual *w = L->w;
     sp__newton *n = &L->n;
@@ -70,7 +70,7 @@ static int sp__limit_near(const sp__limit *L, sp_real apart)
 }
 
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
-SP__APART static void sp__limit_settle(sp__limit *L)
+SP__NOINLINE static void sp__limit_settle(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -87,7 +87,7 @@ SP__APART static void sp__limit_settle(sp__limit *L)
 
 /* What y at that c says: its motion, that of a larger c, that since the c before (in Vp), and the best of these sharpened, as upper
  * ends; its forces as a lower one.                                                                returns 1: they meet */
-SP__APART static int sp__climb_ends(sp__limit *L, int sharpen)
+SP__NOINLINE static int sp__climb_ends(sp__limit *L, int sharpen)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -111,7 +111,7 @@ SP__APART static int sp__climb_ends(sp__limit *L, int sharpen)
 
 /* Both ends, by larger and larger c, until they meet or lambda stays where it is: from a y that Newton misses back to the last one
  * and a smaller step.                                                     returns 1: they are near enough to close the bracket */
-SP__APART static int sp__limit_climb(sp__limit *L)
+SP__NOINLINE static int sp__limit_climb(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;

@@ -76,13 +76,13 @@ static int sp__ends_open(sp__ends *e, sp_real d, sp_real l, sp_arena *room)
                           room);
 }
 
-SP__CALLED static void sp__ends_close(sp__ends *e)
+SP__NOINLINE_SMALL static void sp__ends_close(sp__ends *e)
 {
     e->cost.flops += SP__FLOPS_JUDGE * (int64_t)e->judge.sweeps * e->pb.points;
 }
 
 /* Do these forces balance d dead + l live?     admitted: as sp__judge_forces */
-SP__APART static int sp__ends_stand(sp__ends *e, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
+SP__NOINLINE static int sp__ends_stand(sp__ends *e, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
 {
     if (!sp__ends_open(e, d, l, &room)) return 0;
     e->omega = sp__judge_forces(&e->judge, f, admitted);
@@ -98,7 +98,7 @@ static sp_real sp__ends_work(const sp__ends *e, const sp_real *load)
 /* Where it falls, does it fall at every larger multiple, too? Live loads push on it, more than joints resist without end; or
  * nothing resists it but strength, and they hinder it so little that force_bound times a multiple at which they are as large as
  * the dead ones does not hold it. */
-SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
+SP__NOINLINE static int sp__ends_beyond(sp__ends *e, sp_arena room)
 {
     int32_t final;
     if (!e->pb.live) return 1;
@@ -117,7 +117,7 @@ SP__APART static int sp__ends_beyond(sp__ends *e, sp_arena room)
 #ifdef SP_SMALL
 /* Does e->dq fall at lambda, and at every larger one, too? What moves in the best proof stays in e->dq, and in `all` (may be NULL)
  * as a result has it. */
-SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
+SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
 {
     sp_arena again = room;
     if (!sp__ends_open(e, 1, lambda, &again)) return 0;
@@ -138,7 +138,7 @@ static void sp__ends_keep(sp__ends *e)
 
 /* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
  * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
-SP__APART static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
+SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
 {
     const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
     sp_real value[6] = { 0, 0, 0, 0, 0, 0 };
@@ -178,7 +178,7 @@ static sp_real sp__ends_within(const sp_limit_result *r, sp_real balance)
 }
 
 /* Every end that the claim has. */
-SP__APART static int sp__ends_hold(sp__ends *e, const sp_limit_result *r, sp_arena room)
+SP__NOINLINE static int sp__ends_hold(sp__ends *e, const sp_limit_result *r, sp_arena room)
 {
     if (r->kind == SP_LIMIT_UNBOUNDED && !sp__ends_stand(e, 0, 1, r->ray, NULL, room)) return 0;
     if (r->kind != SP_LIMIT_NONE && r->lower < 0) return 0;

@@ -93,7 +93,7 @@ static void sp__limit_sizes(sp__limit *L)
 }
 
 /* Vq, Vp and their products, for the factor at hand. */
-SP__APART static void sp__limit_columns(sp__limit *L)
+SP__NOINLINE static void sp__limit_columns(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -113,7 +113,7 @@ SP__APART static void sp__limit_columns(sp__limit *L)
 
 /* lambda <= a + (resistance - work under dead + a live) / work of live, for dq = -y, caps at the sizes at hand. The least
  * stays. */
-SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
+SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -142,7 +142,7 @@ SP__APART static void sp__limit_candidate(sp__limit *L, const sp_real *y)
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
  * q.y = -s - tau;  and p.y = l - kappa. The free part of the predictor stays in w->d. */
-SP__APART static void sp__limit_motions(sp__limit *L)
+SP__NOINLINE static void sp__limit_motions(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -201,7 +201,7 @@ static void sp__limit_reach(sp__limit *L, sp_real *dy)
 }
 
 /* Predictor and corrector, from what sp__limit_motions left in w->d. */
-SP__APART static void sp__limit_step(sp__limit *L)
+SP__NOINLINE static void sp__limit_step(sp__limit *L)
 {
     sp__dual *w = L->w;
     sp__ipm *m = &L->m;
@@ -227,7 +227,7 @@ SP__APART static void sp__limit_step(sp__limit *L)
 }
 
 /* Forces E x / t, or those of w->y (t = 0), balanced for d dead + l live (in ref) with the factor at hand. */
-SP__APART static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_real t, sp_real *f)
+SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_real t, sp_real *f)
 {
     const sp_real tau = L->m.tau;
     sp__ends_mix(&L->ends, d, l * L->ref);

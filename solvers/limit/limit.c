@@ -8,7 +8,7 @@
 #if SP__WITH_INTERIOR
 
 /* Interior points, until the ends meet.     returns 1: lower and best meet, the live loads have no end, or nothing stands */
-SP__APART static int sp__limit_run(sp__limit *L)
+SP__NOINLINE static int sp__limit_run(sp__limit *L)
 {
     sp__dual *w = L->w;
     sp__ipm *m = &L->m;
@@ -70,7 +70,7 @@ static void sp__limit_flat(sp__limit *L, sp_arena *a)
 }
 
 /* The dual at that load, its sizes and metric; hints for both loads. */
-SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
+SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 {
     sp__ends *e = &L->ends;
     const size_t n = 6 * (size_t)e->pb.blocks;
@@ -100,7 +100,7 @@ SP__APART static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 }
 
 /* The exact stage under the loads at hand, first in 3 rows where they let it. */
-SP__APART static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdict *claim)
+SP__NOINLINE static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdict *claim)
 {
     sp__ends *e = &L->ends;
 #ifndef SP_NO_PLAN
@@ -117,7 +117,7 @@ SP__APART static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdi
 }
 
 /* Gates and the exact stage at d dead + a live.     returns what they claim; state.dq, or f, says it */
-SP__APART static sp_verdict sp__limit_exact(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
+SP__NOINLINE static sp_verdict sp__limit_exact(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_verdict claim = SP_UNDECIDED;
@@ -184,7 +184,7 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 
 /* Live loads alone, before there is an upper end: forces that balance them are a ray, and there is none; or something falls under
  * them, and its power balance is one. */
-SP__APART static void sp__limit_endless(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_endless(sp__limit *L, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_real a = 1;
@@ -204,7 +204,7 @@ SP__APART static void sp__limit_endless(sp__limit *L, sp_arena room)
 }
 
 /* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
-SP__APART static int sp__limit_rises(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__limit_rises(sp__limit *L, sp_arena room)
 {
     sp__ends *e = &L->ends;
     const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
@@ -220,7 +220,7 @@ SP__APART static int sp__limit_rises(sp__limit *L, sp_arena room)
 }
 
 /* Of forces in r.ray that carry a large multiple little is due to dead loads: are they a ray without what is so small? */
-SP__APART static int sp__limit_far(sp__limit *L)
+SP__NOINLINE static int sp__limit_far(sp__limit *L)
 {
     sp_real *ray = L->r.ray;
     sp__forces_dust(ray, L->ends.pb.points, 100 * L->ref / L->r.lower);
@@ -233,7 +233,7 @@ SP__APART static int sp__limit_far(sp__limit *L)
 /* Where interior points leave an end open: the exact stage just below the best motion's power balance. Each collapse it finds
  * gives a better one, as Newton's method on the least imbalance over lambda would: few steps.            [Dinkelbach 1967]
  *     returns 1: lower is found (of an UNBOUNDED any), or nothing stands */
-SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
 {
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
@@ -275,7 +275,7 @@ SP__APART static int sp__limit_newton(sp__limit *L, sp_arena room)
 }
 
 /* The motion at hand proves the upper end, the least it can; or that of the exact stage there. */
-SP__APART static int sp__limit_upper(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__limit_upper(sp__limit *L, sp_arena room)
 {
     sp_limit_result *r = &L->r;
     sp_real slack = sp__max(L->slack, L->ends.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
@@ -319,7 +319,7 @@ static void sp__limit_conclude(sp__limit *L)
 
 /* What of all that stands, or falls, under the dead loads alone, and from where on? Where live loads must hold it, each collapse
  * tells a least multiple, by Newton's method on the least imbalance, from below. */
-SP__APART static void sp__limit_lowest(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_limit_result *r = &L->r;
@@ -367,7 +367,7 @@ static sp_real sp__limit_reference(sp__ends *e)
 }
 
 /* Interior points and what they leave: the best motion sharpened.     returns 1: both ends are near, or nothing stands */
-SP__APART static int sp__limit_search(sp__limit *L)
+SP__NOINLINE static int sp__limit_search(sp__limit *L)
 {
     sp__ends *e = &L->ends;
     int done = !L->w->spent && sp__limit_run(L);
@@ -379,7 +379,7 @@ SP__APART static int sp__limit_search(sp__limit *L)
 }
 
 /* Search, then both ends; `a` is used up. */
-SP__APART static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
+SP__NOINLINE static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
 {
     sp__ends *e = &L->ends;
     sp_arena rest = *a;
@@ -472,7 +472,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
 }
 
 /* Everything of a limit in arena `a`.     *limit: where the result is found on SP_OK; *kept: end of its arrays */
-SP__APART static sp_status sp__limit_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__limit **limit,
+SP__NOINLINE static sp_status sp__limit_build(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__limit **limit,
                                            size_t *kept)
 {
     sp_problem count;

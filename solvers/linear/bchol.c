@@ -82,7 +82,7 @@ static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj
 
 /* Count in the order of perm: fills inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
  * does not fit an int32. parent (n) is for sp__bchol_pattern. */
-SP__APART static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
+SP__NOINLINE static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
 {
     for (int32_t k = 0; k < f->n; k++) { f->inv[f->perm[k]] = k; f->p[k] = 0; }
     f->p[f->n] = 0;
@@ -191,7 +191,7 @@ static void sp__bchol_square(sp__low *c, const sp__low *a)
     }
 }
 
-SP__APART static void sp__bchol_factor(sp__bchol *f, sp__low floor)
+SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
         sp__low *d = f->d + 21 * (size_t)k;
@@ -236,7 +236,7 @@ static void sp__bchol3_block(sp_real *d, sp_real floor)
     }
 }
 
-SP__APART static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
+SP__NOINLINE static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
         sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
@@ -269,7 +269,7 @@ SP__APART static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
 }
 
 /* t <- (L L')^-1 t, 3 n in elimination order. */
-SP__APART static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
+SP__NOINLINE static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
 {
     for (int32_t k = 0; k < f->n; k++) {                                /* L z = b */
         sp_real *v = t + 3 * (size_t)k;
@@ -304,7 +304,7 @@ static size_t sp__bchol_whole(const sp__bchol *f) { return f->rows == 3 ? 9 : 36
 static size_t sp__bchol_at(const sp__bchol *f, int c) { return f->rows == 3 ? sp__column3[c] : sp__column[c]; }
 
 /* A <- T A T + shift, T = diag(A)^-1/2 (1 where that is 0) kept in t: with it a floor is relative to every row. */
-SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
+SP__NOINLINE static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 {
     const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
     for (size_t k = 0; k < (size_t)f->n; k++) {
@@ -327,7 +327,7 @@ SP__APART static void sp__bchol_balance(sp__bchol *f, sp_real shift)
 }
 
 /* L <- T^-1 L: the factor of A, not of T A T. */
-SP__APART static void sp__bchol_unbalance(sp__bchol *f)
+SP__NOINLINE static void sp__bchol_unbalance(sp__bchol *f)
 {
     const size_t n = (size_t)f->rows, whole = sp__bchol_whole(f);
     for (int32_t k = 0; k < f->n; k++) {
@@ -357,7 +357,7 @@ static void sp__bchol_zero(sp__bchol *f)
 }
 
 /* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
-SP__APART static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
+SP__NOINLINE static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
 {
     sp__low *t = f->z;
     for (int32_t k = 0; k < f->n; k++)

@@ -43,7 +43,7 @@ static sp_real sp__cg_norm(const sp__cg *cg)
 
 /* x <- M^-1 b from the guess in x, until |r| <= tol |b| or `cap` steps.
  * Returns the steps, or -1 - steps when d'Md <= 0 was met: M is not positive definite. */
-SP__APART static int32_t sp__cg_solve(const sp__cg *cg, sp__apply apply, const void *what, const sp_real *b, sp_real *x,
+SP__NOINLINE static int32_t sp__cg_solve(const sp__cg *cg, sp__apply apply, const void *what, const sp_real *b, sp_real *x,
                                       int32_t cap, sp_real tol)
 {
     const int32_t n = cg->n;

@@ -148,7 +148,7 @@ static void sp__ldl_tree(sp__ldl *f)
 
 /* Symbolic step: order, K, elimination tree, entries of L (-1: more than an int32 counts). Its scratch is sp__ldl_carve_graph
  * and sp__order_carve. */
-SP__APART static int32_t sp__ldl_analyse(sp__ldl *f, sp__walk walk, const void *what, sp_arena scratch)
+SP__NOINLINE static int32_t sp__ldl_analyse(sp__ldl *f, sp__walk walk, const void *what, sp_arena scratch)
 {
     sp__ldl_carve_graph(f, &scratch);
     sp__ldl_graph(f, walk, what);
@@ -186,7 +186,7 @@ static int32_t sp__ldl_row(sp__ldl *f, int32_t k)
 }
 
 /* Up-looking: row k of L solves L_(k-1) D_(k-1) l = K_(1..k-1, k), d_k = K_kk - l' D l.                 [Davis 2005, fig. 5] */
-SP__APART static void sp__ldl_factor(sp__ldl *f)
+SP__NOINLINE static void sp__ldl_factor(sp__ldl *f)
 {
     f->bent = 0;
     for (int32_t k = 0; k < f->n; k++) { f->t[k] = 0; f->mark[k] = -1; f->count[k] = 0; }
@@ -238,7 +238,7 @@ static void sp__ldl_residual(const sp__ldl *f, const sp_real *b, const sp_real *
 }
 
 /* x <- K^-1 b with `rounds` of refinement; x is not b. */
-SP__APART static void sp__ldl_solve(const sp__ldl *f, const sp_real *b, sp_real *x, int32_t rounds)
+SP__NOINLINE static void sp__ldl_solve(const sp__ldl *f, const sp_real *b, sp_real *x, int32_t rounds)
 {
     for (int32_t k = 0; k < f->n; k++) f->t[k] = b[f->perm[k]];
     sp__ldl_inner(f, f->t);

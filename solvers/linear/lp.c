@@ -172,7 +172,7 @@ static int32_t sp__lp_largest(const sp__lp *lp)
 
 /* M anew from the identity: the active rows swapped in, in their order, each by its largest column whose variable was not
  * active itself. A row that depends on those before it is left out. */
-SP__APART static void sp__lp_refresh(sp__lp *lp)
+SP__NOINLINE static void sp__lp_refresh(sp__lp *lp)
 {
     for (int32_t k = 0; k < lp->n; k++) {
         lp->list[k] = lp->active[k];

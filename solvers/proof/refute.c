@@ -54,7 +54,7 @@ static void sp__refute_carve(sp__refute *w, int32_t points, int32_t blocks, sp_a
     w->reach = sp__take(a, (size_t)blocks, 6 * sizeof *w->reach);
 }
 
-SP__APART static size_t sp__refute_need(int32_t points, int32_t blocks)
+SP__NOINLINE static size_t sp__refute_need(int32_t points, int32_t blocks)
 {
     sp__refute w;
     sp_arena dry = sp__arena_dry();
@@ -88,7 +88,7 @@ static void sp__refute_unit(const sp__judge *j, int32_t r, sp_real *e)
 }
 
 /* M: |z_r| <= S_r + |G x_r - e_r| max |z|, z = dq / W, and z has no spin.     returns 0: contacts do not bound every motion */
-SP__APART static int sp__refute_reach(sp__refute *w)
+SP__NOINLINE static int sp__refute_reach(sp__refute *w)
 {
     sp__judge *j = w->j;
     const int32_t n = 6 * j->pb->blocks;
@@ -185,7 +185,7 @@ static void sp__refute_right(sp__refute *w, sp_real y, sp_real b)
 }
 
 /* Rows of the sector of a vertex: slip and friction between its ends, friction's cone near it.     returns 0: no such row */
-SP__APART static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row, sp_real y)
+SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row, sp_real y)
 {
     const sp__judge *j = w->j;
     const sp_contact *t = &j->pb->contact[w->contact[v]];
@@ -224,7 +224,7 @@ SP__APART static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row, sp
 }
 
 /* Any row of a vertex, for its state.     returns 0: no such row, or not with this sign */
-SP__APART static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row, sp_real y)
+SP__NOINLINE static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row, sp_real y)
 {
     const sp__judge *j = w->j;
     const int32_t state = w->state[v], faces = j->set->faces;
@@ -326,7 +326,7 @@ static sp_real sp__refute_least_motion(sp__refute *w)
 }
 
 /* A leaf: multipliers from..to. How far it is from proving nothing, relative to sum |y b|: above 0 is a proof; 0: none */
-SP__APART static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t to)
+SP__NOINLINE static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t to)
 {
     const sp__judge *j = w->j;
     for (int32_t v = 0; v < w->points; v++) {
@@ -347,7 +347,7 @@ SP__APART static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t to
 }
 
 /* Walk the tree.     returns the least margin of its leaves, relative; 0: it proves nothing */
-SP__APART static sp_real sp__refute_walk(sp__refute *w)
+SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
 {
     const sp_proof *p = w->proof;
     int32_t depth = 0, entry = 0;
@@ -379,7 +379,7 @@ SP__APART static sp_real sp__refute_walk(sp__refute *w)
 }
 
 /* Does the proof hold?     returns its least margin, 0: no */
-SP__APART static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
+SP__NOINLINE static sp_real sp__judge_refuted(sp__judge *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
 {
     if (proof->nodes < 1 || proof->entries < 0 || !proof->node || !proof->row || !proof->y) return 0;
     if (sp__points_count(j->pb->scene) > SP_EXACT_POINTS) return 0;

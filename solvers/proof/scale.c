@@ -63,7 +63,7 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
-SP__APART static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+SP__NOINLINE static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
 {
     sp__judge j;
     sp_arena dry = sp__arena_dry();
@@ -186,7 +186,7 @@ static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
  * is small, or as small as it can be (G times it vanishes), or without progress: rounding holds both over as many steps as news
  * takes along half the blocks.                                                                                    [Stiefel 1955] */
-SP__APART static void sp__judge_solve(sp__judge *j, sp_real *to)
+SP__NOINLINE static void sp__judge_solve(sp__judge *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
@@ -270,7 +270,7 @@ static int sp__judge_optimal(sp__judge *j, int last)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     sp_real sum = 0;
-    for (int32_t i = 0; SP__FULL && last && i < j->pb->blocks; i++) {
+    for (int32_t i = 0; SP__HAS_STRENGTH && last && i < j->pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
         const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
         sum += f * f + m * m;
@@ -278,7 +278,7 @@ static int sp__judge_optimal(sp__judge *j, int last)
     sp__judge_normal(j, j->r, j->g);
     const sp_real gg = sp__dot(j->g, j->g, n);
     return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
-        || (SP__FULL && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
+        || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
 }
 
 /* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
@@ -339,7 +339,7 @@ static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
 static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
 {
     const sp__strength none = { 0, 0, SP__HUGE };
-    if (!SP__FULL || !sp__contact_strong(j->pb, t)) return none;
+    if (!SP__HAS_STRENGTH || !sp__contact_strong(j->pb, t)) return none;
     sp__strength k = sp__vertex_strength(t->joint, j->pb->endless);
     k.C *= j->mu_factor / j->unit;
     k.T /= j->unit;

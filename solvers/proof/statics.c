@@ -10,7 +10,7 @@
 static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
-    const int32_t faces = SP__FULL ? j->set->faces : 0;
+    const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
     const sp_real slip[3] = { 0, f[1], f[2] };
     sp_real most = faces ? 0 : sp__norm3(slip);         /* the largest tangential share any face sees */
     for (int32_t k = 0; k < faces; k++) {
@@ -30,7 +30,7 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
 
 /* omega of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
  * S_i likewise. `admitted` (may be NULL) gets the forces that were judged, 3 x points. */
-SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
+SP__NOINLINE static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
     sp__judge_start(j);
@@ -60,10 +60,10 @@ SP__APART static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_rea
 }
 
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
-SP__APART static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
+SP__NOINLINE static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
-    const int32_t faces = SP__FULL ? j->set->faces : 0;
+    const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
     const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
     if (!faces) {
         if (u[0] >= 0 && z <= mu * u[0]) return all;
@@ -91,7 +91,7 @@ SP__APART static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *
  *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
  *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
-SP__APART static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
+SP__NOINLINE static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
                                            int *capped)
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
@@ -120,7 +120,7 @@ static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
 
 /* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
  * held.     returns how many are; -1: nothing moves */
-SP__APART static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_real rest)
+SP__NOINLINE static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_real rest)
 {
     sp_real largest = 0;
     int32_t held = 0;
@@ -139,7 +139,7 @@ SP__APART static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_real
 }
 
 /* load . x, and the same of the scales. */
-SP__APART static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
+SP__NOINLINE static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
 {
     sp_real work = 0, p[6];
     *scale = 0;
@@ -156,7 +156,7 @@ SP__APART static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
  * The held motion is left in j->x. */
-SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
+SP__NOINLINE static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
 {
     const sp_problem *pb = j->pb;
     *final = 0;
@@ -174,13 +174,13 @@ SP__APART static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_re
             sp__joint_frame(t->joint, w, w);
             const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__judge_resist(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
-            resist += SP__FULL && sp__contact_strong(pb, t) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
+            resist += SP__HAS_STRENGTH && sp__contact_strong(pb, t) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
             if (capped) *final = 0;
         }
     }
     j->sweeps++;
     j->resist = resist;
-    if (SP__FULL && j->set->faces && j->set->inscribed) *final = 0;
+    if (SP__HAS_STRENGTH && j->set->faces && j->set->inscribed) *final = 0;
     return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
@@ -212,7 +212,7 @@ static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings
     j->mu_factor = 1;
     j->tan_half = 0;
     j->sweeps = 0;
-    if (!SP__FULL || !set->faces) return;
+    if (!SP__HAS_STRENGTH || !set->faces) return;
     sp_real c;
     sp__pyramid_half(set->faces, &c, &j->tan_half);
     if (set->inscribed) j->mu_factor = c;
@@ -221,7 +221,7 @@ static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings
 
 /* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
  *     returns 0 when the arena is too small */
-SP__APART static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
+SP__NOINLINE static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
                                     sp_arena *a)
 {
     sp__judge_carve(j, pb, set->faces, a);

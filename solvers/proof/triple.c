@@ -70,7 +70,7 @@ static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, s
 
 /* The spin of block i about the line through all its contact points, if they lie on one: it moves no contact, so motions are
  * judged without it, and proofs need not bound it. In weighted rows z = dq / W, |k| = 1.     returns 0: there is none */
-SP__APART static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[6])
+SP__NOINLINE static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[6])
 {
     const sp_problem *pb = j->pb;
     sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, far = 0;
@@ -137,7 +137,7 @@ static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f
 }
 
 /* Residual of a triple: f (3 x points), dq (6b), alpha (points).                                       [Kao 2022, Eqs. 8-10] */
-SP__APART static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
+SP__NOINLINE static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
                                            const sp_real *alpha)
 {
     const sp_problem *pb = j->pb;

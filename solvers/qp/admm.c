@@ -272,7 +272,7 @@ static int sp__qp_no_descent(sp__qp *w)
 #endif
 
 /* Is P semidefinite? A diagonal one shows; of others cDPD + shift I has a factor, the shift above what rounding can do. */
-SP__CALLED static int sp__qp_semidefinite(sp__qp *w)
+SP__NOINLINE_SMALL static int sp__qp_semidefinite(sp__qp *w)
 {
     const int diagonal = sp__qp_entries(&w->qp) == sp__qp_a0(&w->qp, w->qp.n);
     for (int32_t j = 0; diagonal && j < w->qp.n; j++)
@@ -319,7 +319,7 @@ static void sp__qp_carve_symbolic(sp__ldl *f, sp_arena *a)
 }
 
 /* Everything but the factor of the sparse back end, in the order of sp__qp_count. NULL: it does not fit. */
-SP__APART static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp_arena *a)
+SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp_arena *a)
 {
     sp_real *p[SP__QP_VECTORS];
     sp__qp *w = sp__qp_carve_vectors(qp, p, a);
@@ -340,7 +340,7 @@ SP__APART static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp
 }
 
 /* Bytes of everything for n, m of *qp and so many `entries`, the factor having `fill`; 0: too many. */
-SP__APART static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
+SP__NOINLINE static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
 {
     sp_arena a = sp__arena_dry();
     if (entries < 0) return 0;
@@ -367,7 +367,7 @@ SP__APART static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_bac
 }
 
 /* Place the work in the arena, find the scales and run the symbolic step; *fill: entries of the factor. NULL: no room. */
-SP__APART static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set, sp_arena *a, int32_t *fill)
+SP__NOINLINE static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set, sp_arena *a, int32_t *fill)
 {
     if (sp__qp_entries(qp) < 0) return NULL;
     sp__qp *w = sp__qp_carve(qp, sp__qp_backend(set), a);

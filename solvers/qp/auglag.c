@@ -90,7 +90,7 @@ static sp_real sp__auglag_slope(sp__qp *w, sp_real r, sp_real t)
 }
 
 /* The step where the slope, which rises in straight pieces, is 0 but for a hundredth: bracketed, then by secants and halves. */
-SP__APART static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
+SP__NOINLINE static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
 {
     const sp_real first = sp__auglag_slope(w, r, 0), enough = (sp_real)-0.01 * first;
     sp_real low = 0, high = (sp_real)1, below = first, above = sp__auglag_slope(w, r, high);
@@ -163,7 +163,7 @@ static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
 
 /* Look for a point within `off` of eps near the iterate, for at most about as much work as was done so far: 1 and X, Y judged,
  * or 0. */
-SP__APART static int sp__auglag_run(sp__qp *w, sp_real off)
+SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
 {
     sp__auglag g = { sp__within((sp_real)10 * w->rho, (sp_real)0.01, SP__AUGLAG_MOST), (sp_real)0.01, w->primal, 0,
                      SP__NEVER, 0, 0, 1, 0, 0 };

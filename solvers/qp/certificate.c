@@ -33,7 +33,7 @@ static sp_real sp__proof_rest(const sp__qp *w)
 }
 
 /* What a proof is worth: `down` beyond its own rounding, over the rest; 0 if it proves nothing. */
-SP__APART static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
+SP__NOINLINE static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
 {
     down -= (sp_real)(count + 4) * SP_EPSILON * terms;
     if (!(down > 0) || !(rest >= 0)) return 0;
@@ -86,7 +86,7 @@ static sp_real sp__proof_dual(sp__qp *w)
  *     [ A_S       -I  ] [ y' ] = [ -y ]       y' = (I + A_S A_S' / delta)^-1 y, some times
  *
  * P is taken out of the KKT matrix by c = 0. */
-SP__APART static void sp__proof_sharpen_y(sp__qp *w)
+SP__NOINLINE static void sp__proof_sharpen_y(sp__qp *w)
 {
     const int32_t n = w->qp.n, m = w->qp.m;
     const sp_real c = w->c;
@@ -114,7 +114,7 @@ SP__APART static void sp__proof_sharpen_y(sp__qp *w)
 
 /* X (unscaled) <- the nearest vector with PX = 0 and A_T X = 0, T the rows that must not move: the proximal point method on
  * 1/2 x'Px + |A_T x|^2 / (2 delta). */
-SP__APART static void sp__proof_sharpen_x(sp__qp *w)
+SP__NOINLINE static void sp__proof_sharpen_x(sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
     sp__qp_A(qp, w->X, w->Ax, 0);
@@ -160,7 +160,7 @@ static sp_real sp__proof_judge(sp__qp *w, int primal) { return primal ? sp__proo
 
 /* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
  * Its radius if it counts, else 0. */
-SP__APART static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
+SP__NOINLINE static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
 {
     const int32_t n = w->qp.n, m = w->qp.m, size = primal ? m : n;
     const sp_real *to = primal ? w->y : w->x, *from = primal ? w->yc : w->xc;

@@ -143,7 +143,7 @@ static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
 }
 
 /* Factor for sigma and row. */
-SP__CALLED static void sp__kkt_factor(sp__qp *w)
+SP__NOINLINE_SMALL static void sp__kkt_factor(sp__qp *w)
 {
     if (sp__qp_backend(&w->set) == SP_QP_SPARSE) sp__kkt_factor_sparse(w);
     else if (sp__qp_backend(&w->set) == SP_QP_DENSE) sp__kkt_factor_dense(w);

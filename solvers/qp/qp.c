@@ -78,7 +78,7 @@ static sp_real sp__largest(const sp_real *x, int32_t n)
 }
 
 /* out <- a b, one by one. */
-SP__APART static void sp__qp_scale(sp_real *out, const sp_real *a, const sp_real *b, int32_t n)
+SP__NOINLINE static void sp__qp_scale(sp_real *out, const sp_real *a, const sp_real *b, int32_t n)
 {
     for (int32_t k = 0; k < n; k++) out[k] = a[k] * b[k];
 }
@@ -162,7 +162,7 @@ static void sp__qp_At(const sp_qp *qp, const sp_real *y, sp_real *x)
 typedef struct sp__rest { sp_real r, size, scaled, scaled_size, price; } sp__rest;
 
 /* One component r of terms up to `size`, which the scales multiply by t. The price is no number where an r is none. */
-SP__APART static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_real t, sp_real weight)
+SP__NOINLINE static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_real t, sp_real weight)
 {
     a->r = sp__max(a->r, r);
     a->size = sp__max(a->size, size);
@@ -172,10 +172,10 @@ SP__APART static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_re
 }
 
 /* Relative size of the equilibrated residual. */
-SP__APART static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
+SP__NOINLINE static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
 
 /* r over its tolerance. */
-SP__APART static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
+SP__NOINLINE static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
 {
     return r > 0 ? r / (w->set.eps_abs + w->set.eps_rel * size) : (sp_real)0;
 }
@@ -229,7 +229,7 @@ static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
  *
  * so near the solution |f(x) - f*| <= gap = max(|y|'|r|, |x'Px + q'x + u'y+ + l'y-| + |x|'|s|). Where terms cancel rounding may
  * hide a residual: u times their sizes counts as one. The right-hand side b is scratch. */
-SP__APART static void sp__qp_judge(sp__qp *w, const sp_real *z)
+SP__NOINLINE static void sp__qp_judge(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
     sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;

@@ -66,7 +66,7 @@ static void sp__ruiz_divide(sp_real *scale, const sp_real *norm, int32_t n)
 }
 
 /* Returns c; col and row are n and m numbers of scratch. */
-SP__APART static sp_real sp__ruiz(const sp_qp *qp, int32_t passes, sp_real *D, sp_real *E, sp_real *col, sp_real *row)
+SP__NOINLINE static sp_real sp__ruiz(const sp_qp *qp, int32_t passes, sp_real *D, sp_real *E, sp_real *col, sp_real *row)
 {
     sp_real c = (sp_real)1;
     for (int32_t j = 0; j < qp->n; j++) D[j] = (sp_real)1;

@@ -18,7 +18,7 @@ static sp_status sp__joint_check(const sp_joint *joint)
 }
 
 /* Has a joint strength beyond friction, or less than any? */
-SP__CALLED static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
+SP__NOINLINE_SMALL static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
 
 static int sp__scene_strong(const sp_scene *scene)
 {

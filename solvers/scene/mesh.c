@@ -97,7 +97,7 @@ static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t c
 typedef struct sp__solid { sp_mass *mass; sp_real area, n[3]; } sp__solid;
 
 /* Triangle of m and the corners i, j. */
-SP__APART static void sp__solid_triangle(sp__solid *t, const sp__local *l, const sp_real m[3], int32_t i, int32_t j)
+SP__NOINLINE static void sp__solid_triangle(sp__solid *t, const sp__local *l, const sp_real m[3], int32_t i, int32_t j)
 {
     sp_real p[3], q[3], n[3] = { 0, 0, 0 };
     sp__local_get(l, i, p);
@@ -117,7 +117,7 @@ SP__APART static void sp__solid_triangle(sp__solid *t, const sp__local *l, const
 /* A triangle as it is, a larger polygon fanned about its vertex mean m. Then each of its corners p has to be within 1e-2 of the
  * block's diameter from its plane. What rounding alone may do to (p - m) . n is allowed on top, so a face without area, which
  * has no plane, passes. */
-SP__APART static sp_status sp__solid_face(sp__solid *t, const sp__local *l, const int32_t *corner, int32_t corners)
+SP__NOINLINE static sp_status sp__solid_face(sp__solid *t, const sp__local *l, const int32_t *corner, int32_t corners)
 {
     sp_real m[3], reach;
     if (corners == 3) {

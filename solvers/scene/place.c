@@ -242,8 +242,8 @@ SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], cons
 SP_API const char *sp_nbo_text(sp_nbo reason)
 {
     const int k = (int)reason;
-    return sp__word("accepted\0" SP__TOLD("centre of mass ") "outside its support\0" "too shallow" SP__TOLD(" for its height") "\0"
-                    "resting face tilted\0" "too near the edge" SP__TOLD(" of its support") "\0" "unknown",
+    return sp__word("accepted\0" SP__LONG_TEXT("centre of mass ") "outside its support\0" "too shallow" SP__LONG_TEXT(" for its height") "\0"
+                    "resting face tilted\0" "too near the edge" SP__LONG_TEXT(" of its support") "\0" "unknown",
                     k >= 0 && k <= 4 ? k : 5);
 }
 

@@ -183,12 +183,12 @@ static void sp__load_settle(const sp_problem *problem, const sp_load *load, int3
     const sp_real times = sp__abs(scene->live);
     const sp_real *own = scene->gravity;
     sp_real both[3];
-    if (SP__FULL) {
+    if (SP__HAS_STRENGTH) {
         for (int k = 0; k < 3; k++) both[k] = sp__abs(own[k]) + times * sp__abs(scene->body[k]);
         own = both;
     }
     sp__load_cancel(problem->p + 6 * (size_t)row, load, load->live ? times : 1, scene->gravity, own, block);
-    if (SP__FULL && problem->live && load->live)
+    if (SP__HAS_STRENGTH && problem->live && load->live)
         sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
 }
 

@@ -14,7 +14,7 @@
  * gate, and it does not start where tension alone blocks the bilateral force.                            [seed 2.2] */
 
 /* f <- P_K(f + H^-1 Aeq' y) and r = Aeq f + p of it. */
-SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
+SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
     if (!sp__dual_count(w, (w->bears ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
@@ -40,7 +40,7 @@ SP__APART static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f
 }
 
 /* A round and its omega. keep (NULL: not on a budget) gets the forces whose omega, as forces are judged, is the best so far. */
-SP__APART static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
+SP__NOINLINE static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
 {
     if (keep) w->bears = w->L.t;
     sp__polish_round(w, w->y, f, w->r);

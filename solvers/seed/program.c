@@ -120,7 +120,7 @@ static void sp__program_columns(const sp__program *g, const sp_problem *pb, sp_t
 }
 
 /* P and A; moments about a centroid are divided by its longest arm. */
-SP__APART static void sp__program_matrices(sp__program *g, const sp_problem *pb, const sp_settings *set)
+SP__NOINLINE static void sp__program_matrices(sp__program *g, const sp_problem *pb, const sp_settings *set)
 {
     const int32_t n = g->qp.n;
     sp_triplets t = { g->qp.m, n, 0, g->at.Ai, NULL, g->at.Ax };
@@ -162,7 +162,7 @@ static void sp__program_bounds(sp__program *g, const sp_problem *pb)
 }
 
 /* The program in `a`, with a first guess from the forces of the stage before; NULL: it does not fit. */
-SP__APART static sp__program *sp__program_make(const sp_problem *pb, const sp_settings *set, const sp_real *f, sp_arena *a)
+SP__NOINLINE static sp__program *sp__program_make(const sp_problem *pb, const sp_settings *set, const sp_real *f, sp_arena *a)
 {
     sp__program *g = sp__take(a, 1, sizeof *g);
     if (!g) return NULL;

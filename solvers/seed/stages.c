@@ -10,7 +10,7 @@
 typedef struct sp__gate { int tension, friction; } sp__gate;
 
 /* Largest compression and tension of f, and friction beyond the cone, by f's own size.                  [seed 2.1] */
-SP__APART static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const sp_real *f)
+SP__NOINLINE static sp__gate sp__seed_gate(sp__dual *w, const sp_seed *seed, const sp_real *f)
 {
     sp_real press = 0, pull = 0, beyond = 0, size = 0;
     const sp__gate shut = { 0, 0 };

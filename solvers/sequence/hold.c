@@ -11,7 +11,7 @@
  * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
 
 /* Do the members stand that are not held now?     returns 0 also when the budget is spent */
-SP__APART static int sp__hold_stands(sp__hold *h)
+SP__NOINLINE static int sp__hold_stands(sp__hold *h)
 {
     sp_sequence *q = h->q;
     q->tries++;
@@ -45,7 +45,7 @@ static void sp__hold_all(const sp__hold *h, sp_presence presence)
 }
 
 /* must[b]: b falls even when all other members are held. */
-SP__APART static void sp__hold_must(sp__hold *h)
+SP__NOINLINE static void sp__hold_must(sp__hold *h)
 {
     sp_sequence *q = h->q;
     sp__hold_all(h, SP_HELD);
@@ -71,7 +71,7 @@ static int32_t sp__hold_size(const sp__hold *h)
 }
 
 /* All sets that hold what must be, the smallest first, in the order of their numbers.     leaves the first that does */
-SP__APART static sp_held_proof sp__hold_exhaust(sp__hold *h)
+SP__NOINLINE static sp_held_proof sp__hold_exhaust(sp__hold *h)
 {
     uint32_t must = 0;
     for (int32_t k = 0; k < h->members; k++) if (h->q->must[h->member[k]]) must |= 1u << k;
@@ -86,7 +86,7 @@ SP__APART static sp_held_proof sp__hold_exhaust(sp__hold *h)
 }
 
 /* Of those that can't be let go one is minimal; of two, does one of the others suffice?     leaves it so if it does */
-SP__APART static sp_held_proof sp__hold_one(sp__hold *h)
+SP__NOINLINE static sp_held_proof sp__hold_one(sp__hold *h)
 {
     sp_sequence *q = h->q;
     int32_t pair[2] = { -1, -1 }, n = 0;
@@ -107,7 +107,7 @@ SP__APART static sp_held_proof sp__hold_one(sp__hold *h)
 }
 
 /* What must be held and what was held last; then what moves most, until it stands; then each let go that can be. */
-SP__APART static sp_held_proof sp__hold_guided(sp__hold *h)
+SP__NOINLINE static sp_held_proof sp__hold_guided(sp__hold *h)
 {
     sp_sequence *q = h->q;
     int32_t must = 0;
@@ -131,7 +131,7 @@ SP__APART static sp_held_proof sp__hold_guided(sp__hold *h)
 }
 
 /* The island whose lowest block is q->list[0..members-1]'s first; its set to the answer. */
-SP__APART static sp_status sp__hold_island(sp__hold *h)
+SP__NOINLINE static sp_status sp__hold_island(sp__hold *h)
 {
     sp_sequence *q = h->q;
     h->worst = h->member[0];

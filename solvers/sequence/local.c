@@ -7,7 +7,7 @@
 #if SP__WITH_LARGE
 
 /* What a check of the part found becomes what is known of its blocks. */
-SP__APART static void sp__part_keep(sp_sequence *q, const sp__check *c)
+SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
 {
     for (int32_t k = 0; k < q->part.count.interfaces; k++) {
         const sp_interface *t = &q->part.interface[k];
@@ -52,7 +52,7 @@ static sp_real sp__lean_aside(const sp_sequence *q, const sp_contact *t, int32_t
 }
 
 /* The blocks below block b that lie straightest below block o, unless b reaches something fixed. */
-SP__APART static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
+SP__NOINLINE static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
 {
     sp_real least = SP__HUGE;
     for (int pass = 0; pass < 2; pass++)
@@ -78,7 +78,7 @@ static void sp__lean_beside(sp_sequence *q, int32_t b, int32_t *n)
 
 /* The island of `root`: marks what is not plain and what is below that, wide: and what touches those.
  *     returns how many; 0: nothing, -1: most of it */
-SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
+SP__NOINLINE static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
 {
     int32_t n = 0, size = 0;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
@@ -95,7 +95,7 @@ SP__APART static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
 }
 
 /* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
-SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
+SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 {
     for (int32_t i = 0; i < q->members; i++) {
         const int32_t b = q->part_block[i];
@@ -119,7 +119,7 @@ SP__APART static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 }
 
 /* Forces of the part's joints, admitted.     returns 1 if all its blocks are plain then */
-SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
+SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 {
     int plain = 1;
     for (int32_t k = 0; k < q->part.count.interfaces; k++) {
@@ -142,7 +142,7 @@ SP__APART static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 
 /* The marked blocks alone, all other forces as they are: in their plane where they, with these as loads, have one.
  *     returns 1 if they are plain then */
-SP__APART static int sp__lean_solve(sp_sequence *q)
+SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
 {
     sp__check *c = NULL;
     sp__flat *flat = NULL;
@@ -166,7 +166,7 @@ SP__APART static int sp__lean_solve(sp_sequence *q)
 }
 
 /* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
-SP__APART static int sp__lean_island(sp_sequence *q, int32_t root)
+SP__NOINLINE static int sp__lean_island(sp_sequence *q, int32_t root)
 {
     int exact = 0, done = 0;
     for (int32_t k = 0; k < q->set.stage_count; k++) exact |= q->set.stage[k] == SP_STAGE_EXACT;

@@ -36,7 +36,7 @@ static int32_t sp__next_pick(sp_sequence *q, int32_t add)
 }
 
 /* Would everything stand with block b there, or gone? All that is known stays as it is. */
-SP__APART static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, int *stands)
+SP__NOINLINE static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, int *stands)
 {
     const size_t n = (size_t)q->scene->count.blocks, v = 3 * (size_t)q->scene->count.points;
     const int32_t was = q->was[b];

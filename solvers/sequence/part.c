@@ -52,7 +52,7 @@ static void sp__part_joint(sp_sequence *q, int32_t c)
 }
 
 /* The part of all marked blocks. */
-SP__APART static void sp__part_make(sp_sequence *q)
+SP__NOINLINE static void sp__part_make(sp_sequence *q)
 {
     sp_capacity *n = &q->part.count;
     memset(n, 0, sizeof *n);
@@ -76,7 +76,7 @@ static void sp__part_island(sp_sequence *q, int32_t root)
 }
 
 /* A check of the part in `a`, before the first stage. */
-SP__APART static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
+SP__NOINLINE static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
 {
     const sp__apart one = { 1, 0, 0 };
     sp_status status = sp__check_open(&q->part, &q->set, &one, a, c);
@@ -86,7 +86,7 @@ SP__APART static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check 
 }
 
 /* Does the part stand? sp_check without what is only told. */
-SP__APART static sp_status sp__part_check(sp_sequence *q, sp__check **c)
+SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp__check **c)
 {
     sp_arena a = q->work;
     sp_status status = sp__part_open(q, &a, c);
@@ -123,7 +123,7 @@ static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
 }
 
 /* Is block b plain? Its omega, or more. */
-SP__APART static void sp__stone_weigh(sp_sequence *q, int32_t b)
+SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
 {
     sp__stone *s = &q->stone[b];
     sp_real r[6], m1 = 0;

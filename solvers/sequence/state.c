@@ -125,7 +125,7 @@ SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *sett
 }
 
 /* Bytes of a check of the whole, and of its symbolic step: a part in the same order of elimination fills no more. */
-SP__APART static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *work)
+SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *work)
 {
     sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
     if (!q) return SP_E_MEMORY;
@@ -168,7 +168,7 @@ typedef struct sp__grip { sp_real FF[21], GG[21], M[21]; } sp__grip;
 
 /* F'F and G'G of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
  * of the kind f0 has, x x f = G (V, W) its moment, [x]'[x] = |x|^2 - x x'. */
-SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__grip *w)
+SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__grip *w)
 {
     for (int k = 0; k < 21; k++) w->FF[k] = w->GG[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -189,7 +189,7 @@ SP__APART static void sp__lever_matrices(const sp_problem *pb, const sp_contact 
 /* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2
  * for all z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little
  * less, for what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
-SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__grip *w)
+SP__NOINLINE static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__grip *w)
 {
     sp_real unit = 0, *M = w->M;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -209,7 +209,7 @@ SP__APART static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, in
 }
 
 /* Levers, and the contacts at each block. */
-SP__APART static sp_status sp__sequence_joints(sp_sequence *q)
+SP__NOINLINE static sp_status sp__sequence_joints(sp_sequence *q)
 {
     const int32_t n = q->scene->count.blocks;
     sp_arena a = q->work;
@@ -237,7 +237,7 @@ SP__APART static sp_status sp__sequence_joints(sp_sequence *q)
 }
 
 /* Blocks in the order of least fill of the finished scene. */
-SP__APART static sp_status sp__sequence_order(sp_sequence *q)
+SP__NOINLINE static sp_status sp__sequence_order(sp_sequence *q)
 {
     sp_arena a = q->work;
     sp__dual *w = sp__take(&a, 1, sizeof *w);

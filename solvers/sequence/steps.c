@@ -7,7 +7,7 @@
 #if SP__WITH_LARGE
 
 /* Every island with a stale block is looked at again. */
-SP__APART static sp_status sp__sequence_look(sp_sequence *q)
+SP__NOINLINE static sp_status sp__sequence_look(sp_sequence *q)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++)
         if (sp__loose(q, b) && q->stone[b].stale) q->stone[sp__root(q->up, b)].stale = 1;
@@ -39,7 +39,7 @@ static void sp__sequence_touch(sp_sequence *q, int32_t b)
 }
 
 /* Block b comes, goes, is held or let go: forces of joints that no longer count vanish, and who bore them is to be weighed. */
-SP__APART static void sp__sequence_change(sp_sequence *q, int32_t b, sp_presence presence)
+SP__NOINLINE static void sp__sequence_change(sp_sequence *q, int32_t b, sp_presence presence)
 {
     sp__sequence_touch(q, b);
     q->stone[b].presence = presence;
@@ -68,7 +68,7 @@ static int sp__worse(sp_verdict a, sp_verdict b)
 }
 
 /* What the step found. */
-SP__APART static void sp__sequence_tell(sp_sequence *q, sp_step *step)
+SP__NOINLINE static void sp__sequence_tell(sp_sequence *q, sp_step *step)
 {
     sp_real most = -1;
     memset(step, 0, sizeof *step);

@@ -130,7 +130,7 @@ static void sp__small_square(sp__small *w, sp_real s, const sp_real *e)
 
 /* One vertex: f = S P_K(u), r += Aeq f, H += Aeq S DP_K(u) Aeq'. On the cone's side P_K(u) = (g.u) g, g = (1, mu w) normed,
  * w = ut / |ut|, and DP_K = g g' + (mu fn / |ut|) w_perp w_perp'. */
-SP__APART static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_t v, sp__want want)
+SP__NOINLINE static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_t v, sp__want want)
 {
     const sp_real mu = t->joint->joint.mu;
     const sp_real u[3] = { sp__small_row(w, t, v, 0, t->joint->n), sp__small_row(w, t, v, 1, t->joint->t1),
@@ -160,7 +160,7 @@ SP__APART static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_
 }
 
 /* f, and r = z (Aeq f + p), at y; H too where it is wanted, not yet weighted. */
-SP__APART static void sp__small_sweep(sp__small *w, const sp_real *y, sp__want want)
+SP__NOINLINE static void sp__small_sweep(sp__small *w, const sp_real *y, sp__want want)
 {
     const sp_problem *pb = w->pb;
     const int32_t n = 6 * pb->blocks;
@@ -201,7 +201,7 @@ static void sp__small_solve(const sp__small *w, sp_real s, const sp_real *b, sp_
 }
 
 /* Is dq = -z y a proof? Then that is the verdict. */
-SP__APART static void sp__small_try(sp__small *w, const sp_real *y)
+SP__NOINLINE static void sp__small_try(sp__small *w, const sp_real *y)
 {
     sp_result *r = w->to;
     if (r->verdict) return;
@@ -237,7 +237,7 @@ static void sp__small_purify(sp__small *w, sp_real *x)
 
 /* Weights and potential of the bilateral force: rows of unit size on average; (G + shift) y = -p, and of each correction what
  * follows a null vector is taken out again.                                                                      [seed 2.1] */
-SP__APART static void sp__small_bilateral(sp__small *w)
+SP__NOINLINE static void sp__small_bilateral(sp__small *w)
 {
     const int32_t n = 6 * w->pb->blocks;
     for (int32_t k = 0; k < n; k++) { w->y[k] = 0; w->z[k] = !sp__held(w->pb, k / 6, k % 6); }
@@ -262,7 +262,7 @@ SP__APART static void sp__small_bilateral(sp__small *w)
 }
 
 /* Scales of the judge by that force, and a metric where contacts of very different load meet.       returns 0: no memory */
-SP__APART static int sp__small_scales(sp__small *w, sp_arena *a)
+SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
 {
     const int32_t n = 6 * w->pb->blocks;
     sp_real least = SP__HUGE, most = 0;
@@ -281,7 +281,7 @@ SP__APART static int sp__small_scales(sp__small *w, sp_arena *a)
 }
 
 /* y += s d: the whole step first, then where the slope of D(y) + prox |y|^2 / 2 along d is below a fifth of its start. */
-SP__APART static sp_real sp__small_move(sp__small *w)
+SP__NOINLINE static sp_real sp__small_move(sp__small *w)
 {
     sp_real lo = 0, hi = 0, fhi = 0, s = 1, flo = sp__small_dot(w, w->r, w->d) + w->prox * sp__small_dot(w, w->y, w->d);
     const sp_real noise = 64 * (sp_real)SP_EPSILON * SP_SQRT(sp__small_dot(w, w->d, w->d));
@@ -307,7 +307,7 @@ SP__APART static sp_real sp__small_move(sp__small *w)
 }
 
 /* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
-SP__APART static sp_real sp__small_step(sp__small *w, sp_real shift)
+SP__NOINLINE static sp_real sp__small_step(sp__small *w, sp_real shift)
 {
     w->left--;
     w->to->cost.iterations++;
@@ -345,7 +345,7 @@ static void sp__small_plain(sp__small *w)
 
 /* Proximal path from y = 0: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y grows
  * into the mechanism. */
-SP__APART static void sp__small_path(sp__small *w)
+SP__NOINLINE static void sp__small_path(sp__small *w)
 {
     sp_real level = SP__HUGE;
     for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->y[k] = 0;
@@ -370,7 +370,7 @@ SP__APART static void sp__small_path(sp__small *w)
 #ifndef SP_EXACT_ONLY
 /* A motion that capped forces might resist: what they resist by is rounding, if all that resists it lets it pass in a null vector
  * of the Hessian there. */
-SP__APART static void sp__small_sharpen(sp__small *w)
+SP__NOINLINE static void sp__small_sharpen(sp__small *w)
 {
     sp_result *r = w->to;
     for (int it = 0; it < 3 && r->verdict == SP_UNSTABLE && !r->final; it++) {
@@ -390,7 +390,7 @@ SP__APART static void sp__small_sharpen(sp__small *w)
 #endif
 
 /* The search on a built problem, its arrays carved; the judge's behind them. */
-SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
+SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 {
     sp_result *r = w->to;
     w->omega = SP__HUGE;
@@ -422,7 +422,7 @@ SP__APART static int sp__small_run(sp__small *w, sp_arena *a)
 }
 
 /* A result's numbers, its arrays in place. */
-SP__APART static void sp__small_told(sp_result *r)
+SP__NOINLINE static void sp__small_told(sp_result *r)
 {
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verdict && r->free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;

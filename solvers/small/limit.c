@@ -22,7 +22,7 @@ typedef struct sp__limit {
 } sp__limit;
 
 /* The search under d dead + l live; the ends' dq is the motion it ends with. */
-SP__APART static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real l, sp_arena room)
+SP__NOINLINE static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real l, sp_arena room)
 {
     sp__ends_mix(&L->ends, d, l);
     L->at.verdict = SP_UNDECIDED;
@@ -42,7 +42,7 @@ static sp_real sp__limit_balance(const sp__ends *e)
 
 /* What falls at a: a better bound from above, or, where live loads would hold it, from below. Returns where to ask next; a itself
  * where nothing is gained. */
-SP__APART static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room)
+SP__NOINLINE static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room)
 {
     const sp_real balance = sp__limit_balance(&L->ends);
     const int beyond = sp__ends_beyond(&L->ends, room);
@@ -57,7 +57,7 @@ SP__APART static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room)
     return !beyond && next > a ? next : a;
 }
 
-SP__APART static void sp__limit_search(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_search(sp__limit *L, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_limit_result *r = &L->r;
@@ -89,7 +89,7 @@ SP__APART static void sp__limit_search(sp__limit *L, sp_arena room)
 }
 
 /* Does it stand under the dead loads alone, and if not, from where on? */
-SP__APART static void sp__limit_lowest(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
 {
     sp_limit_result *r = &L->r;
     sp_real a = 0;
@@ -109,7 +109,7 @@ SP__APART static void sp__limit_lowest(sp__limit *L, sp_arena room)
 }
 
 /* Both ends of what was found, and what that makes of it. */
-SP__APART static void sp__limit_conclude(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_conclude(sp__limit *L, sp_arena room)
 {
     sp__ends *e = &L->ends;
     sp_limit_result *r = &L->r;

@@ -86,7 +86,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
 }
 
 /* What is there, checked. */
-SP__APART static sp_verdict sp__sequence_check(sp_sequence *q)
+SP__NOINLINE static sp_verdict sp__sequence_check(sp_sequence *q)
 {
     const sp_scene *s = q->scene;
     sp_arena a = q->work;

@@ -31,7 +31,7 @@ static void sp__bilateral_correct(sp__dual *w)
 
 /* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
  * better. Worth nothing when w->spent. */
-SP__APART static void sp__bilateral_solve(sp__dual *w)
+SP__NOINLINE static void sp__bilateral_solve(sp__dual *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) w->y[k] = 0;
@@ -98,7 +98,7 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
 
 #ifndef SP_NO_PLAN
 /* The hint alone. */
-SP__APART static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
+SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
 {
     sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, &arena);
     if (!w) return SP_E_MEMORY;

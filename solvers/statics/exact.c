@@ -18,7 +18,7 @@ static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_ar
 #ifndef SP_NO_PLAN
 /* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it
  * A light block beside a heavy one has digits of its own: what is much for its load is looked at with the forces on it. */
-SP__APART static int sp__newton_bonded(sp__dual *w, sp_state *state)
+SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
 {
     const sp_real little = sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON);
     int each = 1;
@@ -70,7 +70,7 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
 
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
  * the least force is all that is tried: it says what stands, and where it does not little is lost. */
-SP__APART static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
+SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
                                             sp_arena *arena, sp_verdict *claim)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };

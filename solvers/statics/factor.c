@@ -11,7 +11,7 @@
 /* L <- T A T + 2 u, u and L of the factor's precision, T = diag(A)^-1/2 (1 where that is 0): no number leaves the range of a
  * float, and motions that A hardly resists are all slowed down alike. Pivots dropped one by one would tear them apart, and
  * conjugate gradients would find each anew. Before that A's diagonal grows by its own `own`. */
-SP__APART static void sp__dual_lower(sp__dual *w, sp_real own)
+SP__NOINLINE static void sp__dual_lower(sp__dual *w, sp_real own)
 {
     const sp__bchol *L = &w->L;
     sp__bchol_zero(&w->L);
@@ -38,7 +38,7 @@ SP__APART static void sp__dual_lower(sp__dual *w, sp_real own)
 }
 
 /* y <- A x, in the caller's order of rows. */
-SP__APART static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_real *y)
+SP__NOINLINE static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_real *y)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i < pb->blocks; i++) {
@@ -107,7 +107,7 @@ static sp_real sp__flat_left(const sp_real T[7], int r, const sp_real x[3])
 }
 
 /* Contact c's H into L: T' H T. */
-SP__APART static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
+SP__NOINLINE static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *T = sp__flat_frame(w, t) + 6;
@@ -127,7 +127,7 @@ SP__APART static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
 }
 
 /* sp__dual_assemble in 3 rows a block. */
-SP__APART static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__NOINLINE static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     sp_real *H = w->h + 27;
@@ -192,7 +192,7 @@ static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real 
 #endif
 
 /* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
-SP__APART static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__NOINLINE static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;

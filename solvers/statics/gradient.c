@@ -21,7 +21,7 @@ static int sp__dual_assembly(sp__dual *w, int plain)
 typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
 /* Force g at l, in the contact's frame, into what the blocks bear. */
-SP__APART static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3])
+SP__NOINLINE static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3])
 {
     const sp_interface *f = t->joint;
     for (int side = 0; side < 2; side++) {
@@ -116,7 +116,7 @@ static void sp__flat_bear(sp__dual *w, const sp_contact *t, int32_t v, sp_real t
 }
 
 /* A contact's share of sp__dual_gradient. */
-SP__APART static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
+SP__NOINLINE static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
@@ -143,7 +143,7 @@ SP__APART static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, con
 }
 
 /* What its vertices can resist motion y with: sum |P_K(u)| times the cap, in the metric. */
-SP__APART static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
+SP__NOINLINE static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
@@ -159,7 +159,7 @@ SP__APART static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const sp_
 }
 
 /* And of sp__dual_slope. */
-SP__APART static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
+SP__NOINLINE static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
@@ -178,7 +178,7 @@ SP__APART static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real *y
 }
 
 /* H of a contact, 3 x 3 in X. */
-SP__APART static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
+SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
@@ -205,7 +205,7 @@ SP__APART static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, cons
 #endif
 
 /* And in 6 rows. */
-SP__APART static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
+SP__NOINLINE static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_contact *t = &w->pb->contact[c];
     sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, *F = V + 12, *M = V + 15;
@@ -248,7 +248,7 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
 }
 
 /* A contact's share of sp__dual_slope. */
-SP__APART static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
+SP__NOINLINE static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
 {
     const sp_contact *t = &w->pb->contact[c];
     sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, *part = at + 21;
@@ -267,7 +267,7 @@ SP__APART static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_real *
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */
-SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, sp_real s)
+SP__NOINLINE static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, sp_real s)
 {
     sp_real sum = 0;
     if (!sp__dual_sweep(w, 1, 2)) return 0;
@@ -284,7 +284,7 @@ SP__APART static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_
 }
 
 /* h += (I, -[l]x)' D (I, -[l]x), row by row: x = l x D_i is row i of -D [l]x, and [l]x of those rows makes ww. */
-SP__APART static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
+SP__NOINLINE static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
 {
     static const unsigned char at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
     for (int i = 0; i < 3; i++) {

@@ -19,7 +19,7 @@ static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 }
 
 /* A pyramid's share of sp__ipm_derivative. */
-SP__APART static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+SP__NOINLINE static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + (size_t)w->cone.faces * (size_t)v, times = sp__dual_counts(w, v);
     sp_real *e = w->h + 57;
@@ -35,7 +35,7 @@ SP__APART static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const 
 }
 
 /* The true cone's. */
-SP__APART static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+SP__NOINLINE static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + 3 * (size_t)v;
     const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
@@ -86,7 +86,7 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
 
 /* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
  *     returns 0 when all of it is zero: the contact is open */
-SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+SP__NOINLINE static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
 {
     const sp_contact *t = &w->pb->contact[c];
     sp_real *twist = h + 87, *u = h + 93, *D = h + 96;
@@ -103,7 +103,7 @@ SP__APART static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t 
 }
 
 /* out = R m R', R = (n, t1, t2): from the contact's frame to the world's. out may not be m. */
-SP__APART static void sp__rotate(const sp_contact *t, const sp_real *m, sp_real *out)
+SP__NOINLINE static void sp__rotate(const sp_contact *t, const sp_real *m, sp_real *out)
 {
     const sp_real *R[3] = { t->joint->n, t->joint->t1, t->joint->t2 };
     sp_real a[9];
@@ -160,7 +160,7 @@ static void sp__add_diagonal(sp_real *d, const sp_real *z, const sp_real *vv, co
 }
 
 /* Block -= Za [ vv qb ; qa' ww ] Zb, by columns, or by rows where it is stored transposed. */
-SP__APART static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
+SP__NOINLINE static void sp__add_coupling(sp_real *block, int turn, const sp_real *za, const sp_real *zb, const sp_real *vv,
                                        const sp_real *qa, const sp_real *qb, const sp_real *ww)
 {
     const int tr = turn ? 6 : 1, tc = turn ? 1 : 6;
@@ -206,7 +206,7 @@ static void sp__dual_hold(sp__dual *w)
 /* Contact c's H, in w->h, moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
-SP__APART static void sp__dual_add(sp__dual *w, int32_t c)
+SP__NOINLINE static void sp__dual_add(sp__dual *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
@@ -233,7 +233,7 @@ SP__APART static void sp__dual_add(sp__dual *w, int32_t c)
 }
 
 /* Aeq S DP Aeq' + shift into L. */
-SP__APART static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__NOINLINE static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     int held = 0;

@@ -22,7 +22,7 @@
 
 /* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
  * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
-SP__APART static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
+SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
 {
     sp__nt W;
     const sp_real keep = 1 - m->sigma;
@@ -67,7 +67,7 @@ static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
 }
 
 /* The edges of a vertex's pyramid. */
-SP__APART static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = w->h + 42, *rate = w->h + 45;
     for (int32_t k = 0; k < w->cone.faces; k++) {
@@ -79,7 +79,7 @@ SP__APART static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int
 }
 
 /* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     g[0] = g[1] = g[2] = 0;
     if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
@@ -91,7 +91,7 @@ SP__APART static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, i
 
 /* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is not
  * corrected no predictor: those rates are 0. */
-SP__APART static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
+SP__NOINLINE static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
     const int counts[3] = { 1, m->corrected, pass != SP__AIM }, rates = 1 + counts[1] + counts[2];
@@ -142,7 +142,7 @@ static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp
  * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
  * hide small ones. */
-SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
+SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
 {
     const sp_problem *pb = w->pb;
     if (!sp__dual_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
@@ -184,7 +184,7 @@ SP__APART static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, 
 
 /* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
  * and the rest balanced again while that gains. Then state->f holds them. */
-SP__APART static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp_real last = SP__HUGE, strict = SP__HUGE;
@@ -231,7 +231,7 @@ static void sp__ipm_reach(sp__dual *w, sp__ipm *m)
 
 /* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of dy / dtau
  * that the load's work is kappa it is tried as a proof. */
-SP__APART static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__dual_load(w, state->dq);
@@ -249,7 +249,7 @@ SP__APART static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_
 }
 
 /* Predictor and corrector with the factor at hand, from what sp__ipm_motion left in w->d and state->dq. */
-SP__APART static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *state)
+SP__NOINLINE static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) w->r[k] = w->d[k] + m->tau * state->dq[k];
@@ -294,7 +294,7 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
 
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
  *   returns 1 where SP__IPM_IDLE steps one after the other got nowhere and no other way does: factors have too few digits */
-SP__APART static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
     int idle = 0;

@@ -16,7 +16,7 @@ static sp_real sp__flat_height(const sp__dual *w, const sp_contact *t)
 }
 
 /* Are joints of one pair of nodes in one plane, none across and none warped?     L.d, L.x: a mark and the height of the first */
-SP__APART static int sp__flat_tidy(sp__dual *w)
+SP__NOINLINE static int sp__flat_tidy(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     const sp_real eps = sp__flat_small(w->set);
@@ -37,7 +37,7 @@ SP__APART static int sp__flat_tidy(sp__dual *w)
 
 /* Nodes less edges are as many as trees: a forest. Supports are one node, of edges between free blocks each is in adj twice.
  * mark: trees without supports; parent: does a block, then a tree, touch one? */
-SP__APART static int sp__flat_forest(sp__dual *w)
+SP__NOINLINE static int sp__flat_forest(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     int64_t edges = w->xadj[pb->blocks] / 2, trees = 1;
@@ -56,7 +56,7 @@ SP__APART static int sp__flat_forest(sp__dual *w)
 
 /* Sideways motion of a forest, rows 0 and 1, from supports upwards so that no joint slips; m: motions in the axes e. With turns w0,
  * w1 a block's points at arm r2 along e2 go sideways by v0 + w1 r2, v1 - w0 r2.     mark: has it been placed? */
-SP__APART static void sp__flat_place(sp__dual *w, sp_real *m)
+SP__NOINLINE static void sp__flat_place(sp__dual *w, sp_real *m)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i < pb->blocks; i++) w->mark[i] = 0;
@@ -101,7 +101,7 @@ static void sp__flat_drop(const sp__flat *o, int32_t blocks, sp_real *m)
 #endif
 
 /* What a search in 3 rows has besides: frames, images, work of a factor. */
-SP__APART static void sp__flat_open(sp__dual *w)
+SP__NOINLINE static void sp__flat_open(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     sp__flat_mates(w->flat, pb, w->set);

@@ -43,7 +43,7 @@ typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
 static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 * sp__abs(l->start), l->noise); }
 
 /* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
-SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
+SP__NOINLINE static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
 {
     sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
     for (int it = 0; it < 14; it++) {
@@ -70,7 +70,7 @@ SP__APART static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_re
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 
 /* sp__flat_resist in 6 rows a block. */
-SP__APART static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
+SP__NOINLINE static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
 {
     const sp_contact *t = &w->pb->contact[c];
     sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
@@ -85,7 +85,7 @@ SP__APART static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp
 }
 
 /* What the vertices of contact c can resist a motion with. */
-SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+SP__NOINLINE static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
 {
     const int plain = sp__dual_yield(w, c)->plain;
     const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(&w->pb->contact[c], w->size, 2) / S;
@@ -97,7 +97,7 @@ SP__APART static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const s
     return S * sp__space_resist(w, c, y, most);
 }
 
-SP__APART static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
+SP__NOINLINE static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
 {
     const sp_problem *pb = w->pb;
     o->work = o->resist = o->scale = 0;

@@ -154,7 +154,7 @@ static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_r
 }
 
 /* Is the problem planar?     m: the normal of the mirror */
-SP__APART static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
+SP__NOINLINE static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
 {
     for (int edge = 1; pb->contacts && edge <= 2; edge++) {
         int32_t c = 0;
@@ -167,7 +167,7 @@ SP__APART static int sp__flat_planar(const sp_problem *pb, const sp_settings *se
 
 /* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
  * upright to, no mortar, and every block rests on something. */
-SP__APART static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+SP__NOINLINE static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
 {
     const sp_real eps = sp__flat_small(set);
     int32_t rests = 0;

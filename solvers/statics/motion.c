@@ -177,7 +177,7 @@ static void sp__flat_back(const sp__dual *w, const sp_contact *t, const sp_real 
 }
 
 /* V, W of sp__dual_twist from 3 rows a block. */
-SP__APART static void sp__flat_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+SP__NOINLINE static void sp__flat_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
@@ -188,7 +188,7 @@ SP__APART static void sp__flat_twist(const sp__dual *w, const sp_contact *t, con
 }
 
 /* sp__dual_scatter into 3 rows a block. */
-SP__APART static void sp__flat_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+SP__NOINLINE static void sp__flat_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
 {
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
@@ -199,7 +199,7 @@ SP__APART static void sp__flat_scatter(const sp__dual *w, const sp_contact *t, c
 #endif
 
 /* sp__dual_twist from 6 rows a block. */
-SP__APART static void sp__space_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+SP__NOINLINE static void sp__space_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
     sp_real v[3] = { 0, 0, 0 }, o[3] = { 0, 0, 0 };
     for (int side = 0; side < 2; side++) {
@@ -219,7 +219,7 @@ SP__APART static void sp__space_twist(const sp__dual *w, const sp_contact *t, co
 }
 
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
-SP__APART static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+SP__NOINLINE static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
 #ifndef SP_NO_PLAN
     if (w->flat) { sp__flat_twist(w, t, y, V, W); return; }
@@ -245,7 +245,7 @@ static void sp__dual_force(const sp__dual *w, int32_t c, const sp__yield *yield,
 }
 
 /* sp__dual_scatter into 6 rows a block. */
-SP__APART static void sp__space_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+SP__NOINLINE static void sp__space_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
 {
     sp_real f[3], m[3];
     for (int k = 0; k < 3; k++) {

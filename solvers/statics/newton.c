@@ -24,7 +24,7 @@ static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
     sp__newton_keep(w, n, state);
 }
 
-SP__APART static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__line *l)
+SP__NOINLINE static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__line *l)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     l->yd = n->prox * sp__dot(w->y, w->d, size);
@@ -34,7 +34,7 @@ SP__APART static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__
 }
 
 /* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
-SP__APART static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__line l;
@@ -67,7 +67,7 @@ static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *
 }
 
 /* The candidate in w->d, tied into rigid groups: opened, else as it is. */
-SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, sp_state *state)
+SP__NOINLINE static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, sp_state *state)
 {
     if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__rigid_groups(w, w->d, play, w->xadj);
@@ -81,7 +81,7 @@ SP__APART static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, s
 }
 
 /* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
-SP__APART static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
@@ -114,7 +114,7 @@ static void sp__newton_correct(sp__dual *w)
 
 /* The goal is reached: a few more steps with the factor at hand while each gains a digit; then omega as forces are judged, and
  * more steps where that asks for them. What is good enough goes to state->f. */
-SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     if (n->found || n->proved || n->omega > n->goal) return;
@@ -140,7 +140,7 @@ SP__APART static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *st
 }
 
 /* After a step of length s, more or less on the diagonal.     returns whether the step was tiny */
-SP__APART static int sp__newton_damp(sp__newton *n, sp_real s)
+SP__NOINLINE static int sp__newton_damp(sp__newton *n, sp_real s)
 {
     const int tiny = s < (sp_real)0.03;
     if (tiny) n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1;
@@ -149,7 +149,7 @@ SP__APART static int sp__newton_damp(sp__newton *n, sp_real s)
 }
 
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
-SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
 {
     int tiny = 0;
     n->prox = 0;
@@ -162,7 +162,7 @@ SP__APART static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *sta
 /* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
  * load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x), a little too far, moves the direction of y to where no contact resists it at
  * all; curved cones want more than the inverse iteration that is enough for hinges. */
-SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     const sp_real y = sp__dual_norm(w, w->y);
@@ -181,7 +181,7 @@ SP__APART static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *s
 }
 
 /* Is y near enough to the minimum for this prox?     n->stalled: does the imbalance no longer fall with it? */
-SP__APART static int sp__newton_level(sp__dual *w, sp__newton *n)
+SP__NOINLINE static int sp__newton_level(sp__dual *w, sp__newton *n)
 {
     const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
@@ -193,7 +193,7 @@ SP__APART static int sp__newton_level(sp__dual *w, sp__newton *n)
 }
 
 /* Proximal path from y = 0. */
-SP__APART static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
 {
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     n->prox = (sp_real)0.1;
@@ -224,7 +224,7 @@ static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
  * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts as
  * tied: where that ties all, every block goes alone. state->y is used up. */
-SP__APART static void sp__newton_settle(sp__dual *w, sp_state *state)
+SP__NOINLINE static void sp__newton_settle(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];

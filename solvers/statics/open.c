@@ -8,7 +8,7 @@
 #if SP__WITH_LARGE
 
 /* Room for the whole dual in place of *flat, which begins in `a`, so that a search in 3 rows does with what the whole one takes. */
-SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, const sp__flat *flat,
+SP__NOINLINE static int sp__dual_reserve(const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, const sp__flat *flat,
                                       sp_arena *a)
 {
     const size_t from = (size_t)((const unsigned char *)flat - a->base);
@@ -28,7 +28,7 @@ SP__APART static int sp__dual_reserve(const sp_problem *pb, const sp_settings *s
 
 /* A dual in `a`, everything but the numbers of a metric; flat (may be NULL): in 3 rows, *flat the last thing taken from `a`.
  *     returns NULL when the arena is too small */
-SP__APART static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings *set, sp__form form, sp__flat *flat,
+SP__NOINLINE static sp__dual *sp__dual_make(const sp_problem *pb, const sp_settings *set, sp__form form, sp__flat *flat,
                                          sp_cost *cost, sp_arena *a)
 {
     const int penalty = form == SP__PENALTY;

@@ -10,7 +10,7 @@
  * and shows where help is wanted. It does not decide: a finite gamma buys a little tension even where none is needed.
  *                                                                                            [seed 1.5; Kao 2022, Eq. 14] */
 
-SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
+SP__NOINLINE static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
 {
     if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
@@ -32,7 +32,7 @@ SP__APART static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
     }
 }
 
-SP__APART static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                            sp_demand *demand)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */

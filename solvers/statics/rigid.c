@@ -13,7 +13,7 @@
 
 /* up[i + 1]: group of free block i by its lowest number + 1, 0: the ground; joined where no vertex of a contact moves by more
  * than `play` of its blocks' motion. Blocks held in some directions stay with the ground. */
-SP__APART static void sp__rigid_groups(const sp__dual *w, const sp_real *x, sp_real play, int32_t *up)
+SP__NOINLINE static void sp__rigid_groups(const sp__dual *w, const sp_real *x, sp_real play, int32_t *up)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i <= pb->blocks; i++) up[i] = i;
@@ -85,7 +85,7 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
 }
 
 /* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W; h from 18 on is used up. */
-SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, sp_real twist[4][3], sp_real F[3], sp_real M[3])
+SP__NOINLINE static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, sp_real twist[4][3], sp_real F[3], sp_real M[3])
 {
     const sp__yield *yield = sp__dual_yield(w, c);
     const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
@@ -103,7 +103,7 @@ SP__APART static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, 
 }
 
 /* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
-SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
+SP__NOINLINE static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_real *x, sp_real *out)
 {
     const sp_problem *pb = w->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
@@ -121,7 +121,7 @@ SP__APART static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_rea
 }
 
 /* Tie the candidate w->d and sharpen it; w->r, L.t and state->dq are used up.     returns 0 when everything is tied down */
-SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state)
+SP__NOINLINE static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real *x = w->d, *r = w->r, *p = state->dq, *q = w->L.t;
@@ -151,7 +151,7 @@ SP__APART static int sp__rigid_sharpen(sp__dual *w, int32_t *up, sp_state *state
 /* Rounding closes the joints inside a group by a few units in the last place of its motion, and all that hangs on a joint presses
  * there. So each opens a little, along paths of joints from the supports: v_i += 4 u max |v| sum n. That costs the work of lifting.
  * off: sum n, 3 x blocks.      mark: is it known? */
-SP__APART static void sp__rigid_open(sp__dual *w, sp_real *x, sp_real (*off)[3])
+SP__NOINLINE static void sp__rigid_open(sp__dual *w, sp_real *x, sp_real (*off)[3])
 {
     const sp_problem *pb = w->pb;
     sp_real most = 0;

@@ -7,7 +7,7 @@
 #if SP__WITH_LARGE
 
 /* Sizes by which forces are judged: sbar and Sbar, no more than load and what they themselves put on block i. */
-SP__APART static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s[2])
+SP__NOINLINE static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s[2])
 {
     const sp_real *p = w->pb->p + 6 * (size_t)i, *bears = w->bears + 3 * (size_t)i;
     const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * bears[2] / w->set->tol;
@@ -42,7 +42,7 @@ static int sp__dual_whole(const sp__dual *w)
 }
 
 /* A contact's share in the size of a block it touches: sum |f_v| and sum |x_v x f_v|, x_v seen from the centroid. */
-SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
+SP__NOINLINE static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
                                     sp_real *longest)
 {
     const sp_interface *g = t->joint;
@@ -63,7 +63,7 @@ SP__APART static void sp__dual_size(const sp__dual *w, const sp_contact *t, cons
 
 #ifndef SP_NO_PLAN
 /* The same of a contact in 3 rows, both blocks. */
-SP__APART static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
+SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
 {
     const sp_real *g = sp__flat_frame(w, t);
     sp_real X[3] = { 0, 0, 0 }, dX[3];

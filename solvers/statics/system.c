@@ -120,7 +120,7 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
 }
 
 /* Neighbours of every free block, each once. */
-SP__APART static void sp__dual_graph(sp__dual *w)
+SP__NOINLINE static void sp__dual_graph(sp__dual *w)
 {
     const sp_problem *pb = w->pb;
     const int32_t b = pb->blocks;
@@ -148,14 +148,14 @@ SP__APART static void sp__dual_graph(sp__dual *w)
     w->xadj[b] = to;
 }
 
-SP__APART static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
+SP__NOINLINE static void sp__dual_carve_order(const sp_problem *pb, sp_arena *a)
 {
     sp__order order;
     sp__order_carve(&order, pb->blocks, 2 * pb->contacts, a);
 }
 
 /* Symbolic step in `a`, whose peak then covers it.     returns blocks of L below the diagonal, -1: does not fit */
-SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_arena *a)
+SP__NOINLINE static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
     sp__dual_carve_graph(w, pb, a);
     sp_arena rest = *a;
@@ -170,7 +170,7 @@ SP__APART static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, sp_
 }
 
 /* Bytes the symbolic step takes. */
-SP__APART static size_t sp__dual_scratch(const sp_problem *pb)
+SP__NOINLINE static size_t sp__dual_scratch(const sp_problem *pb)
 {
     sp__dual w;
     sp_arena dry = sp__arena_dry();
