@@ -69,7 +69,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
 #endif
         if (!status && w) sp__tour_keep(scene, w, found, c, &a);
     }
-    if (!status && w) status = sp__islands_judge(scene, w, c, &a);
+    if (!status && w) status = sp__islands_certify(scene, w, c, &a);
     if (status) return status;
     sp__check_close(scene, c);
     c->r.peak_bytes = arena->peak = a.peak;

@@ -104,14 +104,14 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
                 : open >= 0 ? r->part[open].coupling_reason : SP_COUPLING_LIMIT;
     if (refuted || open >= 0 || r->verdict != SP_STABLE) return SP_OK;
-    sp__judge j;
+    sp__certificate j;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-    if (!sp__judge_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    if (!sp__certificate_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
     for (int32_t i = 0; i < c->pb.blocks; i++)
         memcpy(c->state.y + 6 * (size_t)i, out->dq + 6 * (size_t)c->pb.block[i], 6 * sizeof *c->state.y);
-    r->omega = sp__judge_forces(&j, r->f, r->f);
-    out->residual = sp__judge_coupled(&j, &k, r->f, c->state.y, out->alpha);
-    const sp_cost cost = { SP__FLOPS_JUDGE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
+    r->omega = sp__certify_forces(&j, r->f, r->f);
+    out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
+    const sp_cost cost = { SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
     sp__cost_add(&out->cost, &cost);
     sp__cost_add(&r->cost, &cost);
     if (r->omega > r->tol || out->residual > 1) return SP_OK;
@@ -122,7 +122,7 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 #endif
 
 /* The evidence of all islands, judged on the whole. */
-SP__NOINLINE static sp_status sp__islands_judge(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     const int32_t *label = w->t.label, *row = w->t.row;
@@ -135,7 +135,7 @@ SP__NOINLINE static sp_status sp__islands_judge(const sp_scene *scene, const sp_
     a->used = w->start;                                                 /* the tables are no longer needed */
     sp_status status = sp__check_problem(c, a);
     const size_t mark = a->used;
-    if (!status && !sp__take(a, 1, sp__judge_need(&c->pb, &c->set))) status = SP_E_MEMORY;
+    if (!status && !sp__take(a, 1, sp__certificate_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
     r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
     if (!status && (worst->verdict != SP_STABLE || r->omega > SP__ENOUGH * r->tol))

@@ -22,23 +22,23 @@ static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
 
 /* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
  * Forces are judged unless a motion is claimed, and a motion unless forces are. */
-SP__NOINLINE static sp_verdict sp__check_judge(sp__judge *j, sp_state *state, sp_verdict claim, sp_result *r)
+SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
     const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     const int own = state->f != r->f;                   /* on a budget */
-    sp_real omega = sp__judge_forces(j, state->f, state->f);
+    sp_real omega = sp__certify_forces(j, state->f, state->f);
     if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
         sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
-        omega = sp__judge_forces(j, state->f, state->f);
+        omega = sp__certify_forces(j, state->f, state->f);
     }
     if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
     if (!own || omega < r->omega) r->omega = omega;
     if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
     if (claim == SP_STABLE) return SP_UNDECIDED;
-    const sp_real least = sp__judge_mechanism(j, state->dq, &final);
+    const sp_real least = sp__certify_mechanism(j, state->dq, &final);
     if (own && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
     if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r->dq);
@@ -71,12 +71,12 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
 SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
                                            sp_state *state, sp_arena *a, sp_result *r)
 {
-    sp__judge j;
+    sp__certificate j;
     const size_t mark = a->used;
-    if (!sp__judge_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
-    r->verdict = sp__check_judge(&j, state, claim, r);
+    if (!sp__certificate_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
+    r->verdict = sp__check_certify(&j, state, claim, r);
     a->used = mark;
-    state->cost.flops += SP__FLOPS_JUDGE * (int64_t)j.sweeps * pb->points;
+    state->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * pb->points;
     return SP_OK;
 }
 
@@ -95,7 +95,7 @@ SP__NOINLINE static sp_status sp__check_search(const sp_problem *pb, const sp_se
     sp_arena room = sp__work_open(set, a);
     sp__flat *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
-    state->left = sp__budget_left(set, r) - 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    state->left = sp__budget_left(set, r) - 10 * SP__FLOPS_CERTIFICATE * (int64_t)pb->points;
     if (state->left < 0 || !sp__flat_choose(pb, set, o)) return SP_OK;
     const sp_status status = sp__exact_search(pb, set, o, state, &room, &s->claim);
     s->plane = o->mode == SP__PLANE;
@@ -164,13 +164,13 @@ SP__NOINLINE static sp_status sp__check_stage(const sp_problem *pb, const sp_set
 {
     sp_verdict claim = SP_UNDECIDED;
     const int last = k + 1 == set->stage_count;
-    const int64_t left = sp__budget_left(set, r), judge = 10 * SP__FLOPS_JUDGE * (int64_t)pb->points;
+    const int64_t left = sp__budget_left(set, r), reserve = 10 * SP__FLOPS_CERTIFICATE * (int64_t)pb->points;
     memset(&state->cost, 0, sizeof state->cost);
-    if (left < judge) {
+    if (left < reserve) {
         r->reason = SP_REASON_BUDGET;
         return SP_OK;
     }
-    state->left = left - judge;
+    state->left = left - reserve;
     sp_arena room = sp__work_open(set, a);
     const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, &room, &claim);
     if (status) return status;

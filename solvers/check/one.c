@@ -61,7 +61,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     if (!c->pb.blocks) {
         out->verdict = SP_COUPLING_COUPLED;
         out->reason = SP_COUPLING_MOTION;
-    } else if (c->state.left >= 10 * SP__FLOPS_JUDGE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
+    } else if (c->state.left >= 10 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
         status = sp__coupled_run(&c->pb, &c->set, &c->state, a, r);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);

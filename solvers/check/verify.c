@@ -6,7 +6,7 @@
 
 #ifndef SP_NO_CRA
 /* Tables of islands, one as a scene of its own, and what judges it; `hint`: its share of y0. */
-typedef struct sp__part { sp__islands t; sp_problem pb; sp__judge j; sp_real *hint; } sp__part;
+typedef struct sp__part { sp__islands t; sp_problem pb; sp__certificate j; sp_real *hint; } sp__part;
 
 /* Bytes of that, at most: what is refuted has few vertices and blocks. */
 SP__NOINLINE static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
@@ -30,7 +30,7 @@ SP__NOINLINE static size_t sp__verify_part_need(const sp_scene *scene, const sp_
     sp__take(&dry, 1, sp_scene_memory(&n));
     sp__problem_carve(&pb, &dry);
     sp__take(&dry, (size_t)pb.blocks, 12 * sizeof(sp_real));
-    sp__take(&dry, 1, sp__judge_need(&pb, set));
+    sp__take(&dry, 1, sp__certificate_need(&pb, set));
     sp__take(&dry, 1, sp__refute_need(pb.points, pb.blocks));
     return dry.used;
 }
@@ -62,8 +62,8 @@ SP__NOINLINE static sp_status sp__verify_part(const sp_scene *scene, const sp_se
         for (size_t half = 0; half < 2; half++)
             memcpy(p->hint + 6 * (half * b + (size_t)p->t.rank[i] - 1), claim->y0 + 6 * (half * all + (size_t)p->t.row[i]),
                    6 * sizeof *p->hint);
-    if (!sp__judge_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
-    *margin = sp__judge_refuted(&p->j, k, &claim->coupled.proof, &a);
+    if (!sp__certificate_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
+    *margin = sp__certify_refutation(&p->j, k, &claim->coupled.proof, &a);
     return SP_OK;
 }
 #endif
@@ -82,7 +82,7 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
 #endif
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
-    sp__take(&dry, 1, sp__judge_need(&pb, &set));
+    sp__take(&dry, 1, sp__certificate_need(&pb, &set));
 #ifndef SP_NO_CRA
     const int32_t points = sp__points_count(scene);
     if (points <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(points, pb.blocks));
@@ -109,13 +109,13 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
-    sp__judge j;
+    sp__certificate j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
-    if (sp__failed(&scratch) || !sp__judge_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
+    if (sp__failed(&scratch) || !sp__certificate_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
-    e.omega = sp__judge_forces(&j, claim->f, NULL);
-    e.least_imbalance = sp__judge_mechanism(&j, dq, &e.final);
+    e.omega = sp__certify_forces(&j, claim->f, NULL);
+    e.least_imbalance = sp__certify_mechanism(&j, dq, &e.final);
     if (e.omega <= c->set.tol) e.verdict = SP_STABLE;
     else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
@@ -124,12 +124,12 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (triple) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
         sp__verify_motion(&c->pb, claim->coupled.dq, dq);
-        e.residual = sp__judge_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
+        e.residual = sp__certify_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
         if (e.level && e.residual <= 1) e.level = SP_COUPLED;
     }
     if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        if (!claim->coupled.proof.island) e.margin = sp__judge_refuted(&j, &k, &claim->coupled.proof, &scratch);
+        if (!claim->coupled.proof.island) e.margin = sp__certify_refutation(&j, &k, &claim->coupled.proof, &scratch);
         else status = sp__verify_part(scene, &c->set, &k, claim, room, &e.margin);
         if (status) return status;
         if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }

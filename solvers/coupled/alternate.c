@@ -433,7 +433,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
         }
 }
 
-/* Forces along the motion's slips where it presses, and the triple to the judge.     returns 1 when it is verified */
+/* Forces along the motion's slips where it presses, and the triple to the certificate check.     returns 1 when it is verified */
 static int sp__alt_offer(sp__alt *m)
 {
     sp__cra *c = m->c;

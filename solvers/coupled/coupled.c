@@ -8,13 +8,13 @@
 
 #if SP__WITH_COUPLED
 
-/* The motion of the free blocks into the scene's; where the judge takes spins off they stay off, also among other islands. */
+/* The motion of the free blocks into the scene's; where the certificate check takes spins off they stay off, also among other islands. */
 static void sp__cra_spread(const sp__cra *c)
 {
     const sp_problem *pb = c->pb;
     const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;
     for (int32_t i = 0; i < pb->blocks; i++) {
-        if (few) sp__judge_stop(&c->j, i, c->t.dq + 6 * (size_t)i);
+        if (few) sp__certificate_stop(&c->j, i, c->t.dq + 6 * (size_t)i);
         memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
     }
     memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
@@ -29,12 +29,12 @@ static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *omega)
     *omega = c->omega;
 }
 
-/* The judge's scales once more, from a hint or none. */
+/* Scales of the certificate check once more, from a hint or none. */
 static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 {
     const int32_t before = c->j.sweeps;
-    sp__judge_scales(&c->j, y0);
-    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)(c->j.sweeps - before) * c->pb->points;
+    sp__certificate_scales(&c->j, y0);
+    c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)(c->j.sweeps - before) * c->pb->points;
 }
 
 /* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
@@ -49,9 +49,9 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !slick || c->out->reason != SP_COUPLING_LIMIT) return status;
-    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
-    c->out->cost.flops += 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points;
+    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
     c->out->residual = c->residual;
     if (c->omega <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, omega);
     return SP_OK;
@@ -60,7 +60,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
 #ifndef SP_NO_PLAN
 /* The search in the plane, where one plane is a mirror of everything (section 11): motions in it that turn about its normal, 3
  * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
- * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose judge has the last
+ * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose check has the last
  * word.
  * From rest the search in space would stay in the plane by itself: energy, caps and drags are symmetric, so are Newton's steps.
  * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
@@ -116,7 +116,7 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
 static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_arena *a)
 {
     const int found = c->residual <= 1 || sp__cra_hang(c, *a);
-    c->out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
+    c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
 #ifndef SP_NO_PLAN
     const int plane = found ? 0 : sp__cra_plane(c, state->left, a);
     if (plane < 0) return SP_E_MEMORY;
@@ -150,7 +150,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp__triple_carve(&c->t, pb, a);
     sp__cra_carve(c, pb, set->localise, a);
     const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
-    if (!sp__judge_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
+    if (!sp__certificate_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -165,7 +165,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp__cra_rest(c, r->omega);
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
-    else out->cost.flops += SP__FLOPS_JUDGE * (int64_t)c->j.sweeps * pb->points;
+    else out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * pb->points;
     if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
         const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
         a->used = mark;

@@ -39,7 +39,7 @@ typedef struct sp__frame { int32_t vertex, state, child; } sp__frame;
 typedef struct sp__branch {
     const sp_problem *pb;
     const sp_settings *set;
-    const sp__judge *j;                 /* for the scales of blocks */
+    const sp__certificate *j;                 /* for the scales of blocks */
     sp__lengths k;
     sp__lp lp;
     int32_t points;                     /* V: vertices that take part */
@@ -433,7 +433,7 @@ static int32_t sp__branch_children(int32_t state, int32_t *first)
 /* Flops that the check of the proof takes: so far, and with a leaf more. */
 static int64_t sp__branch_check(const sp__branch *s)
 {
-    return 40 * ((int64_t)s->proof->entries + s->lp.n) + SP__FLOPS_JUDGE * ((int64_t)s->proof->leaves + 1) * s->points;
+    return 40 * ((int64_t)s->proof->entries + s->lp.n) + SP__FLOPS_CERTIFICATE * ((int64_t)s->proof->leaves + 1) * s->points;
 }
 
 typedef enum sp__outcome { SP__OUT_REFUTED, SP__OUT_POINT, SP__OUT_BUDGET } sp__outcome;
@@ -528,7 +528,7 @@ static void sp__branch_point(const sp__branch *s, const sp__triple *t)
 
 /* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL): gets
  * the point, if there is one; it is a triple where mu = 0. */
-SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__judge *j, const sp__lengths *k,
+SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__certificate *j, const sp__lengths *k,
                                              int64_t left, const sp__triple *t, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;
@@ -551,7 +551,7 @@ SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_s
     if (t && outcome == SP__OUT_POINT) sp__branch_point(s, t);
     out->cost.flops += s->lp.flops + (outcome == SP__OUT_REFUTED ? sp__branch_check(s) : 0);
     a->used = mark;
-    if (outcome == SP__OUT_REFUTED) out->margin = sp__judge_refuted(j, k, &out->proof, a);
+    if (outcome == SP__OUT_REFUTED) out->margin = sp__certify_refutation(j, k, &out->proof, a);
     a->used = mark;
     if (out->margin > 0) {
         out->verdict = SP_COUPLING_REFUTED;

@@ -189,7 +189,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
  *
  * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps and
  * eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the normal,
- * and else the judge tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
+ * and else the certificate check tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
  * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
  *   returns 1 when the triple is verified */
 SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
@@ -206,8 +206,8 @@ SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
         sp__plate_lay(c, &g, &p, s);
     }
     c->out->cost.flops += 240 * (int64_t)pb->points;
-    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     if (c->omega <= c->set->tol && c->residual <= 1) return 1;
     sp__cra_rest(c, omega);
     return 0;

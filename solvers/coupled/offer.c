@@ -88,9 +88,9 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
 #ifndef SP_NO_PLAN
     if (w->flat) sp__cra_lift(c);
 #endif
-    if (!sp__dual_pay(c->w, 2 * SP__FLOPS_JUDGE * (int64_t)c->pb->points)) return 0;
-    c->omega = sp__judge_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    if (!sp__dual_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
+    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->offered = 1;
     return c->omega <= c->set->tol && c->residual <= 1;
 }

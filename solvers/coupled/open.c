@@ -47,7 +47,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     sp__take(&dry, 1, sizeof *c);
     sp__triple_carve(&c->t, pb, &dry);
     sp__cra_carve(c, pb, set->localise, &dry);
-    sp__take(&dry, 1, sp__judge_need(pb, set));
+    sp__take(&dry, 1, sp__certificate_need(pb, set));
     sp_arena branch = dry;
     sp__take(&branch, 1, sp__branch_need(pb, set));
     sp__take(&dry, 1, dual);
@@ -62,7 +62,7 @@ static void sp__cra_rest(sp__cra *c, sp_real omega)
     memset(c->t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->t.dq);
     memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
     c->omega = omega;
-    c->residual = sp__judge_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
 }
 
 #endif

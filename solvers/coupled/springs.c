@@ -24,9 +24,9 @@ typedef struct sp__cra {
     const sp_problem *pb;
     const sp_settings *set;
     sp__lengths k;
-    sp__judge j;
+    sp__certificate j;
     sp__triple t;                       /* on offer */
-    sp_real omega, residual;            /* what the judge says of it */
+    sp_real omega, residual;            /* its residuals in the certificate check */
     int offered;                        /* there was one */
     sp_coupled *out;
     sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */

@@ -22,7 +22,7 @@ typedef struct sp__ends {
     int64_t limit;                      /* flops in all */
     sp_cost cost;
     int spent;                          /* a judgement did not fit */
-    sp__judge judge;                    /* the one at hand */
+    sp__certificate certificate;                    /* the one at hand */
 } sp__ends;
 
 /* dead, live, dq, whole, hint */
@@ -65,27 +65,27 @@ static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
     for (size_t k = 0; k < 2 * n && e->y0; k++) e->hint[k] = d * e->y0[k] + l * e->y0[2 * n + k];
 }
 
-/* A judge for d dead + l live, while ten sweeps and more are left of the budget; what it took is counted when it is closed. */
+/* A certificate check for d dead + l live, while ten sweeps and more are left of the budget; what it took is counted when it is closed. */
 static int sp__ends_open(sp__ends *e, sp_real d, sp_real l, sp_arena *room)
 {
-    const int64_t sweep = SP__FLOPS_JUDGE * (int64_t)e->pb.points, left = e->limit - e->cost.flops;
+    const int64_t sweep = SP__FLOPS_CERTIFICATE * (int64_t)e->pb.points, left = e->limit - e->cost.flops;
     const int64_t sweeps = sweep ? left / sweep - 8 : INT32_MAX;
     if (sweeps < 2) { e->spent = 1; return 0; }
     sp__ends_mix(e, d, l);
-    return sp__judge_open(&e->judge, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX,
+    return sp__certificate_open(&e->certificate, &e->pb, &e->set, e->y0 ? e->hint : NULL, sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX,
                           room);
 }
 
 SP__NOINLINE_SMALL static void sp__ends_close(sp__ends *e)
 {
-    e->cost.flops += SP__FLOPS_JUDGE * (int64_t)e->judge.sweeps * e->pb.points;
+    e->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)e->certificate.sweeps * e->pb.points;
 }
 
-/* Do these forces balance d dead + l live?     admitted: as sp__judge_forces */
+/* Do these forces balance d dead + l live?     admitted: as sp__certify_forces */
 SP__NOINLINE static int sp__ends_stand(sp__ends *e, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
 {
     if (!sp__ends_open(e, d, l, &room)) return 0;
-    e->omega = sp__judge_forces(&e->judge, f, admitted);
+    e->omega = sp__certify_forces(&e->certificate, f, admitted);
     sp__ends_close(e);
     return e->omega <= e->set.tol;
 }
@@ -105,11 +105,11 @@ SP__NOINLINE static int sp__ends_beyond(sp__ends *e, sp_arena room)
     sp__ends_mix(e, 1, 0);
     const sp_real dead = sp__load_unit(&e->pb);
     if (!sp__ends_open(e, 0, 1, &room)) return 0;
-    e->judge.set = &e->wide;
-    const int pushes = sp__judge_motion(&e->judge, e->dq, 0, &final) > 0;
+    e->certificate.set = &e->wide;
+    const int pushes = sp__certify_motion(&e->certificate, e->dq, 0, &final) > 0;
     sp__ends_close(e);
     if (pushes) return 1;
-    const sp_real ratio = sp__ratio(dead, e->judge.unit);
+    const sp_real ratio = sp__ratio(dead, e->certificate.unit);
     if (!final || (e->resist > 0 && !e->final)) return 0;
     return sp__ends_work(e, e->dead) - e->resist + e->set.force_bound * ratio * sp__ends_work(e, e->live) >= 0;
 }
@@ -121,22 +121,22 @@ SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, s
 {
     sp_arena again = room;
     if (!sp__ends_open(e, 1, lambda, &again)) return 0;
-    e->least = sp__judge_mechanism(&e->judge, e->dq, &e->final);
+    e->least = sp__certify_mechanism(&e->certificate, e->dq, &e->final);
     if (!(e->least > e->set.tol)) return 0;
-    if (all) sp__check_motion(&e->judge, all);
-    memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    if (all) sp__check_motion(&e->certificate, all);
+    memcpy(e->dq, e->certificate.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
     return !beyond || sp__ends_beyond(e, room);
 }
 #else
 /* The motion just judged into e->dq, and what joints with strength take of it. */
 static void sp__ends_keep(sp__ends *e)
 {
-    e->resist = sp__problem_strong(&e->pb) ? e->judge.resist * e->judge.unit : 0;
-    memcpy(e->dq, e->judge.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    e->resist = sp__problem_strong(&e->pb) ? e->certificate.resist * e->certificate.unit : 0;
+    memcpy(e->dq, e->certificate.x, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
     sp__ends_close(e);
 }
 
-/* Does e->dq fall at lambda, with smaller motions held as sp__judge_mechanism may, and if `beyond` at every larger one, too?
+/* Does e->dq fall at lambda, with smaller motions held as sp__certify_mechanism may, and if `beyond` at every larger one, too?
  * What moves in that proof stays in e->dq, and in `all` (may be NULL) as a result has it. */
 SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, sp_real *all, sp_arena room)
 {
@@ -146,11 +146,11 @@ SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, s
     memcpy(e->whole, e->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
         sp_arena again = room;
-        sp__judge *j = &e->judge;
+        sp__certificate *j = &e->certificate;
         int k = 0;
         if (!sp__ends_open(e, 1, lambda, &again)) return 0;
         if (pass == 0) {
-            for (k = 0; k < 6; k++) value[k] = sp__judge_motion(j, e->whole, sp__judge_rest[k], &final[k]);
+            for (k = 0; k < 6; k++) value[k] = sp__certify_motion(j, e->whole, sp__certify_rest[k], &final[k]);
             sp__ends_close(e);
             continue;
         }
@@ -159,7 +159,7 @@ SP__NOINLINE static int sp__ends_fall(sp__ends *e, sp_real lambda, int beyond, s
             if (proof && (!before || final[q] > final[k] || (final[q] == final[k] && value[q] > value[k]))) k = q;
         }
         if (!(value[k] > e->set.tol)) break;
-        e->least = sp__judge_motion(j, e->whole, sp__judge_rest[k], &e->final);
+        e->least = sp__certify_motion(j, e->whole, sp__certify_rest[k], &e->final);
         if (all) sp__check_motion(j, all);
         sp__ends_keep(e);
         if (!beyond || sp__ends_beyond(e, room)) return 1;
@@ -194,15 +194,15 @@ SP_API size_t sp_limit_verify_memory(const sp_scene *scene)
     if (!scene) return 0;
     sp_problem pb;
     sp_real *at[5];
-    sp__judge j;
+    sp__certificate j;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &pb);
     sp__take(&dry, 1, sizeof(sp__ends));
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp__ends_carve(at, pb.blocks, &dry);
-    sp_arena judge = sp__arena_dry();
-    sp__judge_carve(&j, &pb, SP__FACES_MAX, &judge);
-    sp__take(&dry, 1, judge.peak);
+    sp_arena certificate = sp__arena_dry();
+    sp__certificate_carve(&j, &pb, SP__FACES_MAX, &certificate);
+    sp__take(&dry, 1, certificate.peak);
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
@@ -221,7 +221,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     if (status) return status;
     e->y0 = claim->y0;
     sp_arena room = scratch;
-    sp__take(&room, 1, sp__judge_need(&e->pb, &e->set));
+    sp__take(&room, 1, sp__certificate_need(&e->pb, &e->set));
     if (sp__failed(&room)) return SP_E_MEMORY;
     *held = claim->kind != SP_LIMIT_UNDECIDED && sp__ends_hold(e, claim, scratch);
     return SP_OK;

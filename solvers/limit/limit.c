@@ -41,10 +41,10 @@ SP__NOINLINE static int sp__limit_run(sp__limit *L)
     return 0;
 }
 
-/* Flops that are left to the search: the judge of both ends wants some, too. */
+/* Flops that are left to the search: the certificate check of both ends needs some, too. */
 static int64_t sp__limit_left(const sp__ends *e)
 {
-    return e->limit - e->cost.flops - 80 * SP__FLOPS_JUDGE * (int64_t)e->pb.points;
+    return e->limit - e->cost.flops - 80 * SP__FLOPS_CERTIFICATE * (int64_t)e->pb.points;
 }
 
 /* L->flat, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
@@ -197,7 +197,7 @@ SP__NOINLINE static void sp__limit_endless(sp__limit *L, sp_arena room)
         int32_t final;
         sp_arena again = L->room;
         if (!sp__ends_open(e, 1, a * L->ref, &again)) return;
-        sp__judge_motion(&e->judge, e->dq, 0, &final);
+        sp__certify_motion(&e->certificate, e->dq, 0, &final);
         sp__ends_keep(e);
         L->best = a = sp__ends_work(e, e->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
     }
@@ -465,7 +465,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     sp_real *at[5];
     sp__ends_carve(at, pb->blocks, &dry);
     sp__limit_carve(L, scene, pb->blocks, &dry);
-    sp__take(&dry, 1, sp__judge_need(pb, &L->ends.set));
+    sp__take(&dry, 1, sp__certificate_need(pb, &L->ends.set));
     sp__take(&dry, 1, search);
     *bytes = dry.used;
     return SP_OK;
@@ -486,7 +486,7 @@ SP__NOINLINE static sp_status sp__limit_build(const sp_scene *scene, const sp_se
     const sp_status status = sp__ends_build(scene, settings, &L->ends, a);
     if (status) return status;
     sp__limit_carve(L, scene, count.blocks, a);
-    const size_t need = sp__judge_need(&L->ends.pb, &L->ends.set);
+    const size_t need = sp__certificate_need(&L->ends.pb, &L->ends.set);
     L->room.base = sp__take(a, 1, need);
     L->room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
     if (sp__failed(a)) return SP_E_MEMORY;

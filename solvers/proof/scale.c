@@ -32,9 +32,9 @@ typedef struct sp__scale {
 /* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
-#define SP__FLOPS_JUDGE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
+#define SP__FLOPS_CERTIFICATE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
 
-typedef struct sp__judge {
+typedef struct sp__certificate {
     const sp_problem *pb;
     const sp_settings *set;             /* tol and force_bound resolved */
     sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
@@ -47,9 +47,9 @@ typedef struct sp__judge {
     sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
     int32_t most;                       /* of them, for the scales */
-} sp__judge;
+} sp__certificate;
 
-static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, sp_arena *a)
+static void sp__certificate_carve(sp__certificate *j, const sp_problem *pb, int32_t faces, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
     j->pb = pb;
@@ -63,11 +63,11 @@ static void sp__judge_carve(sp__judge *j, const sp_problem *pb, int32_t faces, s
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
-SP__NOINLINE static size_t sp__judge_need(const sp_problem *pb, const sp_settings *set)
+SP__NOINLINE static size_t sp__certificate_need(const sp_problem *pb, const sp_settings *set)
 {
-    sp__judge j;
+    sp__certificate j;
     sp_arena dry = sp__arena_dry();
-    sp__judge_carve(&j, pb, set->faces, &dry);
+    sp__certificate_carve(&j, pb, set->faces, &dry);
     return dry.peak;
 }
 
@@ -105,13 +105,13 @@ static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t 
 }
 
 /* The load of free block i in units. */
-static void sp__judge_load(const sp__judge *j, int32_t i, sp_real p[6])
+static void sp__certificate_load(const sp__certificate *j, int32_t i, sp_real p[6])
 {
     for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
 }
 
 /* r = p, q = 0: where balances and their sums start. */
-static void sp__judge_start(sp__judge *j)
+static void sp__certificate_start(sp__certificate *j)
 {
     for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
         j->r[k] = j->pb->p[k] / j->unit;
@@ -121,14 +121,14 @@ static void sp__judge_start(sp__judge *j)
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
  * not depend on units or axes. */
-static void sp__judge_weights(sp__judge *j)
+static void sp__certificate_weights(sp__certificate *j)
 {
     const sp_problem *pb = j->pb;
     j->total = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         sp_real p[6];
-        sp__judge_load(j, i, p);
+        sp__certificate_load(j, i, p);
         s->load = sp__norm3(p);
         s->couple = sp__norm3(p + 3);
         s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
@@ -157,7 +157,7 @@ static void sp__judge_weights(sp__judge *j)
 }
 
 /* row <- W row, held rows to zero. */
-static void sp__judge_weigh(const sp__judge *j, sp_real *row)
+static void sp__certificate_weigh(const sp__certificate *j, sp_real *row)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *w = row + 6 * (size_t)i;
@@ -167,7 +167,7 @@ static void sp__judge_weigh(const sp__judge *j, sp_real *row)
 }
 
 /* out = W Aeq Aeq' W in; Aeq Aeq' needs no frames because a vertex's three forces are orthonormal. */
-static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
+static void sp__certificate_normal(sp__certificate *j, const sp_real *in, sp_real *out)
 {
     const sp_problem *pb = j->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
@@ -179,18 +179,18 @@ static void sp__judge_normal(sp__judge *j, const sp_real *in, sp_real *out)
             sp__vertex_force(pb, t, v, u, out, NULL);
         }
     }
-    sp__judge_weigh(j, out);
+    sp__certificate_weigh(j, out);
     j->sweeps++;
 }
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
  * is small, or as small as it can be (G times it vanishes), or without progress: rounding holds both over as many steps as news
  * takes along half the blocks.                                                                                    [Stiefel 1955] */
-SP__NOINLINE static void sp__judge_solve(sp__judge *j, sp_real *to)
+SP__NOINLINE static void sp__certificate_solve(sp__certificate *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
-    sp__judge_normal(j, j->r, j->g);
+    sp__certificate_normal(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
     sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
@@ -205,7 +205,7 @@ SP__NOINLINE static void sp__judge_solve(sp__judge *j, sp_real *to)
         const sp_real alpha = rg / qq;
         sp__add(to, 1, alpha, j->p, n);
         sp__add(j->r, 1, -alpha, j->q, n);
-        sp__judge_normal(j, j->r, j->g);
+        sp__certificate_normal(j, j->r, j->g);
         const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
         sp__add(j->p, beta, 1, j->r, n);
         sp__add(j->q, beta, 1, j->g, n);
@@ -223,11 +223,11 @@ static int sp__scale_known(const sp_real r[6], sp_real load, sp_real f0, sp_real
 
 /* f0 = Aeq' W (x + e), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's potential is not lost in
  * rounding. j->r = Aeq f0 + p; every block's sums, and whether they are its scale.     returns how many blocks are not known */
-static int32_t sp__judge_sums(sp__judge *j)
+static int32_t sp__certificate_sums(sp__certificate *j)
 {
     const sp_problem *pb = j->pb;
     int32_t unknown = 0;
-    sp__judge_start(j);
+    sp__certificate_start(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -251,7 +251,7 @@ static int32_t sp__judge_sums(sp__judge *j)
 }
 
 /* One of the two parts of a hint y0 = W x into `to`; what is no number counts as none. */
-static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
+static void sp__certificate_hint(const sp__certificate *j, const sp_real *y0, sp_real *to)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *x = to + 6 * (size_t)i;
@@ -266,7 +266,7 @@ static void sp__judge_hint(const sp__judge *j, const sp_real *y0, sp_real *to)
 
 /* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
  * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
-static int sp__judge_optimal(sp__judge *j, int last)
+static int sp__certificate_optimal(sp__certificate *j, int last)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     sp_real sum = 0;
@@ -275,7 +275,7 @@ static int sp__judge_optimal(sp__judge *j, int last)
         const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
         sum += f * f + m * m;
     }
-    sp__judge_normal(j, j->r, j->g);
+    sp__certificate_normal(j, j->r, j->g);
     const sp_real gg = sp__dot(j->g, j->g, n);
     return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
         || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
@@ -283,26 +283,26 @@ static int sp__judge_optimal(sp__judge *j, int last)
 
 /* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
  * its residual goes, else by our own solve, corrected twice.     returns 0 when neither settled */
-static int sp__judge_bilateral(sp__judge *j, const sp_real *y0)
+static int sp__certificate_bilateral(sp__certificate *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     for (int own = !y0; own < 2; own++) {
-        sp__judge_hint(j, own ? NULL : y0, j->x);
-        sp__judge_hint(j, own ? NULL : y0 + n, j->e);
+        sp__certificate_hint(j, own ? NULL : y0, j->x);
+        sp__certificate_hint(j, own ? NULL : y0 + n, j->e);
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
-            if (!sp__judge_sums(j)) return 1;
-            sp__judge_weigh(j, j->r);
-            if ((round || !own) && sp__judge_optimal(j, round == 3)) return 1;
+            if (!sp__certificate_sums(j)) return 1;
+            sp__certificate_weigh(j, j->r);
+            if ((round || !own) && sp__certificate_optimal(j, round == 3)) return 1;
             if (!own || round == 3 || j->sweeps + 2 > j->most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
-            sp__judge_solve(j, round ? j->e : j->x);
+            sp__certificate_solve(j, round ? j->e : j->x);
         }
     }
     return 0;
 }
 
 /* |couple| + m + 16 u sbar max |r_v - c| / tol. */
-static sp_real sp__scale_couple(const sp__judge *j, const sp__scale *s, sp_real m)
+static sp_real sp__scale_couple(const sp__certificate *j, const sp__scale *s, sp_real m)
 {
     return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
 }
@@ -311,10 +311,10 @@ static sp_real sp__scale_couple(const sp__judge *j, const sp__scale *s, sp_real 
  * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
  * thousand times all loads, more than what a bilateral force comes to. With j->most = 0 the loads alone, f0 = 0: no scale is
  * larger than the true one, so forces that pass by these pass by those. */
-static void sp__judge_scales(sp__judge *j, const sp_real *y0)
+static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
 {
-    sp__judge_weights(j);
-    const int settled = j->most ? sp__judge_bilateral(j, y0) : 1;
+    sp__certificate_weights(j);
+    const int settled = j->most ? sp__certificate_bilateral(j, y0) : 1;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         if (!j->most) s->known = 1;
@@ -330,13 +330,13 @@ static void sp__judge_scales(sp__judge *j, const sp_real *y0)
 }
 
 /* c_v of the vertices of a contact. */
-static sp_real sp__judge_cap(const sp__judge *j, const sp_contact *t)
+static sp_real sp__certificate_cap(const sp__certificate *j, const sp_contact *t)
 {
     return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
 }
 
 /* Strength of a vertex in units; none where the joint has none. */
-static sp__strength sp__judge_strength(const sp__judge *j, const sp_contact *t)
+static sp__strength sp__certificate_strength(const sp__certificate *j, const sp_contact *t)
 {
     const sp__strength none = { 0, 0, SP__HUGE };
     if (!SP__HAS_STRENGTH || !sp__contact_strong(j->pb, t)) return none;

@@ -7,7 +7,7 @@
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension beyond strength, no more than the cap (K_v is
  * convex and holds 0, so a shortened force stays in it). out may be f. */
-static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
+static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -18,7 +18,7 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
         const sp_real s = d[0] * f[1] + d[1] * f[2];
         if (s > most) most = s;
     }
-    const sp__strength k = sp__judge_strength(j, t);
+    const sp__strength k = sp__certificate_strength(j, t);
     const sp_real fn = f[0] > k.N ? k.N : f[0] > -k.T ? f[0] : -k.T, room = sp__max(0, k.C + mu * fn);
     const sp_real share = most > room ? room / most : 1;
     out[0] = fn;
@@ -30,17 +30,17 @@ static void sp__judge_admit(const sp__judge *j, const sp_contact *t, const sp_re
 
 /* omega of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
  * S_i likewise. `admitted` (may be NULL) gets the forces that were judged, 3 x points. */
-SP__NOINLINE static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_real *admitted)
+SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
-    sp__judge_start(j);
+    sp__certificate_start(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        j->cap = sp__judge_cap(j, t);
+        j->cap = sp__certificate_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
             for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
-            sp__judge_admit(j, t, g, g);
+            sp__certificate_admit(j, t, g, g);
             sp__joint_force(t->joint, g, F);
             sp__vertex_force(pb, t, v, F, j->r, j->q);
             if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
@@ -60,7 +60,7 @@ SP__NOINLINE static sp_real sp__judge_forces(sp__judge *j, const sp_real *f, sp_
 }
 
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
-SP__NOINLINE static sp_real sp__judge_resist(const sp__judge *j, const sp_contact *t, const sp_real u[3])
+SP__NOINLINE static sp_real sp__certificate_resist(const sp__certificate *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -91,11 +91,11 @@ SP__NOINLINE static sp_real sp__judge_resist(const sp__judge *j, const sp_contac
  *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
  *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
-SP__NOINLINE static sp_real sp__judge_support(const sp__judge *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
+SP__NOINLINE static sp_real sp__certificate_support(const sp__certificate *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
                                            int *capped)
 {
     const sp_real mu = t->joint->joint.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
-    const sp__strength k = sp__judge_strength(j, t);
+    const sp__strength k = sp__certificate_strength(j, t);
     sp_real a = j->set->faces ? 0 : SP_SQRT(u[1] * u[1] + u[2] * u[2]);
     for (int32_t q = 0; q < j->set->faces; q++) {
         const sp_real *d = j->direction[q];
@@ -108,19 +108,19 @@ SP__NOINLINE static sp_real sp__judge_support(const sp__judge *j, const sp_conta
 }
 
 /* Longest arm of block i to a joint; where nothing touches it 1, for it may turn. */
-static sp_real sp__judge_arm(const sp__judge *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
+static sp_real sp__certificate_arm(const sp__certificate *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
 
 /* Largest displacement of a joint of block i. */
-static sp_real sp__judge_moved(const sp__judge *j, int32_t i)
+static sp_real sp__certificate_moved(const sp__certificate *j, int32_t i)
 {
     if (i < 0) return 0;
     const sp_real *m = j->x + 6 * (size_t)i;
-    return sp__norm3(m) + sp__norm3(m + 3) * sp__judge_arm(j, i);
+    return sp__norm3(m) + sp__norm3(m + 3) * sp__certificate_arm(j, i);
 }
 
 /* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
  * held.     returns how many are; -1: nothing moves */
-SP__NOINLINE static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_real rest)
+SP__NOINLINE static int32_t sp__certificate_hold(sp__certificate *j, const sp_real *dq, sp_real rest)
 {
     sp_real largest = 0;
     int32_t held = 0;
@@ -129,7 +129,7 @@ SP__NOINLINE static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_r
             sp_real *m = j->x + 6 * (size_t)i;
             for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
             sp__release(j->pb, i, m);
-            const sp_real size = sp__judge_moved(j, i);
+            const sp_real size = sp__certificate_moved(j, i);
             if (!pass) largest = sp__max(largest, size);
             else if (size <= rest) { memset(m, 0, 6 * sizeof *m); held++; }
         }
@@ -139,13 +139,13 @@ SP__NOINLINE static int32_t sp__judge_hold(sp__judge *j, const sp_real *dq, sp_r
 }
 
 /* load . x, and the same of the scales. */
-SP__NOINLINE static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
+SP__NOINLINE static sp_real sp__certificate_work(const sp__certificate *j, sp_real *scale)
 {
     sp_real work = 0, p[6];
     *scale = 0;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
-        sp__judge_load(j, i, p);
+        sp__certificate_load(j, i, p);
         work += sp__dot(p, m, 6);
         *scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
     }
@@ -156,25 +156,25 @@ SP__NOINLINE static sp_real sp__judge_work(const sp__judge *j, sp_real *scale)
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
  * The held motion is left in j->x. */
-SP__NOINLINE static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp_real rest, int32_t *final)
+SP__NOINLINE static sp_real sp__certify_motion(sp__certificate *j, const sp_real *dq, sp_real rest, int32_t *final)
 {
     const sp_problem *pb = j->pb;
     *final = 0;
     j->resist = 0;
-    if (sp__judge_hold(j, dq, rest) < 0) return 0;
+    if (sp__certificate_hold(j, dq, rest) < 0) return 0;
     sp_real scale, resist = 0;
-    const sp_real work = sp__judge_work(j, &scale);
+    const sp_real work = sp__certificate_work(j, &scale);
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real cap = sp__judge_cap(j, t), moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
+        const sp_real cap = sp__certificate_cap(j, t), moved = sp__certificate_moved(j, t->a) + sp__certificate_moved(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];
             sp__vertex_velocity(pb, NULL, t, v, j->x, w);
             sp__joint_frame(t->joint, w, w);
-            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__judge_resist(j, t, u);
+            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certificate_resist(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
-            resist += SP__HAS_STRENGTH && sp__contact_strong(pb, t) ? sp__judge_support(j, t, u, P, cap, &capped) : cap * P;
+            resist += SP__HAS_STRENGTH && sp__contact_strong(pb, t) ? sp__certificate_support(j, t, u, P, cap, &capped) : cap * P;
             if (capped) *final = 0;
         }
     }
@@ -185,27 +185,27 @@ SP__NOINLINE static sp_real sp__judge_motion(sp__judge *j, const sp_real *dq, sp
 }
 
 /* Shares of the largest motion below which blocks are held. */
-static const sp_real sp__judge_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
+static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
-static sp_real sp__judge_mechanism(sp__judge *j, const sp_real *dq, int32_t *final)
+static sp_real sp__certify_mechanism(sp__certificate *j, const sp_real *dq, int32_t *final)
 {
     sp_real best = -1, held = 0, value = -1;
     int32_t sure = 0, last = 0, before = -2;
     for (int k = 0; k < 6; k++) {
-        const int32_t still = sp__judge_hold(j, dq, sp__judge_rest[k]);
+        const int32_t still = sp__certificate_hold(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
-        value = sp__judge_motion(j, dq, sp__judge_rest[k], final);
+        value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
         *final &= value > j->set->tol;
         last = *final > sure || (*final == sure && value > best);
-        if (last) { best = value; held = sp__judge_rest[k]; sure = *final; }
+        if (last) { best = value; held = sp__certify_rest[k]; sure = *final; }
     }
-    return last ? value : sp__judge_motion(j, dq, held, final);
+    return last ? value : sp__certify_motion(j, dq, held, final);
 }
 
 /* Units, friction cone and its directions. */
-static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings *set)
+static void sp__certificate_cone(sp__certificate *j, const sp_problem *pb, const sp_settings *set)
 {
     j->unit = sp__load_unit(pb);
     j->set = set;
@@ -219,38 +219,38 @@ static void sp__judge_cone(sp__judge *j, const sp_problem *pb, const sp_settings
     for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
 }
 
-/* Set up a judge in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
+/* Set up a certificate check in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
  *     returns 0 when the arena is too small */
-SP__NOINLINE static int sp__judge_open(sp__judge *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
+SP__NOINLINE static int sp__certificate_open(sp__certificate *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
                                     sp_arena *a)
 {
-    sp__judge_carve(j, pb, set->faces, a);
+    sp__certificate_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
-    sp__judge_cone(j, pb, set);
+    sp__certificate_cone(j, pb, set);
     j->most = most;
-    sp__judge_scales(j, y0);
+    sp__certificate_scales(j, y0);
     return 1;
 }
 
 #ifndef SP_SMALL
-/* Sweeps the judge may take for the scales out of so many flops. */
+/* Sweeps the certificate check may take for the scales out of so many flops. */
 static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
 {
     if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
-    const int64_t sweeps = flops / (SP__FLOPS_JUDGE * (int64_t)pb->points) - 8;
+    const int64_t sweeps = flops / (SP__FLOPS_CERTIFICATE * (int64_t)pb->points) - 8;
     return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
 }
 #endif
 
-/* The judge's motion into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
-static void sp__check_motion(const sp__judge *j, sp_real *dq)
+/* The motion of the check into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
+static void sp__check_motion(const sp__certificate *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
     sp_real largest = 0, block = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
         block = sp__max(block, j->scale[i].arm);
-        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__judge_arm(j, i)));
+        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certificate_arm(j, i)));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
     memset(dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *dq);

@@ -61,7 +61,7 @@ static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *
 }
 
 /* dd of vertex v of contact t in its frame, for the motion j->x. */
-static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, sp_real d[3])
+static void sp__certificate_rate(const sp__certificate *j, const sp_contact *t, int32_t v, sp_real d[3])
 {
     sp_real w[3];
     sp__vertex_velocity(j->pb, NULL, t, v, j->x, w);
@@ -70,7 +70,7 @@ static void sp__judge_rate(const sp__judge *j, const sp_contact *t, int32_t v, s
 
 /* The spin of block i about the line through all its contact points, if they lie on one: it moves no contact, so motions are
  * judged without it, and proofs need not bound it. In weighted rows z = dq / W, |k| = 1.     returns 0: there is none */
-SP__NOINLINE static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[6])
+SP__NOINLINE static int sp__certificate_spin(const sp__certificate *j, int32_t i, sp_real k[6])
 {
     const sp_problem *pb = j->pb;
     sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, far = 0;
@@ -105,10 +105,10 @@ SP__NOINLINE static int sp__judge_spin(const sp__judge *j, int32_t i, sp_real k[
 }
 
 /* dq of block i without that spin; twice, for what rounding leaves of a fast one. */
-static void sp__judge_stop(const sp__judge *j, int32_t i, sp_real *dq)
+static void sp__certificate_stop(const sp__certificate *j, int32_t i, sp_real *dq)
 {
     sp_real k[6];
-    if (!sp__judge_spin(j, i, k)) return;
+    if (!sp__certificate_spin(j, i, k)) return;
     for (int round = 0; round < 2; round++) {
         sp_real along = 0;
         for (int q = 0; q < 6; q++) along += k[q] * dq[q] / (q < 3 ? j->scale[i].wf : j->scale[i].wm);
@@ -137,7 +137,7 @@ static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f
 }
 
 /* Residual of a triple: f (3 x points), dq (6b), alpha (points).                                       [Kao 2022, Eqs. 8-10] */
-SP__NOINLINE static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
+SP__NOINLINE static sp_real sp__certify_coupled(sp__certificate *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
                                            const sp_real *alpha)
 {
     const sp_problem *pb = j->pb;
@@ -145,19 +145,19 @@ SP__NOINLINE static sp_real sp__judge_coupled(sp__judge *j, const sp__lengths *k
     for (int32_t i = 0; i < pb->blocks; i++) {
         for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
         sp__release(pb, i, j->x + 6 * (size_t)i);
-        if (few) sp__judge_stop(j, i, j->x + 6 * (size_t)i);
+        if (few) sp__certificate_stop(j, i, j->x + 6 * (size_t)i);
     }
     sp_real worst = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real moved = sp__judge_moved(j, t->a) + sp__judge_moved(j, t->b);
+        const sp_real moved = sp__certificate_moved(j, t->a) + sp__certificate_moved(j, t->b);
         const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
-        j->cap = sp__judge_cap(j, t);
+        j->cap = sp__certificate_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], d[3];
             for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;
-            sp__judge_admit(j, t, g, g);
-            sp__judge_rate(j, t, v, d);
+            sp__certificate_admit(j, t, g, g);
+            sp__certificate_rate(j, t, v, d);
             worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
         }
     }

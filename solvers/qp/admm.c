@@ -102,7 +102,7 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     const int last = w->iterations >= w->set.iterations;
     const int32_t k = w->iterations / 100;
     sp__qp_unscale(w);
-    sp__qp_judge(w, w->z);
+    sp__qp_residuals(w, w->z);
     const sp_real off = w->off;
     if (!(off < SP__NEVER)) {
         memcpy(w->x, w->xc, (size_t)w->qp.n * sizeof *w->x);            /* back to the one before */
@@ -130,16 +130,16 @@ static void sp__qp_mend(sp_real *v, int32_t n)
         if (!sp__finite(v[k])) v[k] = 0;
 }
 
-static sp_real sp__qp_told(sp_real x) { return sp__finite(x) ? x : SP__NEVER; }
+static sp_real sp__qp_finite(sp_real x) { return sp__finite(x) ? x : SP__NEVER; }
 
 static void sp__qp_tell(const sp__qp *w, sp_qp_result *out)
 {
     out->x = w->X;
     out->y = w->Y;
-    out->objective = sp__qp_told(w->objective);
-    out->primal = sp__qp_told(w->primal);
-    out->dual = sp__qp_told(w->dual);
-    out->gap = sp__qp_told(w->gap);
+    out->objective = sp__qp_finite(w->objective);
+    out->primal = sp__qp_finite(w->primal);
+    out->dual = sp__qp_finite(w->dual);
+    out->gap = sp__qp_finite(w->gap);
     out->rho = w->rho;
     out->iterations = w->iterations;
     out->factorisations = w->factorisations;
@@ -155,7 +155,7 @@ static void sp__qp_report(sp__qp *w, sp_qp_result *out)
         sp__qp_unscale(w);
         sp__qp_mend(w->X, w->qp.n);
         sp__qp_mend(w->Y, w->qp.m);
-        sp__qp_judge(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
+        sp__qp_residuals(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
     }
     sp__qp_tell(w, out);
 }

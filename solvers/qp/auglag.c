@@ -122,7 +122,7 @@ static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
     if (!(g->best < SP__NEVER)) return 0;
     for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = w->x[j];
     for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = w->y[i];
-    sp__qp_judge(w, NULL);
+    sp__qp_residuals(w, NULL);
     return 1;
 }
 
@@ -130,7 +130,7 @@ static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
  * the violation does not shrink by itself. */
 static int sp__auglag_round(sp__qp *w, sp__auglag *g, sp_real off)
 {
-    sp__qp_judge(w, NULL);
+    sp__qp_residuals(w, NULL);
     if (!(w->off < SP__NEVER)) return 1;
     if (w->off <= off && w->off < (sp_real)0.5 * g->best) {
         sp__auglag_keep(w);
@@ -152,7 +152,7 @@ static int sp__auglag_round(sp__qp *w, sp__auglag *g, sp_real off)
 static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
 {
     sp__auglag_sides(w, g);
-    sp__qp_judge(w, NULL);
+    sp__qp_residuals(w, NULL);
     if (!(w->off < (sp_real)0.1 * before)) return;
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j] / w->D[j];
     for (int32_t i = 0; i < w->qp.m; i++) {

@@ -156,7 +156,7 @@ static int sp__proof_direction(sp_real *v, int32_t n)
     return 1;
 }
 
-static sp_real sp__proof_judge(sp__qp *w, int primal) { return primal ? sp__proof_primal(w) : sp__proof_dual(w); }
+static sp_real sp__proof_measure(sp__qp *w, int primal) { return primal ? sp__proof_primal(w) : sp__proof_dual(w); }
 
 /* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
  * Its radius if it counts, else 0. */
@@ -170,12 +170,12 @@ SP__NOINLINE static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
     if (!sp__proof_direction(v, size)) return 0;
     const sp_real far = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
     const sp_real least = sp__max(far, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
-    sp_real radius = sp__proof_judge(w, primal);
+    sp_real radius = sp__proof_measure(w, primal);
 #ifndef SP_QP_NO_POLISH
     if (hard && radius > (sp_real)1 && !(radius > least)) {
         if (primal) sp__proof_sharpen_y(w);
         else sp__proof_sharpen_x(w);
-        radius = sp__proof_direction(v, size) ? sp__proof_judge(w, primal) : (sp_real)0;
+        radius = sp__proof_direction(v, size) ? sp__proof_measure(w, primal) : (sp_real)0;
     }
 #else
     (void)hard;

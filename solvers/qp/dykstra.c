@@ -80,7 +80,7 @@ static sp_qp_status sp__dykstra_run(sp__qp *w)
     for (int32_t i = 0; i < qp->m; i++) w->Y[i] = 0;
     for (;;) {
         sp__dykstra_round(w);
-        sp__qp_judge(w, NULL);
+        sp__qp_residuals(w, NULL);
         if (!(w->off < SP__NEVER)) return SP_QP_NUMERICAL;
         const int last = w->iterations >= SP__DYKSTRA_ROUNDS || w->iterations >= w->set.iterations;
         if (w->off <= (last ? (sp_real)1 : (sp_real)0.1)) return SP_QP_SOLVED;
@@ -103,7 +103,7 @@ static sp_status sp__dykstra_solve(void *self, const sp_qp *qp, const sp_qp_sett
     if (result->status == SP_QP_NUMERICAL) {
         memset(w->X, 0, (size_t)qp->n * sizeof *w->X);
         memset(w->Y, 0, (size_t)qp->m * sizeof *w->Y);
-        sp__qp_judge(w, NULL);
+        sp__qp_residuals(w, NULL);
     }
     sp__qp_tell(w, result);
     return SP_OK;
@@ -247,7 +247,7 @@ static void sp__dykstra_round(sp__dykstra *w)
 }
 
 /* Residuals of x, y on the data; returns the larger in units of its tolerance.                                [seed 4.2] */
-static sp_real sp__dykstra_judge(sp__dykstra *w, const sp_qp_settings *set, sp_qp_result *out)
+static sp_real sp__dykstra_residuals(sp__dykstra *w, const sp_qp_settings *set, sp_qp_result *out)
 {
     const sp_qp *qp = w->qp;
     sp_real rows = 0, columns = 0, price = 0, moved = 0, terms, xPx = 0, qx = 0;
@@ -294,7 +294,7 @@ static sp_qp_status sp__dykstra_run(sp__dykstra *w, const sp_qp_settings *set, s
         const int last = out->iterations >= SP__DYKSTRA_ROUNDS || out->iterations >= set->iterations;
         const int spent = set->budget > 0 && w->flops >= set->budget;
         if (!rests && !last && !spent) continue;
-        const sp_real off = sp__dykstra_judge(w, set, out);
+        const sp_real off = sp__dykstra_residuals(w, set, out);
         if (off >= SP__NEVER) return SP_QP_NUMERICAL;
         if (rests && off <= (sp_real)1) return SP_QP_SOLVED;
         if (last || spent) return off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
@@ -322,7 +322,7 @@ static sp_status sp__dykstra_solve(void *self, const sp_qp *qp, const sp_qp_sett
     const int64_t e = sp__dykstra_equations(qp);
     w->round = 8 * (int64_t)sp__qp_a0(qp, qp->n) + 8 * (int64_t)qp->m + 2 * e * e + 2 * (int64_t)qp->n;
     if (known && sp__dykstra_factor(w)) result->status = sp__dykstra_run(w, settings, result);
-    if (!known || !(sp__dykstra_judge(w, settings, result) < SP__NEVER)) {
+    if (!known || !(sp__dykstra_residuals(w, settings, result) < SP__NEVER)) {
         memset(w->x, 0, (size_t)qp->n * sizeof *w->x);
         memset(w->y, 0, (size_t)qp->m * sizeof *w->y);
         result->objective = result->primal = result->dual = result->gap = 0;

@@ -229,7 +229,7 @@ static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
  *
  * so near the solution |f(x) - f*| <= gap = max(|y|'|r|, |x'Px + q'x + u'y+ + l'y-| + |x|'|s|). Where terms cancel rounding may
  * hide a residual: u times their sizes counts as one. The right-hand side b is scratch. */
-SP__NOINLINE static void sp__qp_judge(sp__qp *w, const sp_real *z)
+SP__NOINLINE static void sp__qp_residuals(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
     sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;

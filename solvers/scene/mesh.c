@@ -136,7 +136,7 @@ SP__NOINLINE static sp_status sp__solid_face(sp__solid *t, const sp__local *l, c
 /* Is 6V more than error? Coordinates good to e leave the volume of a surface A uncertain by e A, and rounding here acts as if
  * the corners had moved by u d; measured on flat bodies of all shapes and places: `least` / `sure` at most. So a body
  * that passes has its volume to a percent in double; float takes what can be told from flat at all, plates of 1e-6 among it. */
-static sp_status sp__solid_judge(const sp__solid *t, const sp__local *l)
+static sp_status sp__solid_status(const sp__solid *t, const sp__local *l)
 {
 #ifdef SP_REAL_FLOAT
     const sp_real sure = (sp_real)1;
@@ -163,7 +163,7 @@ static sp_status sp__mesh_measure(const sp_mesh *mesh, int32_t corners, sp_mass 
         if (status) return status;
     }
     if (!sp__mesh_closed(mesh)) return SP_E_OPEN;
-    const sp_status status = sp__solid_judge(&t, &l);
+    const sp_status status = sp__solid_status(&t, &l);
     if (status) return status;
     for (int c = 0; c < 3; c++) mass->centroid[c] = l.o[c] + l.s * (mass->centroid[c] / (4 * mass->volume));
     mass->volume = mass->volume / 6 * l.s * l.s * l.s;

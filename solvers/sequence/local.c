@@ -107,9 +107,9 @@ SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 sp_real F[3], m[3];
                 sp__stone_force(q, t, b, v, F, m);
-                for (int c = 0; c < 3; c++) { p[c] += q->judge.unit * F[c]; p[3 + c] += q->judge.unit * m[c]; }
-                size[0] += q->judge.unit * sp__norm3(F);
-                size[1] += q->judge.unit * sp__norm3(m);
+                for (int c = 0; c < 3; c++) { p[c] += q->certificate.unit * F[c]; p[3 + c] += q->certificate.unit * m[c]; }
+                size[0] += q->certificate.unit * sp__norm3(F);
+                size[1] += q->certificate.unit * sp__norm3(m);
             }
             q->cost.flops += 76 * (int64_t)t->points;
         }
@@ -125,12 +125,12 @@ SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
     for (int32_t k = 0; k < q->part.count.interfaces; k++) {
         const sp_interface *from = &q->part.interface[k];
         const sp_contact *t = &q->pb.contact[q->part_joint[k]];
-        q->judge.cap = q->set.force_bound * sp__stone_load(q, t);
+        q->certificate.cap = q->set.force_bound * sp__stone_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->point + v), g[3];
-            sp__scale3(1 / q->judge.unit, c->state.f + 3 * (size_t)(from->point + v), g);
-            sp__judge_admit(&q->judge, t, g, g);
-            sp__scale3(q->judge.unit, g, f);
+            sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(from->point + v), g);
+            sp__certificate_admit(&q->certificate, t, g, g);
+            sp__scale3(q->certificate.unit, g, f);
         }
     }
     for (int32_t k = 0; k < q->members; k++) {

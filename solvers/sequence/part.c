@@ -100,7 +100,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp__check **c)
 static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
 {
     const sp_interface *j = t->joint;
-    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->judge.unit;
+    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certificate.unit;
     sp_real arm[3];
     for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);
     sp__arm(&q->pb, q->row[b], v, arm);
@@ -115,7 +115,7 @@ static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
         const int32_t b = side ? t->joint->b : t->joint->a;
         sp_real p[6];
         if (!sp__loose(q, b)) continue;
-        sp__judge_load(&q->judge, q->row[b], p);
+        sp__certificate_load(&q->certificate, q->row[b], p);
         const sp_real load = sp__norm3(p);
         if (load < least) least = load;
     }
@@ -128,7 +128,7 @@ SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
     sp__stone *s = &q->stone[b];
     sp_real r[6], m1 = 0;
     int large = 0;
-    sp__judge_load(&q->judge, q->row[b], r);
+    sp__certificate_load(&q->certificate, q->row[b], r);
     const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];

@@ -49,7 +49,7 @@ struct sp_sequence {
     const sp_scene *scene;
     sp_settings set;
     sp_problem pb;                      /* of the finished scene, all blocks there */
-    sp__judge judge;                    /* its units and cone */
+    sp__certificate certificate;                    /* its units and cone */
     sp_scene part;
     int32_t members;                    /* free blocks of the part, which come first */
     sp__stone *stone, *stone_kept;      /* per block */
@@ -91,7 +91,7 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->f_kept = sp__take(a, v, 3 * sizeof *q->f_kept);
     q->dq = sp__take(a, n, 6 * sizeof *q->dq);
     q->dq_kept = sp__take(a, n, 6 * sizeof *q->dq_kept);
-    q->judge.direction = sp__take(a, 64, sizeof *q->judge.direction);
+    q->certificate.direction = sp__take(a, 64, sizeof *q->certificate.direction);
     memset(&q->part, 0, sizeof q->part);
     q->part.cap.blocks = scene->count.blocks;
     q->part.cap.interfaces = count->contacts;
@@ -266,8 +266,8 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     memcpy(q->part.gravity, scene->gravity, sizeof q->part.gravity);
     memcpy(q->part.body, scene->body, sizeof q->part.body);
     q->part.live = scene->live;
-    q->judge.pb = &q->pb;
-    sp__judge_cone(&q->judge, &q->pb, &q->set);
+    q->certificate.pb = &q->pb;
+    sp__certificate_cone(&q->certificate, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;
     memset(q->stone, 0, n * sizeof *q->stone);
     memset(q->was, 0, n * sizeof *q->was);

@@ -20,7 +20,7 @@ typedef enum sp__want { SP__GRADIENT, SP__HESSIAN, SP__LINEAR, SP__LINEAR_HESSIA
 typedef struct sp__small {
     const sp_problem *pb;
     const sp_settings *set;
-    sp__judge j;
+    sp__certificate j;
     sp_real *H;                         /* envelope */
     int32_t *row;                       /* 6b: of it */
     sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
@@ -164,12 +164,12 @@ SP__NOINLINE static void sp__small_sweep(sp__small *w, const sp_real *y, sp__wan
 {
     const sp_problem *pb = w->pb;
     const int32_t n = 6 * pb->blocks;
-    for (int32_t i = 0; i < pb->blocks; i++) sp__judge_load(&w->j, i, w->r + 6 * i);
+    for (int32_t i = 0; i < pb->blocks; i++) sp__certificate_load(&w->j, i, w->r + 6 * i);
     sp__small_motion(w, y);
     if (want & SP__HESSIAN) memset(w->H, 0, (size_t)(w->row[n - 1] + n) * sizeof *w->H);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        w->S = w->metric > 0 ? w->metric * sp__judge_cap(&w->j, t) : 1;
+        w->S = w->metric > 0 ? w->metric * sp__certificate_cap(&w->j, t) : 1;
         if (!(w->S > 0)) w->S = 1;
         w->side[0] = t->a < t->b ? t->a : t->b;
         w->side[1] = t->a < t->b ? t->b : t->a;
@@ -206,8 +206,8 @@ SP__NOINLINE static void sp__small_try(sp__small *w, const sp_real *y)
     sp_result *r = w->to;
     if (r->verdict) return;
     sp__small_motion(w, y);
-    if (!(sp__judge_motion(&w->j, w->x, 0, &r->final) > w->set->tol)) return;
-    r->least_imbalance = sp__judge_mechanism(&w->j, w->x, &r->final);
+    if (!(sp__certify_motion(&w->j, w->x, 0, &r->final) > w->set->tol)) return;
+    r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
     r->verdict = SP_UNSTABLE;
 }
 
@@ -216,7 +216,7 @@ static void sp__small_look(sp__small *w)
 {
     sp_result *r = w->to;
     for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
-    r->omega = sp__judge_forces(&w->j, r->f, r->f);
+    r->omega = sp__certify_forces(&w->j, r->f, r->f);
     if (r->omega <= w->set->tol) r->verdict = SP_STABLE;
     if (!(r->omega < w->omega)) return;
     w->omega = r->omega;
@@ -261,7 +261,7 @@ SP__NOINLINE static void sp__small_bilateral(sp__small *w)
     }
 }
 
-/* Scales of the judge by that force, and a metric where contacts of very different load meet.       returns 0: no memory */
+/* Scales of the certificate check by that force, and a metric where contacts of very different load meet.       returns 0: no memory */
 SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
 {
     const int32_t n = 6 * w->pb->blocks;
@@ -270,9 +270,9 @@ SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
         w->to->y0[k] = w->j.unit * w->z[k] * w->y[k];
         w->to->y0[n + k] = -w->j.unit * w->z[k] * w->d[k];
     }
-    if (!sp__judge_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
+    if (!sp__certificate_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
-        const sp_real cap = sp__judge_cap(&w->j, &w->pb->contact[c]);
+        const sp_real cap = sp__certificate_cap(&w->j, &w->pb->contact[c]);
         if (cap < least) least = cap;
         if (cap > most) most = cap;
     }
@@ -383,13 +383,13 @@ SP__NOINLINE static void sp__small_sharpen(sp__small *w)
         sp__small_purify(w, w->d);
         if (r->verdict) continue;
         r->verdict = SP_UNSTABLE;
-        r->least_imbalance = sp__judge_mechanism(&w->j, w->base, &r->final);
+        r->least_imbalance = sp__certify_mechanism(&w->j, w->base, &r->final);
         return;
     }
 }
 #endif
 
-/* The search on a built problem, its arrays carved; the judge's behind them. */
+/* The search on a built problem, its arrays carved; those of the certificate check behind them. */
 SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 {
     sp_result *r = w->to;
@@ -413,11 +413,11 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
     if (r->verdict != SP_STABLE) {
         sp__small_sweep(w, w->best, SP__GRADIENT);
         sp__small_look(w);
-        if (!r->verdict) r->least_imbalance = sp__judge_mechanism(&w->j, w->x, &r->final);
+        if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
         sp__check_motion(&w->j, r->dq);
     }
     r->cost.flops = w->flops * r->cost.factorisations
-                  + (SP__FLOPS_VERTEX * (int64_t)w->sweeps + SP__FLOPS_JUDGE * (int64_t)w->j.sweeps) * w->pb->points;
+                  + (SP__FLOPS_VERTEX * (int64_t)w->sweeps + SP__FLOPS_CERTIFICATE * (int64_t)w->j.sweeps) * w->pb->points;
     return 1;
 }
 
@@ -485,12 +485,12 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* What a search on problem pb takes from an arena: its own arrays, then the judge's; rows in scratch.     returns 0: no memory */
+/* What a search on problem pb takes from an arena: its own arrays, then those of the check; rows in scratch.     returns 0: no memory */
 static int sp__small_need(sp__small *w, const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp_arena *dry)
 {
     sp__take(dry, (size_t)pb->blocks, 6 * sizeof *w->row);
     if (!sp__small_carve(w, pb, &scratch, dry)) return 0;
-    if (pb->blocks) sp__take(dry, 1, sp__judge_need(pb, set));
+    if (pb->blocks) sp__take(dry, 1, sp__certificate_need(pb, set));
     return 1;
 }
 

@@ -195,7 +195,7 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     sp_arena room = a;
     if (!sp__small_carve(&L->w, &L->ends.pb, &a, &a)) return SP_E_MEMORY;
     room = a;
-    sp__take(&a, 1, sp__judge_need(&L->ends.pb, &L->ends.set));
+    sp__take(&a, 1, sp__certificate_need(&L->ends.pb, &L->ends.set));
     if (sp__failed(&a)) return SP_E_MEMORY;
     sp__limit_search(L, room);
     sp__limit_conclude(L, room);

@@ -91,7 +91,7 @@ check_switches() {
     no_qp=$(echo "$core" | grep -vx qp)
     no_ipm=$(echo "$core" | grep -vx limit)
     no_plan=$(echo "$core" | grep -vx plan)
-    part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|judge|matrix|seed|cone|support)' -DSP_QP_ONLY
+    part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
     part "SP_NO_DYKSTRA: no projections left" without 'dykstra' -DSP_NO_DYKSTRA
