@@ -760,8 +760,8 @@ typedef struct sp_problem {
     sp_real *p;                         /* 6b: force and moment about the centroid on each free block: weight, loads and
                                            scene.live times the live ones [N, N m] */
     sp_real *live;                      /* 6b: the live ones once; NULL where there are none */
-    int32_t ordered;                    /* 1: blocks are eliminated in the order they stand in, 0: in that of least fill */
-    int32_t endless;                    /* 1: of strength only what loads without end leave: friction, of a capped joint nothing */
+    int32_t keep_order;                 /* 1: blocks are eliminated in the order they stand in, 0: in that of least fill */
+    int32_t ignore_strength;            /* 1: of strength only what loads without end leave: friction, of a capped joint nothing */
 } sp_problem;
 
 /* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
@@ -1085,7 +1085,7 @@ typedef struct sp_seed {
     sp_real engaged, floor;     /* a joint is engaged, rubs, above so much of the largest fn; and above it 0.01, 1e-9 [3.2] */
     sp_real reg;                /* added to 2J'J of the motion's least squares                             1e-9     [3.2] */
     sp_real gate, peel;         /* residual that passes; joints beyond it and so much of the worst go      0.5, 0.75 [3.3] */
-    sp_real askew;              /* friction so far off its slip goes, in eps                               2        [3.3] */
+    sp_real slip_error;         /* friction so far off its slip goes, in eps                               2        [3.3] */
     int32_t turns;              /* settings.coupled.rounds                                                 12       [3.3] */
     sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,
                                    adapt 100, at most 10 by 5, 3 passes, CG 250 and 1e-10                   [4.2, 4.3] */

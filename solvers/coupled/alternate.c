@@ -333,7 +333,7 @@ static sp_real sp__alt_gap(const sp__alt *m, size_t v)
     return m->weight[v] * sp__abs(m->c->d[3 * v] + m->c->k.eps);
 }
 
-/* What the motion does not explain loses its force: of E the worst, of F what is askew.     returns how many were pinned */
+/* What the motion does not explain loses its force: of E the worst, of F those off their slip.     returns how many were pinned */
 static int32_t sp__alt_peel(sp__alt *m, sp_real worst)
 {
     const sp_real most = sp__max(m->seed->gate, m->seed->peel * worst);
@@ -342,7 +342,7 @@ static int32_t sp__alt_peel(sp__alt *m, sp_real worst)
         const sp_real *d = m->c->d + 3 * v, beta = sp__max(sp__alt_beta(m, v), 0);
         const sp_real x = d[1] + beta * m->h[v][0], y = d[2] + beta * m->h[v][1];
         const int rubs = m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0;
-        const int32_t pin = sp__alt_gap(m, v) > most ? 2 : rubs && SP_SQRT(x * x + y * y) > m->seed->askew ? 1 : 0;
+        const int32_t pin = sp__alt_gap(m, v) > most ? 2 : rubs && SP_SQRT(x * x + y * y) > m->seed->slip_error ? 1 : 0;
         if (pin <= m->pin[v]) continue;
         m->pin[v] = pin;
         pinned++;

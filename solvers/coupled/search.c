@@ -81,7 +81,7 @@ static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
     }
 }
 
-#define SP__LONE_MOST 24                /* contacts up to which each is tried alone: what jams askew does so by unequal drag */
+#define SP__LONE_MOST 24                /* contacts up to which each is tried alone: an eccentric jam comes of unequal drag */
 
 /* Several starts, the likeliest first. */
 static int sp__cra_search(sp__cra *c)

@@ -60,7 +60,7 @@ static sp_status sp__ends_build(const sp_scene *scene, const sp_settings *settin
 static void sp__ends_mix(sp__ends *e, sp_real d, sp_real l)
 {
     const size_t n = 6 * (size_t)e->pb.blocks;
-    e->pb.endless = !(d > 0);
+    e->pb.ignore_strength = !(d > 0);
     for (size_t k = 0; k < n; k++) e->pb.p[k] = d * e->dead[k] + l * e->live[k];
     for (size_t k = 0; k < 2 * n && e->y0; k++) e->hint[k] = d * e->y0[k] + l * e->y0[2 * n + k];
 }

@@ -340,7 +340,7 @@ static sp__strength sp__certificate_strength(const sp__certificate *j, const sp_
 {
     const sp__strength none = { 0, 0, SP__HUGE };
     if (!SP__HAS_STRENGTH || !sp__contact_strong(j->pb, t)) return none;
-    sp__strength k = sp__vertex_strength(t->joint, j->pb->endless);
+    sp__strength k = sp__vertex_strength(t->joint, j->pb->ignore_strength);
     k.C *= j->mu_factor / j->unit;
     k.T /= j->unit;
     k.N = sp__ratio(k.N, j->unit);

@@ -28,12 +28,12 @@ static int sp__scene_strong(const sp_scene *scene)
 
 /* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
  *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb]
- * endless: only its directions without end, forces that may be added as often as one likes: as if it had no area. */
+ * ignore_strength: only its directions without end, forces that may be added as often as one likes: as if it had no area. */
 typedef struct sp__strength { sp_real C, T, N; } sp__strength;
 
-static sp__strength sp__vertex_strength(const sp_interface *f, int endless)
+static sp__strength sp__vertex_strength(const sp_interface *f, int ignore_strength)
 {
-    const sp_real share = endless ? 0 : f->area / (sp_real)f->points;
+    const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
     sp__strength k = { f->joint.cohesion * share, f->joint.tension * share, f->joint.cap > 0 ? f->joint.cap * share : SP__HUGE };
     if (k.T * f->joint.mu > k.C) k.T = k.C / f->joint.mu;
     return k;
@@ -42,7 +42,7 @@ static sp__strength sp__vertex_strength(const sp_interface *f, int endless)
 /* Is K_v of a contact more or less than a cone? */
 static int sp__contact_strong(const sp_problem *pb, const sp_contact *t)
 {
-    return pb->endless ? t->joint->joint.cap > 0 : sp__joint_strong(&t->joint->joint);
+    return pb->ignore_strength ? t->joint->joint.cap > 0 : sp__joint_strong(&t->joint->joint);
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */

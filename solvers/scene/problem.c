@@ -54,7 +54,7 @@ static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
     problem->scene = scene;
     problem->blocks = problem->contacts = 0;
     problem->points = scene->count.points;
-    problem->ordered = problem->endless = 0;
+    problem->keep_order = problem->ignore_strength = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
     for (int32_t k = 0; k < scene->count.interfaces; k++)

@@ -81,7 +81,7 @@ SP__NOINLINE static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__che
     const sp__apart one = { 1, 0, 0 };
     sp_status status = sp__check_open(&q->part, &q->set, &one, a, c);
     if (!status) status = sp__check_problem(*c, a);
-    if (!status) (*c)->pb.ordered = 1;
+    if (!status) (*c)->pb.keep_order = 1;
     return status;
 }
 

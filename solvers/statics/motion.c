@@ -138,7 +138,7 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     k->C = k->T = 0;
     k->N = SP__HUGE;
     if (k->plain) return k;
-    const sp__strength strength = sp__vertex_strength(t->joint, w->pb->endless);
+    const sp__strength strength = sp__vertex_strength(t->joint, w->pb->ignore_strength);
     const sp_real scale = 1 / (w->unit * sp__dual_S(w, c));
     k->C = strength.C * scale * w->factor;
     k->T = strength.T * scale;

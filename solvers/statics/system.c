@@ -164,8 +164,8 @@ SP__NOINLINE static int32_t sp__dual_analyse(sp__dual *w, const sp_problem *pb, 
     if (rest.peak > a->peak) a->peak = rest.peak;
     sp__dual_graph(w);
     rest.used = a->used;
-    for (int32_t k = 0; k < pb->blocks && pb->ordered; k++) w->L.perm[k] = k;
-    return pb->ordered ? sp__bchol_count(&w->L, w->xadj, w->adj, w->parent, w->mark)
+    for (int32_t k = 0; k < pb->blocks && pb->keep_order; k++) w->L.perm[k] = k;
+    return pb->keep_order ? sp__bchol_count(&w->L, w->xadj, w->adj, w->parent, w->mark)
                        : sp__bchol_analyse(&w->L, w->xadj, w->adj, w->parent, w->mark, rest);
 }
 
