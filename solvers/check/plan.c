@@ -117,8 +117,8 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
         o->effect[SP_EFFECT_COUPLED].flops = w->search;
         o->full_flops += w->search;
     }
-    o->flops -= w->less[SP__PLANE] + w->less[SP__PLUMB];
-    o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__PLUMB];
+    o->flops -= w->less[SP__PLANE] + w->less[SP__LEVEL_JOINTS];
+    o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__LEVEL_JOINTS];
 }
 
 SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)

@@ -42,13 +42,13 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
  * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
 SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
 {
-    int slick = 1;
-    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) slick = 0;
+    int frictionless = 1;
+    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) frictionless = 0;
     const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
     if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
-    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, slick ? &c->t : NULL, a, c->out);
+    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, frictionless ? &c->t : NULL, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
-    if (status || !slick || c->out->reason != SP_COUPLING_LIMIT) return status;
+    if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
     c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;

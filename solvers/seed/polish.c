@@ -17,9 +17,9 @@
 SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, (w->bears ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (!sp__dual_count(w, (w->carried ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     sp__dual_load(w, r);
-    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
+    if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -32,7 +32,7 @@ SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real
             sp__cone_project(&w->cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
-            if (w->bears) sp__dual_bear(w, t, pb->local[v], g);
+            if (w->carried) sp__dual_bear(w, t, pb->local[v], g);
         }
         sp__dual_scatter(w, t, F, M, r);
     }
@@ -42,10 +42,10 @@ SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real
 /* A round and its omega. keep (NULL: not on a budget) gets the forces whose omega, as forces are judged, is the best so far. */
 SP__NOINLINE static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
 {
-    if (keep) w->bears = w->L.t;
+    if (keep) w->carried = w->L.t;
     sp__polish_round(w, w->y, f, w->r);
     const sp_real strict = w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
-    w->bears = NULL;
+    w->carried = NULL;
     if (keep && strict < *best) {
         *best = strict;
         memcpy(keep, f, 3 * (size_t)w->pb->points * sizeof *f);

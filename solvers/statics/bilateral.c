@@ -74,7 +74,7 @@ static void sp__dual_hint(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
 #ifndef SP_NO_PLAN
-    if (w->flat && w->flat->mode == SP__PLUMB && !w->flat->forest) return;
+    if (w->flat && w->flat->mode == SP__LEVEL_JOINTS && !w->flat->forest) return;
 #endif
     for (size_t k = 0; k < n; k++) {
         state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];

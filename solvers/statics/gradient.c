@@ -29,7 +29,7 @@ SP__NOINLINE static void sp__dual_bear(sp__dual *w, const sp_contact *t, const s
         if (i < 0) continue;
         const sp_real *arm = side ? t->rb : t->ra;
         const sp_real x[3] = { sp__dot3(arm, f->n) + l[0], sp__dot3(arm, f->t1) + l[1], sp__dot3(arm, f->t2) + l[2] };
-        sp_real m[3], *sum = w->bears + 3 * (size_t)i;
+        sp_real m[3], *sum = w->carried + 3 * (size_t)i;
         sp__cross3(x, g, m);
         sum[0] += sp__norm3(g);
         sum[1] += sp__norm3(m);
@@ -106,7 +106,7 @@ static void sp__flat_bear(sp__dual *w, const sp_contact *t, int32_t v, sp_real t
 {
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
-        sp_real size[2], *sum = w->bears + 3 * (size_t)i;
+        sp_real size[2], *sum = w->carried + 3 * (size_t)i;
         if (i < 0) continue;
         const sp_real far = sp__flat_moment(w, t, side, v, h, size);
         sum[0] += times * size[0];
@@ -128,7 +128,7 @@ SP__NOINLINE static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, 
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
         if (!(times > 0)) continue;
         sp__flat_law(w, law, c, g, u, h, NULL);
-        if (w->bears) sp__flat_bear(w, t, v, times, h);
+        if (w->carried) sp__flat_bear(w, t, v, times, h);
         if (f) {
             f[3 * (size_t)v] = h[0];
             f[3 * (size_t)v + 1] = plane ? h[1] * g[2] : 0;
@@ -223,7 +223,7 @@ SP__NOINLINE static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c,
         M[0] += l[1] * g[2] - l[2] * g[1];
         M[1] += l[2] * g[0] - l[0] * g[2];
         M[2] += l[0] * g[1] - l[1] * g[0];
-        if (w->bears) sp__dual_bear(w, t, l, g);
+        if (w->carried) sp__dual_bear(w, t, l, g);
     }
     sp__dual_scatter(w, t, F, M, r);
 }
@@ -232,9 +232,9 @@ SP__NOINLINE static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c,
 static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_sweep(w, 1, 1) || (w->bears && !sp__dual_count(w, SP__FLOPS_SWEEP, 0))) return;
+    if (!sp__dual_sweep(w, 1, 1) || (w->carried && !sp__dual_count(w, SP__FLOPS_SWEEP, 0))) return;
     sp__dual_load(w, r);
-    if (w->bears) memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
+    if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const int plain = sp__dual_yield(w, c)->plain;
 #ifndef SP_NO_PLAN

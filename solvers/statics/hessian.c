@@ -8,12 +8,12 @@
 #if SP__WITH_LARGE
 
 #ifndef SP_NO_IPM
-/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `natural`.
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `force_scale`.
  * e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 {
     const sp_real mu = sp__dual_mu(w, c), h = mu * w->cone.tan_half, *d = w->cone.direction[k];
-    e[0] = w->inner->natural * sp__dual_S(w, c) / (sp_real)w->cone.faces;
+    e[0] = w->inner->force_scale * sp__dual_S(w, c) / (sp_real)w->cone.faces;
     e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
     e[2] = e[0] * (mu * d[1] + h * d[0]);
 }
@@ -38,7 +38,7 @@ SP__NOINLINE static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, con
 SP__NOINLINE static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + 3 * (size_t)v;
-    const sp_real S = w->inner->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    const sp_real S = w->inner->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
     sp_real *z = w->h + 60;
     z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;

@@ -83,7 +83,7 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c
 {
     g[0] = g[1] = g[2] = 0;
     if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
-    const sp_real S = m->natural * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    const sp_real S = m->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
     sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, w->h + 42);
     g[0] *= S; g[1] *= T; g[2] *= T;
@@ -134,7 +134,7 @@ static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_r
  * to balance stones that nothing else holds. */
 static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp_real D[6])
 {
-    const sp_real S = m->natural * sp__dual_S(w, c);
+    const sp_real S = m->force_scale * sp__dual_S(w, c);
     return m->ray && D[0] < S * S;
 }
 
@@ -147,7 +147,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int firs
     const sp_problem *pb = w->pb;
     if (!sp__dual_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
     sp__dual_load(w, w->r);
-    memset(w->bears, 0, 3 * (size_t)pb->blocks * sizeof *w->bears);
+    memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
@@ -192,10 +192,10 @@ SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newto
     memset(state->dq, 0, size * sizeof *w->d);
     memset(w->d, 0, size * sizeof *w->d);
     for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
-        w->bears = w->L.t;
+        w->carried = w->L.t;
         sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
         const sp_real now = sp__dual_omega(w, w->r);
-        w->bears = NULL;
+        w->carried = NULL;
         if (w->spent) return;
         n->omega = sp__dual_omega(w, w->r);
         const int slow = n->omega > SP__GAIN * last && now > SP__GAIN * strict;
@@ -216,7 +216,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newto
 static void sp__ipm_homogeneous(const sp__dual *w, sp__ipm *m, const sp_state *state, sp_real product)
 {
     const sp_real rest = m->kappa + sp__dual_work(w, w->y), keep = 1 - m->sigma;
-    const sp_real c = m->tau * m->kappa + product - m->sigma * m->stake * m->mu;
+    const sp_real c = m->tau * m->kappa + product - m->sigma * m->kappa_weight * m->mu;
     m->dtau = (c / m->tau - keep * rest - sp__dual_work(w, w->r)) / (sp__dual_work(w, state->dq) - m->kappa / m->tau);
     m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
 }
@@ -276,17 +276,17 @@ SP__NOINLINE static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *s
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
-/* x = z = e, y = 0. The natural force is a quarter of what an average block bears. */
+/* x = z = e, y = 0. force_scale is a quarter of what an average block bears. */
 static void sp__ipm_start(sp__dual *w, sp__ipm *m)
 {
     const int32_t faces = w->cone.faces;
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     for (size_t k = 0; k < (size_t)(faces ? faces : 3) * (size_t)w->pb->points; k++) m->x[k] = faces || k % 3 == 0;
-    m->natural = 0;
-    for (int32_t i = 0; i < w->pb->blocks; i++) m->natural += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
-    if (w->metric > 0) m->natural = 1 / (4 * w->metric);
+    m->force_scale = 0;
+    for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
+    if (w->metric > 0) m->force_scale = 1 / (4 * w->metric);
     m->theta = m->tau = 1;
-    m->kappa = m->stake;
+    m->kappa = m->kappa_weight;
     m->ray = 0;
     m->along[0] = m->along[1] = m->along[2] = w->y;
     w->inner = m;
@@ -298,19 +298,19 @@ SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_s
 {
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
     int idle = 0;
-    m->stake = sp__max(1, cones / 10);
+    m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
     for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
-        if (m->theta < SP__IPM_LATE) m->stake = 3 * cones;
+        if (m->theta < SP__IPM_LATE) m->kappa_weight = 3 * cones;
         sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
         if (w->spent) break;
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
         if (m->outside) break;
-        m->mu = (m->gap + m->tau * m->kappa) / (cones + m->stake);
+        m->mu = (m->gap + m->tau * m->kappa) / (cones + m->kappa_weight);
         sp__ipm_forces(w, m, n, state);
         if (n->found) return 0;
         sp__newton_try(w, n, w->y, state);

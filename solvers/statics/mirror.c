@@ -43,17 +43,17 @@ static int sp__plan_stages(const sp_settings *set)
  *     in that, and u = (un, 0, 0) meets no more resistance in a cone than fn alone: |P_K(u)| = max(0, un).
  *     In the same way ft = 0 in f0 (the wrench of an edge is given, and fn alone is the shortest) and in the penalty form.
  *     It is not so with a cycle, with joints of one pair at two heights (a cycle), or with loads across: all are tested.
- *   slick          level without joints across, mu = 0: fn along e is all the force there is, and the three rows all that is not
+ *   frictionless   level without joints across, mu = 0: fn along e is all the force there is, and the three rows all that is not
  *                  zero of itself. What fn does not balance falls; only f0 is that of 6 rows, because bilateral joints hold sideways.
  *
  * A search in 3 rows keeps vectors of 6 in the axes e; of them the planar one uses 0, 1 and 5, the level one 2, 3 and 4. What it
  * finds is turned back and judged in 3 dimensions as everything is. */
 
-typedef enum sp__mode { SP__PLANE, SP__PLUMB } sp__mode;
+typedef enum sp__mode { SP__PLANE, SP__LEVEL_JOINTS } sp__mode;
 
 typedef struct sp__flat {
     sp__mode mode;
-    int forest, slick;                  /* level: a forest; no friction, no joint across the loads */
+    int forest, frictionless;           /* level: a forest; no friction, no joint across the loads */
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
     int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
     sp_real *g;                         /* SP__FLAT_G a contact: frame, see sp__flat_contact; T of a, of b, see sp__flat_weigh */
@@ -103,12 +103,12 @@ static int sp__flat_mirror(const sp_problem *pb, const sp_settings *set, const s
     return 1;
 }
 
-/* Are the loads symmetric: no force along m, no couple across it; frictionless (`plumb`): the other way round? */
-static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int plumb)
+/* Are the loads symmetric: no force along m, no couple across it; for level joints: the other way round? */
+static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int level)
 {
     const sp_real eps = sp__flat_small(set);
     for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = plumb ? M : F, *across = plumb ? F : M;
+        const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = level ? M : F, *across = level ? F : M;
         sp_real rest[3];
         for (int k = 0; k < 3; k++) rest[k] = across[k] - sp__dot3(across, m) * m[k];
         if (pb->scene->block[pb->block[i]].fixed) return 0;             /* held in some directions */
@@ -167,7 +167,7 @@ SP__NOINLINE static int sp__flat_planar(const sp_problem *pb, const sp_settings 
 
 /* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
  * upright to, no mortar, and every block rests on something. */
-SP__NOINLINE static int sp__flat_plumb(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+SP__NOINLINE static int sp__flat_level(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
 {
     const sp_real eps = sp__flat_small(set);
     int32_t rests = 0;
@@ -213,9 +213,9 @@ static int sp__flat_choose(const sp_problem *pb, const sp_settings *set, sp__fla
     if (!pb->blocks || !sp__plan_stages(set)) return 0;
     const int planar = choice[SP_EFFECT_DEPTH] != SP_WITH && choice[SP_EFFECT_FRICTION] != SP_WITHOUT
                     && sp__flat_planar(pb, set, o->e[2]);
-    o->mode = planar ? SP__PLANE : SP__PLUMB;
+    o->mode = planar ? SP__PLANE : SP__LEVEL_JOINTS;
     if (!planar && (choice[SP_EFFECT_FRICTION] == SP_WITH || !sp__flat_down(pb, o->e[2]))) return 0;
-    if (!planar && !sp__flat_plumb(pb, set, o->e[2])) return 0;
+    if (!planar && !sp__flat_level(pb, set, o->e[2])) return 0;
     sp__flat_axes(o);
     return 1;
 }
@@ -265,7 +265,7 @@ static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_c
 }
 
 /* The k-th row of three among six. */
-static size_t sp__flat_row(const sp__flat *o, int k) { return (size_t)(o->mode == SP__PLUMB ? 2 + k : k < 2 ? k : 5); }
+static size_t sp__flat_row(const sp__flat *o, int k) { return (size_t)(o->mode == SP__LEVEL_JOINTS ? 2 + k : k < 2 ? k : 5); }
 
 /* Components of a world vector along e. */
 static void sp__flat_turn(const sp__flat *o, const sp_real x[3], sp_real out[3])

@@ -125,7 +125,7 @@ SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state 
         if (n->omega > last / 10) break;
     }
     memcpy(w->y, state->y, size * sizeof *w->y);
-    w->bears = w->L.t;
+    w->carried = w->L.t;
     n->omega = SP__HUGE;
     for (int it = 0; it < 12 && !n->found; it++) {
         const sp_real last = n->omega;
@@ -136,7 +136,7 @@ SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state 
         n->found = n->omega <= SP__ENOUGH * w->set->tol;
         if (n->omega > last / 2) break;
     }
-    w->bears = NULL;
+    w->carried = NULL;
 }
 
 /* After a step of length s, more or less on the diagonal.     returns whether the step was tiny */

@@ -55,7 +55,7 @@ SP__NOINLINE static sp__dual *sp__dual_make(const sp_problem *pb, const sp_setti
     if (penalty) w->factor /= w->slide;
     sp__dual_slots(w);
     w->unit = sp__load_unit(pb);
-    w->bears = NULL;
+    w->carried = NULL;
 #ifndef SP_NO_PLAN
     if (flat) sp__flat_open(w);
 #endif

@@ -9,9 +9,9 @@
 /* Sizes by which forces are judged: sbar and Sbar, no more than load and what they themselves put on block i. */
 SP__NOINLINE static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s[2])
 {
-    const sp_real *p = w->pb->p + 6 * (size_t)i, *bears = w->bears + 3 * (size_t)i;
-    const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * bears[2] / w->set->tol;
-    const sp_real f = sp__norm3(p) / w->unit + bears[0], m = sp__norm3(p + 3) / w->unit + bears[1] + rounding;
+    const sp_real *p = w->pb->p + 6 * (size_t)i, *carried = w->carried + 3 * (size_t)i;
+    const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * carried[2] / w->set->tol;
+    const sp_real f = sp__norm3(p) / w->unit + carried[0], m = sp__norm3(p + 3) / w->unit + carried[1] + rounding;
     if (f < s[0]) s[0] = f;
     if (m < s[1]) s[1] = m;
 }
@@ -23,7 +23,7 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
     for (int32_t i = 0; i < w->pb->blocks; i++) {
         const sp_real *ri = r + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i;
         sp_real s[2] = { w->size[2 * (size_t)i], w->size[2 * (size_t)i + 1] };
-        if (w->bears) sp__dual_strict(w, i, s);
+        if (w->carried) sp__dual_strict(w, i, s);
         const sp_real f = sp__ratio(sp__norm3(ri), z[0] * s[0]), m = sp__ratio(sp__norm3(ri + 3), z[1] * s[1]);
         if (f > omega) omega = f;
         if (m > omega) omega = m;
@@ -35,7 +35,7 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
 static int sp__dual_whole(const sp__dual *w)
 {
 #ifndef SP_NO_PLAN
-    if (w->flat && w->flat->mode == SP__PLUMB) return w->flat->forest || w->flat->slick;
+    if (w->flat && w->flat->mode == SP__LEVEL_JOINTS) return w->flat->forest || w->flat->frictionless;
 #endif
     (void)w;
     return 1;

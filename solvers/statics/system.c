@@ -23,14 +23,14 @@ typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
 /* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
 typedef struct sp__ipm {
     sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
-    sp_real natural;                    /* force of x = e where S = 1 */
+    sp_real force_scale;                /* force of x = e where S = 1 */
     sp_real theta, gap;                 /* what is left of the start's residuals; sum of x z */
     int outside;                        /* x or z is no longer inside, by rounding */
     sp__pass pass;                      /* right-hand side; step length; step */
     int corrected;                      /* the product of the predictor's changes is taken into account */
     const sp_real *along[3];            /* y; its predictor and its step */
     sp_real tau, kappa, mu, sigma;
-    sp_real stake;                      /* weight of the pair: tau kappa = stake mu */
+    sp_real kappa_weight;               /* weight of the pair: tau kappa = kappa_weight mu */
     sp_real reach;                      /* step length */
     sp_real dtau, dkappa;
     int ray;                            /* forces are asked for the live loads alone */
@@ -61,7 +61,7 @@ typedef struct sp__dual {
     sp_real *weight;                    /* 2b: of force and moment rows */
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
-    sp_real *bears;                     /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
+    sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
     sp_real *h;                         /* temporaries of the assembly */
     const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
