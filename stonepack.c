@@ -148,9 +148,9 @@
 #include "solvers/check/verify.c"               /* sp_verify */
 #include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
 
-#include "solvers/limit/ends.c"                 /* what proves each end of the bracket */
+#include "solvers/limit/bracket.c"              /* what proves each end of the bracket */
 #include "solvers/limit/interior.c"             /* interior points in forces, motion and multiplier at once */
-#include "solvers/limit/climb.c"                /* joints with strength: Newton's method with the multiplier in it */
+#include "solvers/limit/strong.c"               /* joints with strength: Newton's method with the multiplier in it */
 #include "solvers/limit/limit.c"                /* sp_limit: the bracket, by Newton's method on the power balance */
 #include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
 

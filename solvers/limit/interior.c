@@ -2,7 +2,7 @@
 #ifndef SP__LIMIT_INTERIOR_C
 #define SP__LIMIT_INTERIOR_C
 
-#include "ends.c"
+#include "bracket.c"
 
 #if SP__WITH_INTERIOR
 
@@ -19,7 +19,7 @@
  * A step borders the factor of M = Aeq E W^2 E' Aeq' by q and p. M tends to be singular along the mechanism v, which both q and
  * p pull; so p gives way to p' = p + a q with p'.M^-1 q = 0, l to l' = l - a tau, and the columns no longer see the same v. */
 typedef struct sp__limit {
-    sp__ends ends;
+    sp__bracket bracket;
     sp_state state;
     sp__newton n;
     sp__ipm m;
@@ -48,9 +48,9 @@ typedef struct sp__limit {
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
-#define SP__CLIMB_MOST 240              /* factorisations of a climb in c, at most */
-#define SP__CLIMB_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
-#define SP__CLIMBED SP__TIE             /* omega from which on y is taken for that of its c */
+#define SP__STRONG_MOST 240              /* factorisations of a climb in c, at most */
+#define SP__STRONG_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
+#define SP__STRONG_SOLVED SP__TIE             /* omega from which on y is taken for that of its c */
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 #ifdef SP_REAL_MIXED
@@ -59,20 +59,20 @@ typedef struct sp__limit {
 #define SP__LIMIT_STEP 4
 #endif
 
-static void sp__limit_at(sp__limit *L, sp_real a)
+static void sp__limit_loads(sp__limit *L, sp_real a)
 {
     L->at = a;
-    sp__ends_mix(&L->ends, 1, a * L->ref);
+    sp__bracket_load(&L->bracket, 1, a * L->ref);
 }
 
 /* Loads at a; where they all but cancel each other, which is no size for anything, at a + 1. */
-static void sp__limit_apart(sp__limit *L, sp_real a)
+static void sp__limit_loads_sized(sp__limit *L, sp_real a)
 {
-    const sp__ends *e = &L->ends;
+    const sp__bracket *b = &L->bracket;
     sp_real dead = 0, both = 0;
-    sp__limit_at(L, a);
-    for (size_t k = 0; k < 6 * (size_t)e->pb.blocks; k++) { dead += sp__abs(e->dead[k]); both += sp__abs(e->pb.p[k]); }
-    if (16 * both < dead) sp__limit_at(L, a + 1);
+    sp__limit_loads(L, a);
+    for (size_t k = 0; k < 6 * (size_t)b->pb.blocks; k++) { dead += sp__abs(b->dead[k]); both += sp__abs(b->pb.p[k]); }
+    if (16 * both < dead) sp__limit_loads(L, a + 1);
 }
 
 /* Sizes of the certificate check for the loads at hand; with a metric E hangs on them, and they stay. */
@@ -83,8 +83,8 @@ static void sp__limit_sizes(sp__limit *L)
     if (w->metric > 0) return;
     for (size_t k = 0; k < n; k++) {
         const sp_real unit = w->unit * w->weight[k / 3];
-        L->state.dq[k] = L->ends.hint[k] / unit;
-        w->d[k] = -L->ends.hint[n + k] / unit;
+        L->state.dq[k] = L->bracket.hint[k] / unit;
+        w->d[k] = -L->bracket.hint[n + k] / unit;
     }
 #ifndef SP_NO_PLAN
     if (L->flat) { sp__flat_drop(L->flat, w->pb->blocks, L->state.dq); sp__flat_drop(L->flat, w->pb->blocks, w->d); }
@@ -93,18 +93,18 @@ static void sp__limit_sizes(sp__limit *L)
 }
 
 /* Vq, Vp and their products, for the factor at hand. */
-SP__NOINLINE static void sp__limit_columns(sp__limit *L)
+SP__NOINLINE static void sp__interior_columns(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp_real most = 1000 * (1 + L->l / L->m.tau);
     sp__dual_solve(w, L->q, L->Vq);
     L->G[0] = sp__dot(L->q, L->Vq, n);
-    sp__limit_at(L, 0);
+    sp__limit_loads(L, 0);
     const sp_real a = L->G[0] > 0 ? -sp__dual_work(w, L->Vq) / L->G[0] : 0;
-    sp__limit_apart(L, L->l / L->m.tau);
+    sp__limit_loads_sized(L, L->l / L->m.tau);
     sp__limit_sizes(L);
-    sp__limit_at(L, a > most ? most : a < -most ? -most : a);
+    sp__limit_loads(L, a > most ? most : a < -most ? -most : a);
     sp__dual_load(w, w->r);
     sp__dual_solve(w, w->r, L->Vp);
     L->G[1] = sp__dual_work(w, L->Vq);
@@ -134,15 +134,15 @@ SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     L->best = best;
     L->none = none;
     L->slack = slack;
-    for (size_t k = 0; k < n; k++) L->ends.dq[k] = -w->weight[k / 3] * y[k];
+    for (size_t k = 0; k < n; k++) L->bracket.dq[k] = -w->weight[k / 3] * y[k];
 #ifndef SP_NO_PLAN
-    if (L->flat) sp__flat_lift(w, L->ends.dq);
+    if (L->flat) sp__flat_lift(w, L->bracket.dq);
 #endif
 }
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
  * q.y = -s - tau;  and p.y = l - kappa. The free part of the predictor stays in w->d. */
-SP__NOINLINE static void sp__limit_motions(sp__limit *L)
+SP__NOINLINE static void sp__interior_motions(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -168,7 +168,7 @@ SP__NOINLINE static void sp__limit_motions(sp__limit *L)
  *
  *   [ -(q.Vq + s/l)            1 - q.Vp - a s/l              ] [ dl'  ]
  *   [ -(1 + q.Vp + a s/l)     -(p'.Vp + kappa/tau + a^2 s/l) ] [ dtau ]  = b                                            */
-static void sp__limit_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl, sp_real pt)
+static void sp__interior_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl, sp_real pt)
 {
     sp__ipm *m = &L->m;
     const size_t n = 6 * (size_t)L->w->pb->blocks;
@@ -191,7 +191,7 @@ static void sp__limit_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl, s
 }
 
 /* The whole step of y from its free part, in place, and how far it may go. */
-static void sp__limit_reach(sp__limit *L, sp_real *dy)
+static void sp__interior_reach(sp__limit *L, sp_real *dy)
 {
     sp__dual_axpy(L->w, L->along[0], L->Vq, dy);
     sp__dual_axpy(L->w, L->along[1], L->Vp, dy);
@@ -200,21 +200,21 @@ static void sp__limit_reach(sp__limit *L, sp_real *dy)
     L->m.reach = sp__ray_step(L->l, L->dl, sp__ray_step(L->s, L->ds, L->m.reach));
 }
 
-/* Predictor and corrector, from what sp__limit_motions left in w->d. */
-SP__NOINLINE static void sp__limit_step(sp__limit *L)
+/* Predictor and corrector, from what sp__interior_motions left in w->d. */
+SP__NOINLINE static void sp__interior_step(sp__limit *L)
 {
     sp__dual *w = L->w;
     sp__ipm *m = &L->m;
-    sp__limit_homogeneous(L, w->d, 0, 0);
+    sp__interior_homogeneous(L, w->d, 0, 0);
     m->along[1] = w->d;
-    sp__limit_reach(L, w->d);
+    sp__interior_reach(L, w->d);
     const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), pl = L->dl * L->ds, pt = m->dtau * m->dkappa;
     m->corrected = 1;
     m->sigma = left * left * left;
     sp__ipm_sweep(w, m, SP__AIM, w->r);
     sp__dual_solve(w, w->r, w->r);
-    sp__limit_homogeneous(L, w->r, pl, pt);
-    sp__limit_reach(L, w->r);
+    sp__interior_homogeneous(L, w->r, pl, pt);
+    sp__interior_reach(L, w->r);
     m->reach *= left < SP__LIMIT_CLOSE ? SP__LIMIT_KEEP : SP__IPM_KEEP;
     if (m->reach > 1) m->reach = 1;
     sp__ipm_sweep(w, m, SP__MOVE, NULL);
@@ -230,7 +230,7 @@ SP__NOINLINE static void sp__limit_step(sp__limit *L)
 SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_real t, sp_real *f)
 {
     const sp_real tau = L->m.tau;
-    sp__ends_mix(&L->ends, d, l * L->ref);
+    sp__bracket_load(&L->bracket, d, l * L->ref);
     sp__limit_sizes(L);
     L->n.found = 0;
     L->state.f = f;
@@ -238,39 +238,80 @@ SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_
     sp__ipm_forces(L->w, t > 0 ? &L->m : NULL, &L->n, &L->state);
     L->m.tau = tau;
 #ifndef SP_NO_PLAN
-    if (L->flat) sp__flat_spread(L->flat, &L->ends.pb, f);
+    if (L->flat) sp__flat_spread(L->flat, &L->bracket.pb, f);
 #endif
-    return L->n.found && sp__ends_stand(&L->ends, d, l * L->ref, f, f, L->room);
+    return L->n.found && sp__bracket_stands(&L->bracket, d, l * L->ref, f, f, L->room);
 }
 
 /* Where the interior points are done but for so much, do the forces at hand, balanced, carry their multiple? The largest stays.
  *     returns 1: and it is as near to the best motion's power balance */
-static int sp__limit_lower(sp__limit *L, sp_real near)
+static int sp__interior_lower(sp__limit *L, sp_real near)
 {
     const sp_real l = L->l / L->m.tau, a = l < L->best ? l : sp__max(0, L->best), far = near * (1 + sp__abs(a));
     if (!L->none && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= far) return 1;
     if (L->none || (L->m.theta > near * L->m.tau && sp__abs(L->best - l) > far) || a * L->ref <= L->r.lower) return 0;
     if (!sp__limit_forces(L, 1, a, L->m.tau, L->r.ray)) return 0;
     L->r.lower = a * L->ref;
-    L->r.omega = L->ends.omega;
-    memcpy(L->r.f, L->r.ray, 3 * (size_t)L->ends.pb.points * sizeof *L->r.f);
+    L->r.omega = L->bracket.omega;
+    memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
     return sp__abs(L->best - a) <= far;
 }
 
 /* Do they carry the live loads alone, and all of them the multiple at hand? */
-static int sp__limit_ray(sp__limit *L)
+static int sp__interior_unbounded(sp__limit *L)
 {
     const sp_real l = L->l / L->m.tau;
     L->m.ray = 1;
     const int found = sp__limit_forces(L, 0, 1, L->l, L->r.ray);
     L->m.ray = 0;
     if (!found) return 0;
-    for (size_t k = 0; k < 3 * (size_t)L->ends.pb.points; k++) L->r.ray[k] /= L->ref;
+    for (size_t k = 0; k < 3 * (size_t)L->bracket.pb.points; k++) L->r.ray[k] /= L->ref;
     L->r.kind = SP_LIMIT_UNBOUNDED;
     if (!sp__limit_forces(L, 1, l, L->m.tau, L->r.f)) return 1;
     L->r.lower = l * L->ref;
-    L->r.omega = L->ends.omega;
+    L->r.omega = L->bracket.omega;
     return 1;
+}
+
+/* x = z = e, y = 0, l = s = tau = kappa = 1. */
+static void sp__interior_start(sp__limit *L)
+{
+    sp__ipm_start(L->w, &L->m);
+    L->l = L->s = 1;
+}
+
+/* Interior points, until the ends meet.     returns 1: lower and best meet, the live loads have no end, or nothing stands */
+SP__NOINLINE static int sp__interior_run(sp__limit *L)
+{
+    sp__dual *w = L->w;
+    sp__ipm *m = &L->m;
+    sp__bracket *b = &L->bracket;
+    const int32_t faces = w->cone.faces;
+    const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
+    int idle = 0;                                       /* steps that got nowhere, one after the other */
+    sp__interior_start(L);
+    for (int it = 0; it < SP__LIMIT_MOST && idle < SP__IPM_IDLE && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
+        m->gap = 0;
+        m->outside = 0;
+        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->spent) return 0;
+        L->n.left--;
+        b->cost.iterations++;
+        b->cost.interior++;
+        if (m->outside) return 0;
+        m->mu = (m->gap + m->tau * m->kappa + L->l * L->s) / (cones + 2);
+        if (sp__interior_lower(L, SP__LIMIT_NEAR)) return 1;
+        if (L->l > 1000 * m->tau && sp__interior_unbounded(L)) return 1;
+        sp__interior_columns(L);
+        sp__interior_motions(L);
+        if (w->spent) return 0;
+        if (L->none && sp__bracket_falls(b, 0, 1, NULL, L->room)) return 1;
+        sp__interior_step(L);
+        if (w->spent) return 0;
+        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
+    }
+    sp__interior_lower(L, 1000 * SP__LIMIT_NEAR);
+    return 0;
 }
 
 #endif

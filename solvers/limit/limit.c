@@ -3,98 +3,64 @@
 #define SP__LIMIT_LIMIT_C
 
 #include "../check/ladder.c"
-#include "climb.c"
+#include "strong.c"
 
 #if SP__WITH_INTERIOR
 
-/* Interior points, until the ends meet.     returns 1: lower and best meet, the live loads have no end, or nothing stands */
-SP__NOINLINE static int sp__limit_run(sp__limit *L)
-{
-    sp__dual *w = L->w;
-    sp__ipm *m = &L->m;
-    sp__ends *e = &L->ends;
-    const int32_t faces = w->cone.faces;
-    const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
-    int idle = 0;                                       /* steps that got nowhere, one after the other */
-    sp__limit_start(L);
-    for (int it = 0; it < SP__LIMIT_MOST && idle < SP__IPM_IDLE && L->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
-        m->gap = 0;
-        m->outside = 0;
-        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
-        if (w->spent) return 0;
-        L->n.left--;
-        e->cost.iterations++;
-        e->cost.interior++;
-        if (m->outside) return 0;
-        m->mu = (m->gap + m->tau * m->kappa + L->l * L->s) / (cones + 2);
-        if (sp__limit_lower(L, SP__LIMIT_NEAR)) return 1;
-        if (L->l > 1000 * m->tau && sp__limit_ray(L)) return 1;
-        sp__limit_columns(L);
-        sp__limit_motions(L);
-        if (w->spent) return 0;
-        if (L->none && sp__ends_fall(e, 0, 1, NULL, L->room)) return 1;
-        sp__limit_step(L);
-        if (w->spent) return 0;
-        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
-    }
-    sp__limit_lower(L, 1000 * SP__LIMIT_NEAR);
-    return 0;
-}
-
 /* Flops that are left to the search: the certificate check of both ends needs some, too. */
-static int64_t sp__limit_left(const sp__ends *e)
+static int64_t sp__limit_left(const sp__bracket *b)
 {
-    return e->limit - e->cost.flops - 80 * SP__FLOPS_CERTIFICATE * (int64_t)e->pb.points;
+    return b->limit - b->cost.flops - 80 * SP__FLOPS_CERTIFICATE * (int64_t)b->pb.points;
 }
 
 /* L->flat, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
  * about the size both have at work. */
 static void sp__limit_flat(sp__limit *L, sp_arena *a)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     L->flat = NULL;
 #ifndef SP_NO_PLAN
     const size_t start = a->used;
     sp__flat *o = sp__take(a, 1, sizeof *o);
     int planar = o != NULL;
     for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
-        sp__ends_mix(e, k != 2, k != 1 ? L->ref : 0);
-        planar = k ? sp__flat_loads(&e->pb, &e->set, o->e[2], 0) : sp__flat_choose(&e->pb, &e->set, o) && o->mode == SP__PLANE;
+        sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
+        planar = k ? sp__flat_loads(&b->pb, &b->set, o->e[2], 0) : sp__flat_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
     }
     if (planar) L->flat = o;
     else if (o) a->used = start;
 #else
     (void)a;
 #endif
-    sp__ends_mix(e, 1, L->ref);
+    sp__bracket_load(b, 1, L->ref);
 }
 
 /* The dual at that load, its sizes and metric; hints for both loads. */
 SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 {
-    sp__ends *e = &L->ends;
-    const size_t n = 6 * (size_t)e->pb.blocks;
+    sp__bracket *b = &L->bracket;
+    const size_t n = 6 * (size_t)b->pb.blocks;
     sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
     sp__limit_flat(L, a);
-    L->w = sp__dual_make(&e->pb, &e->set, SP__LIMIT, L->flat, &e->cost, a);
+    L->w = sp__dual_make(&b->pb, &b->set, SP__LIMIT, L->flat, &b->cost, a);
     if (!L->w) return SP_E_MEMORY;
-    L->w->limit = sp__limit_left(e) + e->cost.flops;
-    L->m.x = sp__take(a, (size_t)e->pb.points, (size_t)(e->set.faces ? e->set.faces : 3) * sizeof *L->m.x);
+    L->w->limit = sp__limit_left(b) + b->cost.flops;
+    L->m.x = sp__take(a, (size_t)b->pb.points, (size_t)(b->set.faces ? b->set.faces : 3) * sizeof *L->m.x);
     if (sp__failed(a)) return SP_E_MEMORY;
     for (int k = 0; k < 2; k++) {
-        sp__ends_mix(e, k ? 0 : 1, k ? L->ref : 0);
+        sp__bracket_load(b, k ? 0 : 1, k ? L->ref : 0);
         if (k) sp__bilateral_solve(L->w); else sp__dual_bilateral(L->w);
         if (L->w->spent) return SP_OK;
         L->state.y0 = y0[k];
         sp__dual_hint(L->w, &L->state);
     }
     for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
-    e->y0 = L->r.y0;
+    b->y0 = L->r.y0;
     L->w->metric = 0;
-    sp__limit_apart(L, 1);
+    sp__limit_loads_sized(L, 1);
     sp__limit_sizes(L);
     if (sp__dual_metric(L->w)) sp__dual_weights(L->w);
-    sp__ends_mix(e, 0, L->ref);
+    sp__bracket_load(b, 0, L->ref);
     sp__dual_load(L->w, L->q);
     return SP_OK;
 }
@@ -102,63 +68,63 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 /* The exact stage under the loads at hand, first in 3 rows where they let it. */
 SP__NOINLINE static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdict *claim)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
 #ifndef SP_NO_PLAN
     sp_arena again = room;
     sp__flat *o = sp__take(&again, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
-    if (sp__flat_choose(&e->pb, &e->wide, o)) {    /* with as many iterations as were asked for */
-        const sp_status status = sp__exact_search(&e->pb, &e->set, o, &L->state, &again, claim);
+    if (sp__flat_choose(&b->pb, &b->wide, o)) {    /* with as many iterations as were asked for */
+        const sp_status status = sp__exact_search(&b->pb, &b->set, o, &L->state, &again, claim);
         if (status || *claim == SP_STABLE || (*claim == SP_UNSTABLE && (o->mode == SP__PLANE || o->forest))) return status;
         *claim = SP_UNDECIDED;
     }
 #endif
-    return sp__exact_run(&e->pb, &e->set, &L->state, &room, claim);
+    return sp__exact_run(&b->pb, &b->set, &L->state, &room, claim);
 }
 
 /* Gates and the exact stage at d dead + a live.     returns what they claim; state.dq, or f, says it */
-SP__NOINLINE static sp_verdict sp__limit_exact(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
+SP__NOINLINE static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_verdict claim = SP_UNDECIDED;
     sp_arena again = room;
-    sp__ends_mix(e, d, a * L->ref);
-    e->set.iterations = L->n.left;
-    e->set.localise = 1;
+    sp__bracket_load(b, d, a * L->ref);
+    b->set.iterations = L->n.left;
+    b->set.localise = 1;
     L->state.f = f;
-    memset(f, 0, 3 * (size_t)e->pb.points * sizeof *f);
-    L->state.y0 = e->hint;
+    memset(f, 0, 3 * (size_t)b->pb.points * sizeof *f);
+    L->state.y0 = b->hint;
     memset(&L->state.cost, 0, sizeof L->state.cost);
-    L->state.left = sp__limit_left(e);
-    if (L->state.left <= 0) { e->spent = 1; return SP_UNDECIDED; }
-    sp_status status = sp__gates_run(&e->pb, &e->set, &L->state, &room, &claim);
+    L->state.left = sp__limit_left(b);
+    if (L->state.left <= 0) { b->spent = 1; return SP_UNDECIDED; }
+    sp_status status = sp__gates_run(&b->pb, &b->set, &L->state, &room, &claim);
     if (!status && !claim) status = sp__limit_stage(L, again, &claim);
     L->n.left -= L->state.cost.factorisations;
-    sp__cost_add(&e->cost, &L->state.cost);
+    sp__cost_add(&b->cost, &L->state.cost);
     if (status) claim = SP_UNDECIDED;
-    if (claim == SP_UNSTABLE) memcpy(e->dq, L->state.dq, 6 * (size_t)e->pb.blocks * sizeof *e->dq);
+    if (claim == SP_UNSTABLE) memcpy(b->dq, L->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     return claim;
 }
 
 /* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
 static sp_real sp__limit_balance(const sp__limit *L)
 {
-    const sp_real dead = sp__ends_work(&L->ends, L->ends.dead) - L->ends.resist;
-    const sp_real live = L->ref * sp__ends_work(&L->ends, L->ends.live);
+    const sp_real dead = sp__bracket_work(&L->bracket, L->bracket.dead) - L->bracket.resist;
+    const sp_real live = L->ref * sp__bracket_work(&L->bracket, L->bracket.live);
     return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
 }
 
 /* Vp falls below `least`, Vq beyond `best`, which is not more: together, in the shares in which live loads do no work, they fall at
  * any multiple, for joints resist both at once with no more than what they resist each with. */
-static int sp__limit_never(sp__limit *L)
+static int sp__limit_never_stands(sp__limit *L)
 {
-    sp__ends *e = &L->ends;
-    const size_t n = 6 * (size_t)e->pb.blocks;
-    const sp_real p = sp__dot(e->live, L->Vp, n), q = sp__dot(e->live, L->Vq, n);
+    sp__bracket *b = &L->bracket;
+    const size_t n = 6 * (size_t)b->pb.blocks;
+    const sp_real p = sp__dot(b->live, L->Vp, n), q = sp__dot(b->live, L->Vq, n);
     if (!(L->least >= L->best && p < 0 && q > 0)) return 0;
-    for (size_t k = 0; k < n; k++) e->dq[k] = L->Vp[k] / -p + L->Vq[k] / q;
-    L->none = sp__ends_fall(e, 0, 1, NULL, L->room);
-    if (!L->none) memcpy(e->dq, L->Vq, n * sizeof *e->dq);
+    for (size_t k = 0; k < n; k++) b->dq[k] = L->Vp[k] / -p + L->Vq[k] / q;
+    L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
+    if (!L->none) memcpy(b->dq, L->Vq, n * sizeof *b->dq);
     return L->none;
 }
 
@@ -166,17 +132,17 @@ static int sp__limit_never(sp__limit *L)
  * next.                                                                             returns 0: nothing gained */
 static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 {
-    const int beyond = sp__ends_fall(&L->ends, *a * L->ref, 1, NULL, L->room);
-    if (!beyond && !sp__ends_fall(&L->ends, *a * L->ref, 0, NULL, L->room)) return 0;
+    const int beyond = sp__bracket_falls(&L->bracket, *a * L->ref, 1, NULL, L->room);
+    if (!beyond && !sp__bracket_falls(&L->bracket, *a * L->ref, 0, NULL, L->room)) return 0;
     const sp_real balance = sp__limit_balance(L), last = *a;
     L->none = beyond && last <= 0;
     if (L->none) return 1;
     if (!(balance < SP__HUGE)) return 0;
     if (beyond ? balance < L->best : balance > L->least) {
         *(beyond ? &L->best : &L->least) = balance;
-        memcpy(beyond ? L->Vq : L->Vp, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
+        memcpy(beyond ? L->Vq : L->Vp, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->Vq);
     }
-    if (sp__limit_never(L)) return 1;
+    if (sp__limit_never_stands(L)) return 1;
     const sp_real next = beyond ? L->best - step : balance + step < L->best ? balance + step : L->best;
     *a = sp__max(0, next);
     return beyond ? *a < last : *a > last;
@@ -184,48 +150,48 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 
 /* Live loads alone, before there is an upper end: forces that balance them are a ray, and there is none; or something falls under
  * them, and its power balance is one. */
-SP__NOINLINE static void sp__limit_endless(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_live_alone(sp__limit *L, sp_arena room)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_real a = 1;
-    const sp_verdict claim = sp__limit_exact(L, 0, 1, L->r.ray, room);
-    if (claim == SP_STABLE && sp__ends_stand(e, 0, L->ref, L->r.ray, L->r.ray, L->room)) {
-        for (size_t k = 0; k < 3 * (size_t)e->pb.points; k++) L->r.ray[k] /= L->ref;
+    const sp_verdict claim = sp__limit_ask(L, 0, 1, L->r.ray, room);
+    if (claim == SP_STABLE && sp__bracket_stands(b, 0, L->ref, L->r.ray, L->r.ray, L->room)) {
+        for (size_t k = 0; k < 3 * (size_t)b->pb.points; k++) L->r.ray[k] /= L->ref;
         L->r.kind = SP_LIMIT_UNBOUNDED;
     }
     for (int it = 0; it < 3 && claim == SP_UNSTABLE && a < SP__HUGE; it++) {    /* what joints resist hangs on caps, and those on a */
         int32_t final;
         sp_arena again = L->room;
-        if (!sp__ends_open(e, 1, a * L->ref, &again)) return;
-        sp__certify_motion(&e->certificate, e->dq, 0, &final);
-        sp__ends_keep(e);
-        L->best = a = sp__ends_work(e, e->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
+        if (!sp__bracket_judge_open(b, 1, a * L->ref, &again)) return;
+        sp__certify_motion(&b->certificate, b->dq, 0, &final);
+        sp__bracket_keep(b);
+        L->best = a = sp__bracket_work(b, b->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
     }
 }
 
 /* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
-SP__NOINLINE static int sp__limit_rises(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__strong_starts(sp__limit *L, sp_arena room)
 {
-    sp__ends *e = &L->ends;
-    const size_t bytes = 6 * (size_t)e->pb.blocks * sizeof *e->dq;
-    memcpy(L->Vp, e->dq, bytes);
-    const sp_verdict claim = sp__limit_exact(L, 1, 0, L->r.f, room);
-    L->none = claim == SP_UNSTABLE && sp__ends_fall(e, 0, 1, NULL, L->room);
-    if (!L->none) memcpy(e->dq, L->Vp, bytes);
-    if (claim != SP_STABLE || !sp__ends_stand(e, 1, 0, L->r.f, L->r.f, L->room)) return 0;
+    sp__bracket *b = &L->bracket;
+    const size_t bytes = 6 * (size_t)b->pb.blocks * sizeof *b->dq;
+    memcpy(L->Vp, b->dq, bytes);
+    const sp_verdict claim = sp__limit_ask(L, 1, 0, L->r.f, room);
+    L->none = claim == SP_UNSTABLE && sp__bracket_falls(b, 0, 1, NULL, L->room);
+    if (!L->none) memcpy(b->dq, L->Vp, bytes);
+    if (claim != SP_STABLE || !sp__bracket_stands(b, 1, 0, L->r.f, L->r.f, L->room)) return 0;
     L->r.lower = 0;
-    L->r.omega = e->omega;
+    L->r.omega = b->omega;
     L->r.dead = SP_STABLE;
     return 1;
 }
 
 /* Of forces in r.ray that carry a large multiple little is due to dead loads: are they a ray without what is so small? */
-SP__NOINLINE static int sp__limit_far(sp__limit *L)
+SP__NOINLINE static int sp__limit_far_unbounded(sp__limit *L)
 {
     sp_real *ray = L->r.ray;
-    sp__forces_dust(ray, L->ends.pb.points, 100 * L->ref / L->r.lower);
-    for (size_t k = 0; k < 3 * (size_t)L->ends.pb.points; k++) ray[k] /= L->r.lower;
-    if (!sp__ends_stand(&L->ends, 0, 1, L->r.ray, L->r.ray, L->room)) return 0;
+    sp__forces_dust(ray, L->bracket.pb.points, 100 * L->ref / L->r.lower);
+    for (size_t k = 0; k < 3 * (size_t)L->bracket.pb.points; k++) ray[k] /= L->r.lower;
+    if (!sp__bracket_stands(&L->bracket, 0, 1, L->r.ray, L->r.ray, L->room)) return 0;
     L->r.kind = SP_LIMIT_UNBOUNDED;
     return 1;
 }
@@ -239,20 +205,20 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
     const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), far = (sp_real)0.01 * size;
-    sp_real step = SP__LIMIT_STEP * L->ends.set.tol * size;
+    sp_real step = SP__LIMIT_STEP * L->bracket.set.tol * size;
     L->least = -SP__HUGE;
-    memcpy(L->Vq, L->ends.dq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
+    memcpy(L->Vq, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->Vq);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
-    for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->ends) > 0 && step < far; it++) {
-        const sp_verdict claim = sp__limit_exact(L, 1, a, f, room);
-        if (claim == SP_STABLE && sp__ends_stand(&L->ends, 1, a * L->ref, f, f, L->room)) {
+    for (int it = 0; it < 24 && L->n.left > 0 && sp__limit_left(&L->bracket) > 0 && step < far; it++) {
+        const sp_verdict claim = sp__limit_ask(L, 1, a, f, room);
+        if (claim == SP_STABLE && sp__bracket_stands(&L->bracket, 1, a * L->ref, f, f, L->room)) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
             if (a * L->ref > L->r.lower) {
                 L->r.lower = a * L->ref;
-                L->r.omega = L->ends.omega;
-                memmove(L->r.f, f, 3 * (size_t)L->ends.pb.points * sizeof *f);
+                L->r.omega = L->bracket.omega;
+                memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
-            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__limit_far(L))) return 1;
+            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__limit_far_unbounded(L))) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
         }
@@ -270,7 +236,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
             a = sp__max(0, L->best - step);
         } else a = a > 0 ? 8 * a : 1;
     }
-    if (L->best < SP__HUGE) memcpy(L->ends.dq, L->Vq, 6 * (size_t)L->ends.pb.blocks * sizeof *L->Vq);
+    if (L->best < SP__HUGE) memcpy(L->bracket.dq, L->Vq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->Vq);
     return 0;
 }
 
@@ -278,18 +244,18 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
 SP__NOINLINE static int sp__limit_upper(sp__limit *L, sp_arena room)
 {
     sp_limit_result *r = &L->r;
-    sp_real slack = sp__max(L->slack, L->ends.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
+    sp_real slack = sp__max(L->slack, L->bracket.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
     for (int it = 0; it < 8; it++, slack *= 2) {
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
-        if (it == 2 && !L->none) sp__limit_exact(L, 1, L->best + slack, r->ray, room);
-        if (!sp__ends_fall(&L->ends, lambda, 1, r->dq, L->room)) continue;
-        if (L->ends.least < (sp_real)1.1 * L->ends.set.tol) {   /* by a hair: so that it is proof as it is told, too */
-            sp__verify_motion(&L->ends.pb, r->dq, L->ends.dq);
-            if (!sp__ends_fall(&L->ends, lambda, 1, NULL, L->room)) continue;
+        if (it == 2 && !L->none) sp__limit_ask(L, 1, L->best + slack, r->ray, room);
+        if (!sp__bracket_falls(&L->bracket, lambda, 1, r->dq, L->room)) continue;
+        if (L->bracket.least < (sp_real)1.1 * L->bracket.set.tol) {   /* by a hair: so that it is proof as it is told, too */
+            sp__verify_motion(&L->bracket.pb, r->dq, L->bracket.dq);
+            if (!sp__bracket_falls(&L->bracket, lambda, 1, NULL, L->room)) continue;
         }
         r->upper = lambda;
-        r->least_imbalance = L->ends.least;
-        r->final = L->ends.final;
+        r->least_imbalance = L->bracket.least;
+        r->final = L->bracket.final;
         return 1;
     }
     return 0;
@@ -305,23 +271,23 @@ static void sp__limit_conclude(sp__limit *L)
     if (never) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
     else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
-    const int spent = L->ends.spent || L->n.left <= 0 || sp__limit_left(&L->ends) <= 0;
+    const int spent = L->bracket.spent || L->n.left <= 0 || sp__limit_left(&L->bracket) <= 0;
     r->reason = r->kind ? SP_REASON_FORCES : spent ? SP_REASON_BUDGET : SP_REASON_LIMIT;
     if (r->kind != SP_LIMIT_FOUND) return;
     const sp_real balance = sp__limit_balance(L) * L->ref;
-    if (balance >= 0 && balance < r->lower && sp__ends_stand(&L->ends, 1, balance, r->f, NULL, L->room)) {
+    if (balance >= 0 && balance < r->lower && sp__bracket_stands(&L->bracket, 1, balance, r->f, NULL, L->room)) {
         r->lower = balance;                             /* within tol the same forces carry less, too */
-        r->omega = L->ends.omega;
+        r->omega = L->bracket.omega;
     }
     r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
-    r->within = sp__ends_within(r, balance);
+    r->within = sp__bracket_within(r, balance);
 }
 
 /* What of all that stands, or falls, under the dead loads alone, and from where on? Where live loads must hold it, each collapse
  * tells a least multiple, by Newton's method on the least imbalance, from below. */
 SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_limit_result *r = &L->r;
     sp_real a = 0;
     r->lowest = r->lower;
@@ -330,35 +296,35 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
     if (r->dead == SP_STABLE) r->lowest = 0;
     for (int it = 0; it < 12 && r->lowest > a * L->ref && L->n.left > 0; it++) {
         const sp_real last = a;
-        const sp_verdict claim = sp__limit_exact(L, 1, a, L->f, room);
-        if (claim == SP_STABLE && sp__ends_stand(e, 1, a * L->ref, L->f, NULL, L->room)) {
+        const sp_verdict claim = sp__limit_ask(L, 1, a, L->f, room);
+        if (claim == SP_STABLE && sp__bracket_stands(b, 1, a * L->ref, L->f, NULL, L->room)) {
             r->lowest = a * L->ref;
             if (!it) r->dead = SP_STABLE;
             if (r->kind != SP_LIMIT_UNBOUNDED) return;
             r->lower = r->lowest;                       /* every multiple from there on */
-            r->omega = e->omega;
-            memcpy(r->f, L->f, 3 * (size_t)e->pb.points * sizeof *r->f);
+            r->omega = b->omega;
+            memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
             return;
         }
-        if (claim == SP_UNSTABLE && sp__ends_fall(e, a * L->ref, 0, NULL, L->room)) {
+        if (claim == SP_UNSTABLE && sp__bracket_falls(b, a * L->ref, 0, NULL, L->room)) {
             r->dead = SP_UNSTABLE;
-            a = sp__limit_balance(L) + SP__LIMIT_STEP * e->set.tol * (1 + a);
+            a = sp__limit_balance(L) + SP__LIMIT_STEP * b->set.tol * (1 + a);
         } else if (!it) return;
         if (!(a > last)) a = (last + r->lowest / L->ref) / 2;
     }
 }
 
 /* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
-static sp_real sp__limit_reference(sp__ends *e)
+static sp_real sp__limit_reference(sp__bracket *b)
 {
     sp_real sum[2] = { 0, 0 };
-    for (int32_t c = 0; c < e->pb.contacts; c++)
+    for (int32_t c = 0; c < b->pb.contacts; c++)
         for (int side = 0; side < 2; side++) {
-            const sp_contact *t = &e->pb.contact[c];
+            const sp_contact *t = &b->pb.contact[c];
             const int32_t i = side ? t->b : t->a;
             const sp_real arm = sp__norm3(side ? t->rb : t->ra);
             for (int k = 0; k < 2 && i >= 0; k++) {
-                const sp_real *p = (k ? e->live : e->dead) + 6 * (size_t)i;
+                const sp_real *p = (k ? b->live : b->dead) + 6 * (size_t)i;
                 sum[k] += sp__norm3(p) + (arm > 0 ? sp__norm3(p + 3) / arm : 0);
             }
         }
@@ -369,45 +335,45 @@ static sp_real sp__limit_reference(sp__ends *e)
 /* Interior points and what they leave: the best motion sharpened.     returns 1: both ends are near, or nothing stands */
 SP__NOINLINE static int sp__limit_search(sp__limit *L)
 {
-    sp__ends *e = &L->ends;
-    int done = !L->w->spent && sp__limit_run(L);
+    sp__bracket *b = &L->bracket;
+    int done = !L->w->spent && sp__interior_run(L);
     if (L->r.kind == SP_LIMIT_UNBOUNDED) return L->r.lower >= 0;
-    if (!L->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_settle(L);
-    if (L->none && !done) done = L->none = sp__ends_fall(e, 0, 1, NULL, L->room);
-    e->spent |= L->w->spent;
-    return done || sp__limit_near(L, SP__LIMIT_WIDE * L->r.tol);
+    if (!L->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
+    if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
+    b->spent |= L->w->spent;
+    return done || sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 /* Search, then both ends; `a` is used up. */
 SP__NOINLINE static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_arena rest = *a;
     int done = 0, live = 0;
-    for (size_t k = 0; k < 6 * (size_t)e->pb.blocks; k++) live |= e->live[k] < 0 || e->live[k] > 0;
+    for (size_t k = 0; k < 6 * (size_t)b->pb.blocks; k++) live |= b->live[k] < 0 || b->live[k] > 0;
     if (!live) L->r.kind = SP_LIMIT_UNBOUNDED;                  /* does it stand at all? */
-    else if (!sp__problem_strong(&e->pb)) {
+    else if (!sp__problem_strong(&b->pb)) {
         const sp_status status = sp__limit_open(L, a);
         if (status) return status;
         done = sp__limit_search(L);
     }
     if (!done) {
         L->none = 0;
-        if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_endless(L, rest);
-        const int strong = sp__problem_strong(&e->pb) && L->r.kind != SP_LIMIT_UNBOUNDED;
-        if (strong && sp__limit_rises(L, rest) && L->best >= 0) {
+        if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L, rest);
+        const int strong = sp__problem_strong(&b->pb) && L->r.kind != SP_LIMIT_UNBOUNDED;
+        if (strong && sp__strong_starts(L, rest) && L->best >= 0) {
             a->used = rest.used;
             const sp_status status = sp__limit_open(L, a);
             if (status) return status;
-            done = sp__limit_climb(L);
+            done = sp__strong_run(L);
         }
         if (!done && !L->none) done = sp__limit_newton(L, rest);
     }
     if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L, rest);
     sp__limit_conclude(L);
     sp__limit_lowest(L, rest);
-    if (L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)e->scene.count.blocks * sizeof *L->r.dq);
-    if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)e->pb.points * sizeof *L->r.ray);
+    if (L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)b->scene.count.blocks * sizeof *L->r.dq);
+    if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)b->pb.points * sizeof *L->r.ray);
     return SP_OK;
 }
 
@@ -445,17 +411,17 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__limit *L = sp__take(&scratch, 1, sizeof *L);
     if (!L) return SP_E_MEMORY;
-    const sp_status status = sp__ends_build(scene, settings, &L->ends, &scratch);
+    const sp_status status = sp__bracket_build(scene, settings, &L->bracket, &scratch);
     if (status) return status;
-    const sp_problem *pb = &L->ends.pb;
-    const int32_t faces = L->ends.set.faces;
-    L->ends.y0 = NULL;
-    L->ref = sp__limit_reference(&L->ends);
+    const sp_problem *pb = &L->bracket.pb;
+    const int32_t faces = L->bracket.set.faces;
+    L->bracket.y0 = NULL;
+    L->ref = sp__limit_reference(&L->bracket);
     sp__limit_flat(L, &scratch);
 #ifndef SP_NO_PLAN
     if (!L->flat) L->flat = sp__take(&scratch, 1, sizeof *L->flat);    /* of other loads there may be one */
 #endif
-    const size_t search = pb->blocks ? sp__dual_most(pb, &L->ends.set, 0, (size_t)(faces ? faces : 3), L->flat, scratch) : 0;
+    const size_t search = pb->blocks ? sp__dual_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), L->flat, scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;
     sp_arena dry = sp__arena_dry();
@@ -463,9 +429,9 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     sp__take(&dry, 1, sizeof *L);
     sp__take(&dry, 1, sp_problem_memory(scene));
     sp_real *at[5];
-    sp__ends_carve(at, pb->blocks, &dry);
+    sp__bracket_carve(at, pb->blocks, &dry);
     sp__limit_carve(L, scene, pb->blocks, &dry);
-    sp__take(&dry, 1, sp__certificate_need(pb, &L->ends.set));
+    sp__take(&dry, 1, sp__certificate_need(pb, &L->bracket.set));
     sp__take(&dry, 1, search);
     *bytes = dry.used;
     return SP_OK;
@@ -483,10 +449,10 @@ SP__NOINLINE static sp_status sp__limit_build(const sp_scene *scene, const sp_se
     sp__limit *L = sp__take(a, 1, sizeof *L);
     if (!L) return SP_E_MEMORY;
     memset(L, 0, sizeof *L);
-    const sp_status status = sp__ends_build(scene, settings, &L->ends, a);
+    const sp_status status = sp__bracket_build(scene, settings, &L->bracket, a);
     if (status) return status;
     sp__limit_carve(L, scene, count.blocks, a);
-    const size_t need = sp__certificate_need(&L->ends.pb, &L->ends.set);
+    const size_t need = sp__certificate_need(&L->bracket.pb, &L->bracket.set);
     L->room.base = sp__take(a, 1, need);
     L->room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -498,12 +464,12 @@ SP__NOINLINE static sp_status sp__limit_build(const sp_scene *scene, const sp_se
     memset(r->y0, 0, 24 * (size_t)count.blocks * sizeof *r->y0);
     memset(L->state.y, 0, 6 * (size_t)count.blocks * sizeof *L->state.y);
     r->lower = r->upper = r->lowest = -1;
-    r->tol = L->ends.set.tol;
-    r->force_bound = L->ends.set.force_bound;
+    r->tol = L->bracket.set.tol;
+    r->force_bound = L->bracket.set.force_bound;
     L->n.goal = r->tol / 4;
-    L->n.left = (sp__problem_strong(&L->ends.pb) ? 2 : 1) * L->ends.set.iterations;
+    L->n.left = (sp__problem_strong(&L->bracket.pb) ? 2 : 1) * L->bracket.set.iterations;
     L->best = SP__HUGE;
-    L->ref = sp__limit_reference(&L->ends);
+    L->ref = sp__limit_reference(&L->bracket);
     *limit = L;
     return SP_OK;
 }
@@ -518,10 +484,10 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     sp_status status = sp__limit_build(scene, settings, &a, &L, &kept);
     if (!status) status = sp__limit_decide(L, &a);
     if (status) return status;
-    L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__ends_hold(&L->ends, &L->r, L->room);
-    if (L->r.kind && !L->r.verified) L->r.reason = L->ends.spent ? SP_REASON_BUDGET : SP_REASON_UNVERIFIED;
+    L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__bracket_holds(&L->bracket, &L->r, L->room);
+    if (L->r.kind && !L->r.verified) L->r.reason = L->bracket.spent ? SP_REASON_BUDGET : SP_REASON_UNVERIFIED;
     if (!L->r.verified) L->r.kind = SP_LIMIT_UNDECIDED;
-    L->r.cost = L->ends.cost;
+    L->r.cost = L->bracket.cost;
     L->r.peak_bytes = a.peak;
     arena->used = kept;
     arena->peak = a.peak;

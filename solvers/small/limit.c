@@ -2,7 +2,7 @@
 #ifndef SP__SMALL_LIMIT_C
 #define SP__SMALL_LIMIT_C
 
-#include "../limit/ends.c"
+#include "../limit/bracket.c"
 #include "check.c"
 
 #if SP__WITH_SMALL && SP__WITH_LIMIT
@@ -12,7 +12,7 @@
  * lambda. From there Newton's method on the least imbalance over lambda: what falls just below has a lesser one, or, where live
  * loads hold it, tells the least multiple.                                                             [Dinkelbach 1967] */
 typedef struct sp__limit {
-    sp__ends ends;
+    sp__bracket bracket;
     sp__small w;
     sp_result at;                       /* of the search at hand */
     sp_limit_result r;                  /* its dq: the motion of `best` */
@@ -24,19 +24,19 @@ typedef struct sp__limit {
 /* The search under d dead + l live; the ends' dq is the motion it ends with. */
 SP__NOINLINE static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real l, sp_arena room)
 {
-    sp__ends_mix(&L->ends, d, l);
+    sp__bracket_load(&L->bracket, d, l);
     L->at.verdict = SP_UNDECIDED;
     L->w.metric = 0;
-    if (!L->ends.pb.blocks) return SP_STABLE;
+    if (!L->bracket.pb.blocks) return SP_STABLE;
     sp__small_run(&L->w, &room);
-    sp__verify_motion(&L->ends.pb, L->at.dq, L->ends.dq);
+    sp__verify_motion(&L->bracket.pb, L->at.dq, L->bracket.dq);
     return L->at.verdict;
 }
 
 /* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
-static sp_real sp__limit_balance(const sp__ends *e)
+static sp_real sp__limit_balance(const sp__bracket *b)
 {
-    const sp_real dead = sp__ends_work(e, e->dead), live = sp__ends_work(e, e->live);
+    const sp_real dead = sp__bracket_work(b, b->dead), live = sp__bracket_work(b, b->live);
     return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
 }
 
@@ -44,12 +44,12 @@ static sp_real sp__limit_balance(const sp__ends *e)
  * where nothing is gained. */
 SP__NOINLINE static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room)
 {
-    const sp_real balance = sp__limit_balance(&L->ends);
-    const int beyond = sp__ends_beyond(&L->ends, room);
+    const sp_real balance = sp__limit_balance(&L->bracket);
+    const int beyond = sp__bracket_falls_beyond(&L->bracket, room);
     L->none = beyond && !(a > 0);
     if (beyond && (L->none || balance < L->best)) {
         L->best = balance;
-        memcpy(L->r.dq, L->at.dq, 6 * (size_t)L->ends.scene.count.blocks * sizeof *L->r.dq);
+        memcpy(L->r.dq, L->at.dq, 6 * (size_t)L->bracket.scene.count.blocks * sizeof *L->r.dq);
         return L->none ? a : sp__max(0, balance - L->step);
     }
     const sp_real middle = balance < L->best ? (balance + L->best) / 2 : L->best;
@@ -59,16 +59,16 @@ SP__NOINLINE static sp_real sp__limit_cut(sp__limit *L, sp_real a, sp_arena room
 
 SP__NOINLINE static void sp__limit_search(sp__limit *L, sp_arena room)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_limit_result *r = &L->r;
-    sp__ends_mix(e, 1, 0);
-    const sp_real dead = sp__load_unit(&e->pb);
-    sp__ends_mix(e, 0, 1);
-    L->unit = dead / sp__load_unit(&e->pb);
+    sp__bracket_load(b, 1, 0);
+    const sp_real dead = sp__load_unit(&b->pb);
+    sp__bracket_load(b, 0, 1);
+    L->unit = dead / sp__load_unit(&b->pb);
     if (sp__limit_ask(L, 0, 1, room) == SP_STABLE) {
         r->kind = SP_LIMIT_UNBOUNDED;
         L->at.f = r->f;                                 /* the others stay: the ray */
-    } else if (sp__ends_work(e, e->live) > 0) sp__limit_cut(L, 1, room);
+    } else if (sp__bracket_work(b, b->live) > 0) sp__limit_cut(L, 1, room);
     L->step = 4 * r->tol * (L->unit + (L->best < SP__HUGE ? L->best : 0));
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - L->step) : 0;
     for (int it = 0; it < 24 && !L->none; it++) {
@@ -77,7 +77,7 @@ SP__NOINLINE static void sp__limit_search(sp__limit *L, sp_arena room)
         if (verdict == SP_STABLE) {
             r->lower = a;
             r->omega = L->at.omega;
-            memmove(r->f, L->at.f, 3 * (size_t)e->pb.points * sizeof *r->f);
+            memmove(r->f, L->at.f, 3 * (size_t)b->pb.points * sizeof *r->f);
             if (r->kind == SP_LIMIT_UNBOUNDED || L->best < SP__HUGE) return;
         }
         const sp_real was = a;
@@ -103,7 +103,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
         if (!it) r->dead = verdict;
         if (verdict == SP_STABLE) r->lowest = a;
         if (verdict != SP_UNSTABLE) return;
-        a = sp__limit_balance(&L->ends) + L->step;
+        a = sp__limit_balance(&L->bracket) + L->step;
         if (!(a > last)) return;
     }
 }
@@ -111,29 +111,29 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
 /* Both ends of what was found, and what that makes of it. */
 SP__NOINLINE static void sp__limit_conclude(sp__limit *L, sp_arena room)
 {
-    sp__ends *e = &L->ends;
+    sp__bracket *b = &L->bracket;
     sp_limit_result *r = &L->r;
     const sp_real wide = 1000 * r->tol * (L->unit + sp__abs(r->lower));
     sp_real slack = wide / 500;
     for (int it = 0; it < 10 && r->upper < 0 && (L->none || (!r->kind && L->best < SP__HUGE)); it++, slack *= 2) {
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack);
-        sp__verify_motion(&e->pb, r->dq, e->dq);
-        if (!sp__ends_fall(e, lambda, 1, r->dq, room)
-            && (sp__limit_ask(L, 1, lambda, room) != SP_UNSTABLE || !sp__ends_fall(e, lambda, 1, r->dq, room))) continue;
+        sp__verify_motion(&b->pb, r->dq, b->dq);
+        if (!sp__bracket_falls(b, lambda, 1, r->dq, room)
+            && (sp__limit_ask(L, 1, lambda, room) != SP_UNSTABLE || !sp__bracket_falls(b, lambda, 1, r->dq, room))) continue;
         r->upper = lambda;
-        r->least_imbalance = e->least;
-        r->final = e->final;
+        r->least_imbalance = b->least;
+        r->final = b->final;
     }
     if (L->none) r->kind = SP_LIMIT_NONE;
     else if (!r->kind && r->lower >= 0 && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
-    const sp_real balance = sp__limit_balance(e);
+    const sp_real balance = sp__limit_balance(b);
     if (r->kind == SP_LIMIT_FOUND) {
         r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
-        r->within = sp__ends_within(r, balance);
+        r->within = sp__bracket_within(r, balance);
     }
     sp__limit_lowest(L, room);
-    if (r->kind != SP_LIMIT_UNBOUNDED) memset(r->ray, 0, 3 * (size_t)e->pb.points * sizeof *r->ray);
-    r->verified = r->kind && sp__ends_hold(e, r, room);
+    if (r->kind != SP_LIMIT_UNBOUNDED) memset(r->ray, 0, 3 * (size_t)b->pb.points * sizeof *r->ray);
+    r->verified = r->kind && sp__bracket_holds(b, r, room);
     if (!r->verified) { r->kind = SP_LIMIT_UNDECIDED; r->reason = SP_REASON_LIMIT; }
 }
 
@@ -155,16 +155,16 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__limit *L = sp__take(&scratch, 1, sizeof *L);
     if (!L) return SP_E_MEMORY;
-    const sp_status status = sp__ends_build(scene, settings, &L->ends, &scratch);
+    const sp_status status = sp__bracket_build(scene, settings, &L->bracket, &scratch);
     if (status) return status;
     sp_real *at[5];
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, sp__limit_numbers(scene), sizeof(sp_real));
     sp__take(&dry, 1, sizeof *L);
     sp__take(&dry, 1, sp_problem_memory(scene));
-    sp__ends_carve(at, L->ends.pb.blocks, &dry);
+    sp__bracket_carve(at, L->bracket.pb.blocks, &dry);
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
-    if (!sp__small_need(&L->w, &L->ends.pb, &L->ends.set, scratch, &dry)) return SP_E_MEMORY;
+    if (!sp__small_need(&L->w, &L->bracket.pb, &L->bracket.set, scratch, &dry)) return SP_E_MEMORY;
     *bytes = dry.used;
     return SP_OK;
 }
@@ -181,21 +181,21 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     if (!L) return SP_E_MEMORY;
     memset(number, 0, numbers * sizeof *number);
     memset(L, 0, sizeof *L);
-    const sp_status status = sp__ends_build(scene, settings, &L->ends, &a);
+    const sp_status status = sp__bracket_build(scene, settings, &L->bracket, &a);
     if (status) return status;
     sp_limit_result *r = &L->r;
     r->f = number; r->ray = r->f + forces; r->dq = r->ray + forces;
     r->lower = r->upper = r->lowest = -1;
-    r->tol = L->ends.set.tol;
-    r->force_bound = L->ends.set.force_bound;
+    r->tol = L->bracket.set.tol;
+    r->force_bound = L->bracket.set.force_bound;
     L->best = SP__HUGE;
-    L->at.f = r->ray; L->at.y0 = L->ends.hint;
+    L->at.f = r->ray; L->at.y0 = L->bracket.hint;
     L->at.dq = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
-    L->w.pb = &L->ends.pb; L->w.set = &L->ends.set; L->w.to = &L->at;
+    L->w.pb = &L->bracket.pb; L->w.set = &L->bracket.set; L->w.to = &L->at;
     sp_arena room = a;
-    if (!sp__small_carve(&L->w, &L->ends.pb, &a, &a)) return SP_E_MEMORY;
+    if (!sp__small_carve(&L->w, &L->bracket.pb, &a, &a)) return SP_E_MEMORY;
     room = a;
-    sp__take(&a, 1, sp__certificate_need(&L->ends.pb, &L->ends.set));
+    sp__take(&a, 1, sp__certificate_need(&L->bracket.pb, &L->bracket.set));
     if (sp__failed(&a)) return SP_E_MEMORY;
     sp__limit_search(L, room);
     sp__limit_conclude(L, room);

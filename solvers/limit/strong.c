@@ -1,6 +1,6 @@
-/* climb: joints with strength: Newton's method with the multiplier in it */
-#ifndef SP__LIMIT_CLIMB_C
-#define SP__LIMIT_CLIMB_C
+/* strong: joints with strength: Newton's method with the multiplier in it */
+#ifndef SP__LIMIT_STRONG_C
+#define SP__LIMIT_STRONG_C
 
 #include "interior.c"
 
@@ -13,14 +13,14 @@
  * The larger c, the nearer lambda is to the limit (it lacks |f|^2 / 2c at most, and nothing from some c on if K is polyhedral) and y
  * to a multiple of the mechanism, along which D is flat; but q is not across it, so a bordered Newton step is regular there:
  * d = -H^-1 (r + dlambda q), q . d = 0.                                              [Mangasarian, Meyer 1979: exact for large c] */
-SP__NOINLINE static sp_real sp__climb_step(sp__limit *L, sp_real c)
+SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, L->n.prox + L->n.shift);
     if (w->spent) return 0;
     L->n.left--;
-    L->ends.cost.iterations++;
+    L->bracket.cost.iterations++;
     sp__dual_solve(w, L->q, L->Vq);
     L->G[0] = sp__dot(L->q, L->Vq, n);
     if (!(L->G[0] > 0)) return 0;
@@ -37,12 +37,12 @@ SP__NOINLINE static sp_real sp__climb_step(sp__limit *L, sp_real c)
         sp__dual_axpy(w, -a, L->Vq, w->d);
         if (!pass) { L->at += a; sp__dual_axpy(w, a, L->q, w->r); }
     }
-    sp__limit_at(L, L->at);
+    sp__limit_loads(L, L->at);
     return sp__newton_move(w, &L->n, &L->state);
 }
 
 /* y for that c: by Newton, and where that stalls and `far` by the proximal path.     returns 1: it is found */
-SP__NOINLINE static int sp__climb_at(sp__limit *L, sp_real c, int far)
+SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int far)
 {
     const sp__dual *w = L->w;
     sp__newton *n = &L->n;
@@ -50,44 +50,44 @@ SP__NOINLINE static int sp__climb_at(sp__limit *L, sp_real c, int far)
     n->prox = 0;
     n->shift = SP__SHIFT;
     for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && tiny < 2; it++)
-        tiny += sp__newton_damp(n, sp__climb_step(L, c));
-    if (n->omega <= SP__CLIMBED || !far) return n->omega <= SP__CLIMBED;
+        tiny += sp__newton_damp(n, sp__strong_step(L, c));
+    if (n->omega <= SP__STRONG_SOLVED || !far) return n->omega <= SP__STRONG_SOLVED;
     n->shift = 0;
     n->level = SP__HUGE;
     n->prox = (sp_real)0.1;
     for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal; ) {
-        sp__climb_step(L, c);
+        sp__strong_step(L, c);
         if (n->prox <= SP__SHIFT) extra--;
         else if (sp__newton_level(L->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
-    return n->omega <= SP__CLIMBED;
+    return n->omega <= SP__STRONG_SOLVED;
 }
 
 /* Are both ends found, and no farther apart than so much? */
-static int sp__limit_near(const sp__limit *L, sp_real apart)
+static int sp__limit_closed(const sp__limit *L, sp_real apart)
 {
     return L->best < SP__HUGE && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= apart * (1 + sp__abs(L->best));
 }
 
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
-SP__NOINLINE static void sp__limit_settle(sp__limit *L)
+SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    memcpy(L->state.dq, L->ends.dq, n * sizeof *L->state.dq);
+    memcpy(L->state.dq, L->bracket.dq, n * sizeof *L->state.dq);
 #ifndef SP_NO_PLAN
     if (L->flat) sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
 #endif
-    sp__ends_mix(&L->ends, L->best < 0, L->best < 0 ? 0 : L->ref);
+    sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
     sp__newton_settle(w, &L->state);
     for (size_t k = 0; k < n; k++) L->Vq[k] = -L->state.dq[k] / w->weight[k / 3];
-    sp__limit_at(L, sp__max(0, L->best));
+    sp__limit_loads(L, sp__max(0, L->best));
     sp__limit_candidate(L, L->Vq);
 }
 
 /* What y at that c says: its motion, that of a larger c, that since the c before (in Vp), and the best of these sharpened, as upper
  * ends; its forces as a lower one.                                                                returns 1: they meet */
-SP__NOINLINE static int sp__climb_ends(sp__limit *L, int sharpen)
+SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -102,16 +102,16 @@ SP__NOINLINE static int sp__climb_ends(sp__limit *L, int sharpen)
     L->n.left--;
     if (!w->spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
         L->r.lower = a * L->ref;
-        L->r.omega = L->ends.omega;
-        memcpy(L->r.f, L->r.ray, 3 * (size_t)L->ends.pb.points * sizeof *L->r.f);
+        L->r.omega = L->bracket.omega;
+        memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
     }
-    if (sharpen && L->best < SP__HUGE && !sp__limit_near(L, SP__CLIMB_NEAR)) sp__limit_settle(L);
-    return sp__limit_near(L, SP__CLIMB_NEAR);
+    if (sharpen && L->best < SP__HUGE && !sp__limit_closed(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);
+    return sp__limit_closed(L, SP__STRONG_NEAR);
 }
 
 /* Both ends, by larger and larger c, until they meet or lambda stays where it is: from a y that Newton misses back to the last one
  * and a smaller step.                                                     returns 1: they are near enough to close the bracket */
-SP__NOINLINE static int sp__limit_climb(sp__limit *L)
+SP__NOINLINE static int sp__strong_run(sp__limit *L)
 {
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -121,40 +121,33 @@ SP__NOINLINE static int sp__limit_climb(sp__limit *L)
         most = sp__max(most, w->size[2 * (size_t)i]);
     }
     memset(w->y, 0, n * sizeof *w->y);
-    sp__limit_at(L, 0);
+    sp__limit_loads(L, 0);
     L->n.best = SP__HUGE;
     sp_real c = sum * most, times = 10;
-    const int32_t others = L->n.left > SP__CLIMB_MOST ? L->n.left - SP__CLIMB_MOST : 0;
+    const int32_t others = L->n.left > SP__STRONG_MOST ? L->n.left - SP__STRONG_MOST : 0;
     L->n.left -= others;
     int met = 0;
     for (int stage = 0, still = 0; stage < 24 && still < 3 && !met; stage++) {
         memcpy(L->Vp, w->y, n * sizeof *L->Vp);
-        if (!sp__climb_at(L, c, !stage)) {              /* back, and not so far */
+        if (!sp__strong_solve(L, c, !stage)) {              /* back, and not so far */
             if (!sp__newton_left(w, &L->n) || !stage || times < (sp_real)1.2) break;
             memcpy(w->y, L->Vp, n * sizeof *w->y);
             c /= times;
             times = SP_SQRT(times);
-            sp__limit_at(L, last);
+            sp__limit_loads(L, last);
         } else {
             still = sp__abs(L->at - last) <= SP__LIMIT_NEAR * (1 + sp__abs(last)) ? still + 1 : 0;
             last = L->at;
-            met = sp__climb_ends(L, still);
-            sp__limit_at(L, last);
+            met = sp__strong_ends(L, still);
+            sp__limit_loads(L, last);
             times = times * times < 10 ? times * times : 10;
         }
         c *= times;
     }
     L->n.left += others;
-    return sp__limit_near(L, SP__LIMIT_WIDE * L->r.tol);
-}
-
-/* x = z = e, y = 0, l = s = tau = kappa = 1. */
-static void sp__limit_start(sp__limit *L)
-{
-    sp__ipm_start(L->w, &L->m);
-    L->l = L->s = 1;
+    return sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 #endif
 
-#endif /* SP__LIMIT_CLIMB_C */
+#endif /* SP__LIMIT_STRONG_C */
