@@ -1,0 +1,219 @@
+/* The certificate check from the inside: scales against closed forms, what a hint may do, forces brought into a cone, what a cone
+ * resists of a motion, and the proof a motion gives. */
+#define SP_API static
+#include "../test.h"
+#include "../../solvers/scene/scene.c"
+#include "../../solvers/scene/block.c"
+#include "../../solvers/proof/statics.c"
+
+#include <math.h>
+
+/* A block of mass m, side a, its centroid h above a joint of four corners on fixed ground, the joint tilted by `angle`. */
+typedef struct one_block {
+    sp_scene scene;
+    sp_problem pb;
+    sp_settings set;
+    sp__judge j;
+} one_block;
+
+static int place(one_block *o, double mass, double a, double h, double angle, double mu)
+{
+    const sp_capacity room = { 2, 0, 0, 0, 1, 4, 0 };
+    const double c = cos(angle), s = sin(angle);
+    const sp_real ground[3] = { 0, 0, -1 }, at[3] = { R(-s * h), 0, R(c * h) };
+    sp_real corner[12];
+    for (int k = 0; k < 4; k++) {
+        const double x = (k == 1 || k == 2 ? a : -a) / 2, y = (k > 1 ? a : -a) / 2;
+        corner[3 * k] = R(c * x);
+        corner[3 * k + 1] = R(y);
+        corner[3 * k + 2] = R(s * x);
+    }
+    memset(o, 0, sizeof *o);
+    o->set.tol = R(TOL(1e-9, 1e-4f));
+    o->set.force_bound = 100;
+    o->set.iterations = 300;
+    const sp_joint joint = { R(mu), 0, 0, 0 };
+    if (!CHECK_INT(sp_scene_create(&o->scene, &room, &test_arena), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_body(&o->scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_body(&o->scene, R(mass), at, 0, NULL), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_interface(&o->scene, 0, 1, 4, corner, &joint, NULL), SP_OK)) return 0;
+    return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
+}
+
+static int judge(one_block *o, const sp_real *hint) { return CHECK(sp__judge_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena)); }
+
+/* The bilateral force under a block in the middle is a quarter of its weight at each corner: sbar = 2 W, and each quarter has the
+ * arm a / sqrt 2 about the centroid, so Sbar = W a / sqrt 2 and what rounding adds. All in units of the largest load, W. */
+TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
+{
+    static const double mass[] = { 1e-6, 1, 3e7 }, side[] = { 1e-3, 1, 40 };
+    for (int m = 0; m < 3; m++)
+        for (int q = 0; q < 3; q++) {
+            const sp_arena mark = test_arena;
+            one_block o;
+            NEED(place(&o, mass[m], side[q], side[q] / 2, 0, 0.5));
+            NEED(judge(&o, NULL));
+            const sp__scale *s = &o.j.scale[0];
+            const double arm = side[q] * sqrt(0.75), slack = 16 * (double)SP_EPSILON * 2 * arm / (double)o.set.tol;
+            CHECK_NEAR(o.j.unit, mass[m] * 9.80665, TOL(1e-12, 1e-6));
+            CHECK_NEAR(s->load, 1, TOL(1e-12, 1e-6));
+            CHECK_NEAR(s->s, 2, TOL(1e-9, 1e-4));
+            CHECK_NEAR(s->arm, arm, TOL(1e-12, 1e-6));
+            CHECK_NEAR(s->S, side[q] / sqrt(2.0) + slack, TOL(1e-9, 1e-4));
+            CHECK_NEAR(s->cap, 2, TOL(1e-9, 1e-4));
+            CHECK_NEAR(sp__judge_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
+            test_arena = mark;
+        }
+}
+
+/* What a hint says wrongly is solved for instead; whatever it says, no number but a number comes out. */
+TEST(hint_changes_no_scale)
+{
+    static const double wrong[] = { 0, 1, -1e12, 1e300, NAN, INFINITY };
+    one_block o;
+    NEED(place(&o, 5, 1, 0.5, 0.3, 0.5));
+    NEED(judge(&o, NULL));
+    const sp__scale own = o.j.scale[0];
+    for (int k = 0; k < 6; k++) {
+        sp_real hint[12];
+        for (int q = 0; q < 12; q++) hint[q] = R(wrong[k] * (k ? test_random_real(0.5, 1) : 0));
+        NEED(judge(&o, hint));
+        CHECK_NEAR(o.j.scale[0].s, own.s, TOL(1e-8, 1e-3));
+        CHECK_NEAR(o.j.scale[0].S, own.S, TOL(1e-8, 1e-3));
+        CHECK_NEAR(o.j.scale[0].cap, own.cap, TOL(1e-8, 1e-3));
+    }
+}
+
+/* Whatever comes in, what comes out is in the cone: fn kept where it presses, no tension, friction shortened and not turned, no
+ * more than the cap. */
+TEST(admitted_force_is_in_the_cone)
+{
+    static const int32_t faces[] = { 0, 3, 4, 8, 9, 64 };
+    for (int q = 0; q < 6; q++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        NEED(place(&o, 1, 1, 0.5, 0, 0.6));
+        o.set.faces = faces[q];
+        o.set.inscribed = q % 2;
+        NEED(judge(&o, NULL));
+        const sp_contact *t = o.pb.contact;
+        o.j.cap = 50;
+        for (int k = 0; k < 500; k++) {
+            const sp_real f[3] = { test_random_real(-1, 60), test_random_real(-9, 9), test_random_real(-9, 9) };
+            sp_real g[3];
+            sp__judge_admit(&o.j, t, f, g);
+            const double mu = 0.6 * (faces[q] && q % 2 ? cos(3.14159265358979323846 / faces[q]) : 1), u = TOL(1e-12, 1e-5);
+            double most = faces[q] ? 0 : hypot((double)g[1], (double)g[2]);
+            for (int32_t d = 0; d < faces[q]; d++) {
+                const double turn = 2 * 3.14159265358979323846 * d / faces[q];
+                most = fmax(most, cos(turn) * (double)g[1] + sin(turn) * (double)g[2]);
+            }
+            CHECK(g[0] >= 0);
+            CHECK(most <= mu * (double)g[0] + u * 60);
+            CHECK(sp__norm3(g) <= o.j.cap * (1 + R(u)));
+            CHECK_WITHIN(g[1] * f[2] - g[2] * f[1], 0, u * 600);
+            CHECK(g[1] * f[1] + g[2] * f[2] >= 0);
+            if (f[0] > 0 && f[0] < 40) CHECK_NEAR(g[0], f[0], u);
+            sp_real again[3];
+            sp__judge_admit(&o.j, t, g, again);
+            for (int i = 0; i < 3; i++) CHECK_WITHIN(again[i], g[i], u * 60);
+        }
+        test_arena = mark;
+    }
+}
+
+/* |P_K(u)| is the largest g . u over unit g in K: no g tried comes above it, and the best of many comes near. */
+TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
+{
+    static const int32_t faces[] = { 0, 3, 4, 8, 16, 64 };
+    for (int q = 0; q < 6; q++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        NEED(place(&o, 1, 1, 0.5, 0, 0.7));
+        o.set.faces = faces[q];
+        NEED(judge(&o, NULL));
+        o.j.cap = 1e6f;
+        for (int k = 0; k < 60; k++) {
+            const sp_real u[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
+            const double got = (double)sp__judge_resist(&o.j, o.pb.contact, u);
+            double best = 0;
+            for (int i = 0; i < 4000; i++) {
+                const sp_real wild[3] = { test_random_real(0, 1), test_random_real(-2, 2), test_random_real(-2, 2) };
+                sp_real g[3];
+                sp__judge_admit(&o.j, o.pb.contact, wild, g);
+                const double size = (double)sp__norm3(g);
+                if (size > 0) best = fmax(best, (double)sp__dot3(g, u) / size);
+            }
+            CHECK(best <= got + TOL(1e-12, 1e-5));
+            CHECK(got <= best + 0.05);
+        }
+        test_arena = mark;
+    }
+}
+
+/* Down a slope steeper than friction: dq = t + mu n opens no more than friction asks, so nothing resists it, and
+ * p . dq = W (sin - mu cos) is what it proves, over sbar |dq|. Less steep it proves nothing. */
+TEST(sliding_motion_proves_its_power_balance)
+{
+    const double mu = 0.5;
+    for (int k = 0; k < 12; k++) {
+        const sp_arena mark = test_arena;
+        const double angle = 0.2 + 0.06 * k, c = cos(angle), s = sin(angle), power = s - mu * c;
+        const double scale = k % 3 == 0 ? 1 : k % 3 == 1 ? 1e-7 : 1e5;          /* a motion has no size of its own */
+        one_block o;
+        int32_t final = 0;
+        NEED(place(&o, 3, 1, 0.5, angle, mu));
+        NEED(judge(&o, NULL));
+        const double more = mu * (1 + TOL(1e-6, 1e-2));                       /* clear of the edge of the cone */
+        const sp_real dq[6] = { R(scale * (-c - more * s)), 0, R(scale * (-s + more * c)), 0, 0, 0 };
+        const double value = (double)sp__judge_motion(&o.j, dq, 0, &final);
+        const double want = (s - more * c) / ((double)o.j.scale[0].s * sqrt(1 + more * more));
+        if (power > 0.02) {
+            CHECK_NEAR(value, want, TOL(1e-9, 1e-3));
+            CHECK_INT(final, 1);
+        } else if (power < -0.02) CHECK_INT(value > 0, 0);
+        test_arena = mark;
+    }
+}
+
+/* Into the ground is resisted by the caps: a proof of nothing, and not final. */
+TEST(motion_into_a_joint_proves_nothing)
+{
+    one_block o;
+    int32_t final = 1;
+    const sp_real down[6] = { 0, 0, -1, 0, 0, 0 };
+    NEED(place(&o, 3, 1, 0.5, 0, 0.5));
+    NEED(judge(&o, NULL));
+    CHECK_INT(sp__judge_motion(&o.j, down, 0, &final) > 0, 0);
+    CHECK_INT(final, 0);
+    CHECK_NEAR(o.j.resist, 4 * 200, TOL(1e-9, 1e-4));   /* four corners, each of its cap, in units of the motion's largest */
+}
+
+/* Forces that are a relative x out of balance are found to be: by x of load and force together. */
+TEST(imbalance_is_relative_to_load_and_forces)
+{
+    for (int k = 0; k < 8; k++) {
+        const sp_arena mark = test_arena;
+        const double off = pow(10, -k);
+        one_block o;
+        sp_real f[12];
+        NEED(place(&o, 7, 1, 0.5, 0, 0.5));
+        NEED(judge(&o, NULL));
+        for (int v = 0; v < 4; v++) {
+            f[3 * v] = R(7 * 9.80665 / 4 * (1 - off));
+            f[3 * v + 1] = f[3 * v + 2] = 0;
+        }
+        CHECK_WITHIN(sp__judge_forces(&o.j, f, NULL), off / (1 + (1 - off)), TOL(1e-12, 1e-6));
+        test_arena = mark;
+    }
+}
+
+TEST_LIST(scale)
+    RUN(scale_of_a_block_in_the_middle_is_a_closed_form)
+    RUN_FULL(hint_changes_no_scale)
+    RUN_FULL(admitted_force_is_in_the_cone)
+    RUN_FULL(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
+    RUN(sliding_motion_proves_its_power_balance)
+    RUN(motion_into_a_joint_proves_nothing)
+    RUN(imbalance_is_relative_to_load_and_forces)
+TEST_END
