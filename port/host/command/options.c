@@ -5,23 +5,49 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact", "admm" };
-
 static int usage(text_error *error, const char *option, const char *message)
 {
     return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: %s %s", option, message);
 }
 
-static int number(const char *s, double *x)
+/* ------------------------------------------------------------------------------------------------------------- numbers */
+
+static int read_number(const char *s, double *x)
 {
     const text_word w = { s, strlen(s) };
     return text_double(w, x) == TEXT_NUMBER;
 }
 
-static int real(const char *s, sp_real *x)
+static int read_real(const char *s, sp_real *x)
 {
     const text_word w = { s, strlen(s) };
     return text_real(w, x) == TEXT_NUMBER;
+}
+
+/* X[,Y]; y is left as it is where there is none. */
+static int read_one_or_two(const char *s, double *x, double *y)
+{
+    char first[64];
+    const size_t n = strcspn(s, ",");
+    if (n >= sizeof first) return 0;
+    memcpy(first, s, n);
+    first[n] = 0;
+    return read_number(first, x) && (!s[n] || read_number(s + n + 1, y));
+}
+
+/* X,Y,Z, not all 0. */
+static int read_three(const char *s, double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        char word[64];
+        const size_t n = strcspn(s, ",");
+        if (n >= sizeof word || (k < 2) != (s[n] == ',')) return 0;
+        memcpy(word, s, n);
+        word[n] = 0;
+        if (!read_number(word, &x[k])) return 0;
+        s += n + 1;
+    }
+    return fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > 0;
 }
 
 int options_cone(const char *text, sp_settings *settings)
@@ -41,94 +67,171 @@ int options_cone(const char *text, sp_settings *settings)
     return 1;
 }
 
+/* ------------------------------------------------------------------------------------------------- options with a value
+ *
+ * Each takes its value, or says what it needs.                                   returns 0, EXIT_USAGE or EXIT_UNAVAILABLE */
+
+static int take_tol(options *o, const char *name, const char *value, text_error *error)
+{
+    sp_real *tol = &o->settings.tol;
+    if (read_real(value, tol) && *tol >= 4 * SP_EPSILON && *tol <= (sp_real)0.1) return 0;
+    return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1" : "needs a number from 2.4e-7 to 0.1");
+}
+
+static int take_budget(options *o, const char *name, const char *value, text_error *error)
+{
+    double flops;
+    if (!read_number(value, &flops) || !(flops >= 1 && flops <= 1e18))
+        return usage(error, name, "needs a number of flops from 1 to 1e18");
+    o->settings.budget = (int64_t)flops;
+    return 0;
+}
+
+static int take_mu(options *o, const char *name, const char *value, text_error *error)
+{
+    return read_real(value, &o->mu) && o->mu >= 0 ? 0 : usage(error, name, "needs a number, 0 or more");
+}
+
+static int take_eps(options *o, const char *name, const char *value, text_error *error)
+{
+    return read_real(value, &o->eps) && o->eps > 0 ? 0 : usage(error, name, "needs a number above 0");
+}
+
+static int take_near(options *o, const char *name, const char *value, text_error *error)
+{
+    return read_number(value, &o->near) && o->near > 0 ? 0 : usage(error, name, "needs a length above 0");
+}
+
+static int take_cone(options *o, const char *name, const char *value, text_error *error)
+{
+    if (!options_cone(value, &o->settings))
+        return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
+    snprintf(o->cone, sizeof o->cone, "%s", value);
+    return 0;
+}
+
 /* "gates,exact" */
-static int stages(const char *s, sp_settings *settings)
+static int take_stages(options *o, const char *name, const char *value, text_error *error)
 {
-    settings->stage_count = 0;
+    static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact", "admm" };
+    sp_settings *to = &o->settings;
+    to->stage_count = 0;
     for (;;) {
-        const size_t n = strcspn(s, ",");
+        const size_t n = strcspn(value, ",");
         int32_t k = SP_STAGE_GATES;
-        while (k <= SP_STAGE_ADMM && (strlen(stage_name[k]) != n || memcmp(stage_name[k], s, n))) k++;
-        if (k > SP_STAGE_ADMM || settings->stage_count == SP_STAGES_MAX) return 0;
-        settings->stage[settings->stage_count++] = (sp_stage_id)k;
-        if (!s[n]) return 1;
-        s += n + 1;
+        while (k <= SP_STAGE_ADMM && (strlen(stage_name[k]) != n || memcmp(stage_name[k], value, n))) k++;
+        if (k > SP_STAGE_ADMM || to->stage_count == SP_STAGES_MAX)
+            return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
+        to->stage[to->stage_count++] = (sp_stage_id)k;
+        if (!value[n]) return 0;
+        value += n + 1;
     }
 }
 
-/* X[,Y]; y is left as it is where there is none. */
-static int one_or_two(const char *s, double *x, double *y)
+static int take_body(options *o, const char *name, const char *value, text_error *error)
 {
-    char first[64];
-    const size_t n = strcspn(s, ",");
-    if (n >= sizeof first) return 0;
-    memcpy(first, s, n);
-    first[n] = 0;
-    return number(first, x) && (!s[n] || number(s + n + 1, y));
+    return read_three(value, o->body) ? 0 : usage(error, name, "needs DX,DY,DZ");
 }
 
-/* X,Y,Z, not all 0. */
-static int three(const char *s, double x[3])
+static int take_tilt(options *o, const char *name, const char *value, text_error *error)
 {
-    for (int k = 0; k < 3; k++) {
-        char word[64];
-        const size_t n = strcspn(s, ",");
-        if (n >= sizeof word || (k < 2) != (s[n] == ',')) return 0;
-        memcpy(word, s, n);
-        word[n] = 0;
-        if (!number(word, &x[k])) return 0;
-        s += n + 1;
-    }
-    return fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > 0;
-}
-
-/* DEG[,AZIMUTH] */
-static int tilt(const char *s, options *o)
-{
-    return one_or_two(s, &o->tilt, &o->azimuth) && fabs(o->tilt) <= 360 && fabs(o->azimuth) <= 360;
+    if (read_one_or_two(value, &o->tilt, &o->azimuth) && fabs(o->tilt) <= 360 && fabs(o->azimuth) <= 360) return 0;
+    return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
 }
 
 /* SECONDS[,MEGABYTES] */
-static int worker(const char *s, options *o)
+static int take_worker(options *o, const char *name, const char *value, text_error *error)
 {
     double megabytes = 0;
-    const int some = strchr(s, ',') != NULL;
-    if (!one_or_two(s, &o->worker, &megabytes) || !(o->worker > 0)) return 0;
+    const int good = read_one_or_two(value, &o->worker, &megabytes) && o->worker > 0
+                  && (!strchr(value, ',') || (megabytes > 0 && megabytes < 1e9));
     o->worker_memory = 1e6 * megabytes;
-    return some ? megabytes > 0 && megabytes < 1e9 : 1;
+    return good ? 0 : usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
+}
+
+static int take_backend(options *o, const char *name, const char *value, text_error *error)
+{
+    static const char *const backend[] = { "sparse", "dense", "cg" };           /* as sp_qp_backend */
+    for (int k = 0; k < 3; k++)
+        if (strcmp(value, backend[k]) == 0) {
+            o->backend = k;
+            return 0;
+        }
+    return usage(error, name, "needs sparse, dense or cg");
+}
+
+static int take_solver(options *o, const char *name, const char *value, text_error *error)
+{
+    (void)name;
+    o->solver_name = value;
+    o->settings.qp_solver = strcmp(value, "admm") ? &o->solver : NULL;          /* ours: by NULL */
+    return solvers_find(value, &o->solver, error);
+}
+
+/* Which effect a word of n bytes names, SP_EFFECTS: none. */
+static int effect_named(const char *s, size_t n)
+{
+    int k = 0;
+    while (k < SP_EFFECTS && (strlen(sp_effect_text((sp_effect)k)) != n || memcmp(sp_effect_text((sp_effect)k), s, n))) k++;
+    return k;
 }
 
 /* "+friction,-together": what of an effect is asked for already must not be contradicted. coupled is a question: --coupled. */
-static int effects(const char *s, options *o, text_error *error)
+static int take_effects(options *o, const char *name, const char *value, text_error *error)
 {
     for (;;) {
-        const size_t n = strcspn(s, ",");
-        const sp_choice choice = *s == '+' ? SP_WITH : SP_WITHOUT;
-        int k = 0;
-        while (k < SP_EFFECTS && n > 0
-               && (strlen(sp_effect_text((sp_effect)k)) != n - 1 || memcmp(sp_effect_text((sp_effect)k), s + 1, n - 1))) k++;
-        if ((*s != '+' && *s != '-') || (k >= SP_EFFECTS_FORCED && k != SP_EFFECT_COUPLED))
-            return usage(error, "--effects", k > 0 && k < SP_EFFECTS
+        const size_t n = strcspn(value, ",");
+        const sp_choice choice = *value == '+' ? SP_WITH : SP_WITHOUT;
+        const int k = n > 0 ? effect_named(value + 1, n - 1) : SP_EFFECTS;
+        sp_choice *to = k < SP_EFFECTS_FORCED ? &o->settings.effect[k] : &o->couple;
+        if ((*value != '+' && *value != '-') || (k >= SP_EFFECTS_FORCED && k != SP_EFFECT_COUPLED))
+            return usage(error, name, k > 0 && k < SP_EFFECTS
                          ? "forces friction, depth, together, coupled; the others are the scene's, on or off"
                          : "needs a list of +NAME or -NAME of friction, depth, together, coupled");
-        sp_choice *to = k < SP_EFFECTS_FORCED ? &o->settings.effect[k] : &o->couple;
-        if (*to != SP_PLANNED && *to != choice) return usage(error, "--effects", "contradicts itself: +NAME and -NAME of one effect");
+        if (*to != SP_PLANNED && *to != choice) return usage(error, name, "contradicts itself: +NAME and -NAME of one effect");
         *to = choice;
-        if (!s[n]) return 0;
-        s += n + 1;
+        if (!value[n]) return 0;
+        value += n + 1;
     }
 }
 
-static int backend(const char *s, int *which)
+static int take_cra_eps(options *o, const char *name, const char *value, text_error *error)
 {
-    static const char *const name[] = { "sparse", "dense", "cg" };              /* as sp_qp_backend */
-    for (int k = 0; k < 3; k++)
-        if (strcmp(s, name[k]) == 0) {
-            *which = k;
-            return 1;
-        }
+    sp_real *eps = &o->settings.coupled.eps;
+    return read_real(value, eps) && *eps >= 0 ? 0 : usage(error, name, "needs a length, 0 or more");
+}
+
+static int take_cra_eta(options *o, const char *name, const char *value, text_error *error)
+{
+    sp_real *eta = &o->settings.coupled.eta;
+    return read_real(value, eta) && *eta > 0 ? 0 : usage(error, name, "needs a length above 0");
+}
+
+static int take_cra_nodes(options *o, const char *name, const char *value, text_error *error)
+{
+    sp_real x;
+    if (!read_real(value, &x) || !(x >= 0 && x <= (sp_real)1e7) || x > (sp_real)(int32_t)x)
+        return usage(error, name, "needs a whole number from 0 to 1e7");
+    o->settings.coupled.nodes = (int32_t)x;
     return 0;
 }
+
+/* Read before all others. */
+static int take_preset(options *o, const char *name, const char *value, text_error *error)
+{
+    (void)o, (void)name, (void)value, (void)error;
+    return 0;
+}
+
+static const struct {
+    const char *name;
+    int (*take)(options *o, const char *name, const char *value, text_error *error);
+} with_value[] = {
+    { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--eps", take_eps }, { "--near", take_near },
+    { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
+    { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
+    { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes }, { "--preset", take_preset },
+};
 
 /* Where an option goes whose value is taken as it is; NULL: another. */
 static const char **text_of(options *o, const char *name)
@@ -138,72 +241,17 @@ static const char **text_of(options *o, const char *name)
          : strcmp(name, "--order-file") == 0 ? &o->order_file : strcmp(name, "--skip-done") == 0 ? &o->done : NULL;
 }
 
-/* One of the coupled check's: --cra-eps, --cra-eta, --cra-nodes. */
-static int take_coupled(sp_coupled_settings *c, const char *name, const char *value, text_error *error)
-{
-    sp_real x;
-    const int read = real(value, &x);
-    if (strcmp(name, "--cra-eps") == 0) {
-        if (!read || x < 0) return usage(error, name, "needs a length, 0 or more");
-        c->eps = x;
-    } else if (strcmp(name, "--cra-eta") == 0) {
-        if (!read || !(x > 0)) return usage(error, name, "needs a length above 0");
-        c->eta = x;
-    } else {
-        if (!read || !(x >= 0 && x <= (sp_real)1e7) || x > (sp_real)(int32_t)x)
-            return usage(error, name, "needs a whole number from 0 to 1e7");
-        c->nodes = (int32_t)x;
-    }
-    return 0;
-}
-
 /* One option with its value. */
 static int take(options *o, const char *name, const char *value, text_error *error)
 {
     const char **text = text_of(o, name);
-    if (text) {
-        *text = value;
-    } else if (strncmp(name, "--cra-", 6) == 0) {
-        return take_coupled(&o->settings.coupled, name, value, error);
-    } else if (strcmp(name, "--effects") == 0) {
-        return effects(value, o, error);
-    } else if (strcmp(name, "--near") == 0) {
-        if (!number(value, &o->near) || !(o->near > 0)) return usage(error, name, "needs a length above 0");
-    } else if (strcmp(name, "--tol") == 0) {
-        if (!real(value, &o->settings.tol) || !(o->settings.tol >= 4 * SP_EPSILON && o->settings.tol <= (sp_real)0.1))
-            return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1"
-                                                          : "needs a number from 2.4e-7 to 0.1");
-    } else if (strcmp(name, "--budget") == 0) {
-        double flops;
-        if (!number(value, &flops) || !(flops >= 1 && flops <= 1e18)) return usage(error, name, "needs a number of flops from 1 to 1e18");
-        o->settings.budget = (int64_t)flops;
-    } else if (strcmp(name, "--mu") == 0) {
-        if (!real(value, &o->mu) || o->mu < 0) return usage(error, name, "needs a number, 0 or more");
-    } else if (strcmp(name, "--cone") == 0) {
-        if (!options_cone(value, &o->settings))
-            return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
-        snprintf(o->cone, sizeof o->cone, "%s", value);
-    } else if (strcmp(name, "--stages") == 0) {
-        if (!stages(value, &o->settings)) return usage(error, name, "needs some of gates,least-squares,dense,polish,exact,admm");
-    } else if (strcmp(name, "--body") == 0) {
-        if (!three(value, o->body)) return usage(error, name, "needs DX,DY,DZ");
-    } else if (strcmp(name, "--preset") == 0) {
-        (void)value;                                    /* read before all others */
-    } else if (strcmp(name, "--eps") == 0) {
-        if (!real(value, &o->eps) || !(o->eps > 0)) return usage(error, name, "needs a number above 0");
-    } else if (strcmp(name, "--worker") == 0) {
-        if (!worker(value, o)) return usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
-    } else if (strcmp(name, "--backend") == 0) {
-        if (!backend(value, &o->backend)) return usage(error, name, "needs sparse, dense or cg");
-    } else if (strcmp(name, "--solver") == 0) {
-        o->solver_name = value;
-        o->settings.qp_solver = strcmp(value, "admm") ? &o->solver : NULL;         /* ours: by NULL */
-        return solvers_find(value, &o->solver, error);
-    } else if (strcmp(name, "--tilt") == 0) {
-        if (!tilt(value, o)) return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
-    }
+    if (text) *text = value;
+    for (size_t k = 0; !text && k < sizeof with_value / sizeof *with_value; k++)
+        if (strcmp(name, with_value[k].name) == 0) return with_value[k].take(o, name, value, error);
     return 0;
 }
+
+/* -------------------------------------------------------------------------------------------------------------- others */
 
 /* Whole sets of settings, which other options then change, wherever they stand.    returns 0: unknown */
 static int preset(const char *value, options *o)
@@ -252,46 +300,68 @@ static int known(const char *allowed, const char *name)
     return strstr(allowed, key) != NULL;
 }
 
-int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error)
+/* ------------------------------------------------------------------------------------------------------- a command line */
+
+static void set_defaults(options *o, char **argv)
 {
     const options none = { 0 };
-    const char *coupled_only = NULL;
-    int only_files = 0;
-
     *o = none;
     o->mu = -1;
     o->solver_name = "admm";
     o->solver = sp_qp_admm();
-    preset("default", o);
-    for (int i = 2; known(allowed, "--preset") && i < argc && strcmp(argv[i], "--"); i++) {
-        const char *value = strncmp(argv[i], "--preset=", 9) == 0 ? argv[i] + 9 : strcmp(argv[i], "--preset") ? NULL : argv[i + 1];
-        if (value && !preset(value, o)) return usage(error, "--preset", "needs default, quick, standard, precise or seed");
-    }
     o->program = argv[0];
     o->file = argv + 2;
-    for (int i = 2; i < argc; i++) {
-        char *name = argv[i], *value;
-        int status;
-        if (only_files || name[0] != '-' || name[1] == 0) {
-            o->file[o->files++] = name;                 /* at or before i */
-            continue;
-        }
-        if (strcmp(name, "--") == 0) {
-            only_files = 1;
-            continue;
-        }
-        value = strchr(name, '=');
-        if (value) *value++ = 0;
-        if (!known(allowed, name))
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name, argv[1]);
-        if (strncmp(name, "--cra-", 6) == 0) coupled_only = name;
-        if (!value && flag(o, name)) continue;
-        if (value && flag(o, name)) return usage(error, name, "takes no value");
-        if (!value && i + 1 == argc) return usage(error, name, "needs a value");
-        status = take(o, name, value ? value : argv[++i], error);
-        if (status) return status;
+    preset("default", o);
+}
+
+/* Every --preset of the line: it comes before all other options, wherever it stands. */
+static int read_presets(int argc, char **argv, options *o, text_error *error)
+{
+    for (int i = 2; i < argc && strcmp(argv[i], "--"); i++) {
+        const char *value = strcmp(argv[i], "--preset") == 0 ? argv[i + 1] : NULL;
+        if (strncmp(argv[i], "--preset=", 9) == 0) value = argv[i] + 9;
+        if (value && !preset(value, o)) return usage(error, "--preset", "needs default, quick, standard, precise or seed");
     }
-    if (o->couple == SP_WITHOUT && o->settings.coupled.asked) return usage(error, "--effects", "contradicts --coupled");
-    if (o->couple == SP_WITH) o->settings.coupled.asked = 1;
-    return coupled_only && !o->settings.coupled.asked ? usage(error, coupled_only, "belongs to --coupled") : 0;
+    return 0;
+}
+
+/* The option argv[*i], with its value behind = or in the next word, to which *i then goes on. */
+static int read_option(int argc, char **argv, int *i, const char *allowed, options *o, text_error *error)
+{
+    char *name = argv[*i], *value = strchr(name, '=');
+    if (value) *value++ = 0;
+    if (!known(allowed, name))
+        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name,
+                         argv[1]);
+    if (flag(o, name)) return value ? usage(error, name, "takes no value") : 0;
+    if (!value && *i + 1 == argc) return usage(error, name, "needs a value");
+    return take(o, name, value ? value : argv[++*i], error);
+}
+
+/* What --effects says of coupled must agree with --coupled; `only` is an option that belongs to it, or NULL. */
+static int join_coupled(options *o, const char *only, text_error *error)
+{
+    int32_t *asked = &o->settings.coupled.asked;
+    if (o->couple == SP_WITHOUT && *asked) return usage(error, "--effects", "contradicts --coupled");
+    if (o->couple == SP_WITH) *asked = 1;
+    return only && !*asked ? usage(error, only, "belongs to --coupled") : 0;
+}
+
+int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error)
+{
+    const char *coupled_only = NULL;
+    int only_files = 0, status = 0;
+
+    set_defaults(o, argv);
+    if (known(allowed, "--preset")) status = read_presets(argc, argv, o, error);
+    for (int i = 2; i < argc && !status; i++) {
+        char *word = argv[i];
+        if (only_files || word[0] != '-' || word[1] == 0) o->file[o->files++] = word;          /* at or before i */
+        else if (strcmp(word, "--") == 0) only_files = 1;
+        else {
+            status = read_option(argc, argv, &i, allowed, o, error);
+            if (strncmp(word, "--cra-", 6) == 0) coupled_only = word;
+        }
+    }
+    return status ? status : join_coupled(o, coupled_only, error);
 }
