@@ -463,34 +463,35 @@ static int symmetric(const sp_csc *P, const sp_csc *Q)
 
 static int refuse(reader *r, const char *what) { return text_fail(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
 
-static int build(reader *r)
+/* Rows of the file, then one row for each bounded column: count them, refuse bounds that leave nothing.    *m: of all rows */
+static int add_bound_rows(reader *r, int32_t *m)
 {
     const int32_t n = r->columns.count;
-    const double sign = r->out->maximise ? -1 : 1;
-    int32_t m = r->m, bounds = 0;
+    int32_t bounds = 0;
     for (int32_t j = 0; j < n; j++) {
+        const text_word name = r->columns.word[j];
         if (!(r->lower[j] <= r->upper[j] && r->lower[j] < 1e20 && r->upper[j] > -1e20))
             return text_fail(r->error, EXIT_SCENE, r->path, 0, "the bounds of column '%.*s' leave nothing",
-                             (int)(r->columns.word[j].n < 60 ? r->columns.word[j].n : 60), r->columns.word[j].s);
+                             (int)(name.n < 60 ? name.n : 60), name.s);
         bounds += bounded(r, j);
     }
-    if (bounds > INT32_MAX / 2 - m) return no_memory(r);
-    r->out->rows = m;
+    *m = r->m;
+    if (bounds > INT32_MAX / 2 - *m) return no_memory(r);
+    r->out->rows = r->m;
     r->out->entries = r->A.count;
     for (int32_t j = 0; j < n; j++)
-        if (bounded(r, j) && put(r, &r->A, m++, j, 1)) return no_memory(r);
+        if (bounded(r, j) && put(r, &r->A, (*m)++, j, 1)) return no_memory(r);
+    return 0;
+}
 
-    const size_t numbers = (size_t)n + 2 * (size_t)m, count = (size_t)r->A.count + (size_t)r->P.count + (size_t)r->Q.count;
-    const size_t bytes = 1024 + numbers * sizeof(sp_real) + (count * 2 + 5 * ((size_t)n + (size_t)m)) * (sizeof(sp_real) + 2 * sizeof(int32_t));
-    sp_arena arena;
-    sp_csc A, P, Q;
-    r->out->memory = malloc(bytes);
-    if (!r->out->memory || sp_arena_init(&arena, r->out->memory, bytes) != SP_OK) return no_memory(r);
-    sp_real *q = (sp_real *)(void *)arena.base, *l = q + n, *u = l + m;
-    arena.used = numbers * sizeof(sp_real);
-    for (int32_t j = 0, i = r->m; j < n; j++) {
+/* q of the columns, l and u of all rows. */
+static void write_vectors(const reader *r, double sign, sp_real *q, sp_real *l, sp_real *u)
+{
+    for (int32_t j = 0, i = r->m; j < r->columns.count; j++) {
         q[j] = isnan(r->cost[j]) ? 0 : (sp_real)(sign * r->cost[j]);
-        if (bounded(r, j)) { l[i] = (sp_real)r->lower[j]; u[i++] = (sp_real)r->upper[j]; }
+        if (!bounded(r, j)) continue;
+        l[i] = (sp_real)r->lower[j];
+        u[i++] = (sp_real)r->upper[j];
     }
     for (int32_t i = 0; i < r->m; i++) {
         double low, high;
@@ -498,9 +499,36 @@ static int build(reader *r)
         l[i] = (sp_real)low;
         u[i] = (sp_real)high;
     }
-    if (columns_of(&r->A, m, n, 1, &arena, &A) != SP_OK || columns_of(&r->P, n, n, sign, &arena, &P) != SP_OK ||
-        columns_of(&r->Q, n, n, sign, &arena, &Q) != SP_OK) return no_memory(r);
-    if (P.p[n] + Q.p[n] < r->P.count + r->Q.count) return refuse(r, "an entry of P is given twice (of QUADOBJ, either triangle)");
+}
+
+/* Bytes of n + 2 m numbers, of the matrices, and of what sp_csc_from takes for itself. */
+static size_t bytes_of(const reader *r, int32_t n, int32_t m)
+{
+    const size_t numbers = (size_t)n + 2 * (size_t)m, each = sizeof(sp_real) + 2 * sizeof(int32_t);
+    const size_t count = (size_t)r->A.count + (size_t)r->P.count + (size_t)r->Q.count;
+    return 1024 + numbers * sizeof(sp_real) + (count * 2 + 5 * ((size_t)n + (size_t)m)) * each;
+}
+
+static int build(reader *r)
+{
+    const int32_t n = r->columns.count;
+    const double sign = r->out->maximise ? -1 : 1;
+    int32_t m = 0;
+    int status = add_bound_rows(r, &m);
+    if (status) return status;
+
+    const size_t bytes = bytes_of(r, n, m);
+    sp_arena arena;
+    sp_csc A, P, Q;
+    r->out->memory = malloc(bytes);
+    if (!r->out->memory || sp_arena_init(&arena, r->out->memory, bytes) != SP_OK) return no_memory(r);
+    sp_real *q = (sp_real *)(void *)arena.base, *l = q + n, *u = l + m;
+    arena.used = ((size_t)n + 2 * (size_t)m) * sizeof(sp_real);
+    write_vectors(r, sign, q, l, u);
+    if (columns_of(&r->A, m, n, 1, &arena, &A) != SP_OK || columns_of(&r->P, n, n, sign, &arena, &P) != SP_OK
+        || columns_of(&r->Q, n, n, sign, &arena, &Q) != SP_OK) return no_memory(r);
+    if (P.p[n] + Q.p[n] < r->P.count + r->Q.count)
+        return refuse(r, "an entry of P is given twice (of QUADOBJ, either triangle)");
     if (r->whole && !symmetric(&P, &Q)) return refuse(r, "QMATRIX is not symmetric");
     const sp_qp qp = { n, m, P.p, P.i, P.x, q, A.p, A.i, A.x, l, u };
     r->out->qp = qp;
