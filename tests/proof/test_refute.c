@@ -15,7 +15,7 @@
 static sp_scene scene;
 static sp_problem pb;
 static sp_settings set;
-static sp__judge judge;
+static sp__certificate judge;
 static sp__lengths length;
 static sp__refute *w;
 static double mu_effective;
@@ -40,7 +40,7 @@ static int begin(int32_t faces, int32_t inscribed, int32_t box)
     if (!CHECK_INT(sp_scene_body(&scene, 1, at, 0, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, corner, &joint, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&scene, &test_arena, &pb), SP_OK)) return 0;
-    if (!CHECK(sp__judge_open(&judge, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
+    if (!CHECK(sp__certificate_open(&judge, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
     length = sp__coupled_lengths(&pb, &set);
     w = sp__take(&test_arena, 1, sizeof *w);
     if (!CHECK(w)) return 0;
@@ -85,7 +85,8 @@ static void triple(int32_t state, int k, double f[3], double d[3])
 {
     const int edge = k < 64;
     const double much[2] = { edge ? k % 2 : (double)test_random_real(0, 1), edge ? k / 2 % 2 : (double)test_random_real(0, 1) };
-    double turn = edge ? PI / 8 * (k / 4) : (double)test_random_real(0, 2 * PI), back = edge ? turn : (double)test_random_real(0, 2 * PI);
+    double turn = edge ? PI / 8 * (k / 4) : (double)test_random_real(0, 2 * PI);
+    double back = edge ? turn : (double)test_random_real(0, 2 * PI);
     const double fn = edge ? 1 : (double)test_random_real(0, 5);
     if (state >= 4) {
         double from, to;
@@ -96,8 +97,8 @@ static void triple(int32_t state, int k, double f[3], double d[3])
     f[0] = state == 1 ? 0 : fn;
     f[1] = f[0] * much[0] * reach(back) * cos(back);
     f[2] = f[0] * much[0] * reach(back) * sin(back);
-    d[0] = state < 2 ? -(double)length.eps + (edge ? k / 4 % 2 : (double)test_random_real(0, 1)) * (double)(length.eta + length.eps)
-                     : -(double)length.eps;
+    const double open = edge ? k / 4 % 2 : (double)test_random_real(0, 1);
+    d[0] = -(double)length.eps + (state < 2 ? open * (double)(length.eta + length.eps) : 0);
     d[1] = much[1] * slip(turn) * cos(turn);
     d[2] = much[1] * slip(turn) * sin(turn);
 }

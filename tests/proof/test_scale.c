@@ -1,5 +1,5 @@
-/* The certificate check from the inside: scales against closed forms, what a hint may do, forces brought into a cone, what a cone
- * resists of a motion, and the proof a motion gives. */
+/* The certificate check from the inside: scales against closed forms, what a hint may do, forces brought into a cone, what a
+ * cone resists of a motion, and the proof a motion gives. */
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/scene/scene.c"
@@ -13,7 +13,7 @@ typedef struct one_block {
     sp_scene scene;
     sp_problem pb;
     sp_settings set;
-    sp__judge j;
+    sp__certificate j;
 } one_block;
 
 static int place(one_block *o, double mass, double a, double h, double angle, double mu)
@@ -40,10 +40,13 @@ static int place(one_block *o, double mass, double a, double h, double angle, do
     return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
 }
 
-static int judge(one_block *o, const sp_real *hint) { return CHECK(sp__judge_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena)); }
+static int judge(one_block *o, const sp_real *hint)
+{
+    return CHECK(sp__certificate_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena));
+}
 
-/* The bilateral force under a block in the middle is a quarter of its weight at each corner: sbar = 2 W, and each quarter has the
- * arm a / sqrt 2 about the centroid, so Sbar = W a / sqrt 2 and what rounding adds. All in units of the largest load, W. */
+/* The bilateral force under a block in the middle is a quarter of its weight at each corner: sbar = 2 W, and each quarter has
+ * the arm a / sqrt 2 about the centroid, so Sbar = W a / sqrt 2 and what rounding adds. All in units of the largest load, W. */
 TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
 {
     static const double mass[] = { 1e-6, 1, 3e7 }, side[] = { 1e-3, 1, 40 };
@@ -61,7 +64,7 @@ TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
             CHECK_NEAR(s->arm, arm, TOL(1e-12, 1e-6));
             CHECK_NEAR(s->S, side[q] / sqrt(2.0) + slack, TOL(1e-9, 1e-4));
             CHECK_NEAR(s->cap, 2, TOL(1e-9, 1e-4));
-            CHECK_NEAR(sp__judge_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
+            CHECK_NEAR(sp__certificate_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
             test_arena = mark;
         }
 }
@@ -101,7 +104,7 @@ TEST(admitted_force_is_in_the_cone)
         for (int k = 0; k < 500; k++) {
             const sp_real f[3] = { test_random_real(-1, 60), test_random_real(-9, 9), test_random_real(-9, 9) };
             sp_real g[3];
-            sp__judge_admit(&o.j, t, f, g);
+            sp__certificate_admit(&o.j, t, f, g);
             const double mu = 0.6 * (faces[q] && q % 2 ? cos(3.14159265358979323846 / faces[q]) : 1), u = TOL(1e-12, 1e-5);
             double most = faces[q] ? 0 : hypot((double)g[1], (double)g[2]);
             for (int32_t d = 0; d < faces[q]; d++) {
@@ -115,7 +118,7 @@ TEST(admitted_force_is_in_the_cone)
             CHECK(g[1] * f[1] + g[2] * f[2] >= 0);
             if (f[0] > 0 && f[0] < 40) CHECK_NEAR(g[0], f[0], u);
             sp_real again[3];
-            sp__judge_admit(&o.j, t, g, again);
+            sp__certificate_admit(&o.j, t, g, again);
             for (int i = 0; i < 3; i++) CHECK_WITHIN(again[i], g[i], u * 60);
         }
         test_arena = mark;
@@ -135,12 +138,12 @@ TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
         o.j.cap = 1e6f;
         for (int k = 0; k < 60; k++) {
             const sp_real u[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
-            const double got = (double)sp__judge_resist(&o.j, o.pb.contact, u);
+            const double got = (double)sp__certificate_resist(&o.j, o.pb.contact, u);
             double best = 0;
             for (int i = 0; i < 4000; i++) {
                 const sp_real wild[3] = { test_random_real(0, 1), test_random_real(-2, 2), test_random_real(-2, 2) };
                 sp_real g[3];
-                sp__judge_admit(&o.j, o.pb.contact, wild, g);
+                sp__certificate_admit(&o.j, o.pb.contact, wild, g);
                 const double size = (double)sp__norm3(g);
                 if (size > 0) best = fmax(best, (double)sp__dot3(g, u) / size);
             }
@@ -166,7 +169,7 @@ TEST(sliding_motion_proves_its_power_balance)
         NEED(judge(&o, NULL));
         const double more = mu * (1 + TOL(1e-6, 1e-2));                       /* clear of the edge of the cone */
         const sp_real dq[6] = { R(scale * (-c - more * s)), 0, R(scale * (-s + more * c)), 0, 0, 0 };
-        const double value = (double)sp__judge_motion(&o.j, dq, 0, &final);
+        const double value = (double)sp__certify_motion(&o.j, dq, 0, &final);
         const double want = (s - more * c) / ((double)o.j.scale[0].s * sqrt(1 + more * more));
         if (power > 0.02) {
             CHECK_NEAR(value, want, TOL(1e-9, 1e-3));
@@ -184,7 +187,7 @@ TEST(motion_into_a_joint_proves_nothing)
     const sp_real down[6] = { 0, 0, -1, 0, 0, 0 };
     NEED(place(&o, 3, 1, 0.5, 0, 0.5));
     NEED(judge(&o, NULL));
-    CHECK_INT(sp__judge_motion(&o.j, down, 0, &final) > 0, 0);
+    CHECK_INT(sp__certify_motion(&o.j, down, 0, &final) > 0, 0);
     CHECK_INT(final, 0);
     CHECK_NEAR(o.j.resist, 4 * 200, TOL(1e-9, 1e-4));   /* four corners, each of its cap, in units of the motion's largest */
 }
@@ -203,7 +206,7 @@ TEST(imbalance_is_relative_to_load_and_forces)
             f[3 * v] = R(7 * 9.80665 / 4 * (1 - off));
             f[3 * v + 1] = f[3 * v + 2] = 0;
         }
-        CHECK_WITHIN(sp__judge_forces(&o.j, f, NULL), off / (1 + (1 - off)), TOL(1e-12, 1e-6));
+        CHECK_WITHIN(sp__certify_forces(&o.j, f, NULL), off / (1 + (1 - off)), TOL(1e-12, 1e-6));
         test_arena = mark;
     }
 }

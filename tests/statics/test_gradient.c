@@ -1,5 +1,5 @@
-/* The dual D(y) from the inside: its gradient, slope and Hessian against differences, its factor against the product it inverts,
- * rigid groups against the motions that make them. */
+/* The dual D(y) from the inside: its gradient, slope and Hessian against differences, its factor against the product it
+ * inverts, rigid groups against the motions that make them. */
 #define SP_API static
 #include "../test.h"
 #include "../scenes/gen.h"
@@ -10,7 +10,8 @@
 enum { SCENES = 5, POINTS = 3 };
 
 static const struct { const char *name, *number; double value; int32_t faces; } scene_of[SCENES] = {
-    { "arch", "n", 7, 0 }, { "wall", "size", 20, 0 }, { "dome", "rings", 3, 0 }, { "arch", "n", 7, 6 }, { "wall", "jitter", 0.3, 4 }
+    { "arch", "n", 7, 0 }, { "wall", "size", 20, 0 }, { "dome", "rings", 3, 0 }, { "arch", "n", 7, 6 },
+    { "wall", "jitter", 0.3, 4 }
 };
 
 /* One dual at a random y, and room for what is compared. */
