@@ -63,7 +63,9 @@
 #include "solvers/qp/words.c"                   /* text of a status of a quadratic program */
 #include "solvers/qp/ruiz.c"                    /* scales that bring every row and column of the KKT matrix near 1 */
 #include "solvers/qp/qp.c"                      /* a quadratic program, a point of it, and how good that point is */
+#include "solvers/qp/kkt_cg.c"                  /* the matrix-free back end: conjugate gradients */
 #include "solvers/qp/kkt.c"                     /* the linear system of every iteration, three ways */
+#include "solvers/qp/sharpen.c"                 /* a vector near a proof that there is no solution made one that proves more */
 #include "solvers/qp/certificate.c"             /* proofs that a quadratic program has no solution */
 #include "solvers/qp/auglag.c"                  /* the last digits of a quadratic program by the method of multipliers */
 #include "solvers/qp/admm.c"                    /* the alternating direction method of multipliers, and the public calls */

@@ -1,5 +1,7 @@
-/* config: what of the library is built, as 0 or 1, from the switches of stonepack.h. A part that a switch leaves out has its whole
- * body under one of these.
+/* config: what of the library is built, as 0 or 1, from the switches of stonepack.h.
+ *
+ * A part that a switch leaves out has its whole body under one of these, with an empty body for each function that others call:
+ * the same face. Inside a function they stand in expressions only, `if (SP__WITH_PLAN && ...)`, never after #if.
  */
 #ifndef SP__CONFIG_C
 #define SP__CONFIG_C
@@ -21,6 +23,16 @@
 #else
 #define SP__WITH_QP_CG 1
 #endif
+#if defined SP_NO_QP || defined SP_QP_NO_POLISH
+#define SP__WITH_QP_POLISH 0
+#else
+#define SP__WITH_QP_POLISH 1
+#endif
+#if defined SP_NO_QP || defined SP_NO_DYKSTRA
+#define SP__WITH_DYKSTRA 0
+#else
+#define SP__WITH_DYKSTRA 1
+#endif
 #ifdef SP_SMALL
 #define SP__WITH_SMALL 1                                /* one search, the smallest */
 #else
@@ -30,6 +42,16 @@
 #define SP__WITH_LARGE 0
 #else
 #define SP__WITH_LARGE 1                                /* the search in all its forms, and what stands on it */
+#endif
+#if !SP__WITH_LARGE || !SP__WITH_QP || defined SP_NO_ADMM
+#define SP__WITH_ADMM 0
+#else
+#define SP__WITH_ADMM 1                                 /* the penalty form as a quadratic program, a stage */
+#endif
+#if !SP__WITH_LARGE || defined SP_NO_PLAN
+#define SP__WITH_PLAN 0
+#else
+#define SP__WITH_PLAN 1                                 /* sp_plan; planar and level scenes in 3 rows a block */
 #endif
 #if defined SP_QP_ONLY || defined SP_NO_CRA
 #define SP__WITH_COUPLED 0

@@ -10,7 +10,7 @@
 
 #include "auglag.c"
 
-#ifndef SP_NO_QP
+#if SP__WITH_QP
 
 /* ------------------------------------------------------------------------------------------------------------- iteration */
 
@@ -115,10 +115,8 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
         if (!last && w->set.adapt > 0 && w->iterations % w->set.adapt == 0) sp__qp_adapt(w);
         if (sp__proof_found(w, hard && w->set.polish, out)) return 1;
     }
-#ifndef SP_QP_NO_POLISH
     out->status = SP_QP_SOLVED;
     if (hard && w->set.polish && sp__auglag_run(w, solved ? off : (sp_real)1)) return out->polished = 1;
-#endif
     out->status = solved ? SP_QP_SOLVED : off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
     return solved || last || spent;
 }
@@ -202,12 +200,8 @@ static sp_status sp__qp_check_vectors(const sp_qp *qp)
 static int sp__qp_settings_fit(const sp_qp_settings *s)
 {
     if (s->backend != SP_QP_SPARSE && s->backend != SP_QP_DENSE && s->backend != SP_QP_CG) return 0;
-#if defined(SP_QP_NO_CG) && !defined(SP_SMALL)
-    if (s->backend == SP_QP_CG) return 0;
-#endif
-#ifdef SP_QP_NO_POLISH
-    if (s->polish) return 0;
-#endif
+    if (!SP__WITH_QP_CG && !SP__WITH_SMALL && s->backend == SP_QP_CG) return 0;
+    if (!SP__WITH_QP_POLISH && s->polish) return 0;
     if (!(s->eps_abs >= 0 && s->eps_rel >= 0 && s->eps_abs + s->eps_rel > 0 && sp__finite(s->eps_abs + s->eps_rel))) return 0;
     if (!(s->eps_pinf > 0 && s->eps_dinf > 0 && s->radius >= 1 && s->cg_tol > 0)) return 0;
     if (!(s->sigma > 0 && s->sigma <= 1 && s->relax > 0 && s->relax < 2 && s->rho_equal >= 1 && s->adapt_factor > 1)) return 0;
@@ -239,52 +233,18 @@ static int32_t sp__qp_entries(const sp_qp *qp)
     return count;
 }
 
-#ifndef SP_QP_NO_CG
-/* P_jj >= 0 and P_ij^2 <= P_ii P_jj, scaled and up to rounding; in d (n) the roots of the diagonal. */
-static int sp__qp_minors(const sp__qp *w, sp_real *d)
-{
-    const sp_qp *qp = &w->qp;
-    for (int32_t j = 0; j < qp->n; j++) d[j] = sp__kkt_diagonal(w, j);
-    const sp_real slack = (sp_real)64 * SP_EPSILON * sp__largest(d, qp->n);
-    for (int32_t j = 0; j < qp->n; j++) {
-        if (d[j] < -slack) return 0;
-        d[j] = SP_SQRT(sp__max(d[j], 0));
-        for (int32_t k = qp->Pp[j]; k < qp->Pp[j + 1]; k++) {
-            const int32_t i = qp->Pi[k];
-            if (i < j && w->c * w->D[i] * sp__abs(qp->Px[k]) * w->D[j] > d[i] * d[j] * (sp_real)1.00001 + slack) return 0;
-        }
-    }
-    return 1;
-}
-
-/* Conjugate gradients from a right-hand side without pattern meet a direction of negative curvature, if there is one, within n
- * steps, were it not for rounding. 1: none was met. */
-static int sp__qp_no_descent(sp__qp *w)
-{
-    uint32_t seed = 1;
-    for (int32_t j = 0; j < w->qp.n; j++) {
-        seed = seed * 1664525u + 1013904223u;
-        w->b[j] = (sp_real)(int32_t)(seed >> 16) / (sp_real)32768 - (sp_real)1;
-        w->s[j] = 0;
-    }
-    return sp__cg_solve(&w->cg, sp__kkt_apply, w, w->b, w->s, w->qp.n, (sp_real)4 * SP_EPSILON) >= 0;
-}
-#endif
-
 /* Is P semidefinite? A diagonal one shows; of others cDPD + shift I has a factor, the shift above what rounding can do. */
 SP__NOINLINE_SMALL static int sp__qp_semidefinite(sp__qp *w)
 {
     const int diagonal = sp__qp_entries(&w->qp) == sp__qp_a0(&w->qp, w->qp.n);
     for (int32_t j = 0; diagonal && j < w->qp.n; j++)
-        if (sp__kkt_diagonal(w, j) < 0) return 0;
+        if (sp__qp_diagonal(w, j) < 0) return 0;
     if (diagonal) return 1;
     for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = 0;
     sp__ruiz_norms_P(&w->qp, w->D, w->c, w->b);
     w->sigma = sp__largest(w->b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
-#ifndef SP_QP_NO_CG
-    if (sp__qp_backend(&w->set) == SP_QP_CG) return sp__qp_minors(w, w->b) && sp__qp_no_descent(w);
-#endif
+    if (SP__WITH_QP_CG && sp__qp_backend(&w->set) == SP_QP_CG) return sp__kkt_cg_semidefinite(w);
     return w->broken == 0;
 }
 
@@ -328,14 +288,10 @@ SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend,
     w->D = p[0]; w->x = p[1]; w->xc = p[2]; w->X = p[3]; w->Px = p[4]; w->Aty = p[5];
     w->E = p[6]; w->row = p[7]; w->z = p[8]; w->y = p[9]; w->yc = p[10]; w->Y = p[11]; w->Ax = p[12];
     w->b = p[13]; w->s = p[14];
-#ifndef SP_QP_NO_POLISH
-    w->side = sp__take(a, (size_t)qp->m, 1);
-#endif
+    if (SP__WITH_QP_POLISH) w->side = sp__take(a, (size_t)qp->m, 1);
     if (backend == SP_QP_SPARSE) sp__ldl_carve(&w->ldl, qp->n + qp->m, qp->n, sp__qp_entries(qp), a);
     else if (backend == SP_QP_DENSE) w->M = sp__qp_carve_dense(qp, a);
-#ifndef SP_QP_NO_CG
-    else sp__kkt_carve_cg(qp, &w->cg, &w->v, &w->Av, a);
-#endif
+    else sp__kkt_carve_cg(qp, w, a);
     return sp__failed(a) ? NULL : w;
 }
 
@@ -345,9 +301,7 @@ SP__NOINLINE static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_
     sp_arena a = sp__arena_dry();
     if (entries < 0) return 0;
     sp__qp_carve_vectors(qp, NULL, &a);
-#ifndef SP_QP_NO_POLISH
-    sp__take(&a, (size_t)qp->m, 1);
-#endif
+    if (SP__WITH_QP_POLISH) sp__take(&a, (size_t)qp->m, 1);
     if (backend == SP_QP_SPARSE) {
         sp__ldl f;
         sp__ldl_carve(&f, qp->n + qp->m, qp->n, entries, &a);
@@ -356,13 +310,7 @@ SP__NOINLINE static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_
         sp__ldl_carve_factor(&f, fill, &a);
         if (sp__failed(&symbolic) || symbolic.used > a.used) a = symbolic;
     } else if (backend == SP_QP_DENSE) sp__qp_carve_dense(qp, &a);
-#ifndef SP_QP_NO_CG
-    else {
-        sp__cg cg;
-        sp_real *v, *Av;
-        sp__kkt_carve_cg(qp, &cg, &v, &Av, &a);
-    }
-#endif
+    else sp__kkt_carve_cg(qp, NULL, &a);
     return sp__failed(&a) ? 0 : a.used;
 }
 
@@ -402,9 +350,7 @@ static const sp_qp_settings sp__qp_usual = {
     .eps_abs = 1e-6, .eps_rel = 1e-5, .eps_pinf = 1e-4, .eps_dinf = 1e-4, .radius = 1e6,
 #endif
     .strict = 1,
-#ifndef SP_QP_NO_POLISH
-    .polish = 1,
-#endif
+    .polish = SP__WITH_QP_POLISH,
     .iterations = 8000, .check = 10, .passes = 10,
 #ifdef SP_REAL_FLOAT
     .sigma = (sp_real)1e-3,                             /* below 64 u x the largest penalty pivots drown */
@@ -546,6 +492,5 @@ SP_API sp_qp_solver sp_qp_admm(void)
     return s;
 }
 
-#endif /* SP_NO_QP */
-
+#endif
 #endif /* SP__ADMM_C */

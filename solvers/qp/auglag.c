@@ -9,14 +9,15 @@
  * refinement of their KKT system, which is the polish of [OSQP, sec. 4]; until then it finds them where ADMM takes very long.
  * The linear systems are those of ADMM with rho = r on these rows and nothing on the others, so R_i = r E_i^2 / c here.
  *
- * X is the point, yc the guess, Y what follows from both: the gradient at X is PX + q + A'Y. SP_QP_NO_POLISH leaves it out.
+ * X is the point, yc the guess, Y what follows from both: the gradient at X is PX + q + A'Y. Without polish a run finds nothing.
  */
 #ifndef SP__AUGLAG_C
 #define SP__AUGLAG_C
 
 #include "certificate.c"
 
-#if !defined(SP_NO_QP) && !defined(SP_QP_NO_POLISH)
+#if SP__WITH_QP
+#if SP__WITH_QP_POLISH
 
 #ifdef SP_REAL_FLOAT
 #define SP__AUGLAG_MOST ((sp_real)1e3)                  /* largest r */
@@ -194,6 +195,10 @@ SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
     return 0;
 }
 
-#endif
+#else
 
+static int sp__auglag_run(sp__qp *w, sp_real off) { return (void)w, (void)off, 0; }
+
+#endif
+#endif
 #endif /* SP__AUGLAG_C */

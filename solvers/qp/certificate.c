@@ -1,4 +1,4 @@
-/* proof: certificates that a quadratic program has no solution, judged on the data as given.
+/* certificate: proofs that a quadratic program has no solution, judged on the data as given.
  *
  * y with A'y = 0 and u'y+ + l'y- < 0 proves that nothing is feasible, for y'Ax <= u'y+ + l'y- wherever l <= Ax <= u [OSQP, 3.4].
  * Numbers leave a rest r = A'y; then any feasible x has
@@ -15,9 +15,9 @@
 #ifndef SP__PROOF_C
 #define SP__PROOF_C
 
-#include "kkt.c"
+#include "sharpen.c"
 
-#ifndef SP_NO_QP
+#if SP__WITH_QP
 
 /* r_j = |A'y|_j and what rounding may have hidden in it, times D_j: the largest. */
 static sp_real sp__proof_rest(const sp__qp *w)
@@ -71,74 +71,6 @@ static sp_real sp__proof_dual(sp__qp *w)
     return sp__proof_radius(down, terms, qp->n, rest);
 }
 
-#ifndef SP_QP_NO_POLISH
-
-/* Regularisation where an exact answer is wanted and refined. */
-#ifdef SP_REAL_FLOAT
-#define SP__QP_DELTA ((sp_real)1e-3)
-#else
-#define SP__QP_DELTA ((sp_real)1e-6)
-#endif
-
-/* Y (unscaled) <- the nearest vector with A_S'y = 0, S its rows that count: from y near a certificate one that proves more.
- *
- *     [ delta I  A_S' ] [ -t ]   [  0 ]
- *     [ A_S       -I  ] [ y' ] = [ -y ]       y' = (I + A_S A_S' / delta)^-1 y, some times
- *
- * P is taken out of the KKT matrix by c = 0. */
-SP__NOINLINE static void sp__proof_sharpen_y(sp__qp *w)
-{
-    const int32_t n = w->qp.n, m = w->qp.m;
-    const sp_real c = w->c;
-    for (int32_t i = 0; i < m; i++) w->Y[i] /= w->E[i];
-    const sp_real little = (sp_real)1e-3 * sp__largest(w->Y, m);
-    w->c = 0;
-    w->sigma = SP__QP_DELTA;
-    for (int32_t i = 0; i < m; i++) {
-        w->row[i] = sp__abs(w->Y[i]) > little ? (sp_real)1 : (sp_real)0;
-        w->Y[i] *= w->row[i];
-    }
-    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
-    sp__kkt_factor(w);
-    for (int round = 0; round < 4; round++) {
-        for (int32_t j = 0; j < n; j++) w->b[j] = 0;
-        for (int32_t i = 0; i < m; i++) w->b[n + i] = -w->Y[i];
-        sp__kkt_solve(w, 1);
-        for (int32_t i = 0; i < m; i++) w->Y[i] = w->row[i] > 0 ? w->s[n + i] : (sp_real)0;
-    }
-    for (int32_t i = 0; i < m; i++) w->Y[i] *= w->E[i];
-    w->c = c;
-    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
-    w->stale = 1;
-}
-
-/* X (unscaled) <- the nearest vector with PX = 0 and A_T X = 0, T the rows that must not move: the proximal point method on
- * 1/2 x'Px + |A_T x|^2 / (2 delta). */
-SP__NOINLINE static void sp__proof_sharpen_x(sp__qp *w)
-{
-    const sp_qp *qp = &w->qp;
-    sp__qp_A(qp, w->X, w->Ax, 0);
-    for (int32_t i = 0; i < qp->m; i++) w->Ax[i] *= w->E[i];
-    const sp_real little = (sp_real)1e-3 * sp__largest(w->Ax, qp->m);
-    w->sigma = SP__QP_DELTA;
-    for (int32_t i = 0; i < qp->m; i++) {
-        const int stays = (!sp__qp_no_u(qp, i) && w->Ax[i] > -little) || (!sp__qp_no_l(qp, i) && w->Ax[i] < little);
-        w->row[i] = stays ? (sp_real)1 / w->sigma : (sp_real)0;
-    }
-    sp__kkt_factor(w);
-    for (int32_t j = 0; j < qp->n; j++) w->X[j] /= w->D[j];
-    for (int round = 0; round < 4; round++) {
-        for (int32_t j = 0; j < qp->n; j++) w->b[j] = w->sigma * w->X[j];
-        for (int32_t i = 0; i < qp->m; i++) w->b[qp->n + i] = 0;
-        sp__kkt_solve(w, 1);
-        for (int32_t j = 0; j < qp->n; j++) w->X[j] = w->s[j];
-    }
-    for (int32_t j = 0; j < qp->n; j++) w->X[j] *= w->D[j];
-    w->stale = 1;
-}
-
-#endif /* SP_QP_NO_POLISH */
-
 /* How large solutions must be to be believed away: a multiple of the iterate (of y for the mirror image: x runs away there). */
 static sp_real sp__proof_far(const sp_real *v, int32_t n, sp_real radius)
 {
@@ -171,15 +103,11 @@ SP__NOINLINE static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
     const sp_real far = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
     const sp_real least = sp__max(far, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
     sp_real radius = sp__proof_measure(w, primal);
-#ifndef SP_QP_NO_POLISH
-    if (hard && radius > (sp_real)1 && !(radius > least)) {
-        if (primal) sp__proof_sharpen_y(w);
-        else sp__proof_sharpen_x(w);
+    if (SP__WITH_QP_POLISH && hard && radius > (sp_real)1 && !(radius > least)) {
+        if (primal) sp__sharpen_y(w);
+        else sp__sharpen_x(w);
         radius = sp__proof_direction(v, size) ? sp__proof_measure(w, primal) : (sp_real)0;
     }
-#else
-    (void)hard;
-#endif
     return radius > least ? radius : (sp_real)0;
 }
 
@@ -194,6 +122,5 @@ static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
     return 0;
 }
 
-#endif /* SP_NO_QP */
-
+#endif
 #endif /* SP__PROOF_C */

@@ -19,7 +19,7 @@
 #include "../linear/cg.c"
 #include "ruiz.c"
 
-#ifndef SP_NO_QP
+#if SP__WITH_QP
 
 #define SP__QP_RHO_LEAST ((sp_real)1e-6)                /* clamps of rho                                        [seed 4.2] */
 #define SP__QP_RHO_MOST  ((sp_real)1e6)
@@ -38,7 +38,7 @@ struct sp_qp_work {                     /* pointers first: near offsets make sho
     sp_real c, rho, sigma;
     sp_qp_settings set;
     sp__ldl ldl;
-#ifndef SP_QP_NO_CG
+#if SP__WITH_QP_CG
     sp__cg cg;
     sp_real *v, *Av;                    /* cg: n, m */
 #endif
@@ -53,12 +53,7 @@ typedef struct sp_qp_work sp__qp;
 /* The back end in use: SP_SMALL has the dense one alone. */
 static sp_qp_backend sp__qp_backend(const sp_qp_settings *set)
 {
-#ifdef SP_SMALL
-    (void)set;
-    return SP_QP_DENSE;
-#else
-    return set->backend;
-#endif
+    return SP__WITH_SMALL ? SP_QP_DENSE : set->backend;
 }
 
 static int sp__qp_no_l(const sp_qp *qp, int32_t i) { return !(qp->l[i] > -SP_QP_INFINITY); }
@@ -68,6 +63,13 @@ static int sp__qp_loose(const sp_qp *qp, int32_t i, sp_real y) { return y > 0 ? 
 static int sp__qp_equation(const sp_qp *qp, int32_t i) { return !(qp->l[i] < qp->u[i]); }
 static sp_real sp__qp_q(const sp_qp *qp, int32_t j) { return qp->q ? qp->q[j] : (sp_real)0; }
 static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
+
+/* Diagonal entry j of cDPD: the last of its column, if there is one. */
+static sp_real sp__qp_diagonal(const sp__qp *w, int32_t j)
+{
+    const int32_t end = sp__qp_p0(&w->qp, j + 1);
+    return end > sp__qp_p0(&w->qp, j) && w->qp.Pi[end - 1] == j ? w->c * w->D[j] * w->qp.Px[end - 1] * w->D[j] : (sp_real)0;
+}
 
 static sp_real sp__largest(const sp_real *x, int32_t n)
 {
@@ -259,6 +261,5 @@ static void sp__qp_unscale(sp__qp *w)
     for (int32_t i = 0; i < w->qp.m; i++) w->Y[i] = w->E[i] * w->y[i] / w->c;
 }
 
-#endif /* SP_NO_QP */
-
+#endif
 #endif /* SP__QP_C */
