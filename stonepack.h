@@ -937,6 +937,7 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
 /* Solve. settings NULL: the default ones. x0 (n), y0 (m): a guess, each may be NULL.
  *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
  *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u, settings),
+ *           SP_E_UNSUPPORTED (a back end or polish that this build leaves out),
  *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its largest entry, float -2.5e-7 n; the matrix-free back
  *           end can only look for one and may miss one that is small), SP_E_MEMORY */
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,

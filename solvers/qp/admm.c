@@ -197,11 +197,15 @@ static sp_status sp__qp_check_vectors(const sp_qp *qp)
     return SP_OK;
 }
 
+/* Do they ask for what this build leaves out? */
+static int sp__qp_settings_lack(const sp_qp_settings *s)
+{
+    return (!SP__WITH_QP_CG && !SP__WITH_SMALL && s->backend == SP_QP_CG) || (!SP__WITH_QP_POLISH && s->polish);
+}
+
 static int sp__qp_settings_fit(const sp_qp_settings *s)
 {
     if (s->backend != SP_QP_SPARSE && s->backend != SP_QP_DENSE && s->backend != SP_QP_CG) return 0;
-    if (!SP__WITH_QP_CG && !SP__WITH_SMALL && s->backend == SP_QP_CG) return 0;
-    if (!SP__WITH_QP_POLISH && s->polish) return 0;
     if (!(s->eps_abs >= 0 && s->eps_rel >= 0 && s->eps_abs + s->eps_rel > 0 && sp__finite(s->eps_abs + s->eps_rel))) return 0;
     if (!(s->eps_pinf > 0 && s->eps_dinf > 0 && s->radius >= 1 && s->cg_tol > 0)) return 0;
     if (!(s->sigma > 0 && s->sigma <= 1 && s->relax > 0 && s->relax < 2 && s->rho_equal >= 1 && s->adapt_factor > 1)) return 0;
@@ -213,6 +217,7 @@ static sp_status sp__qp_check(const sp_qp *qp, const sp_qp_settings *set)
 {
     if (!qp || qp->n < 0 || qp->m < 0) return SP_E_ARGUMENT;
     if (qp->n == 0) return SP_E_EMPTY;
+    if (sp__qp_settings_lack(set)) return SP_E_UNSUPPORTED;
     if (!sp__qp_settings_fit(set)) return SP_E_RANGE;
     if (qp->n > INT32_MAX / 2 - qp->m) return SP_E_MEMORY;
     sp_status status = SP_OK;
