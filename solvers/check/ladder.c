@@ -80,7 +80,6 @@ SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_set
     return SP_OK;
 }
 
-#ifndef SP_NO_PLAN
 /* What a search in 3 rows came to. */
 typedef struct sp__sought {
     sp_verdict claim;
@@ -155,8 +154,6 @@ SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_s
     sp__cost_add(&r->cost, &state->cost);
     return status;
 }
-
-#endif /* SP_NO_PLAN */
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__NOINLINE static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,

@@ -243,12 +243,8 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
 typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
-#ifndef SP_NO_PLAN
 typedef char sp__memory_bytes_holds_flat[sizeof(sp_real) > 8 || SP__FLAT_G <= 20 ? 1 : -1];
-#endif
-#ifndef SP_NO_IPM
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
-#endif
 
 #ifndef SP_NO_CRA
 typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__cra) <= 448 && sizeof(sp__branch) <= 448

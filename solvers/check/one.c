@@ -26,9 +26,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
     int done = 0;
     for (int32_t k = 0; k < set->stage_count && !done; k++) {
         sp_status status = SP_OK;
-#ifndef SP_NO_PLAN
-        if (set->stage[k] == SP_STAGE_EXACT) status = sp__check_reduced(pb, set, k, state, a, r, &done);
-#endif
+        if (SP__WITH_PLAN && set->stage[k] == SP_STAGE_EXACT) status = sp__check_reduced(pb, set, k, state, a, r, &done);
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }

@@ -12,7 +12,7 @@
 
 #include "../base/vec3.c"
 
-#if SP__WITH_INTERIOR
+#if SP__WITH_LARGE
 
 typedef struct sp__nt { sp_real w[3], s; } sp__nt;
 

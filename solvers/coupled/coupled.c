@@ -57,7 +57,6 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     return SP_OK;
 }
 
-#ifndef SP_NO_PLAN
 /* The search in the plane, where one plane is a mirror of everything (section 11): motions in it that turn about its normal, 3
  * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
  * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose check has the last
@@ -88,7 +87,6 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     sp__cra_rest(c, omega);
     return 0;
 }
-#endif
 
 /* In space, by search unless one is found, which `found` tells, then the decision. */
 SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
@@ -117,8 +115,7 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
 {
     const int found = c->residual <= 1 || sp__cra_hang(c, *a);
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
-#ifndef SP_NO_PLAN
-    const int plane = found ? 0 : sp__cra_plane(c, state->left, a);
+    const int plane = found || !SP__WITH_PLAN ? 0 : sp__cra_plane(c, state->left, a);
     if (plane < 0) return SP_E_MEMORY;
     if (plane) {
         c->out->residual = c->residual;
@@ -131,7 +128,6 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
         const sp_status status = sp__coupled_decide(c, state, &r->omega, a);
         if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     }
-#endif
     return sp__coupled_search(c, found, state, &r->omega, a);
 }
 

@@ -58,16 +58,15 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
     }
 }
 
-#ifndef SP_NO_PLAN
 /* A triple in the plane as one in space: motions out of the axes e, f and alpha of mirrored corners those of their images. */
 static void sp__cra_lift(const sp__cra *c)
 {
-    const sp__flat *o = c->w->flat;
+    const sp__flat *o = sp__reduced(c->w);
+    if (!o) return;
     sp__flat_lift(c->w, c->t.dq);
     sp__flat_spread(o, c->pb, c->t.f);
     for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->mate[v] < v ? o->mate[v] : v];
 }
-#endif
 
 /* The triple in metres and newtons.     returns 1 when it is verified */
 SP__NOINLINE static int sp__cra_offer(sp__cra *c)
@@ -85,9 +84,7 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
             if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
         }
     }
-#ifndef SP_NO_PLAN
-    if (w->flat) sp__cra_lift(c);
-#endif
+    sp__cra_lift(c);
     if (!sp__dual_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
     c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);

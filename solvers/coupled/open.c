@@ -27,12 +27,7 @@ static void sp__cra_begin(const sp__cra *c)
 /* Is there a plane to search in? The seed's search takes the scene as it is. */
 static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat *o)
 {
-#ifndef SP_NO_PLAN
     return !set->coupled.rounds && sp__flat_choose(pb, set, o) && o->mode == SP__PLANE;
-#else
-    (void)pb; (void)set; (void)o;
-    return 0;
-#endif
 }
 
 SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)

@@ -86,9 +86,8 @@ static void sp__limit_sizes(sp__limit *L)
         L->state.dq[k] = L->bracket.hint[k] / unit;
         w->d[k] = -L->bracket.hint[n + k] / unit;
     }
-#ifndef SP_NO_PLAN
-    if (L->flat) { sp__flat_drop(L->flat, w->pb->blocks, L->state.dq); sp__flat_drop(L->flat, w->pb->blocks, w->d); }
-#endif
+    sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
+    sp__flat_drop(L->flat, w->pb->blocks, w->d);
     sp__dual_sizes(w, L->state.dq);
 }
 
@@ -135,9 +134,7 @@ SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     L->none = none;
     L->slack = slack;
     for (size_t k = 0; k < n; k++) L->bracket.dq[k] = -w->weight[k / 3] * y[k];
-#ifndef SP_NO_PLAN
-    if (L->flat) sp__flat_lift(w, L->bracket.dq);
-#endif
+    sp__flat_lift(w, L->bracket.dq);
 }
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
@@ -237,9 +234,7 @@ SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_
     L->m.tau = t;
     sp__ipm_forces(L->w, t > 0 ? &L->m : NULL, &L->n, &L->state);
     L->m.tau = tau;
-#ifndef SP_NO_PLAN
-    if (L->flat) sp__flat_spread(L->flat, &L->bracket.pb, f);
-#endif
+    sp__flat_spread(L->flat, &L->bracket.pb, f);
     return L->n.found && sp__bracket_stands(&L->bracket, d, l * L->ref, f, f, L->room);
 }
 

@@ -19,9 +19,8 @@ static void sp__limit_flat(sp__limit *L, sp_arena *a)
 {
     sp__bracket *b = &L->bracket;
     L->flat = NULL;
-#ifndef SP_NO_PLAN
     const size_t start = a->used;
-    sp__flat *o = sp__take(a, 1, sizeof *o);
+    sp__flat *o = SP__WITH_PLAN ? sp__take(a, 1, sizeof *o) : NULL;
     int planar = o != NULL;
     for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
         sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
@@ -29,9 +28,6 @@ static void sp__limit_flat(sp__limit *L, sp_arena *a)
     }
     if (planar) L->flat = o;
     else if (o) a->used = start;
-#else
-    (void)a;
-#endif
     sp__bracket_load(b, 1, L->ref);
 }
 
@@ -69,7 +65,6 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
 SP__NOINLINE static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_verdict *claim)
 {
     sp__bracket *b = &L->bracket;
-#ifndef SP_NO_PLAN
     sp_arena again = room;
     sp__flat *o = sp__take(&again, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
@@ -78,7 +73,6 @@ SP__NOINLINE static sp_status sp__limit_stage(sp__limit *L, sp_arena room, sp_ve
         if (status || *claim == SP_STABLE || (*claim == SP_UNSTABLE && (o->mode == SP__PLANE || o->forest))) return status;
         *claim = SP_UNDECIDED;
     }
-#endif
     return sp__exact_run(&b->pb, &b->set, &L->state, &room, claim);
 }
 
@@ -418,9 +412,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     L->bracket.y0 = NULL;
     L->ref = sp__limit_reference(&L->bracket);
     sp__limit_flat(L, &scratch);
-#ifndef SP_NO_PLAN
-    if (!L->flat) L->flat = sp__take(&scratch, 1, sizeof *L->flat);    /* of other loads there may be one */
-#endif
+    if (SP__WITH_PLAN && !L->flat) L->flat = sp__take(&scratch, 1, sizeof *L->flat);    /* of other loads there may be one */
     const size_t search = pb->blocks ? sp__dual_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), L->flat, scratch) : 0;
     if (search == SIZE_MAX) return SP_E_MEMORY;
     sp__limit_kept kept;

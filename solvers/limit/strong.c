@@ -75,9 +75,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     sp__dual *w = L->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     memcpy(L->state.dq, L->bracket.dq, n * sizeof *L->state.dq);
-#ifndef SP_NO_PLAN
-    if (L->flat) sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
-#endif
+    sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
     sp__newton_settle(w, &L->state);
     for (size_t k = 0; k < n; k++) L->Vq[k] = -L->state.dq[k] / w->weight[k / 3];

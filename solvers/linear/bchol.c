@@ -210,7 +210,6 @@ SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor)
     }
 }
 
-#if !defined SP_NO_PLAN || (!defined SP_NO_IPM && !defined SP_REAL_MIXED)
 /* Numbers of blocks in full precision: where it is mixed only those of 3 x 3 are. */
 #ifdef SP_REAL_MIXED
 static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d3; }
@@ -219,9 +218,7 @@ static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x3; }
 static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d; }
 static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x; }
 #endif
-#endif
 
-#ifndef SP_NO_PLAN
 /* The same with blocks of 3 x 3: 6 numbers a diagonal block, 9 below. */
 static void sp__bchol3_block(sp_real *d, sp_real floor)
 {
@@ -295,9 +292,7 @@ SP__NOINLINE static void sp__bchol3_solve(const sp__bchol *f, sp_real *t)
         v[0] = (v[0] - d[1] * v[1] - d[2] * v[2]) * sp__abs(d[0]);
     }
 }
-#endif
 
-#if !defined SP_NO_IPM && !(defined SP_REAL_MIXED && defined SP_NO_PLAN)
 /* Numbers of a diagonal block, of one below; where column c of the former starts. */
 static size_t sp__bchol_triangle(const sp__bchol *f) { return f->rows == 3 ? 6 : 21; }
 static size_t sp__bchol_whole(const sp__bchol *f) { return f->rows == 3 ? 9 : 36; }
@@ -341,17 +336,14 @@ SP__NOINLINE static void sp__bchol_unbalance(sp__bchol *f)
             for (size_t c = 0; c < whole; c++) sp__bchol_x(f)[whole * (size_t)q + c] /= f->t[n * (size_t)f->i[q] + c % n];
     }
 }
-#endif
 
 static void sp__bchol_zero(sp__bchol *f)
 {
-#ifndef SP_NO_PLAN
-    if (f->rows == 3) {
+    if (SP__WITH_PLAN && f->rows == 3) {
         memset(sp__bchol_d(f), 0, (size_t)f->n * 6 * sizeof(sp_real));
         memset(sp__bchol_x(f), 0, (size_t)f->p[f->n] * 9 * sizeof(sp_real));
         return;
     }
-#endif
     memset(f->d, 0, (size_t)f->n * 21 * sizeof *f->d);
     memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
 }

@@ -151,11 +151,9 @@ SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
     sp__part_make(q);
     if (sp__part_open(q, &a, &c)) return 0;
     sp__lean_load(q, &c->pb);
-#ifndef SP_NO_PLAN
     sp_arena room = a;
     sp__flat *o = sp__take(&room, 1, sizeof *o);
     if (o && sp__flat_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { flat = o; a = room; }
-#endif
     if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
     c->set.tol *= SP__LEAN_TOL;
     c->state.left = sp__budget_left(&c->set, &c->r);

@@ -73,16 +73,14 @@ static void sp__dual_bilateral(sp__dual *w)
 static void sp__dual_hint(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-#ifndef SP_NO_PLAN
-    if (w->flat && w->flat->mode == SP__LEVEL_JOINTS && !w->flat->forest) return;
-#endif
+    const sp__flat *o = sp__reduced(w);
+    if (o && o->mode == SP__LEVEL_JOINTS && !o->forest) return;
     for (size_t k = 0; k < n; k++) {
         state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
         state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
     }
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_lift(w, state->y0); sp__flat_lift(w, state->y0 + n); }
-#endif
+    sp__flat_lift(w, state->y0);
+    sp__flat_lift(w, state->y0 + n);
     state->has_y0 = 1;
 }
 
@@ -96,7 +94,6 @@ static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state
     }
 }
 
-#ifndef SP_NO_PLAN
 /* The hint alone. */
 SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
 {
@@ -106,7 +103,6 @@ SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_
     sp__dual_hint(w, state);
     return SP_OK;
 }
-#endif
 
 #endif
 

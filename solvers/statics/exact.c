@@ -8,14 +8,9 @@
 
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-#ifdef SP_NO_IPM
-    return sp__flat_need(pb, set, 0, scratch);
-#else
-    return sp__flat_need(pb, set, (size_t)set->faces, scratch);
-#endif
+    return sp__flat_need(pb, set, SP__WITH_INTERIOR ? (size_t)set->faces : 0, scratch);
 }
 
-#ifndef SP_NO_PLAN
 /* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it
  * A light block beside a heavy one has digits of its own: what is much for its load is looked at with the forces on it. */
 SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
@@ -30,7 +25,6 @@ SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
     if (!each) sp__dual_sizes(w, w->y);
     return each || (!w->spent && sp__dual_omega(w, w->r) <= little);
 }
-#endif
 
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.
  * looked: w->r is of w->y already. */
@@ -45,17 +39,14 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
     else sp__newton_look(w, n, state);
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
-#ifndef SP_NO_IPM
-    const int cones = !sp__problem_strong(w->pb);              /* with strength K is none */
+    const int cones = SP__WITH_INTERIOR && !sp__problem_strong(w->pb);  /* with strength K is none */
     const int coarse = n->found && n->best > SP__FINE;  /* within tol, but not to rounding */
     if (sp__newton_open(n) && whole && cones) idle = sp__ipm_run(w, w->inner, n, state);
-#endif
     if (sp__newton_open(n) && whole && !idle) {
         sp__newton_path(w, n, state);
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
     }
-#ifndef SP_NO_IPM
     if ((coarse || (sp__newton_open(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
@@ -65,7 +56,6 @@ static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *sta
         n->found = 0;                                   /* then they are still those of y */
         sp__ipm_forces(w, NULL, n, state);
     }
-#endif
 }
 
 /* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
@@ -76,10 +66,8 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__dual *w = sp__dual_make(pb, set, SP__EXACT, flat, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
-#ifndef SP_NO_IPM
-    w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
-    if (!w->inner->x) return SP_E_MEMORY;
-#endif
+    if (SP__WITH_INTERIOR) w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
+    if (SP__WITH_INTERIOR && !w->inner->x) return SP_E_MEMORY;
     const int whole = sp__dual_whole(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->limit = state->left - tail;
@@ -89,15 +77,12 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     if (w->spent) return SP_OK;
     if (flat) flat->spent = 0;
     sp__dual_hint(w, state);
-    int looked = 0;                                     /* w->r is of this y */
-#ifndef SP_NO_PLAN
-    looked = flat && !w->singular;
+    const int looked = sp__reduced(w) && !w->singular;  /* w->r is of this y */
     if (looked && sp__newton_bonded(w, state)) {
         sp__flat_spread(flat, pb, state->f);
         *claim = SP_STABLE;
         return SP_OK;
     }
-#endif
     sp__dual_sizes(w, w->y);
     if (!whole && w->singular) return SP_OK;
     sp__exact_ways(w, &n, looked, state);
@@ -109,13 +94,9 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     if (n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
-#ifndef SP_NO_PLAN
-    if (flat) {
-        sp__flat_lift(w, state->dq);
-        sp__flat_spread(flat, pb, state->f);
-        flat->spent = spent;
-    }
-#endif
+    sp__flat_lift(w, state->dq);
+    sp__flat_spread(flat, pb, state->f);
+    if (flat) flat->spent = spent;
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
                   : n.left > 0 && !spent && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;

@@ -66,7 +66,6 @@ SP__NOINLINE static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_
 }
 #endif
 
-#ifndef SP_NO_PLAN
 /* A contact's H = h of vv, vw, ww in its own frame as 3 x 3 in X. */
 static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real *h, sp_real *H)
 {
@@ -153,7 +152,6 @@ static void sp__flat_solve(sp__dual *w, const sp_real *b, sp_real *x)
     for (size_t k = 0; k < (size_t)w->L.n; k++)
         for (int r = 0; r < 3; r++) x[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)] = t[3 * k + (size_t)r];
 }
-#endif
 
 /* The assembled blocks as one dense lower triangle, in elimination order. */
 static void sp__dual_spread(sp__dual *w)
@@ -174,38 +172,31 @@ static void sp__dual_spread(sp__dual *w)
         }
 }
 
-#ifndef SP_NO_PLAN
 /* sp__dual_factor in 3 rows a block, in full precision. */
 static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_real floor = 4 * (sp_real)SP_EPSILON;
     sp__flat_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
     w->cost->factorisations++;
-#ifndef SP_NO_IPM
-    if (law == SP__INTERIOR) sp__bchol_balance(&w->L, shift);
+    const int balanced = SP__WITH_INTERIOR && law == SP__INTERIOR;
+    if (balanced) sp__bchol_balance(&w->L, shift);
     sp__bchol3_factor(&w->L, floor);
-    if (law == SP__INTERIOR) sp__bchol_unbalance(&w->L);
-#else
-    sp__bchol3_factor(&w->L, floor);
-#endif
+    if (balanced) sp__bchol_unbalance(&w->L);
 }
-#endif
 
 /* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
 SP__NOINLINE static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, w->flat && w->flat->plain && law < SP__GIVEN)) return;
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_factor(w, law, y, shift); return; }
-#endif
+    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, sp__reduced(w) && w->flat->plain && law < SP__GIVEN)) return;
+    if (sp__reduced(w)) { sp__flat_factor(w, law, y, shift); return; }
     sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
     w->cost->factorisations++;
 #ifdef SP_REAL_MIXED
     sp__dual_lower(w, law == SP__INTERIOR ? shift : 0);
-#elif !defined SP_NO_IPM
-    if (law == SP__INTERIOR) {
+#else
+    if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
         sp__bchol_balance(&w->L, shift);
         sp__bchol_factor(&w->L, floor);
         sp__bchol_unbalance(&w->L);
@@ -261,13 +252,11 @@ static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
     const size_t n = 6 * (size_t)w->pb->blocks;
     const int64_t flops = sp__dual_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
     sp_real *p = w->cg, *q = p + n, *z = q + n, *r = z + n;
-#ifndef SP_NO_PLAN
-    if (w->flat) {
+    if (sp__reduced(w)) {
         if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__flat_solve(w, b, x);
         else memset(x, 0, n * sizeof *x);
         return;
     }
-#endif
     memcpy(r, b, n * sizeof *r);
     memset(x, 0, n * sizeof *x);
     if (!sp__dual_pay(w, flops)) return;
@@ -289,13 +278,9 @@ static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 /* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
 static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
 {
-    if (sp__dual_pay(w, sp__dual_solve_flops(w))) {
-#ifndef SP_NO_PLAN
-        if (w->flat) sp__flat_solve(w, b, x);
-        else
-#endif
-        sp__dual_back(w, b, x);
-    }
+    const int paid = sp__dual_pay(w, sp__dual_solve_flops(w));
+    if (paid && sp__reduced(w)) sp__flat_solve(w, b, x);
+    else if (paid) sp__dual_back(w, b, x);
     else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
 }
 #endif

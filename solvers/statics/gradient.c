@@ -9,11 +9,8 @@
 /* An assembly. */
 static int sp__dual_assembly(sp__dual *w, int plain)
 {
-#ifndef SP_NO_PLAN
-    const sp__flat *o = w->flat;
+    const sp__flat *o = sp__reduced(w);
     if (o && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN(o) * o->vertices + SP__FLOPS_FLAT_BLOCKS * o->sides);
-#endif
-    (void)plain;
     return sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
@@ -37,7 +34,6 @@ SP__NOINLINE static void sp__dual_bear(sp__dual *w, const sp_contact *t, const s
     }
 }
 
-#ifndef SP_NO_PLAN
 /* Where no joint has strength a vertex of a search in 3 rows has fn, and planar one slip, with rates
  *   planar         un = X0 + q0 X2,  us = X1 + q1 X2;  level un = X0 + q0 X1 + q1 X2
  * and K is a wedge, its sides those of the cone in the plane.          *times: how often it counts */
@@ -202,7 +198,6 @@ SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, c
     H[0] = h[0]; H[1] = H[3] = h[1]; H[2] = H[6] = h[2];
     H[4] = h[3]; H[5] = H[7] = h[4]; H[8] = h[5];
 }
-#endif
 
 /* And in 6 rows. */
 SP__NOINLINE static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
@@ -237,12 +232,8 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
     if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const int plain = sp__dual_yield(w, c)->plain;
-#ifndef SP_NO_PLAN
-        if (w->flat && plain) { sp__flat_gradient(w, law, c, y, r, f); continue; }
-#else
-        (void)plain;
-#endif
-        sp__space_gradient(w, law, c, y, r, f);
+        if (sp__reduced(w) && plain) sp__flat_gradient(w, law, c, y, r, f);
+        else sp__space_gradient(w, law, c, y, r, f);
     }
     sp__dual_release(w, r);
 }
@@ -273,12 +264,7 @@ SP__NOINLINE static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const 
     if (!sp__dual_sweep(w, 1, 2)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const int plain = sp__dual_yield(w, c)->plain;
-#ifndef SP_NO_PLAN
-        if (w->flat && plain) { sum += sp__flat_slope(w, c, y, d, s); continue; }
-#else
-        (void)plain;
-#endif
-        sum += sp__space_slope(w, c, y, d, s);
+        sum += sp__reduced(w) && plain ? sp__flat_slope(w, c, y, d, s) : sp__space_slope(w, c, y, d, s);
     }
     return sum + sp__dual_work(w, d);
 }

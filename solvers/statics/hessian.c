@@ -7,7 +7,6 @@
 
 #if SP__WITH_LARGE
 
-#ifndef SP_NO_IPM
 /* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `force_scale`.
  * e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
@@ -59,19 +58,16 @@ static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real 
     if (w->cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
     else sp__ipm_by_cone(w, c, v, u, D, f);
 }
-#endif
 
 /* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */
 static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
 {
     if (law == SP__GIVEN) { memcpy(D, w->given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
     sp__dual_rate(w, twist, twist + 3, w->pb->local[v], u);
-#ifndef SP_NO_IPM
-    if (law == SP__INTERIOR) {
+    if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
         sp__ipm_derivative(w, c, v, u, D, NULL);
         return 1;
     }
-#endif
     D[0] = D[3] = D[5] = 1;
     D[1] = D[2] = D[4] = 0;
     if (law == SP__ADMISSIBLE) {

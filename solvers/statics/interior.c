@@ -18,8 +18,6 @@
  * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
  *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
 
-#ifndef SP_NO_IPM
-
 /* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
  * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
 SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
@@ -326,7 +324,6 @@ SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_s
     }
     return idle == SP__IPM_IDLE && SP__IPM_LAST;
 }
-#endif
 
 #endif
 

@@ -7,7 +7,6 @@
 
 #if SP__WITH_LARGE
 
-#ifndef SP_NO_PLAN
 /* Height of contact c along e2 above the centroid of its free block of the lower number. */
 static sp_real sp__flat_height(const sp__dual *w, const sp_contact *t)
 {
@@ -82,17 +81,19 @@ SP__NOINLINE static void sp__flat_place(sp__dual *w, sp_real *m)
     }
 }
 
-/* Motions out of the axes e, of a forest with what goes sideways. */
+/* Motions out of the axes e, of a forest with what goes sideways; in 6 rows there is nothing to do. */
 static void sp__flat_lift(sp__dual *w, sp_real *m)
 {
+    if (!sp__reduced(w)) return;
     if (w->flat->forest) sp__flat_place(w, m);
     for (int32_t i = 0; i < 2 * w->pb->blocks; i++) sp__flat_unturn(w->flat, m + 3 * (size_t)i);
 }
 
-#ifndef SP_NO_IPM
-/* And into them: planar rows alone. */
+#if SP__WITH_LIMIT
+/* And into them: planar rows alone; o NULL: nothing to do. */
 static void sp__flat_drop(const sp__flat *o, int32_t blocks, sp_real *m)
 {
+    if (!SP__WITH_PLAN || !o) return;
     for (int32_t i = 0; i < 2 * blocks; i++, m += 3) {
         sp__flat_turn(o, m, m);
         if (i % 2) m[0] = m[1] = 0; else m[2] = 0;
@@ -118,9 +119,11 @@ SP__NOINLINE static void sp__flat_open(sp__dual *w)
         if (pb->contact[c].joint->joint.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->frictionless = 0;
 }
 
-/* Forces of vertices that do not count: those of their images, or none; what rounding left of forces across the plane goes. */
+/* Forces of vertices that do not count: those of their images, or none; what rounding left of forces across the plane goes;
+ * o NULL: nothing to do. */
 static void sp__flat_spread(const sp__flat *o, const sp_problem *pb, sp_real *f)
 {
+    if (!SP__WITH_PLAN || !o) return;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real *g = o->g + SP__FLAT_G * (size_t)c;
@@ -136,7 +139,6 @@ static void sp__flat_spread(const sp__flat *o, const sp_problem *pb, sp_real *f)
         }
     }
 }
-#endif
 
 #endif
 

@@ -89,11 +89,7 @@ SP__NOINLINE static sp_real sp__newton_resist(const sp__dual *w, int32_t c, cons
 {
     const int plain = sp__dual_yield(w, c)->plain;
     const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(&w->pb->contact[c], w->size, 2) / S;
-#ifndef SP_NO_PLAN
-    if (w->flat && plain) return sp__flat_resist(w, c, y, most);
-#else
-    (void)plain;
-#endif
+    if (sp__reduced(w) && plain) return sp__flat_resist(w, c, y, most);
     return S * sp__space_resist(w, c, y, most);
 }
 

@@ -71,7 +71,6 @@ typedef struct sp__flat {
 #define SP__FLOPS_FLAT_HESSIAN(o) ((o)->mode == SP__PLANE ? 46 : 28)
 #define SP__FLOPS_FLAT_BLOCKS 80
 
-#ifndef SP_NO_PLAN
 /* Asymmetry, relative to arms, that is as good as none. */
 static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
 
@@ -210,7 +209,7 @@ static int sp__flat_choose(const sp_problem *pb, const sp_settings *set, sp__fla
 {
     const sp_choice *choice = set->effect;
     memset(o, 0, sizeof *o);
-    if (!pb->blocks || !sp__plan_stages(set)) return 0;
+    if (!SP__WITH_PLAN || !pb->blocks || !sp__plan_stages(set)) return 0;
     const int planar = choice[SP_EFFECT_DEPTH] != SP_WITH && choice[SP_EFFECT_FRICTION] != SP_WITHOUT
                     && sp__flat_planar(pb, set, o->e[2]);
     o->mode = planar ? SP__PLANE : SP__LEVEL_JOINTS;
@@ -281,7 +280,6 @@ static void sp__flat_unturn(const sp__flat *o, sp_real x[3])
     const sp_real a = x[0], b = x[1], c = x[2];
     for (int k = 0; k < 3; k++) x[k] = a * o->e[0][k] + b * o->e[1][k] + c * o->e[2][k];
 }
-#endif
 
 #endif
 

@@ -15,7 +15,6 @@ static sp_real sp__dual_S(const sp__dual *w, int32_t c)
     return s > 0 ? s : 1;
 }
 
-#ifndef SP_NO_PLAN
 static const sp_real *sp__flat_frame(const sp__dual *w, const sp_contact *t)
 {
     return w->flat->g + SP__FLAT_G * (size_t)(t - w->pb->contact);
@@ -44,7 +43,6 @@ static void sp__flat_weigh(const sp__dual *w, const sp_contact *t, int side)
     T[5] = plane ? sign * turn * (g[0] * x + g[1] * y) : 0;
     T[6] = sign * turn;
 }
-#endif
 
 /* Row weights: 1 / sqrt(sum S) for forces, 1 / sqrt(2/3 sum S |r_v - c|^2) for moments: unit diagonal on average. */
 static void sp__dual_weights(sp__dual *w)
@@ -70,9 +68,7 @@ static void sp__dual_weights(sp__dual *w)
         }
     }
     for (size_t k = 0; k < 2 * (size_t)pb->blocks; k++) w->weight[k] = w->weight[k] > 0 ? 1 / SP_SQRT(w->weight[k]) : 1;
-#ifndef SP_NO_PLAN
-    for (int32_t c = 0; c < 2 * pb->contacts && w->flat; c++) sp__flat_weigh(w, &pb->contact[c / 2], c % 2);
-#endif
+    for (int32_t c = 0; c < 2 * pb->contacts && sp__reduced(w); c++) sp__flat_weigh(w, &pb->contact[c / 2], c % 2);
 }
 
 /* Rows of held directions to zero. */
@@ -86,13 +82,11 @@ static void sp__dual_release(const sp__dual *w, sp_real *r)
 static void sp__dual_p(const sp__dual *w, size_t k, sp_real p[3])
 {
     for (size_t q = 0; q < 3; q++) p[q] = w->pb->p[3 * k + q] / w->unit;
-#ifndef SP_NO_PLAN
-    if (!w->flat) return;
+    if (!sp__reduced(w)) return;
     const int plane = w->flat->mode == SP__PLANE, along = plane == (int)(k % 2);         /* rows 2 and 5, or the others */
     sp__flat_turn(w->flat, p, p);
     if (along) p[0] = p[1] = 0;
     else p[2] = 0;
-#endif
 }
 
 /* r <- the weighted load in units. */
@@ -146,7 +140,6 @@ static const sp__yield *sp__dual_yield(const sp__dual *w, int32_t c)
     return k;
 }
 
-#ifndef SP_NO_PLAN
 /* X = T y: motion of B seen from A at the origin of a contact. */
 static void sp__flat_there(const sp__dual *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
 {
@@ -196,7 +189,6 @@ SP__NOINLINE static void sp__flat_scatter(const sp__dual *w, const sp_contact *t
                            plane ? g[2] * M[2] - g[3] * M[1] : g[2] * M[1] + g[3] * M[2] };
     sp__flat_back(w, t, g, Y, r);
 }
-#endif
 
 /* sp__dual_twist from 6 rows a block. */
 SP__NOINLINE static void sp__space_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
@@ -221,10 +213,8 @@ SP__NOINLINE static void sp__space_twist(const sp__dual *w, const sp_contact *t,
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
 SP__NOINLINE static void sp__dual_twist(const sp__dual *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
 {
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_twist(w, t, y, V, W); return; }
-#endif
-    sp__space_twist(w, t, y, V, W);
+    if (sp__reduced(w)) sp__flat_twist(w, t, y, V, W);
+    else sp__space_twist(w, t, y, V, W);
 }
 
 /* u = V + W x l, friction weighed. */
@@ -271,10 +261,8 @@ SP__NOINLINE static void sp__space_scatter(const sp__dual *w, const sp_contact *
 /* r[i] += z (F, arm x F + M), F and M in the contact's frame about its origin, on both sides. */
 static void sp__dual_scatter(const sp__dual *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
 {
-#ifndef SP_NO_PLAN
-    if (w->flat) { sp__flat_scatter(w, t, F, M, r); return; }
-#endif
-    sp__space_scatter(w, t, F, M, r);
+    if (sp__reduced(w)) sp__flat_scatter(w, t, F, M, r);
+    else sp__space_scatter(w, t, F, M, r);
 }
 
 #define SP__FLOPS_SWEEP 48              /* a vertex: u 15, P_K about 15, sums 18; a contact adds SP__FLOPS_TWIST */
@@ -294,19 +282,16 @@ static int sp__dual_pay(sp__dual *w, int64_t flops)
 /* The same for so many flops a vertex and a contact, these parts of SP__FLOPS_TWIST. */
 static int sp__dual_count(sp__dual *w, int32_t vertex, int32_t contact)
 {
-#ifndef SP_NO_PLAN
-    const sp__flat *o = w->flat;
+    const sp__flat *o = sp__reduced(w);
     if (o) return sp__dual_pay(w, vertex * o->vertices + contact * SP__FLOPS_FLAT_TWIST / SP__FLOPS_TWIST * o->sides);
-#endif
     return sp__dual_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
 }
 
 /* So many sweeps over all vertices, each with so many twists; where a vertex has fn and one slip, of those. */
 static int sp__dual_sweep(sp__dual *w, int32_t sweeps, int32_t twists)
 {
-#ifndef SP_NO_PLAN
-    if (w->flat && w->flat->plain) return sp__dual_count(w, sweeps * SP__FLOPS_FLAT_SWEEP(w->flat), twists * SP__FLOPS_TWIST);
-#endif
+    const sp__flat *o = sp__reduced(w);
+    if (o && o->plain) return sp__dual_count(w, sweeps * SP__FLOPS_FLAT_SWEEP(o), twists * SP__FLOPS_TWIST);
     return sp__dual_count(w, sweeps * SP__FLOPS_SWEEP, twists * SP__FLOPS_TWIST);
 }
 

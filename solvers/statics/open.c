@@ -16,10 +16,8 @@ SP__NOINLINE static int sp__dual_reserve(const sp_problem *pb, const sp_settings
     sp__dual *t = sp__take(&rest, 1, sizeof *t);
     if (!t) return 0;
     t->flat = NULL;
-    size_t rays = form == SP__PENALTY || form == SP__MOTION ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
-#ifdef SP_NO_IPM
-    rays = 0;
-#endif
+    const int none = !SP__WITH_INTERIOR || form == SP__PENALTY || form == SP__MOTION;
+    const size_t rays = none ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
     const size_t end = sp__dual_end(t, pb, set, 0, rays, nnz, from);
     if (end > a->cap) return 0;
     if (end > a->peak) a->peak = end;
@@ -56,9 +54,7 @@ SP__NOINLINE static sp__dual *sp__dual_make(const sp_problem *pb, const sp_setti
     sp__dual_slots(w);
     w->unit = sp__load_unit(pb);
     w->carried = NULL;
-#ifndef SP_NO_PLAN
-    if (flat) sp__flat_open(w);
-#endif
+    if (sp__reduced(w)) sp__flat_open(w);
     return w;
 }
 

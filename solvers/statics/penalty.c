@@ -37,7 +37,6 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved: no proofs are sought */
     sp__dual *w = NULL;
-#ifndef SP_NO_PLAN
     const size_t start = arena->used;
     sp__flat *flat = sp__take(arena, 1, sizeof *flat);
     if (!flat) return SP_E_MEMORY;
@@ -46,7 +45,6 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
         if (!w) return SP_E_MEMORY;
     }
     if (!w || !sp__dual_whole(w)) { arena->used = start; w = NULL; }       /* level, but friction may help */
-#endif
     if (!w) w = sp__dual_open(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     w->limit = state->left;

@@ -21,9 +21,7 @@ SP__NOINLINE static void sp__rigid_groups(const sp__dual *w, const sp_real *x, s
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp_real V[3], W[3], most = 0, size = 0;
-#ifndef SP_NO_PLAN
-        if (w->flat && w->flat->mate[t->point] < 0) continue;
-#endif
+        if (sp__reduced(w) && w->flat->mate[t->point] < 0) continue;
         sp__dual_twist(w, t, x, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3];
@@ -46,9 +44,7 @@ static int32_t sp__rigid_root(const sp__dual *w, int32_t *up, int32_t i, sp_real
     const sp_problem *pb = w->pb;
     const int32_t g = sp__root(up, i + 1) - 1;
     if (g >= 0) sp__sub3(pb->scene->block[pb->block[i]].centroid, pb->scene->block[pb->block[g]].centroid, arm);
-#ifndef SP_NO_PLAN
-    if (g >= 0 && w->flat) sp__flat_turn(w->flat, arm, arm);
-#endif
+    if (g >= 0 && sp__reduced(w)) sp__flat_turn(w->flat, arm, arm);
     return g;
 }
 
@@ -171,9 +167,7 @@ SP__NOINLINE static void sp__rigid_open(sp__dual *w, sp_real *x, sp_real (*off)[
     }
     for (int32_t i = 0; i < pb->blocks; i++) most = sp__max(most, w->weight[2 * (size_t)i] * sp__norm3(x + 6 * (size_t)i));
     for (int32_t i = 0; i < pb->blocks; i++) {
-#ifndef SP_NO_PLAN
-        if (w->flat) sp__flat_turn(w->flat, off[i], off[i]);
-#endif
+        if (sp__reduced(w)) sp__flat_turn(w->flat, off[i], off[i]);
         sp__add3(x + 6 * (size_t)i, -4 * (sp_real)SP_EPSILON * most / w->weight[2 * (size_t)i], off[i]);
     }
     sp__dual_release(w, x);

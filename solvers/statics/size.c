@@ -34,11 +34,8 @@ static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
 /* Are forces and motions of the rows at hand all of the scene's? Else sizes are the loads alone, which are less. */
 static int sp__dual_whole(const sp__dual *w)
 {
-#ifndef SP_NO_PLAN
-    if (w->flat && w->flat->mode == SP__LEVEL_JOINTS) return w->flat->forest || w->flat->frictionless;
-#endif
-    (void)w;
-    return 1;
+    const sp__flat *o = sp__reduced(w);
+    return !o || o->mode != SP__LEVEL_JOINTS || o->forest || o->frictionless;
 }
 
 /* A contact's share in the size of a block it touches: sum |f_v| and sum |x_v x f_v|, x_v seen from the centroid. */
@@ -61,7 +58,6 @@ SP__NOINLINE static void sp__dual_size(const sp__dual *w, const sp_contact *t, c
     }
 }
 
-#ifndef SP_NO_PLAN
 /* The same of a contact in 3 rows, both blocks. */
 SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
 {
@@ -85,7 +81,6 @@ SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const s
         }
     }
 }
-#endif
 
 /* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
  * correction; L.t is used up. */
@@ -101,9 +96,7 @@ static void sp__dual_sizes(sp__dual *w, const sp_real *y)
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-#ifndef SP_NO_PLAN
-        if (w->flat && w->flat->plain) { sp__flat_size(w, t, y); continue; }
-#endif
+        if (sp__reduced(w) && w->flat->plain) { sp__flat_size(w, t, y); continue; }
         sp_real twist[4][3];
         sp__dual_twist(w, t, y, twist[0], twist[1]);
         sp__dual_twist(w, t, w->d, twist[2], twist[3]);

@@ -17,7 +17,6 @@
  * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it always has a minimiser.
  */
 
-#ifndef SP_NO_IPM
 typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
 
 /* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
@@ -35,7 +34,6 @@ typedef struct sp__ipm {
     sp_real dtau, dkappa;
     int ray;                            /* forces are asked for the live loads alone */
 } sp__ipm;
-#endif
 
 typedef struct sp__dual {
     const sp_problem *pb;
@@ -75,6 +73,10 @@ typedef struct sp__dual {
 #define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
 #endif
 
+/* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_PLAN the compiler knows that, and all
+ * that stands under it is gone. */
+static const sp__flat *sp__reduced(const sp__dual *w) { return SP__WITH_PLAN ? w->flat : NULL; }
+
 static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
@@ -99,13 +101,11 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->r = sp__take(a, b, 6 * sizeof *w->r);
     w->d = sp__take(a, b, 6 * sizeof *w->d);
     w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
-#ifndef SP_NO_PLAN
-    if (w->flat) {
+    if (sp__reduced(w)) {
         w->L.rows = 3;
         w->flat->mate = sp__take(a, (size_t)pb->points, sizeof *w->flat->mate);
         w->flat->g = sp__take(a, c, SP__FLAT_G * sizeof *w->flat->g);
     }
-#endif
     sp__bchol_carve_values(&w->L, nnz, a);
 #ifdef SP_REAL_MIXED
     w->diagonal = sp__take(a, b, 21 * sizeof *w->diagonal);
@@ -113,10 +113,9 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->scale = sp__take(a, b, 6 * sizeof *w->scale);
     w->cg = sp__take(a, b, 24 * sizeof *w->cg);
 #endif
-#ifndef SP_NO_IPM
+    if (!SP__WITH_INTERIOR) return;
     w->inner = sp__take(a, 1, sizeof *w->inner);
     w->x = sp__take(a, faces ? 0 : (size_t)pb->points, 3 * sizeof *w->x);
-#endif
 }
 
 /* Neighbours of every free block, each once. */
@@ -218,22 +217,17 @@ static size_t sp__dual_need(const sp_problem *pb, const sp_settings *set, int de
 /* The same of a search that may be in 3 rows first. */
 static size_t sp__flat_need(const sp_problem *pb, const sp_settings *set, size_t rays, sp_arena scratch)
 {
-#ifndef SP_NO_PLAN
     sp__flat *o = sp__take(&scratch, 1, sizeof *o);
     if (!o) return SIZE_MAX;
     if (sp__flat_choose(pb, set, o)) return sp__dual_most(pb, set, 0, rays, o, scratch);
-#endif
     return sp__dual_need(pb, set, 0, rays, scratch);
 }
 
 /* How often vertex v counts: 0 where its mirror image does for both, or where it takes no part. */
 static sp_real sp__dual_counts(const sp__dual *w, int32_t v)
 {
-#ifndef SP_NO_PLAN
-    if (w->flat) return w->flat->mate[v] > v ? 2 : w->flat->mate[v] == v;
-#endif
-    (void)w; (void)v;
-    return 1;
+    const sp__flat *o = sp__reduced(w);
+    return o ? (o->mate[v] > v ? 2 : o->mate[v] == v) : 1;
 }
 
 #endif
