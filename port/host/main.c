@@ -98,7 +98,8 @@ static const char help_convert[] =
 static const char help_cost[] =
 "stonepack cost [options] SCENE\n\n"
 "What does accuracy cost on this scene? Checks it with every cone (true, 4, 8, 16, 32 faces inside and around it), every\n"
-"stage alone (least squares, polish, ADMM, exact) and six tolerances, 216 checks; tells verdict, work and imbalance of each.\n\n"
+"stage alone (least squares, polish, ADMM, exact) and six tolerances, 216 checks; tells verdict, work and imbalance of "
+"each.\n\n"
 "  --json             one JSON object, with times\n"
 "  --svg FILE         draws imbalance over work and over time\n"
 "  --budget FLOPS     no check does more than that      a hundred times the exact stage, at least 1e8\n"
@@ -133,8 +134,8 @@ static const char help_worker[] =
 "stonepack worker\n"
 "stonepack worker --selftest | --roundtrip SCENE\n\n"
 "Answers checks that other programs send to its standard input, one after the other, on its standard output, until the input\n"
-"ends; port/host/worker/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a scene\n"
-"come through as it was? `check --worker SECONDS` starts one for each scene.\n";
+"ends; port/host/worker/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a "
+"scene\ncome through as it was? `check --worker SECONDS` starts one for each scene.\n";
 
 static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"
@@ -164,7 +165,8 @@ static void help(void)
 {
     puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
     for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", command[k].name, command[k].summary);
-    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may hold:\n");
+    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may "
+         "hold:\n");
     fputs(obj_format, stdout);
     puts("\nWithout interface and points lines contacts are found.");
 }
@@ -187,7 +189,8 @@ static int arrived(int status)
 int main(int argc, char **argv)
 {
     if (argc > 1 && strcmp(argv[1], "--version") == 0) {
-        printf("stonepack %d.%d.%d%s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR, SP_VERSION_PATCH, sizeof(sp_real) == 4 ? " float" : "");
+        printf("stonepack %d.%d.%d%s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR, SP_VERSION_PATCH,
+               sizeof(sp_real) == 4 ? " float" : "");
         return 0;
     }
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0)) {

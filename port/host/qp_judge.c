@@ -108,7 +108,8 @@ static double support(const sp_qp *qp, const double *y, double *terms)
  *   |Ax - z|       <= eps_abs + eps_rel max(|Ax|, |z|)               z: Ax moved onto [l, u]
  *   |Px + q + A'y| <= eps_abs + eps_rel max(|Px|, |A'y|, |q|)
  *   gap            <= eps_abs + eps_rel |objective|                  (whatever settings.strict: y knows nothing of z here)
- * gap = max(|y|'|Ax - z|, |x'Px + q'x + u'y+ + l'y-| + |x|'|Px + q + A'y|) bounds what the objective is out by, see solvers/qp/qp.c. */
+ * gap = max(|y|'|Ax - z|, |x'Px + q'x + u'y+ + l'y-| + |x|'|Px + q + A'y|) bounds what the objective is out by, see
+ * solvers/qp/qp.c. */
 static double residuals(judge *g, const sp_qp_settings *set, sp_qp_result *out)
 {
     const sp_qp *qp = g->qp;

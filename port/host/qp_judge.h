@@ -22,8 +22,8 @@ sp_status qp_judge(const sp_qp *qp, const sp_qp_settings *settings, sp_qp_status
                    sp_qp_result *result);
 
 /* A run of a solver from outside: what it claims of x (n) and y (m), and its rho, iterations, factorisations, polished. */
-typedef sp_status qp_judge_attempt(const sp_qp *qp, const sp_qp_settings *settings, const sp_real *x0, const sp_real *y0, sp_real *x,
-                                   sp_real *y, sp_qp_status *claim, sp_qp_result *result);
+typedef sp_status qp_judge_attempt(const sp_qp *qp, const sp_qp_settings *settings, const sp_real *x0, const sp_real *y0,
+                                   sp_real *x, sp_real *y, sp_qp_status *claim, sp_qp_result *result);
 
 /* `solve` and `need` of a sp_qp_solver that attempts it so and is judged. */
 sp_status qp_judge_solve(qp_judge_attempt *attempt, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,

@@ -59,7 +59,8 @@ sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit
     return status;
 }
 
-sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes, void **memory)
+sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
+                       void **memory)
 {
     void *room;
     sp_arena arena;
@@ -102,8 +103,8 @@ static sp_status qp_bytes(const sp_qp_solver *solver, const sp_qp *qp, const sp_
     return status;
 }
 
-sp_status run_qp(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, sp_qp_result *result, run_cost *cost,
-                 void **memory)
+sp_status run_qp(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, sp_qp_result *result,
+                 run_cost *cost, void **memory)
 {
     const double start = now();
     sp_arena arena;

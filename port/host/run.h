@@ -24,14 +24,15 @@ sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, si
 sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory);
 
 /* sp_sequence_open; the sequence lies in *memory. */
-sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes, void **memory);
+sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
+                       void **memory);
 
 /* sp_plan, sp_verify */
 sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outlook *outlook);
 sp_status run_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_evidence *evidence);
 
 /* The `solve` of a solver of quadratic programs, its time with the count of its memory. */
-sp_status run_qp(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, sp_qp_result *result, run_cost *cost,
-                 void **memory);
+sp_status run_qp(const sp_qp_solver *solver, const sp_qp *qp, const sp_qp_settings *settings, sp_qp_result *result,
+                 run_cost *cost, void **memory);
 
 #endif

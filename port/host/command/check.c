@@ -77,8 +77,9 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt --coupled"
-                     " --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done ", &o, &error)) {
+    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt"
+                     " --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done ",
+                     &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

@@ -102,7 +102,8 @@ int command_gen(int argc, char **argv)
         print_scenes();
         return 0;
     }
-    if (!gen_open(&g, argv[2])) text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
+    if (!gen_open(&g, argv[2]))
+        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
     else if (read_numbers(argc, argv, &g, &error) == 0) generate(&g, &error);
     if (error.status) fprintf(stderr, "%s\n", error.line);
     return error.status;

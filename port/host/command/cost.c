@@ -24,8 +24,9 @@ static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12 };
 static void progress(int k, const cost_row *r)
 {
     if (!isatty(STDERR_FILENO)) return;
-    if (r) fprintf(stderr, "\r\033[K%d of %d: %s, cone %s, tol %.0e ...", k + 1, COST_ROWS, sp_stage_text(r->stage), r->cone, r->tol);
-    else fputs("\r\033[K", stderr);
+    fputs("\r\033[K", stderr);
+    if (!r) return;
+    fprintf(stderr, "%d of %d: %s, cone %s, tol %.0e ...", k + 1, COST_ROWS, sp_stage_text(r->stage), r->cone, r->tol);
 }
 
 /* One check, three times where that is quick; the best time counts. */
@@ -110,7 +111,8 @@ static const char *scaled(double x, char *text, size_t size)
 static void table_cell(FILE *out, const cost_table *t, const cost_row *r)
 {
     char flops[16];
-    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], wrong(t, r) ? '!' : ' ', scaled((double)r->cost.flops, flops, sizeof flops), r->omega);
+    scaled((double)r->cost.flops, flops, sizeof flops);
+    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], wrong(t, r) ? '!' : ' ', flops, r->omega);
 }
 
 /* Share of the friction that a pyramid takes away or adds. */
@@ -139,8 +141,9 @@ static void table_words(FILE *out, const cost_table *t)
         const cost_row *r = find(t, SP_STAGE_EXACT, cone_name[c], k);
         const double work = exact->cost.flops ? (double)r->cost.flops / (double)exact->cost.flops : 1;
         const double share = 100 * capacity(cone_name[c]);
+        const char *verdict = wrong(t, r) ? "another verdict" : r->verdict ? "same verdict" : "undecided";
         fprintf(out, "  %-4s %s %.1f %% of the friction at its worst direction, costs %.2f times the work: %s\n", cone_name[c],
-                share < 0 ? "takes" : "adds up to", fabs(share), work, wrong(t, r) ? "another verdict" : r->verdict ? "same verdict" : "undecided");
+                share < 0 ? "takes" : "adds up to", fabs(share), work, verdict);
     }
 }
 
@@ -149,14 +152,15 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
     char flops[16];
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points\n", s->path,
             sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.interfaces, (long)s->scene.count.points);
-    fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, omega; no check above %s flop; ms: the tightest tol\n\n",
-            scaled((double)t->budget, flops, sizeof flops));
+    fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, omega; no check above %s flop; "
+            "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));
     fprintf(out, "%-18s", "stage, cone   tol:");
     for (int k = 0; k < COST_TOLS; k++) fprintf(out, "%17.0e", tol_of[k]);
     fputs("        ms\n", out);
     for (int k = 0; k < COST_ROWS; k++) {
         const cost_row *r = &t->row[k];
-        if (k % COST_TOLS == 0) fprintf(out, "%s%-13s %-4s", k && k / COST_TOLS % COST_CONES == 0 ? "\n" : "", sp_stage_text(r->stage), r->cone);
+        const int cone = k / COST_TOLS % COST_CONES;
+        if (k % COST_TOLS == 0) fprintf(out, "%s%-13s %-4s", k && cone == 0 ? "\n" : "", sp_stage_text(r->stage), r->cone);
         table_cell(out, t, r);
         if (k % COST_TOLS == COST_TOLS - 1) fprintf(out, "%10.3g\n", 1e3 * r->seconds);
     }

@@ -75,7 +75,8 @@ static int take_tol(options *o, const char *name, const char *value, text_error 
 {
     sp_real *tol = &o->settings.tol;
     if (read_real(value, tol) && *tol >= 4 * SP_EPSILON && *tol <= (sp_real)0.1) return 0;
-    return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1" : "needs a number from 2.4e-7 to 0.1");
+    return usage(error, name, sizeof(sp_real) == 8 ? "needs a number from 4.5e-16 to 0.1"
+                                                  : "needs a number from 2.4e-7 to 0.1");
 }
 
 static int take_budget(options *o, const char *name, const char *value, text_error *error)
@@ -230,7 +231,8 @@ static const struct {
     { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
-    { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes }, { "--preset", take_preset },
+    { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },
+    { "--preset", take_preset },
 };
 
 /* Where an option goes whose value is taken as it is; NULL: another. */

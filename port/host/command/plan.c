@@ -8,18 +8,20 @@
 
 static void print_table(const host_scene *s, const sp_outlook *o)
 {
-    printf("%s: %ld blocks, %ld joints, %ld island%s\n\n", s->path, (long)s->scene.count.blocks, (long)s->scene.count.interfaces,
-           (long)o->islands, o->islands == 1 ? "" : "s");
+    printf("%s: %ld blocks, %ld joints, %ld island%s\n\n", s->path, (long)s->scene.count.blocks,
+           (long)s->scene.count.interfaces, (long)o->islands, o->islands == 1 ? "" : "s");
     printf("%-10s %-4s %12s %12s %12s   %s\n", "effect", "", "unknowns", "flops", "bytes saved", "why");
     for (int k = 0; k < SP_EFFECTS; k++) {
         const sp_planned *p = &o->effect[k];
         printf("%-10s %-4s ", sp_effect_text((sp_effect)k), sp_effect_on(p->why) ? "on" : "off");
-        if (p->unknowns || p->flops || p->bytes) printf("%12lld %12lld %12lld", (long long)p->unknowns, (long long)p->flops, (long long)p->bytes);
+        if (p->unknowns || p->flops || p->bytes)
+            printf("%12lld %12lld %12lld", (long long)p->unknowns, (long long)p->flops, (long long)p->bytes);
         else printf("%12s %12s %12s", "-", "-", "-");
         printf("   %s\n", sp_effect_why_text(p->why));
     }
     printf("\n%-15s %12s %12s %12s\n", "check", "unknowns", "flops", "bytes");
-    printf("%-15s %12lld %12lld %12llu\n", "as planned", (long long)o->unknowns, (long long)o->flops, (unsigned long long)o->bytes);
+    printf("%-15s %12lld %12lld %12llu\n", "as planned", (long long)o->unknowns, (long long)o->flops,
+           (unsigned long long)o->bytes);
     printf("%-15s %12lld %12lld %12llu\n", "all effects", (long long)o->full_unknowns, (long long)o->full_flops,
            (unsigned long long)o->full_bytes);
 }
@@ -65,7 +67,8 @@ int command_plan(int argc, char **argv)
     options o;
     sp_outlook outlook;
 
-    if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled ", &o, &error) == 0 && o.files != 1)
+    if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled ", &o, &error) == 0
+        && o.files != 1)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {

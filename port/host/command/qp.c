@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ITERATIONS = 100000 };           /* the program is more patient than the library, and tunes rho as often and finely as it likes */
+enum { ITERATIONS = 100000 };           /* more than the library's: the program may wait, and tune rho as often as it likes */
 
 typedef struct run {
     host_qp file;
@@ -45,8 +45,9 @@ static void print_text(const run *r)
     else printf(", certificate good up to radius %.2g", (double)a->radius);
     printf("\n%ld columns, %ld rows, %ld entries, %ld of P\n", (long)r->file.qp.n, (long)r->file.rows, (long)r->file.entries,
            (long)r->file.qp.Pp[r->file.qp.n]);
-    if (has_point(r)) printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
-                             a->polished ? ", polished" : "");
+    if (has_point(r))
+        printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
+               a->polished ? ", polished" : "");
     printf("%ld iterations, %ld factorisations, ", (long)a->iterations, (long)a->factorisations);
     if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->cost.seconds, 1e-6 * (double)r->cost.bytes);
     else printf("%.3g s, by %s\n", r->cost.seconds, r->solver_name);         /* others don't count, their memory is their own */

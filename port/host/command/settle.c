@@ -39,10 +39,12 @@ static const struct { const char *name; int real; size_t at; const char *help; }
 #define REAL(name, help)  { #name, 1, offsetof(settle_settings, name), help }
 #define WHOLE(name, help) { #name, 0, offsetof(settle_settings, name), help }
     WHOLE(ramp_steps, "steps at each of three smaller gravities"), WHOLE(steps, "steps at full gravity"),
-    WHOLE(tamps, "rounds of tamping"), REAL(tamp, "gravity while tamping, in full ones"), WHOLE(tamp_steps, "steps of it in a round"),
-    WHOLE(rest_steps, "steps of rest after it"), REAL(dt, "of a step, s"), WHOLE(iterations, "of the contact solver in a step"),
+    WHOLE(tamps, "rounds of tamping"), REAL(tamp, "gravity while tamping, in full ones"),
+    WHOLE(tamp_steps, "steps of it in a round"), WHOLE(rest_steps, "steps of rest after it"), REAL(dt, "of a step, s"),
+    WHOLE(iterations, "of the contact solver in a step"),
     REAL(restitution, "0 .. 1"), REAL(damping, "share of velocity lost in a second"),
-    REAL(margin, "by which hulls are shrunk and rounded, m"), REAL(touch, "gaps up to this count as contacts, m"), REAL(mass_floor, "kg"), REAL(wall, "half the container's thickness, m"),
+    REAL(margin, "by which hulls are shrunk and rounded, m"), REAL(touch, "gaps up to this count as contacts, m"),
+    REAL(mass_floor, "kg"), REAL(wall, "half the container's thickness, m"),
     REAL(lift, "of free stones at the start, m"), REAL(lowest, "height of a settled stone's centroid, at least, m"),
     REAL(energy, "J/kg below which a wait ends; 0: never"), WHOLE(quiet, "steps it must stay there"),
     REAL(moved, "--confirm: most a held stone moves, m"), REAL(turned, "--confirm: most it turns, degrees"),
@@ -54,11 +56,12 @@ static const struct { const char *name; int real; size_t at; const char *help; }
 
 static void print_settings(const settle_settings *s)
 {
-    puts("settings of stonepack settle --set NAME=VALUE,... and their defaults (lengths in m; with --confirm in mean block edges):\n");
+    puts("settings of stonepack settle --set NAME=VALUE,... and their defaults (lengths in m; with --confirm in mean block "
+         "edges):\n");
     for (size_t k = 0; k < sizeof setting / sizeof *setting; k++) {
-        const char *at = (const char *)s + setting[k].at;
-        printf("  %-12s %-12.6g %s\n", setting[k].name, setting[k].real ? *(const double *)(const void *)at
-                                                                       : (double)*(const int32_t *)(const void *)at, setting[k].help);
+        const void *at = (const char *)s + setting[k].at;
+        const double x = setting[k].real ? *(const double *)at : (double)*(const int32_t *)at;
+        printf("  %-12s %-12.6g %s\n", setting[k].name, x, setting[k].help);
     }
 }
 
@@ -73,8 +76,8 @@ static int read_settings(const char *list, settle_settings *s, text_error *error
         double x = 0;
         while (k < sizeof setting / sizeof *setting && (strlen(setting[k].name) != n || memcmp(setting[k].name, list, n))) k++;
         if (k == sizeof setting / sizeof *setting)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --set has no setting '%.*s', see stonepack settle --set help",
-                             n < 40 ? (int)n : 40, list);
+            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --set has no setting '%.*s', see stonepack settle --set "
+                             "help", n < 40 ? (int)n : 40, list);
         if (end == n || (setting[k].real ? text_double(value, &x) : text_int(value, &i)) != TEXT_NUMBER)
             return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --set %s needs a %snumber", setting[k].name,
                              setting[k].real ? "" : "whole ");
@@ -199,7 +202,8 @@ static int failed(settle_status status, const session *s, text_error *error)
 {
     const int32_t b = s->assembly.block;
     const int code = status == SETTLE_E_MEMORY || status == SETTLE_E_STOPPED ? EXIT_MEMORY
-                   : status == SETTLE_E_SETTINGS || status == SETTLE_E_NUMBER || status == SETTLE_E_ARGUMENT ? EXIT_USAGE : EXIT_SCENE;
+                   : status == SETTLE_E_SETTINGS || status == SETTLE_E_NUMBER || status == SETTLE_E_ARGUMENT ? EXIT_USAGE
+                   : EXIT_SCENE;
     if (code == EXIT_USAGE) return text_fail(error, code, NULL, 0, "stonepack: settle: %s", settle_status_text(status));
     if (code == EXIT_SCENE && b >= 0)
         return text_fail(error, code, s->in.path, 0, "block '%.60s': %s", s->in.name[b], settle_status_text(status));
@@ -245,14 +249,16 @@ static int simulate(session *s, text_error *error)
 /* The container as its five inner faces, an open support: a picture shows what is inside. */
 static sp_status add_container(const session *s, sp_scene *out)
 {
-    static const int32_t size[5] = { 4, 4, 4, 4, 4 }, corner[20] = { 0, 1, 3, 2, 0, 2, 6, 4, 1, 5, 7, 3, 0, 4, 5, 1, 2, 3, 7, 6 };
+    static const int32_t size[5] = { 4, 4, 4, 4, 4 };
+    static const int32_t corner[20] = { 0, 1, 3, 2, 0, 2, 6, 4, 1, 5, 7, 3, 0, 4, 5, 1, 2, 3, 7, 6 };
     const sp_mesh mesh = { 8, 5, NULL, size, corner };
     sp_mesh m = mesh;
     sp_real xyz[24];
     for (int k = 0; k < 8; k++)
-        for (int c = 0; c < 3; c++)
-            xyz[3 * k + c] = (sp_real)((s->set.floor[c] + (c == 2 ? (k >> 2) * s->set.container[2]
-                                                                   : ((k >> c & 1) - 0.5) * s->set.container[c])) / s->assembly.scale);
+        for (int c = 0; c < 3; c++) {
+            const double along = c == 2 ? k >> 2 : (k >> c & 1) - 0.5;
+            xyz[3 * k + c] = (sp_real)((s->set.floor[c] + along * s->set.container[c]) / s->assembly.scale);
+        }
     m.xyz = xyz;
     return sp_scene_block(out, &m, 1, SP_FIXED, NULL);
 }
@@ -380,7 +386,8 @@ static int write_frames(session *s, text_error *error)
     last = &shown[n];
     memset(last, 0, sizeof *last);
     last->vertex = moved_vertices(s, s->result.pose);
-    snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt, s->result.energy);
+    snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt,
+             s->result.energy);
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
              (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
     if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, title))
@@ -407,8 +414,10 @@ static void tell(const session *s)
     const int32_t fixed = fixed_blocks(&s->in.scene);
     int32_t points = 0;
     for (int32_t k = 0; k < r->contacts; k++) points += r->contact[k].points;
-    printf("%s: %ld of %ld stones settled in %ld steps\n", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed), (long)r->steps);
-    printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy, 1e3 * r->drift);
+    printf("%s: %ld of %ld stones settled in %ld steps\n", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
+           (long)r->steps);
+    printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
+           1e3 * r->drift);
     printf("  penetration    %.2g mm, %.2g mm per m of stone\n", 1e3 * r->penetration,
            1e3 * r->penetration / mean_diameter(&s->in.scene));
     printf("  contacts       %ld in %ld points\n", (long)r->contacts, (long)points);
@@ -457,10 +466,12 @@ static int compare(session *s, text_error *error)
                : s->result.held ? EXIT_STABLE : EXIT_UNSTABLE;
         agree = r.result.verdict == SP_UNDECIDED ? "undecided" : status == EXIT_UNDECIDED ? "differ" : "agree";
         if (s->o->json) tell_json(s, &r.result, agree);
-        else printf("%s: statics says %s, settle %s: they %s\n"
-                    "  moved          %.2g block edges, turned %.2g degrees at most; held: up to %g and %g\n", s->in.path,
-                    sp_verdict_text(r.result.verdict), s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree,
-                    s->result.moved, s->result.turned, s->set.moved, s->set.turned);
+        else {
+            printf("%s: statics says %s, settle %s: they %s\n", s->in.path, sp_verdict_text(r.result.verdict),
+                   s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
+            printf("  moved          %.2g block edges, turned %.2g degrees at most; held: up to %g and %g\n", s->result.moved,
+                   s->result.turned, s->set.moved, s->set.turned);
+        }
     }
     free(memory);
     return status;

@@ -32,7 +32,8 @@ int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
     for (size_t k = 0; k < sizeof solver / sizeof *solver; k++) {
         if (strcmp(name, solver[k].name)) continue;
         if (!solver[k].make)
-            return text_fail(error, EXIT_UNAVAILABLE, NULL, 0, "stonepack: --solver %s is not in this build: %s", name, solver[k].install);
+            return text_fail(error, EXIT_UNAVAILABLE, NULL, 0, "stonepack: --solver %s is not in this build: %s", name,
+                             solver[k].install);
         *out = solver[k].make();
         return 0;
     }

@@ -72,11 +72,13 @@ static int read_forces(const reading *r, sp_real *f)
     const int32_t points = r->scene->scene.count.points;
     int32_t k = 0, i;
 
-    if (!forces || forces->kind != JSON_ARRAY) return fail(r, r->all, "no forces in this result: make it with check --json --forces");
+    if (!forces || forces->kind != JSON_ARRAY)
+        return fail(r, r->all, "no forces in this result: make it with check --json --forces");
     for (i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
         if (k == points || !reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
-    return k == points && i < 0 ? 0 : text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's "
-                                       "%ld contact vertices", (long)points);
+    if (k == points && i < 0) return 0;
+    return text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's %ld contact "
+                     "vertices", (long)points);
 }
 
 /* A name as json_out writes it and json_in reads it: bytes that are no UTF-8 are Latin-1. */
@@ -105,8 +107,9 @@ static int read_coupled(const reading *r, options *o)
     const json_value *eps = json_member(&r->tree, c, "eps"), *eta = json_member(&r->tree, c, "eta");
 
     if (!c) return 0;
-    if (!box || box->kind != JSON_BOOL || !eps || eps->kind != JSON_NUMBER || eps->as.number < 0 || !eta || eta->kind != JSON_NUMBER ||
-        !(eta->as.number > 0)) return fail(r, c, "bad eps, eta or box of the coupled check");
+    if (!box || box->kind != JSON_BOOL || !eps || eps->kind != JSON_NUMBER || eps->as.number < 0
+        || !eta || eta->kind != JSON_NUMBER || !(eta->as.number > 0))
+        return fail(r, c, "bad eps, eta or box of the coupled check");
     o->settings.coupled.asked = 1;
     o->settings.coupled.box = box->as.number > 0;
     o->settings.coupled.eps = (sp_real)eps->as.number;
@@ -121,9 +124,11 @@ static int read_triple(const reading *r, sp_real *dq, sp_real *alpha)
     const int32_t blocks = r->scene->scene.count.blocks;
     int32_t k = 0;
 
-    if (!motion || motion->kind != JSON_ARRAY) return fail(r, c, "no motion in the coupled check: make it with check --json --forces");
+    if (!motion || motion->kind != JSON_ARRAY)
+        return fail(r, c, "no motion in the coupled check: make it with check --json --forces");
     for (int32_t i = motion->first; i >= 0; i = r->tree.value[i].next, k++)
-        if (k == blocks || !reals(r, &r->tree.value[i], 6, dq + 6 * (size_t)k)) return fail(r, motion, "bad motion of the coupled check");
+        if (k == blocks || !reals(r, &r->tree.value[i], 6, dq + 6 * (size_t)k))
+            return fail(r, motion, "bad motion of the coupled check");
     if (k != blocks || !reals(r, json_member(&r->tree, c, "alpha"), r->scene->scene.count.points, alpha))
         return fail(r, motion, "motion or alpha of the coupled check are not of this scene");
     return 0;
@@ -142,7 +147,8 @@ static int wholes(const reading *r, const json_value *array, double low, double 
     int32_t k = 0;
     for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next, k++) {
         const double x = r->tree.value[i].as.number;
-        if (r->tree.value[i].kind != JSON_NUMBER || !(x >= low && x <= high) || x < (double)(int32_t)x || x > (double)(int32_t)x) return 0;
+        if (r->tree.value[i].kind != JSON_NUMBER || !(x >= low && x <= high)) return 0;
+        if (x < (double)(int32_t)x || x > (double)(int32_t)x) return 0;
         if (node) node[k] = (int32_t)x;
         else row[k] = (uint16_t)x;
     }
@@ -187,50 +193,62 @@ static int read_mechanism(const reading *r, sp_real *dq)
         if (!name || name->kind != JSON_STRING) return fail(r, entry, "a block of the mechanism has no name");
         while (b < r->scene->scene.count.blocks && !same_name(name->as.string, r->scene->name[b])) b++;
         if (b == r->scene->scene.count.blocks)
-            return text_fail(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, or out of order",
-                             name->as.string);
+            return text_fail(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, "
+                             "or out of order", name->as.string);
         if (!reals(r, json_member(&r->tree, entry, "dq"), 6, dq + 6 * (size_t)b)) return fail(r, entry, "bad dq");
         b++;
     }
     return 0;
 }
 
-/* Memory for a claim and its check. */
-static int run(const reading *r, options *o, sp_evidence *evidence)
+/* The forces, the mechanism and what the coupled check claims, into memory that `judge` gave. */
+static int read_claim(const reading *r, options *o, sp_result *claim)
+{
+    int status = read_accuracy(r, claim);
+    o->settings.tol = claim->tol;                       /* the question's, which read_accuracy found in range */
+    o->settings.force_bound = claim->force_bound;
+    if (!status) status = read_forces(r, claim->f);
+    if (!status) status = read_mechanism(r, claim->dq);
+    if (status || !o->settings.coupled.asked) return status;
+    status = read_triple(r, claim->coupled.dq, claim->coupled.alpha);
+    return status ? status : read_proof(r, &claim->coupled.proof);
+}
+
+/* Read what the result claims, and have it verified. */
+static int judge(const reading *r, options *o, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
+    sp_status made = SP_E_MEMORY;
     int status = 0;
     sp_result claim;
 
     memset(&claim, 0, sizeof claim);
     claim.f = f;
     claim.dq = dq;
-    if (o->settings.coupled.asked) {
-        claim.coupled.dq = dq ? dq + 6 * (size_t)n->blocks : NULL;
-        claim.coupled.alpha = f ? f + 3 * (size_t)n->points : NULL;
+    if (f && dq) {
+        claim.coupled.alpha = o->settings.coupled.asked ? f + 3 * (size_t)n->points : NULL;
+        claim.coupled.dq = o->settings.coupled.asked ? dq + 6 * (size_t)n->blocks : NULL;
+        status = read_claim(r, o, &claim);
+        if (!status) made = run_verify(&r->scene->scene, &o->settings, &claim, evidence);
     }
-    if (!f || !dq) status = text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
-    if (!status) status = read_accuracy(r, &claim);
-    o->settings.tol = claim.tol;                        /* the question's, which read_accuracy found in range */
-    o->settings.force_bound = claim.force_bound;
-    if (!status) status = read_forces(r, f);
-    if (!status) status = read_mechanism(r, dq);
-    if (!status && o->settings.coupled.asked) status = read_triple(r, claim.coupled.dq, claim.coupled.alpha);
-    if (!status && o->settings.coupled.asked) status = read_proof(r, &claim.coupled.proof);
-    if (!status) {
-        const sp_status made = run_verify(&r->scene->scene, &o->settings, &claim, evidence);
-        if (made != SP_OK) status = text_fail_status(r->error, made, r->path, r->all->line, "");
-    }
+    if (!status && made != SP_OK) status = text_fail_status(r->error, made, r->path, f && dq ? r->all->line : 0, "");
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
     return status;
 }
 
-/* gravity: the question's; *turned: it is not the scene's; *proof: the result has one that there is no triple. */
-static int verify(const char *scene_path, const char *path, sp_evidence *evidence, options *o, sp_real gravity[3], int *turned,
-                  int *proof, text_error *error)
+/* A stored result read and judged. */
+typedef struct verified {
+    options o;                  /* the question as it was put */
+    sp_real gravity[3];         /* and its gravity */
+    int turned;                 /* which is not the scene's */
+    int proof;                  /* the result has a proof that there is no triple */
+    sp_evidence evidence;
+} verified;
+
+static int verify(const char *scene_path, const char *path, verified *v, text_error *error)
 {
     host_scene s;
     reading r = { path, { NULL, NULL, 0, 0 }, NULL, &s, error };
@@ -238,50 +256,58 @@ static int verify(const char *scene_path, const char *path, sp_evidence *evidenc
 
     if (!status) {
         r.all = &r.tree.value[0];
-        status = read_asked(&r, o, gravity);
-        if (!status) status = read_coupled(&r, o);
+        status = read_asked(&r, &v->o, v->gravity);
+        if (!status) status = read_coupled(&r, &v->o);
     }
     if (!status) {
-        status = scene_read(scene_path, o->mu, SCENE_GIVEN, &s, error);
+        status = scene_read(scene_path, v->o.mu, SCENE_GIVEN, &s, error);
         read = 1;
     }
     if (!status) {
-        *turned = memcmp(s.scene.gravity, gravity, sizeof s.scene.gravity) != 0;
-        memcpy(s.scene.gravity, gravity, sizeof s.scene.gravity);
-        status = run(&r, o, evidence);
-        *proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
+        v->turned = memcmp(s.scene.gravity, v->gravity, sizeof s.scene.gravity) != 0;
+        memcpy(s.scene.gravity, v->gravity, sizeof s.scene.gravity);
+        status = judge(&r, &v->o, &v->evidence);
+        v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
     if (read) scene_free(&s);
     return status;
 }
 
+static void print(const char *scene_path, const char *path, const verified *v)
+{
+    const sp_evidence *e = &v->evidence;
+    const options *o = &v->o;
+    char omega[32], least[32];
+    printf("%s: %s by %s, cone %s, tol %.2g", scene_path, sp_verdict_text(e->verdict), path, o->cone, (double)o->settings.tol);
+    if (o->mu >= 0) printf(", asked with friction %g", (double)o->mu);
+    if (v->turned)
+        printf(", asked with gravity %g %g %g", (double)v->gravity[0], (double)v->gravity[1], (double)v->gravity[2]);
+    printf(": ");
+    if (e->verdict == SP_UNSTABLE && !(e->margin > 0))
+        printf("least imbalance %s%s, ", text_shortest(e->least_imbalance, least), e->final ? ", final" : "");
+    printf("omega %s", text_shortest(e->omega, omega));
+    if (e->margin > 0) printf(", refuted, margin %.2g", (double)e->margin);
+    else if (v->proof) printf(", not refuted: the proof in it fails");
+    else if (o->settings.coupled.asked)
+        printf(", %s, residual %.2g", e->level == SP_COUPLED ? "coupled" : "not coupled", (double)e->residual);
+    putchar('\n');
+}
+
 int command_verify(int argc, char **argv)
 {
     text_error error = { 0, "" };
-    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
-    options o;
-    sp_real gravity[3];
-    int turned = 0, proof = 0;
+    verified v;
+    sp_evidence *e = &v.evidence;
 
-    if (options_read(argc, argv, "", &o, &error) == 0 && o.files != 2)
+    memset(&v, 0, sizeof v);
+    if (options_read(argc, argv, "", &v.o, &error) == 0 && v.o.files != 2)
         text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
-    if (!error.status && verify(o.file[0], o.file[1], &e, &o, gravity, &turned, &proof, &error) == 0) {
-        char omega[32], least[32];
-        if (o.settings.coupled.asked && e.verdict == SP_STABLE && e.level != SP_COUPLED) e.verdict = SP_UNDECIDED;
-        printf("%s: %s by %s, cone %s, tol %.2g", o.file[0], sp_verdict_text(e.verdict), o.file[1], o.cone, (double)o.settings.tol);
-        if (o.mu >= 0) printf(", asked with friction %g", (double)o.mu);
-        if (turned) printf(", asked with gravity %g %g %g", (double)gravity[0], (double)gravity[1], (double)gravity[2]);
-        printf(": ");
-        if (e.verdict == SP_UNSTABLE && !(e.margin > 0))
-            printf("least imbalance %s%s, ", text_shortest(e.least_imbalance, least), e.final ? ", final" : "");
-        printf("omega %s", text_shortest(e.omega, omega));
-        if (e.margin > 0) printf(", refuted, margin %.2g", (double)e.margin);
-        else if (proof) printf(", not refuted: the proof in it fails");
-        else if (o.settings.coupled.asked) printf(", %s, residual %.2g", e.level == SP_COUPLED ? "coupled" : "not coupled", (double)e.residual);
-        putchar('\n');
-        return report_exit(e.verdict);
+    if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
+        fprintf(stderr, "%s\n", error.line);
+        return error.status;
     }
-    fprintf(stderr, "%s\n", error.line);
-    return error.status;
+    if (v.o.settings.coupled.asked && e->verdict == SP_STABLE && e->level != SP_COUPLED) e->verdict = SP_UNDECIDED;
+    print(v.o.file[0], v.o.file[1], &v);
+    return report_exit(e->verdict);
 }

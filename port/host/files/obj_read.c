@@ -44,7 +44,8 @@ typedef struct reader {
 static const char *where(const reader *r, char text[160])
 {
     text[0] = 0;
-    if (r->in_contact) snprintf(text, 160, " (contact of " WORD_FORMAT " and " WORD_FORMAT ")", WORD(r->pair[0]), WORD(r->pair[1]));
+    if (r->in_contact)
+        snprintf(text, 160, " (contact of " WORD_FORMAT " and " WORD_FORMAT ")", WORD(r->pair[0]), WORD(r->pair[1]));
     else if (r->in_block && r->f->blocks > 0)
         snprintf(text, 160, " in block " WORD_FORMAT, WORD(r->f->block[r->f->blocks - 1].name));
     return text;
@@ -310,11 +311,12 @@ static int read_load(reader *r, int live)
     return 0;
 }
 
-/* NAME kg px py pz, a weight at a point that goes with the block, or NAME FACE Pa, which pulls below 0; either with `live` behind
- * it. */
+/* NAME kg px py pz, a weight at a point that goes with the block, or NAME FACE Pa, which pulls below 0; either with `live`
+ * behind it. */
 static int read_weight(reader *r, obj_load_kind kind)
 {
-    const char *what = kind == OBJ_MASS ? "a mass needs kilograms and a point" : "a pressure needs the number of a face and pascals";
+    const char *what = kind == OBJ_MASS ? "a mass needs kilograms and a point"
+                                        : "a pressure needs the number of a face and pascals";
     obj_load load = { { NULL, 0 }, -1, r->at.line, 0, kind, 0, { 0, 0, 0 }, { 0, 0, 0 } };
     text_word w;
     int status = 0;
@@ -469,8 +471,8 @@ static int sort_names(reader *r)
     }
     free(sorted);
     if (twin < 0) return 0;
-    return text_fail(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in line %ld",
-                     WORD(f->block[twin].name), (long)f->block[first].line);
+    return text_fail(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in "
+                     "line %ld", WORD(f->block[twin].name), (long)f->block[first].line);
 }
 
 static int32_t find_name(const obj_file *f, text_word name)
@@ -507,8 +509,8 @@ static int find_load_blocks(reader *r)
         obj_load *load = &r->f->load[i];
         load->block = find_name(r->f, load->name);
         if (load->block < 0)
-            return text_fail(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT ", which does not exist",
-                             WORD(load->name));
+            return text_fail(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT
+                             ", which does not exist", WORD(load->name));
     }
     return 0;
 }

@@ -15,8 +15,9 @@ typedef struct host_qp {
     text_word name;
 } host_qp;
 
-/* Read a QPS file ("-": standard input), fixed or free: read by words first, by columns if that fails. Sections NAME, OBJSENSE, ROWS, COLUMNS,
- * RHS, RANGES, BOUNDS, QUADOBJ (QSECTION), QMATRIX, ENDATA.       returns 0 or an exit status; free it in any case */
+/* Read a QPS file ("-": standard input), fixed or free: read by words first, by columns if that fails. Sections NAME, OBJSENSE,
+ * ROWS, COLUMNS, RHS, RANGES, BOUNDS, QUADOBJ (QSECTION), QMATRIX, ENDATA.
+ *   returns 0 or an exit status; free it in any case */
 int qps_read(const char *path, host_qp *qp, text_error *error);
 void qps_free(host_qp *qp);
 

@@ -50,8 +50,8 @@ typedef struct reader {
 
 static int fail(reader *r, const char *message, text_word w)
 {
-    return text_fail(r->error, EXIT_SCENE, r->path, r->at.line, "%s%s%.*s%s", message, w.n ? " '" : "", (int)(w.n < 60 ? w.n : 60), w.n ? w.s : "",
-                     w.n ? "'" : "");
+    return text_fail(r->error, EXIT_SCENE, r->path, r->at.line, "%s%s%.*s%s", message, w.n ? " '" : "",
+                     (int)(w.n < 60 ? w.n : 60), w.n ? w.s : "", w.n ? "'" : "");
 }
 
 static int no_memory(reader *r) { return text_fail(r->error, EXIT_MEMORY, r->path, 0, "out of memory"); }
@@ -238,7 +238,8 @@ static int read_column(reader *r)
         r->marked = text_is(r->w[2], "'INTORG'") || text_is(r->w[2], "INTORG");
         return 0;
     }
-    if (r->words != 3 && r->words != 5) return fail(r, "a column entry is: column, row, value, and perhaps one more row and value", none);
+    if (r->words != 3 && r->words != 5)
+        return fail(r, "a column entry is: column, row, value, and perhaps one more row and value", none);
     if (last < 0 || !same(r->columns.word[last], r->w[0])) {
         const int status = add_column(r, r->w[0]);
         if (status) return status;
@@ -288,7 +289,8 @@ static int read_rhs(reader *r)
         if (!names_find(&r->rows, r->w[k], &i)) return fail(r, "no such row:", r->w[k]);
         status = finite_number(r, r->w[k + 1], &x);
         if (status || i == DROPPED) continue;
-        if (r->section == RANGES) status = i >= 0 ? once(r, &r->range[i], x, r->w[k]) : fail(r, "a range of the objective", none);
+        if (r->section == RANGES && i < 0) return fail(r, "a range of the objective", none);
+        if (r->section == RANGES) status = once(r, &r->range[i], x, r->w[k]);
         else status = once(r, i >= 0 ? &r->rhs[i] : &r->constant, x, r->w[k]);
     }
     return status;
@@ -377,8 +379,9 @@ static int read_data(reader *r)
 static int read_header(reader *r)
 {
     static const struct { const char *name; section section; } known[] = {
-        { "NAME", NONE }, { "OBJSENSE", OBJSENSE }, { "ROWS", ROWS }, { "COLUMNS", COLUMNS }, { "RHS", RHS }, { "RANGES", RANGES },
-        { "BOUNDS", BOUNDS }, { "QUADOBJ", QUADOBJ }, { "QSECTION", QUADOBJ }, { "QMATRIX", QMATRIX }, { "ENDATA", END },
+        { "NAME", NONE }, { "OBJSENSE", OBJSENSE }, { "ROWS", ROWS }, { "COLUMNS", COLUMNS }, { "RHS", RHS },
+        { "RANGES", RANGES }, { "BOUNDS", BOUNDS }, { "QUADOBJ", QUADOBJ }, { "QSECTION", QUADOBJ }, { "QMATRIX", QMATRIX },
+        { "ENDATA", END },
     };
     text_word w, more;
     const text_word none = { "", 0 };
@@ -439,7 +442,11 @@ static sp_status columns_of(const entries *e, int32_t rows, int32_t cols, double
     t.j = malloc(room * sizeof *t.j);
     t.x = malloc(room * sizeof *t.x);
     if (t.i && t.j && t.x) {
-        for (int32_t k = 0; k < e->count; k++) { t.i[k] = e->at[k].i; t.j[k] = e->at[k].j; t.x[k] = (sp_real)sign * e->at[k].x; }
+        for (int32_t k = 0; k < e->count; k++) {
+            t.i[k] = e->at[k].i;
+            t.j[k] = e->at[k].j;
+            t.x[k] = (sp_real)sign * e->at[k].x;
+        }
         status = sp_csc_from(&t, arena, out);
     }
     free(t.i);

@@ -126,8 +126,8 @@ static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], in
     return joint;
 }
 
-/* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact, NULL:
- * of those that are found.     returns 0, or fails */
+/* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact,
+ * NULL: of those that are found.     returns 0, or fails */
 static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact *c, text_error *error)
 {
     const int32_t line = c && c->strength_line[1] ? c->strength_line[1] : f->strength_line[1];
@@ -170,7 +170,8 @@ static int add_load(const obj_file *f, int32_t i, sp_scene *scene, text_error *e
     else status = sp_scene_load(scene, &load, NULL);
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "load on '%.*s%s'", NAME(l->name));
-    if (status == SP_E_INDEX) return text_fail(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
+    if (status == SP_E_INDEX)
+        return text_fail(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
     return text_fail_status(error, status, f->path, l->line, what);
 }
 
@@ -416,8 +417,8 @@ int scene_refused(const host_scene *s, const sp_settings *settings, sp_status wh
 {
     if (why == SP_E_NOT_FINITE && too_large(&s->scene)) return too_large_where(s, error);
     if (why == SP_E_UNSUPPORTED && settings->coupled.asked && s->strength_line)
-        return text_fail(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a coupled "
-                         "check knows friction alone");
+        return text_fail(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a "
+                         "coupled check knows friction alone");
     return text_fail_status(error, why, s->path, 0, "");
 }
 

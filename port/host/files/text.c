@@ -123,7 +123,8 @@ int text_finish(FILE *out, const char *path, int status, text_error *error)
 {
     const int early = ferror(out), failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || early;
     struct stat is;
-    if (failed && !status) status = text_fail(error, EXIT_INTERNAL, out == stdout ? "-" : path, 0, "can't write: %s", strerror(errno));
+    if (failed && !status)
+        status = text_fail(error, EXIT_INTERNAL, out == stdout ? "-" : path, 0, "can't write: %s", strerror(errno));
     if (status && out != stdout && lstat(path, &is) == 0 && S_ISREG(is.st_mode)) remove(path);       /* no device, no link */
     return status;
 }

@@ -1,5 +1,5 @@
-/* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape the kind of
- * cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
+/* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape the kind
+ * of cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
 #include "cost_svg.h"
 #include "page.h"
 
@@ -15,7 +15,10 @@ typedef struct axes { double left, low[2], high[2]; int time; } axes;      /* lo
 static const char *const color[COST_STAGES] = { "#b8860b", "#4d9221", "#8e44ad", "#1d5fa6" };
 static const char *const word[COST_STAGES] = { "least squares", "polish", "ADMM", "exact" };
 
-static double work(const cost_row *r, int time) { return log10(time ? fmax(r->seconds, 1e-7) * 1e3 : fmax((double)r->cost.flops, 1)); }
+static double work(const cost_row *r, int time)
+{
+    return log10(time ? fmax(r->seconds, 1e-7) * 1e3 : fmax((double)r->cost.flops, 1));
+}
 
 static double error_of(const cost_row *r) { return log10(fmin(fmax(r->omega, 1e-17), 1)); }
 
@@ -52,11 +55,14 @@ static void grid(FILE *out, const axes *a)
 static void mark(FILE *out, double x, double y, const cost_row *r, const char *ink, int wrong)
 {
     const char kind = r->cone[strlen(r->cone) - 1];
-    const double s = 4;
     const char *fill = r->verdict ? ink : "none";
-    if (wrong) fprintf(out, "<path d=\"M%.1f %.1fl%.1f %.1fm0 -%.1fl-%.1f %.1f\" stroke=\"#b2182b\" stroke-width=\"2\"/>\n", x - s, y - s, 2 * s, 2 * s, 2 * s, 2 * s, 2 * s);
-    else if (kind == 'i') fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"6\" height=\"6\" fill=\"%s\" stroke=\"%s\"/>\n", x - 3, y - 3, fill, ink);
-    else if (kind == 'c') fprintf(out, "<path d=\"M%.1f %.1fl4 4l-4 4l-4 -4z\" fill=\"%s\" stroke=\"%s\"/>\n", x, y - s, fill, ink);
+    if (wrong)
+        fprintf(out, "<path d=\"M%.1f %.1fl8.0 8.0m0 -8.0l-8.0 8.0\" stroke=\"#b2182b\" stroke-width=\"2\"/>\n", x - 4, y - 4);
+    else if (kind == 'i')
+        fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"6\" height=\"6\" fill=\"%s\" stroke=\"%s\"/>\n", x - 3, y - 3, fill,
+                ink);
+    else if (kind == 'c')
+        fprintf(out, "<path d=\"M%.1f %.1fl4 4l-4 4l-4 -4z\" fill=\"%s\" stroke=\"%s\"/>\n", x, y - 4, fill, ink);
     else fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\" stroke=\"%s\"/>\n", x, y, fill, ink);
 }
 
@@ -74,17 +80,19 @@ static void panel(FILE *out, const cost_table *t, double left, int time)
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
 {
     const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96;
-    fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" font-family=\"Helvetica, "
-            "Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
+    fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
+            "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n"
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
     page_text(out, s->path, SIZE_MAX);
-    fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage says %s</text>\n",
-            COST_REAL, sp_verdict_text(t->truth));
+    fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage "
+            "says %s</text>\n", COST_REAL, sp_verdict_text(t->truth));
     panel(out, t, 60, 0);
     panel(out, t, PANEL_W + 150, 1);
     for (int k = 0; k < COST_STAGES; k++)
-        fprintf(out, "<circle cx=\"%d\" cy=\"%.0f\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%.0f\">%s</text>\n", 66 + 110 * k, height - 42, color[k],
-                76 + 110 * k, height - 38, word[k]);
-    fprintf(out, "<text x=\"60\" y=\"%.0f\">disc: true cone, square: pyramid inside it, diamond: around it (4, 8, 16, 32 faces, tol %s); hollow: "
-            "undecided; red cross: another verdict</text>\n</svg>\n", height - 16, sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
+        fprintf(out, "<circle cx=\"%d\" cy=\"%.0f\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%.0f\">%s</text>\n", 66 + 110 * k,
+                height - 42, color[k], 76 + 110 * k, height - 38, word[k]);
+    fprintf(out, "<text x=\"60\" y=\"%.0f\">disc: true cone, square: pyramid inside it, diamond: around it (4, 8, 16, 32 "
+            "faces, tol %s); hollow: undecided; red cross: another verdict</text>\n</svg>\n", height - 16,
+            sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
 }

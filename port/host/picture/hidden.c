@@ -229,7 +229,8 @@ static double touched(const paint *p, const grid *g)
     double sum = 0;
     for (int32_t k = 0; k < p->pieces; k++) {
         const piece *q = &p->piece[k];
-        sum += (1.0 + cell_of(g, q->high[0], 0) - cell_of(g, q->low[0], 0)) * (1.0 + cell_of(g, q->high[1], 1) - cell_of(g, q->low[1], 1));
+        sum += (1.0 + cell_of(g, q->high[0], 0) - cell_of(g, q->low[0], 0))
+             * (1.0 + cell_of(g, q->high[1], 1) - cell_of(g, q->low[1], 1));
     }
     return sum;
 }

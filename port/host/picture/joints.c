@@ -33,8 +33,8 @@ static void draw_hinge(const drawing *d, const sp_joint_motion *m)
     drawing_point(d, m->a, a);
     drawing_point(d, m->b, b);
     fprintf(d->out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
-            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", a[0], a[1], b[0], b[1],
-            INK_HINGE, a[0], a[1], INK_HINGE);
+            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n",
+            a[0], a[1], b[0], b[1], INK_HINGE, a[0], a[1], INK_HINGE);
 }
 
 void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides)

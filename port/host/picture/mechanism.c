@@ -18,7 +18,8 @@ static void moved(const mechanism *m, const sp_scene *s, int32_t b, const sp_rea
     along = dot(w, d);
     for (int c = 0; c < 3; c++) {
         const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-        const double turned = d[c] * cos(angle) + (w[c1] * d[c2] - w[c2] * d[c1]) * sin(angle) + w[c] * along * (1 - cos(angle));
+        const double turned = d[c] * cos(angle) + (w[c1] * d[c2] - w[c2] * d[c1]) * sin(angle)
+                            + w[c] * along * (1 - cos(angle));
         out[c] = (sp_real)((double)o[c] + (rate > 0 ? turned : d[c]) + shift * (double)dq[c]);
     }
 }

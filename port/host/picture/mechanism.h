@@ -11,8 +11,8 @@ typedef struct mechanism {
     double largest;                     /* longest way a corner goes in the drawing [m] */
 } mechanism;
 
-/* The motion that a result shows, if any, so far that the fastest corner goes about `length` [m]; covered by d, whose scene is of
- * this size [m]. */
+/* The motion that a result shows, if any, so far that the fastest corner goes about `length` [m]; covered by d, whose scene is
+ * of this size [m]. */
 void mechanism_scale(mechanism *m, drawing *d, const sp_result *result, double size, double length);
 
 void mechanism_draw(const mechanism *m, const drawing *d, const faces *f);

@@ -7,8 +7,9 @@ void page_begin(FILE *out, double height)
 {
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n", PAGE_WIDTH, height, PAGE_WIDTH, height);
-    fputs("<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
-          "<path d=\"M0 0V7\" stroke=\"#2f3942\" stroke-width=\"1.6\" stroke-opacity=\"0.55\"/></pattern></defs>\n", out);
+    fputs("<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+          "patternTransform=\"rotate(45)\"><path d=\"M0 0V7\" stroke=\"#2f3942\" stroke-width=\"1.6\" stroke-opacity=\"0.55\"/>"
+          "</pattern></defs>\n", out);
     fprintf(out, "<rect width=\"%.0f\" height=\"%.0f\" fill=\"#fcfbf8\"/>\n", PAGE_WIDTH, height);
 }
 
@@ -50,10 +51,11 @@ void page_arrow(FILE *out, const double a[2], const double b[2], const char *ink
     for (int halo = width > 1; halo >= 0; halo--) {
         const char *color = halo ? "#ffffff" : ink;
         const double w = halo ? width + 1.8 : width;
+        const char *dim = halo ? " stroke-opacity=\"0.75\"" : "";
         fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"%.1f\"%s fill=\"none\"/>", a[0], a[1],
-                b[0] - ux * h * 0.8, b[1] - uy * h * 0.8, color, w, halo ? " stroke-opacity=\"0.75\"" : "");
-        fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fZ\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%.1f\"%s/>\n", b[0], b[1],
-                b[0] - ux * h - uy * h * 0.36, b[1] - uy * h + ux * h * 0.36, b[0] - ux * h + uy * h * 0.36,
-                b[1] - uy * h - ux * h * 0.36, color, color, halo ? 1.8 : 0.0, halo ? " stroke-opacity=\"0.75\"" : "");
+                b[0] - ux * h * 0.8, b[1] - uy * h * 0.8, color, w, dim);
+        fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fZ\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%.1f\"%s/>\n",
+                b[0], b[1], b[0] - ux * h - uy * h * 0.36, b[1] - uy * h + ux * h * 0.36, b[0] - ux * h + uy * h * 0.36,
+                b[1] - uy * h - ux * h * 0.36, color, color, halo ? 1.8 : 0.0, dim);
     }
 }

@@ -74,8 +74,9 @@ static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, doubl
     int good;
     t->s.vertex = f->vertex;
     leave_absent(&t->s, t->all, f->mark);
-    if (f->bad) fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#fbeae7\" stroke=\"%s\"/>\n", x - 3,
-                        y - 3, t->width + 6, h + CAPTION + 2, INK_MOTION);
+    if (f->bad)
+        fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#fbeae7\" stroke=\"%s\"/>\n",
+                x - 3, y - 3, t->width + 6, h + CAPTION + 2, INK_MOTION);
     fprintf(out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, t->width, h);
     good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
     page_end(out);
@@ -108,8 +109,8 @@ static void legend(FILE *out)
     for (int k = MARK_NEW; k <= MARK_FALLS; x += k == MARK_NEW ? 66 : 106, k++) {
         int c[3];
         faces_color((block_mark)k, c);
-        fprintf(out, "<rect x=\"%.0f\" y=\"29\" width=\"12\" height=\"12\" fill=\"#%02x%02x%02x\" stroke=\"#555\"/>\n", x, c[0], c[1],
-                c[2]);
+        fprintf(out, "<rect x=\"%.0f\" y=\"29\" width=\"12\" height=\"12\" fill=\"#%02x%02x%02x\" stroke=\"#555\"/>\n", x,
+                c[0], c[1], c[2]);
         page_label(out, x + 18, 40);
         fprintf(out, "%s</text>\n", word[k]);
     }

@@ -58,8 +58,8 @@ static void fit(drawing *d, double size)
     d->top = HEAD + PAGE_MARGIN / 2;
 }
 
-/* Everything in one scale. The largest force is about as long as a block; the corner that goes farthest goes a third of a block,
- * at least 4 and at most 12 % of the scene.          returns the usual block [m] */
+/* Everything in one scale. The largest force is about as long as a block; the corner that goes farthest goes a third of a
+ * block, at least 4 and at most 12 % of the scene.          returns the usual block [m] */
 static double scale_all(drawing *d, forces *f, mechanism *m, const sp_result *result)
 {
     double size, block;

@@ -37,8 +37,8 @@ static void title_of_limit(const words *w)
     else fputs(sp_limit_text(x->kind), w->out);
     fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", w->out);
     page_text(w->out, file_name(w->of->scene->path), 50);
-    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints", PAGE_MARGIN,
-            (long)w->d->s->count.blocks, (long)w->d->s->count.interfaces);
+    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints",
+            PAGE_MARGIN, (long)w->d->s->count.blocks, (long)w->d->s->count.interfaces);
     put_friction(w);
     fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
@@ -147,8 +147,8 @@ static void legend_support(const words *w, double x, double y)
 static void legend_length(const words *w, double x, double y)
 {
     const double length = round_below(150 / w->d->scale), wide = length * w->d->scale;
-    fprintf(w->out, "<path d=\"M%.1f %.1fv8m0 -4h%.1fm0 -4v8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.3\"/>\n", x, y - 9,
-            wide);
+    fprintf(w->out, "<path d=\"M%.1f %.1fv8m0 -4h%.1fm0 -4v8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.3\"/>\n",
+            x, y - 9, wide);
     page_label(w->out, x + wide + 8, y);
     page_quantity(w->out, length, "m");
     fputs("</text>\n", w->out);
@@ -175,7 +175,8 @@ static void legend_joints(const words *w, double x, double y)
 {
     if (w->hinges) {
         fprintf(w->out, "<path d=\"M%.1f %.1fh22\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
-                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n", x + 3, y - 4, INK_HINGE, x + 3, y - 4, INK_HINGE);
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n",
+                x + 3, y - 4, INK_HINGE, x + 3, y - 4, INK_HINGE);
         page_label(w->out, x + 36, y);
         fprintf(w->out, "%ld hinge%s</text>\n", (long)w->hinges, w->hinges == 1 ? "" : "s");
     }
