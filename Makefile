@@ -57,7 +57,7 @@ SUITES   = $(patsubst test_%.c,%,$(notdir $(SUITE_C)))
 TESTS    = tests/run.c $(SUITE_C)
 TEST_C   = -Wno-unused-function
 
-.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures coupled-table check help clean
+.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -67,7 +67,7 @@ help:
 	@echo "make demo      checks some scenes, draws them into build/demo/"
 	@echo "make test      tests in seconds; needs gcc and make only"
 	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack)"
-	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/README.md"
+	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/board/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
 	@echo "make regions   a check whose factor lies in another memory than scene and answer, on the same two"
 	@echo "make footprint measures code, stack, memory and instructions on Cortex-M anew, into port/board/footprint.csv"
@@ -76,9 +76,9 @@ help:
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
 	@echo "make install   library, header, program into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
-	@echo "make bench-plan  what leaving out effects saves, as a table; SCENES='FILE ...' of these"
-	@echo "make figures   the pictures of the README"
-	@echo "make coupled-table  the README's table of the coupled check, on CASES (../shared/cases)"
+	@echo "make bench-plan  what leaving out effects saves, as CSV; SCENES='FILE ...' of these"
+	@echo "make figures   the pictures of the pages"
+	@echo "make bench-coupled  the coupled check on CASES (../shared/cases), as CSV"
 	@echo "make clean     removes build/"
 
 lib: build/libstonepack.a
@@ -210,10 +210,10 @@ bench-plan: build/bench-plan
 figures: build/stonepack build/stonepack_mixed build/stonepack_float
 	@sh tests/bench/figures.sh
 
-# compas_cra's own assemblies against the times of Ipopt that come with them.
+# Assemblies of known truth, and compas_cra's own against the times of Ipopt that come with them.
 CASES ?= ../shared/cases
-coupled-table: build/stonepack
-	@python3 -B tests/checks/coupled_cases.py build/stonepack $(CASES) --samples
+bench-coupled: build/stonepack
+	@python3 -B tests/bench/coupled.py build/stonepack $(CASES)
 
 clean:
 	rm -rf build

@@ -1,4 +1,4 @@
-/* plan: what leaving out effects saves, as a table in Markdown per kind of scene and per reason.
+/* plan: what leaving out effects saves, as CSV per kind of scene and per what was left out.
  *
  *     make bench-plan [SCENES='FILE ...']      without scenes: 300 random ones of every kind, tests/scenes/kinds.h
  *
@@ -106,14 +106,13 @@ static void check(const char *name, const sp_scene *s, const sp_settings *set, i
         printf("# %s %d: %s as planned, %s\n", name, told, sp_verdict_text(r[0].verdict), sp_verdict_text(r[1].verdict));
 }
 
-static void print(const char *title, int first, int last)
+static void print(const char *group, int first, int last)
 {
     row all = { "together", 0, 0, { 0, 0 }, { 0, 0 }, { 0, 0 }, 1e9 };
-    printf("| %s | scenes | verdicts agree | flops | least | time | bytes |\n|---|--:|--:|--:|--:|--:|--:|\n", title);
     for (int q = first; q <= last; q++) {
         const row *o = q < last ? &rows[q] : &all;
         if (!o->scenes) continue;
-        printf("| %s | %d | %d | %.1f | %.2f | %.1f | %.2f |\n", o->name, o->scenes, o->agree, o->flops[1] / o->flops[0],
+        printf("%s,\"%s\",%d,%d,%.3f,%.3f,%.2f,%.3f\n", group, o->name, o->scenes, o->agree, o->flops[1] / o->flops[0],
                o->least, o->seconds[1] / o->seconds[0], o->bytes[1] / o->bytes[0]);
         all.scenes += o->scenes;
         all.agree += o->agree;
@@ -149,8 +148,8 @@ int main(int argc, char **argv)
         check(kinds_table[k % KINDS].name, &s, &set, k);
     }
     free(memory);
-    print("full simulation / as planned", 0, KINDS);
-    printf("\n");
+    printf("group,name,scenes,agree,flops,least,time,bytes\n");
+    print("kind", 0, KINDS);
     print("decided", KINDS, ROWS - 1);
     return rows[ROWS - 1].agree < 0;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The coupled check on a folder of assemblies.    coupled_cases.py PROGRAM CASES [--quad PROGRAM] [--samples] [-v]
+"""The coupled check on a folder of assemblies.    coupled_cases.py PROGRAM CASES [--quad PROGRAM] [-v]
 
 CASES/NAME/scene.obj (or .gz) with expected.json beside it, or CASES/*.obj of unknown truth. Every case is asked with its own
 eps and eta, compas_cra's cone (8c) and its bound per component. Prints
@@ -11,10 +11,10 @@ eps and eta, compas_cra's cone (8c) and its bound per component. Prints
     monotone: of questions that each allow what the one before allows and more, none is refuted after one is coupled;
     invariant: another unit, order, side A, a turn of everything with gravity, and a factor on eps and eta leave the answer.
 
---samples prints instead, in Markdown, compas_cra's own assemblies: our answer and time (least of 5) against Ipopt's. Exit
-status 1: something said is wrong, a share is missed, or an answer depends on how the scene is written. Standard library only.
+Exit status 1: something said is wrong, a share is missed, or an answer depends on how the scene is written. Standard library only.
+tests/bench/coupled.py has the same cases as CSV, with times.
 """
-import argparse, gzip, json, os, random, re, statistics, subprocess, sys, tempfile
+import argparse, gzip, json, os, random, re, subprocess, sys, tempfile
 
 SMALL, LARGE = 40, 300                  # contact vertices: as the shares count them; more are not asked again and again
 SHARES = {(True, True): .95, (True, False): .90, (False, True): .80, (False, False): .80}       # (feasible, small)
@@ -234,82 +234,17 @@ def invariant(program, cases):
     return not bad
 
 
-# -------------------------------------------------------------------------------------------------------------------- samples
-
-KINDS = ((r"type-(.)_.*", r"wedge \1, 10 ways up"), (r"cube-curve-.*|curve-3-blocks", "curved"), (r"(bridge|shelf).*", r"\1"),
-         (r"arch_supports", "arch, other supports"), (r"(cubes?|simple_cube).*", "cubes, one or two"),
-         (r"(.*)_rot.*", r"\1, turned"))
-
-
-def kind(name):
-    for pattern, to in KINDS:
-        if re.fullmatch(pattern, name[2:]):
-            return re.sub(pattern, to, name[2:])
-    return name[2:]
-
-
-def row(cells):
-    print(("| %s |" % " | ".join(str(x) for x in cells)).replace("|  ", "| "))
-
-
-def ms(seconds):
-    return "%.2g" % (1e3 * seconds) if seconds < .1 else "%.0f" % (1e3 * seconds)
-
-
-def sample(program, c):
-    """The least time of 5 runs, the answer, Eq. 11 by Ipopt as compas_cra asks it: [seconds, document, theirs, found there]."""
-    r = [ask(program, c.text, ["--cra-box", "--cone", "8c"] + c.lengths()) for _ in range(5)]
-    theirs = c.cra.get("eq11_compas") or {}
-    return [min(d["cost"]["seconds"] for d in r), r[0], theirs, bool(re.match("Solve|Feasible", theirs.get("status", "")))]
-
-
-def samples(program, cases):
-    """compas_cra's own, in Markdown: each, then by kind."""
-    got = {c.name: sample(program, c) for c in cases if c.name.startswith("a_")}
-    print("| sample | corners | answer | residual | rounds | ms | Ipopt: ms | Ipopt: status |")
-    print("|---|--:|---|--:|--:|--:|--:|---|")
-    for name, (ours, r, theirs, _) in got.items():
-        x = r["coupled"]
-        row([name[2:], r["contact_vertices"], x["verdict"] + (", statics" if x["reason"] == "statics" else ""),
-             "%.0g" % x["residual"] if x["verdict"] == "coupled" else "", x["rounds"] or "", ms(ours),
-             ms(theirs["time_s"]) if theirs else "", theirs.get("status", "").replace("_", " ").lower()])
-    print("\n| samples | corners | coupled | refuted | not found | residual | rounds | ms | Ipopt: ms | Ipopt: solved |")
-    print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
-    for k in dict.fromkeys(kind(n) for n in got):
-        of = [v for n, v in got.items() if kind(n) == k]
-        told = [v[1]["coupled"] for v in of]
-        corners = sorted(v[1]["contact_vertices"] for v in of)
-        triples = [x["residual"] for x in told if x["verdict"] == "coupled"]
-        theirs = [v[2]["time_s"] for v in of if v[2]]
-        row([k, corners[0] if corners[0] == corners[-1] else "%d - %d" % (corners[0], corners[-1])]
-            + [sum(x["verdict"] == a for x in told) or "" for a in ("coupled", "refuted", "not found")]
-            + ["%.0g" % max(triples) if triples else "", max(x["rounds"] for x in told) or "",
-               ms(statistics.median(v[0] for v in of)), ms(statistics.median(theirs)) if theirs else "",
-               "%d of %d" % (sum(v[3] for v in of), len(theirs)) if theirs else ""])
-    ratios = [(v[2]["time_s"] / v[0], v[3], v[1]["coupled"]["verdict"]) for v in got.values() if v[2]]
-    if ratios:
-        print("\nmedian over the %d that Ipopt was given: %.0f times less time; over the %d it solved: %.0f; "
-              "of the %d others %d are decided here"
-              % (len(ratios), statistics.median(r[0] for r in ratios), sum(r[1] for r in ratios),
-                 statistics.median(r[0] for r in ratios if r[1]), sum(not r[1] for r in ratios),
-                 sum(not r[1] and r[2] != "not found" for r in ratios)))
-    return True
-
-
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("program")
     p.add_argument("cases")
     p.add_argument("--quad", help="the program in 113 bits")
-    p.add_argument("--samples", action="store_true")
     p.add_argument("-v", action="store_true", help="every answer")
     a = p.parse_args()
     cases = [Case(a.cases, n) for n in sorted(os.listdir(a.cases))
              if n.endswith(".obj") or os.path.exists(os.path.join(a.cases, n, "expected.json"))]
     if not cases:
         sys.exit("no scenes in " + a.cases)
-    if a.samples:
-        return 0 if samples(a.program, cases) else 1
     got = {c.name: ask(a.program, c.text, ["--forces", "--cra-box", "--cone", "8c"] + c.lengths()) for c in cases}
     if a.v:
         for c in cases:
