@@ -1,7 +1,8 @@
 #!/bin/sh
-# figures: every picture of the README, from the program itself and from the bench's CSV.
+# figures: every picture of the pages, from the program itself and from the bench's CSV.
 #
-#     tests/bench/figures/*.svg           scenes, drawn by build/stonepack
+#     tests/bench/figures/*.svg           scenes, drawn by build/stonepack; concept.svg by concept.py
+#     tests/bench/figures/accuracy.svg    of the cost.csv beside it
 #     tests/bench/results/MACHINE/*.svg   curves, of the bench.csv beside them; need python3-matplotlib
 #     tests/bench/figures/cost-*.svg      what accuracy costs on nine scenes, measured anew; cost.csv beside them
 #     tests/bench/figures/near.csv        how near to a limit both sides are told
@@ -39,6 +40,10 @@ else
     echo "figures: no heap without g++ and libbullet-dev" >&2
 fi
 
+python3 tests/bench/concept.py > $out/concept.svg && echo "$out/concept.svg"
+accuracy() { python3 tests/bench/accuracy.py $out/cost.csv > $out/accuracy.svg && echo "$out/accuracy.svg"; }
+accuracy
+
 python=/usr/bin/python3                                 # Debian's own, the one its python3-matplotlib belongs to
 if ! $python -c 'import matplotlib' 2> /dev/null; then
     echo "figures: no curves without python3-matplotlib" >&2
@@ -74,6 +79,7 @@ fi
 if [ "${COSTS:-1}" != 0 ]; then
     sh tests/bench/near.sh > build/figures/near.csv && mv build/figures/near.csv $out/near.csv
     echo "$out/near.csv"
+    accuracy
 fi
 for csv in tests/bench/results/*/bench.csv; do
     if [ -f "$csv" ]; then $python tests/bench/plot.py "$csv" "${csv%/bench.csv}"; fi
