@@ -235,11 +235,11 @@ check_arm() {
     SHOW=
 }
 
-# The lines that port/README.md shows are lines that the boards print.
+# The lines that port/board/README.md shows are lines that the boards print.
 board_samples() {
     { make -s robot && make -s regions && make -s -f port/board/board.mk BOARD=m4f REAL=float; } > $out/boards.txt || return 1
-    grep -E '^    ([a-z-]+: (release|hold|stable|[0-9]+ bytes)|wall of 10 )' port/README.md | sed 's/^    //' > $out/shown.txt
-    [ "$(wc -l < $out/shown.txt)" -ge 7 ] || { echo "port/README.md shows too few lines"; return 1; }
+    grep -E '^    ([a-z-]+: (release|hold|stable|[0-9]+ bytes)|wall of 10 )' port/board/README.md | sed 's/^    //' > $out/shown.txt
+    [ "$(wc -l < $out/shown.txt)" -ge 7 ] || { echo "port/board/README.md shows too few lines"; return 1; }
     while read -r line; do
         grep -qF -- "$line" $out/boards.txt || { echo "not printed: $line"; return 1; }
     done < $out/shown.txt
@@ -249,7 +249,7 @@ check_robot() {
     if have arm-none-eabi-gcc && have qemu-system-arm; then
         part "a robot is told when to let go: Cortex-M4F in float, Cortex-M7 in double" make robot
         part "the factor in another memory: Cortex-M4F in float, Cortex-M7 in double" make regions
-        part "port/README.md shows what the boards print" board_samples
+        part "port/board/README.md shows what the boards print" board_samples
     else
         skip "a robot on Cortex-M" gcc-arm-none-eabi,qemu-system-arm
     fi
@@ -522,8 +522,8 @@ check_instruments() {                                   # the battery of hard sc
 }
 check_bench() {
     part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"
-    if have python3; then part "README's numbers stand in the CSV of its pictures" python3 -B tests/bench/words.py
-    else skip "README's numbers against CSV" python3; fi
+    if have python3; then part "numbers of all pages stand in their CSV" python3 -B tests/bench/words.py
+    else skip "numbers of the pages against CSV" python3; fi
 }
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
