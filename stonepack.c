@@ -151,9 +151,12 @@
 #include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
 
 #include "solvers/limit/bracket.c"              /* what proves each end of the bracket */
+#include "solvers/limit/exact.c"                /* the exact stage as the engine that a limit asks */
+#include "solvers/limit/newton.c"               /* the bracket, by Newton's method on the power balance */
 #include "solvers/limit/interior.c"             /* interior points in forces, motion and multiplier at once */
 #include "solvers/limit/strong.c"               /* joints with strength: Newton's method with the multiplier in it */
-#include "solvers/limit/limit.c"                /* sp_limit: the bracket, by Newton's method on the power balance */
+#include "solvers/limit/start.c"                /* both ends by these quick ways */
+#include "solvers/limit/limit.c"                /* sp_limit: both ends, what they say, and from where on it stands */
 #include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
 
 #include "solvers/sequence/state.c"             /* a build order under way */

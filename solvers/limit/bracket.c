@@ -45,6 +45,7 @@ static sp_status sp__bracket_build(const sp_scene *scene, const sp_settings *set
     memset(&b->cost, 0, sizeof b->cost);
     b->spent = 0;
     b->resist = 0;
+    b->y0 = NULL;
     sp_real *at[5];
     sp__bracket_carve(at, b->pb.blocks, a);
     if (sp__failed(a)) return SP_E_MEMORY;

@@ -6,7 +6,11 @@
 
 #if SP__WITH_INTERIOR
 
-/* K that is no cone, and what interior points leave open, by the exact stage's own dual with lambda in it:
+#define SP__STRONG_MOST 240              /* factorisations of a climb in c, at most */
+#define SP__STRONG_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
+#define SP__STRONG_SOLVED SP__TIE             /* omega from which on y is taken for that of its c */
+
+/* K that is no cone, and what interior points leave open, by the dual of the exact stage with lambda in it:
  *
  *   max c lambda - 1/2 sum |f_v|^2 / S_v,  Aeq f + p + lambda q = 0,  f in K         dual: min D(y) with p alone, q . y = -c
  *
@@ -15,37 +19,39 @@
  * d = -H^-1 (r + dlambda q), q . d = 0.                                              [Mangasarian, Meyer 1979: exact for large c] */
 SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
 {
-    sp__dual *w = L->w;
+    sp__engine *g = &L->engine;
+    sp__dual *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    sp__dual_factor(w, SP__ADMISSIBLE, w->y, L->n.prox + L->n.shift);
+    sp__dual_factor(w, SP__ADMISSIBLE, w->y, g->n.prox + g->n.shift);
     if (w->spent) return 0;
-    L->n.left--;
+    g->n.left--;
     L->bracket.cost.iterations++;
-    sp__dual_solve(w, L->q, L->Vq);
-    L->G[0] = sp__dot(L->q, L->Vq, n);
-    if (!(L->G[0] > 0)) return 0;
-    const sp_real off = (c + sp__dot(L->q, w->y, n)) / L->G[0];
-    if (sp__abs(off) * L->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
-        sp__dual_axpy(w, -off, L->Vq, w->y);
-        sp__newton_look(w, &L->n, &L->state);
+    sp__dual_solve(w, g->q, g->Vq);
+    g->G[0] = sp__dot(g->q, g->Vq, n);
+    if (!(g->G[0] > 0)) return 0;
+    const sp_real off = (c + sp__dot(g->q, w->y, n)) / g->G[0];
+    if (sp__abs(off) * g->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
+        sp__dual_axpy(w, -off, g->Vq, w->y);
+        sp__newton_look(w, &g->n, &g->state);
         return 1;
     }
-    for (size_t k = 0; k < n; k++) w->d[k] = -w->r[k] - L->n.prox * w->y[k];
+    for (size_t k = 0; k < n; k++) w->d[k] = -w->r[k] - g->n.prox * w->y[k];
     sp__dual_solve(w, w->d, w->d);
     for (int pass = 0; pass < 2; pass++) {              /* what rounding leaves along Vq, too */
-        const sp_real a = sp__dot(L->q, w->d, n) / L->G[0];
-        sp__dual_axpy(w, -a, L->Vq, w->d);
-        if (!pass) { L->at += a; sp__dual_axpy(w, a, L->q, w->r); }
+        const sp_real a = sp__dot(g->q, w->d, n) / g->G[0];
+        sp__dual_axpy(w, -a, g->Vq, w->d);
+        if (!pass) { g->at += a; sp__dual_axpy(w, a, g->q, w->r); }
     }
-    sp__limit_loads(L, L->at);
-    return sp__newton_move(w, &L->n, &L->state);
+    sp__limit_loads(L, g->at);
+    return sp__newton_move(w, &g->n, &g->state);
 }
 
 /* y for that c: by Newton, and where that stalls and `far` by the proximal path.     returns 1: it is found */
 SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int far)
 {
-    const sp__dual *w = L->w;
-    sp__newton *n = &L->n;
+    sp__engine *g = &L->engine;
+    const sp__dual *w = g->w;
+    sp__newton *n = &g->n;
     n->omega = SP__HUGE;
     n->prox = 0;
     n->shift = SP__SHIFT;
@@ -58,7 +64,7 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int far)
     for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal; ) {
         sp__strong_step(L, c);
         if (n->prox <= SP__SHIFT) extra--;
-        else if (sp__newton_level(L->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+        else if (sp__newton_level(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
     return n->omega <= SP__STRONG_SOLVED;
 }
@@ -72,32 +78,34 @@ static int sp__limit_closed(const sp__limit *L, sp_real apart)
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
 SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
 {
-    sp__dual *w = L->w;
+    sp__engine *g = &L->engine;
+    sp__dual *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    memcpy(L->state.dq, L->bracket.dq, n * sizeof *L->state.dq);
-    sp__flat_drop(L->flat, w->pb->blocks, L->state.dq);
+    memcpy(g->state.dq, L->bracket.dq, n * sizeof *g->state.dq);
+    sp__flat_drop(g->flat, w->pb->blocks, g->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
-    sp__newton_settle(w, &L->state);
-    for (size_t k = 0; k < n; k++) L->Vq[k] = -L->state.dq[k] / w->weight[k / 3];
+    sp__newton_settle(w, &g->state);
+    for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->weight[k / 3];
     sp__limit_loads(L, sp__max(0, L->best));
-    sp__limit_candidate(L, L->Vq);
+    sp__limit_candidate(L, g->Vq);
 }
 
-/* What y at that c says: its motion, that of a larger c, that since the c before (in Vp), and the best of these sharpened, as upper
- * ends; its forces as a lower one.                                                                returns 1: they meet */
+/* Both ends from the y of this c. Upper: its motion, its derivative in c (-Vq), its change since the last c (Vp keeps that y), and
+ * the best of the three sharpened. Lower: its forces.                                             returns 1: they meet */
 SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
 {
-    sp__dual *w = L->w;
+    sp__engine *g = &L->engine;
+    sp__dual *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    const sp_real a = L->at;
+    const sp_real a = g->at;
     sp__limit_sizes(L);
     sp__limit_candidate(L, w->y);
     for (int pass = 0; pass < 2; pass++) {
-        for (size_t k = 0; k < n; k++) w->d[k] = pass ? w->y[k] - L->Vp[k] : -L->Vq[k];
+        for (size_t k = 0; k < n; k++) w->d[k] = pass ? w->y[k] - g->Vp[k] : -g->Vq[k];
         sp__limit_candidate(L, w->d);
     }
     sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
-    L->n.left--;
+    g->n.left--;
     if (!w->spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
         L->r.lower = a * L->ref;
         L->r.omega = L->bracket.omega;
@@ -107,11 +115,12 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
     return sp__limit_closed(L, SP__STRONG_NEAR);
 }
 
-/* Both ends, by larger and larger c, until they meet or lambda stays where it is: from a y that Newton misses back to the last one
- * and a smaller step.                                                     returns 1: they are near enough to close the bracket */
+/* Both ends, by larger and larger c, until they meet or lambda no longer changes. Where Newton fails, c goes back to its last value
+ * and takes a smaller step from there.                                                     returns 1: they are near enough to close the bracket */
 SP__NOINLINE static int sp__strong_run(sp__limit *L)
 {
-    sp__dual *w = L->w;
+    sp__engine *g = &L->engine;
+    sp__dual *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real most = 0, sum = 0, last = -SP__HUGE;
     for (int32_t i = 0; i < w->pb->blocks; i++) {
@@ -120,29 +129,29 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
     }
     memset(w->y, 0, n * sizeof *w->y);
     sp__limit_loads(L, 0);
-    L->n.best = SP__HUGE;
+    g->n.best = SP__HUGE;
     sp_real c = sum * most, times = 10;
-    const int32_t others = L->n.left > SP__STRONG_MOST ? L->n.left - SP__STRONG_MOST : 0;
-    L->n.left -= others;
+    const int32_t others = g->n.left > SP__STRONG_MOST ? g->n.left - SP__STRONG_MOST : 0;
+    g->n.left -= others;
     int met = 0;
     for (int stage = 0, still = 0; stage < 24 && still < 3 && !met; stage++) {
-        memcpy(L->Vp, w->y, n * sizeof *L->Vp);
+        memcpy(g->Vp, w->y, n * sizeof *g->Vp);
         if (!sp__strong_solve(L, c, !stage)) {              /* back, and not so far */
-            if (!sp__newton_left(w, &L->n) || !stage || times < (sp_real)1.2) break;
-            memcpy(w->y, L->Vp, n * sizeof *w->y);
+            if (!sp__newton_left(w, &g->n) || !stage || times < (sp_real)1.2) break;
+            memcpy(w->y, g->Vp, n * sizeof *w->y);
             c /= times;
             times = SP_SQRT(times);
             sp__limit_loads(L, last);
         } else {
-            still = sp__abs(L->at - last) <= SP__LIMIT_NEAR * (1 + sp__abs(last)) ? still + 1 : 0;
-            last = L->at;
+            still = sp__abs(g->at - last) <= SP__LIMIT_NEAR * (1 + sp__abs(last)) ? still + 1 : 0;
+            last = g->at;
             met = sp__strong_ends(L, still);
             sp__limit_loads(L, last);
             times = times * times < 10 ? times * times : 10;
         }
         c *= times;
     }
-    L->n.left += others;
+    g->n.left += others;
     return sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
 }
 

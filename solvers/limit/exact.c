@@ -1,0 +1,103 @@
+/* exact: the exact stage as the engine that a limit asks */
+#ifndef SP__LIMIT_EXACT_C
+#define SP__LIMIT_EXACT_C
+
+#include "../check/ladder.c"
+#include "bracket.c"
+
+#if SP__WITH_INTERIOR
+
+/* The exact stage as the engine that a limit asks, and the dual with the live loads in it [interior.c, strong.c]. */
+typedef struct sp__homogeneous {        /* interior points [interior.c] */
+    sp__ipm m;
+    sp_real l, s, dl, ds;
+    sp_real along[2];                   /* a step is its free part and these multiples of Vq and Vp */
+} sp__homogeneous;
+
+typedef struct sp__engine {
+    sp_state state;
+    sp__newton n;
+    sp__dual *w;
+    sp__flat *flat;                     /* NULL: in 6 rows a block */
+    sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
+    sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
+    sp_real at;                         /* a: the loads at hand are dead + a live, live loads in ref */
+    sp__homogeneous h;
+} sp__engine;
+
+static void sp__engine_carve(sp__engine *g, int32_t blocks, sp_arena *a)
+{
+    g->state.y = sp__take(a, (size_t)blocks, 6 * sizeof *g->state.y);
+    g->state.dq = sp__take(a, (size_t)blocks, 6 * sizeof *g->state.dq);
+    g->q = sp__take(a, (size_t)blocks, 6 * sizeof *g->q);
+    g->Vq = sp__take(a, (size_t)blocks, 6 * sizeof *g->Vq);
+    g->Vp = sp__take(a, (size_t)blocks, 6 * sizeof *g->Vp);
+}
+
+/* Flops that are left to the search: the certificate check of both ends needs some, too. */
+static int64_t sp__engine_flops(const sp__bracket *b)
+{
+    return b->limit - b->cost.flops - 80 * SP__FLOPS_CERTIFICATE * (int64_t)b->pb.points;
+}
+
+/* May it be asked again? */
+static int sp__engine_left(const sp__engine *g, const sp__bracket *b) { return g->n.left > 0 && sp__engine_flops(b) > 0; }
+
+/* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
+static sp_real sp__engine_reference(sp__bracket *b)
+{
+    sp_real sum[2] = { 0, 0 };
+    for (int32_t c = 0; c < b->pb.contacts; c++)
+        for (int side = 0; side < 2; side++) {
+            const sp_contact *t = &b->pb.contact[c];
+            const int32_t i = side ? t->b : t->a;
+            const sp_real arm = sp__norm3(side ? t->rb : t->ra);
+            for (int k = 0; k < 2 && i >= 0; k++) {
+                const sp_real *p = (k ? b->live : b->dead) + 6 * (size_t)i;
+                sum[k] += sp__norm3(p) + (arm > 0 ? sp__norm3(p + 3) / arm : 0);
+            }
+        }
+    const sp_real ref = sp__ratio(sum[0], sum[1]);
+    return ref > 0 && ref < SP__HUGE ? ref : 1;
+}
+
+/* The exact stage under the loads at hand, first in 3 rows where they let it. */
+SP__NOINLINE static sp_status sp__engine_stage(sp__engine *g, sp__bracket *b, sp_arena room, sp_verdict *claim)
+{
+    sp_arena again = room;
+    sp__flat *o = sp__take(&again, 1, sizeof *o);
+    if (!o) return SP_E_MEMORY;
+    if (sp__flat_choose(&b->pb, &b->wide, o)) {    /* with as many iterations as were asked for */
+        const sp_status status = sp__exact_search(&b->pb, &b->set, o, &g->state, &again, claim);
+        if (status || *claim == SP_STABLE || (*claim == SP_UNSTABLE && (o->mode == SP__PLANE || o->forest))) return status;
+        *claim = SP_UNDECIDED;
+    }
+    return sp__exact_run(&b->pb, &b->set, &g->state, &room, claim);
+}
+
+/* Gates and the exact stage at d dead + l live.     returns what they claim; state.dq, or f, says it */
+SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_real d, sp_real l, sp_real *f, sp_arena room)
+{
+    sp_verdict claim = SP_UNDECIDED;
+    sp_arena again = room;
+    sp__bracket_load(b, d, l);
+    b->set.iterations = g->n.left;
+    b->set.localise = 1;
+    g->state.f = f;
+    memset(f, 0, 3 * (size_t)b->pb.points * sizeof *f);
+    g->state.y0 = b->hint;
+    memset(&g->state.cost, 0, sizeof g->state.cost);
+    g->state.left = sp__engine_flops(b);
+    if (g->state.left <= 0) { b->spent = 1; return SP_UNDECIDED; }
+    sp_status status = sp__gates_run(&b->pb, &b->set, &g->state, &room, &claim);
+    if (!status && !claim) status = sp__engine_stage(g, b, again, &claim);
+    g->n.left -= g->state.cost.factorisations;
+    sp__cost_add(&b->cost, &g->state.cost);
+    if (status) claim = SP_UNDECIDED;
+    if (claim == SP_UNSTABLE) memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    return claim;
+}
+
+#endif
+
+#endif /* SP__LIMIT_EXACT_C */

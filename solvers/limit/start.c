@@ -1,0 +1,127 @@
+/* start: both ends by the quick ways: interior points, and the dual with the multiplier in it */
+#ifndef SP__LIMIT_START_C
+#define SP__LIMIT_START_C
+
+#include "strong.c"
+
+#if SP__WITH_INTERIOR
+
+/* L->flat, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
+ * about the size both have at work. */
+static void sp__limit_flat(sp__limit *L, sp_arena *a)
+{
+    sp__engine *g = &L->engine;
+    sp__bracket *b = &L->bracket;
+    g->flat = NULL;
+    const size_t start = a->used;
+    sp__flat *o = SP__WITH_PLAN ? sp__take(a, 1, sizeof *o) : NULL;
+    int planar = o != NULL;
+    for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
+        sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
+        planar = k ? sp__flat_loads(&b->pb, &b->set, o->e[2], 0) : sp__flat_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
+    }
+    if (planar) g->flat = o;
+    else if (o) a->used = start;
+    sp__bracket_load(b, 1, L->ref);
+}
+
+/* The dual at that load, its sizes and metric; hints for both loads. */
+SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
+{
+    sp__engine *g = &L->engine;
+    sp__bracket *b = &L->bracket;
+    const size_t n = 6 * (size_t)b->pb.blocks;
+    sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
+    sp__limit_flat(L, a);
+    g->w = sp__dual_make(&b->pb, &b->set, SP__LIMIT, g->flat, &b->cost, a);
+    if (!g->w) return SP_E_MEMORY;
+    g->w->limit = sp__engine_flops(b) + b->cost.flops;
+    g->h.m.x = sp__take(a, (size_t)b->pb.points, (size_t)(b->set.faces ? b->set.faces : 3) * sizeof *g->h.m.x);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    for (int k = 0; k < 2; k++) {
+        sp__bracket_load(b, k ? 0 : 1, k ? L->ref : 0);
+        if (k) sp__bilateral_solve(g->w); else sp__dual_bilateral(g->w);
+        if (g->w->spent) return SP_OK;
+        g->state.y0 = y0[k];
+        sp__dual_hint(g->w, &g->state);
+    }
+    for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
+    b->y0 = L->r.y0;
+    g->w->metric = 0;
+    sp__limit_loads_sized(L, 1);
+    sp__limit_sizes(L);
+    if (sp__dual_metric(g->w)) sp__dual_weights(g->w);
+    sp__bracket_load(b, 0, L->ref);
+    sp__dual_load(g->w, g->q);
+    return SP_OK;
+}
+
+/* Interior points and what they leave: the best motion sharpened.     returns 1: both ends are near, or nothing stands */
+SP__NOINLINE static int sp__limit_search(sp__limit *L)
+{
+    sp__engine *g = &L->engine;
+    sp__bracket *b = &L->bracket;
+    int done = !g->w->spent && sp__interior_run(L);
+    if (L->r.kind == SP_LIMIT_UNBOUNDED) return L->r.lower >= 0;
+    if (!g->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
+    if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
+    b->spent |= g->w->spent;
+    return done || sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
+}
+
+/* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
+SP__NOINLINE static int sp__strong_starts(sp__limit *L, sp_arena room)
+{
+    sp__engine *g = &L->engine;
+    sp__bracket *b = &L->bracket;
+    const size_t bytes = 6 * (size_t)b->pb.blocks * sizeof *b->dq;
+    memcpy(g->Vp, b->dq, bytes);
+    const sp_verdict claim = sp__limit_ask(L, 1, 0, L->r.f, room);
+    L->none = claim == SP_UNSTABLE && sp__bracket_falls(b, 0, 1, NULL, L->room);
+    if (!L->none) memcpy(b->dq, g->Vp, bytes);
+    if (claim != SP_STABLE || !sp__bracket_stands(b, 1, 0, L->r.f, L->r.f, L->room)) return 0;
+    L->r.lower = 0;
+    L->r.omega = b->omega;
+    L->r.dead = SP_STABLE;
+    return 1;
+}
+
+/* Both ends as near as interior points bring them, or Newton's method with the multiplier in it where joints have strength; an
+ * upper one from live loads alone.         *done: both are near, or nothing stands.    `a` is used up */
+SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *done)
+{
+    const sp_arena rest = *a;
+    const int strong = sp__problem_strong(&L->bracket.pb);
+    if (!strong) {
+        const sp_status status = sp__limit_open(L, a);
+        if (status) return status;
+        *done = sp__limit_search(L);
+        if (*done) return SP_OK;
+    }
+    L->none = 0;
+    if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L, rest);
+    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_starts(L, rest) || !(L->best >= 0)) return SP_OK;
+    a->used = rest.used;
+    const sp_status status = sp__limit_open(L, a);
+    if (!status) *done = sp__strong_run(L);
+    return status;
+}
+
+/* What that takes from an arena: two searches, one after the other, of the loads at hand.       returns 0: no memory */
+static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
+{
+    const sp_problem *pb = &L->bracket.pb;
+    const int32_t faces = L->bracket.set.faces;
+    L->ref = sp__engine_reference(&L->bracket);
+    sp__limit_flat(L, &scratch);
+    sp__flat *flat = L->engine.flat;
+    if (SP__WITH_PLAN && !flat) flat = sp__take(&scratch, 1, sizeof *flat);         /* of other loads there may be one */
+    const size_t search = pb->blocks ? sp__dual_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), flat, scratch) : 0;
+    if (search == SIZE_MAX) return 0;
+    sp__take(dry, 1, search);
+    return 1;
+}
+
+#endif
+
+#endif /* SP__LIMIT_START_C */
