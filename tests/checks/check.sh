@@ -522,9 +522,13 @@ check_instruments() {                                   # the battery of hard sc
 }
 check_bench() {
     part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"
-    if have python3; then part "numbers of all pages stand in their CSV" python3 -B tests/bench/words.py
+    if have python3; then
+        part "numbers of all pages stand in their CSV" python3 -B tests/bench/words.py
+        part "accuracy.svg is drawn from cost.csv" drawn accuracy tests/bench/figures/cost.csv
+        part "concept.svg is drawn by concept.py" drawn concept
     else skip "numbers of the pages against CSV" python3; fi
 }
+drawn() { python3 -B "tests/bench/$1.py" ${2:+"$2"} | cmp - "tests/bench/figures/$1.svg"; }
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
