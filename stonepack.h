@@ -366,7 +366,7 @@ typedef enum sp_effect {
  * verdict is UNDECIDED, SP_REASON_EFFECT. Without SP_EFFECT_TOGETHER is never wrong, so nothing is lost by it. */
 typedef enum sp_choice { SP_PLANNED = 0, SP_WITH, SP_WITHOUT } sp_choice;
 
-/* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; DESIGN 9.3]
+/* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; departure 3]
  *
  * Friction alone lets forces squeeze a block that nothing presses. The coupled check asks besides for a virtual motion dq of
  * the blocks that explains the forces: joints give by eps, press only where they gave it all, and rub only against their slip.
@@ -1066,12 +1066,14 @@ SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], cons
                              sp_nbo *reason, sp_real *margin);
 
 SP_API const char *sp_nbo_text(sp_nbo reason);
+
 /* 12 ---------------------------------------------------------------------------------------------- the seed's constants
  *
- * "Seed" is the document the system was specified by, [n.m] its sections. It asks least squares, then polish, then ADMM, and
- * reads a verdict off the third one's tension; here the same stages, constants and gates only propose, and verdicts are proved
- * as ever (DESIGN: a finite gamma buys a little tension even where none is needed). Told are the values of double; what a float
- * can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5, reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
+ * "Seed" is the specification, [n.m] its sections in solvers/seed/README.md; departures from it are numbered in solvers/README.md.
+ * It asks least squares, then polish, then ADMM, and reads a verdict off the third one's tension. Here the same stages, constants
+ * and gates only propose, and verdicts are proved as ever: a finite gamma buys a little tension even where none is needed
+ * [departure 2]. Values are those of double; what a float can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5,
+ * reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
 
 typedef struct sp_seed {
     int32_t faces, inscribed;   /* friction pyramid, mu_eff = mu cos(pi/faces)                             8, 1     [1.4] */

@@ -8,7 +8,7 @@
 #if SP__WITH_COUPLED
 
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
- * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; DESIGN 9.3]
+ * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; departure 3]
  *
  * For any alpha >= 0 the motion that minimises   -p . dq + 1/2 sum alpha |dt|^2   subject to dn >= -eps   meets every condition
  * but two: fn, its multiplier, balances the loads with ft = -alpha dt, but |ft| may exceed mu fn, and slips eta. So the search

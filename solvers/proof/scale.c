@@ -7,7 +7,7 @@
 #include "../scene/problem.c"
 
 /* What a force state or a motion proves, from the scene alone. Nothing here is used by the search, nothing of the search here:
- * own projection, own sums, world coordinates instead of contact frames.                                   [DESIGN 3]
+ * own projection, own sums, world coordinates instead of contact frames.        [solvers/README.md, what proves a verdict]
  *
  *   f0            bilateral least-squares force: least imbalance, then least norm
  *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol

@@ -8,7 +8,7 @@
 #         search beyond the fifth;
 #     links lead to a file, and to a heading where they name one;
 #     names of the library and targets of make stand in the header and in the Makefile.
-# README.md itself stays short.
+# Sections of the specification and departures that comments cite are on a page. README.md itself stays short.
 . "$(dirname "$0")/program.sh"
 root=$(pwd)
 case $cli in /*) ;; *) cli=$root/$cli ;; esac
@@ -95,6 +95,20 @@ stale() {                                               # stale PAGE
     return $status
 }
 
+# [seed n.m] and [departure n] of the code.
+cited() {
+    code=$(find stonepack.c stonepack.h solvers port settle tests \( -name '*.[ch]' -o -name '*.cpp' \) -print)
+    # shellcheck disable=SC2086
+    comments=$(grep -hE 'seed [0-9]|departure [0-9]|DESIGN' $code)
+    sections=$(echo "$comments" | grep -oE 'seed [0-9](\.[0-9])?(, [0-9](\.[0-9])?)*' | grep -oE '[0-9](\.[0-9])?' | sort -u)
+    [ -n "$sections" ] || return 1
+    for n in $sections; do grep -qE "^(## |\*\*)$n " solvers/seed/README.md || { echo "no section $n in solvers/seed/README.md"; return 1; }; done
+    for n in $(echo "$comments" | grep -oE 'departure [0-9]+' | sort -u | sed 's/.* //'); do
+        grep -q "^$n\. \*\*" solvers/README.md || { echo "no departure $n in solvers/README.md"; return 1; }
+    done
+    if echo "$comments" | grep DESIGN; then return 1; fi
+}
+
 for page in $pages; do
     blocks "$page"
     dir=$tmp/$(key "$page")
@@ -113,5 +127,6 @@ for page in $pages; do
     part "$page: links lead somewhere" links "$page"
     part "$page: names and targets are there" stale "$page"
 done
+part "what comments cite is on a page" cited
 part "README.md: at most 200 lines, 14 kB" sh -c '[ "$(wc -l < README.md)" -le 200 ] && [ "$(wc -c < README.md)" -le 14000 ]'
 total

@@ -1,4 +1,4 @@
-# scenes: scene files (see README) as C, for machines without files.      awk -f scenes.awk FILE.obj... > build/scenes.h
+# scenes: scene files (see port/host/README.md) as C, for machines without files.      awk -f scenes.awk FILE.obj... > build/scenes.h
 #
 # Each file becomes one compiled_scene of the table `compiled`, which corpus.c declares. Names of blocks are numbers here;
 # what the committed scenes do not use (points, texture indices, several frictions) is refused.
