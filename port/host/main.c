@@ -1,7 +1,7 @@
 /* stonepack: the program. */
 #include "command/commands.h"
 #include "files/obj.h"
-#include "files/text.h"
+#include "files/failure.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -129,7 +129,7 @@ static void print(const char *group, int first, int last)
 int main(int argc, char **argv)
 {
     for (int k = 1; k < argc; k++) {
-        text_error error = { 0, "" };
+        failure error = { 0, "" };
         host_scene s;
         sp_settings set = sp_settings_default();
         if (scene_read(argv[k], -1, SCENE_GIVEN, &s, &error) == 0)

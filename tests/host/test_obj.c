@@ -3,6 +3,7 @@
 #include "../../port/host/files/json_in.h"
 #include "../../port/host/files/json_out.h"
 #include "../../port/host/files/scene.h"
+#include "../../port/host/files/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +14,7 @@
                "f -5 -6 -7 -8\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n"
 #define JOINT  "#@ interface ground stone 0 0 0 1 0 0 1 1 0 0 1 0\n"
 
-static text_error error;
+static failure error;
 
 static int parse(const char *text, sp_real mu, scene_contacts contacts, host_scene *s)
 {

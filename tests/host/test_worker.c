@@ -2,7 +2,7 @@
  * not answer. Host only. */
 #define _POSIX_C_SOURCE 200809L
 #include "../test.h"
-#include "../../port/host/files/text.h"
+#include "../../port/host/files/failure.h"
 #include "../../port/host/worker/worker.h"
 #include "../../port/host/worker/worker_client.h"
 #include "../scenes/gen.h"

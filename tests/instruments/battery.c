@@ -214,7 +214,7 @@ static void file(const char *path)
     sp_result r;
     sp_settings set = sp_settings_default();
     host_scene s;
-    text_error error;
+    failure error;
     char name[64];
     const char *last = strrchr(path, '/');
     memset(&r, 0, sizeof r);

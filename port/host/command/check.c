@@ -18,7 +18,7 @@ static void progress(const char *what, const char *path)
 }
 
 /* The coupled question once more, as the program its authors publish. */
-static int publish(report *r, solvers_published *p, text_error *error)
+static int publish(report *r, solvers_published *p, failure *error)
 {
     sp_status status;
     progress("asking Ipopt about", r->scene->path);
@@ -28,7 +28,7 @@ static int publish(report *r, solvers_published *p, text_error *error)
 }
 
 /* Read, turn, check, tell. */
-static int check_one(const char *path, const options *o, text_error *error)
+static int check_one(const char *path, const options *o, failure *error)
 {
     host_scene s;
     report r;
@@ -72,7 +72,7 @@ static int worse(int a, int b)
 
 int command_check(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     done_list done = { NULL, 0, 0, 0 };
     options o;
     int worst = EXIT_STABLE;

@@ -54,12 +54,12 @@ static void print_json(const host_scene *s)
 
 int command_contacts(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     host_scene s;
     options o;
 
     if (options_read(argc, argv, " --json ", &o, &error) == 0 && o.files != 1)
-        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: contacts needs one scene");
+        fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: contacts needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_FIND, &s, &error) == 0) {
             if (o.json) print_json(&s);

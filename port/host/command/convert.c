@@ -1,4 +1,6 @@
 /* convert: read a scene, write it with its contacts.  gen: write a scene made by formula. */
+#include "../files/file.h"
+#include "../files/text.h"
 #include "../run.h"
 #include "commands.h"
 #include "options.h"
@@ -9,20 +11,20 @@
 #include <string.h>
 
 /* Write to a file or, for "-" or NULL, to standard output. */
-static int write_to(const char *path, const sp_scene *scene, const char *const *name, text_error *error)
+static int write_to(const char *path, const sp_scene *scene, const char *const *name, failure *error)
 {
-    FILE *out = text_create(path, error);
-    return out ? text_finish(out, path, scene_write(out, scene, name, path ? path : "-", error), error) : error->status;
+    FILE *out = file_create(path, error);
+    return out ? file_finish(out, path, scene_write(out, scene, name, path ? path : "-", error), error) : error->status;
 }
 
 int command_convert(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     host_scene s;
     options o;
 
     if (options_read(argc, argv, " --mu ", &o, &error) == 0 && (o.files < 1 || o.files > 2))
-        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
+        fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0)
             write_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error);
@@ -51,7 +53,7 @@ static void print_scenes(void)
 }
 
 /* NAME=VALUE, --NAME=VALUE or --NAME VALUE. */
-static int read_numbers(int argc, char **argv, gen_scene *g, text_error *error)
+static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
 {
     for (int i = 3; i < argc; i++) {
         char *name = argv[i], *value = strchr(name, '=');
@@ -63,20 +65,20 @@ static int read_numbers(int argc, char **argv, gen_scene *g, text_error *error)
         if (value) *value++ = 0;
         else if (dashes && i + 1 < argc) value = argv[++i];
         if (!value)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' has no value", argv[2], name);
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' has no value", argv[2], name);
         w.s = value;
         w.n = strlen(value);
         if (text_double(w, &x) != TEXT_NUMBER)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
         set = gen_set(g, name, x);
         if (set != 1)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
                              set ? "outside its range:" : "no number called", name);
     }
     return 0;
 }
 
-static int generate(const gen_scene *g, text_error *error)
+static int generate(const gen_scene *g, failure *error)
 {
     sp_capacity cap;
     sp_scene scene;
@@ -87,7 +89,7 @@ static int generate(const gen_scene *g, text_error *error)
 
     if (status == SP_OK) status = run_arena(sp_scene_memory(&cap), &arena, &memory);
     if (status == SP_OK) status = gen_build(g, &arena, &scene);
-    if (status != SP_OK) failed = text_fail_status(error, status, g->entry->name, 0, "");
+    if (status != SP_OK) failed = fail_status(error, status, g->entry->name, 0, "");
     else failed = write_to(NULL, &scene, NULL, error);
     free(memory);
     return failed;
@@ -95,7 +97,7 @@ static int generate(const gen_scene *g, text_error *error)
 
 int command_gen(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     gen_scene g;
 
     if (argc < 3) {
@@ -103,7 +105,7 @@ int command_gen(int argc, char **argv)
         return 0;
     }
     if (!gen_open(&g, argv[2]))
-        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
+        fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
     else if (read_numbers(argc, argv, &g, &error) == 0) generate(&g, &error);
     if (error.status) fprintf(stderr, "%s\n", error.line);
     return error.status;

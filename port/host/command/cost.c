@@ -1,5 +1,6 @@
 /* cost: what accuracy costs on one scene: cones, stages and tolerances side by side, as a table, a picture, JSON. */
 #define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
+#include "../files/file.h"
 #include "../files/json_out.h"
 #include "../picture/cost_svg.h"
 #include "../run.h"
@@ -207,25 +208,25 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
 
 /* -------------------------------------------------------------------------------------------------------------- command */
 
-static int draw(const char *path, const host_scene *s, const cost_table *t, text_error *error)
+static int draw(const char *path, const host_scene *s, const cost_table *t, failure *error)
 {
-    FILE *out = text_create(path, error);
+    FILE *out = file_create(path, error);
     if (!out) return error->status;
     cost_svg(out, s, t);
-    return text_finish(out, path, 0, error);
+    return file_finish(out, path, 0, error);
 }
 
 int command_cost(int argc, char **argv)
 {
     static cost_table table;
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     host_scene s;
     options o;
     sp_status status = SP_OK;
     int code = options_read(argc, argv, " --json --svg --mu --tilt --budget ", &o, &error);
 
     memset(&s, 0, sizeof s);
-    if (!code && o.files != 1) code = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
+    if (!code && o.files != 1) code = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
     if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
     if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);

@@ -215,7 +215,7 @@ static void print_text(const report *r)
 /* ------------------------------------------------------------------------------------------------------------- command */
 
 /* The live load of every block as --body asks: its weight times that vector. */
-static int set_body(host_scene *s, const options *o, text_error *error)
+static int set_body(host_scene *s, const options *o, failure *error)
 {
     double g = 0, body = 0;
     int live = 0;
@@ -226,10 +226,10 @@ static int set_body(host_scene *s, const options *o, text_error *error)
     for (int k = 0; k < 3; k++) s->scene.body[k] = (sp_real)(sqrt(g) * o->body[k]);
     for (int32_t k = 0; k < s->scene.count.loads; k++) live |= s->scene.load[k].live;
     if (live || body > 0) return 0;
-    return text_fail(error, EXIT_USAGE, s->path, 0, "limit needs a live load: `#@ live` lines, or --body");
+    return fail_with(error, EXIT_USAGE, s->path, 0, "limit needs a live load: `#@ live` lines, or --body");
 }
 
-static int limit_command(report *r, text_error *error)
+static int limit_command(report *r, failure *error)
 {
     sp_limit_result x;
     void *memory = NULL;
@@ -254,14 +254,14 @@ static int limit_command(report *r, text_error *error)
 
 int command_limit(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     host_scene s;
     options o;
     report r;
     int status;
 
     status = options_read(argc, argv, " --json --svg --tol --cone --mu --body --tilt --tilt-margin --budget ", &o, &error);
-    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
+    if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
     if (!status) {
         memset(&r, 0, sizeof r);
         r.scene = &s;
@@ -269,7 +269,7 @@ int command_limit(int argc, char **argv)
         status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
-            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
+            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

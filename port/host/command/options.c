@@ -1,13 +1,14 @@
 #include "options.h"
+#include "../files/text.h"
 #include "solvers.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static int usage(text_error *error, const char *option, const char *message)
+static int usage(failure *error, const char *option, const char *message)
 {
-    return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: %s %s", option, message);
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: %s %s", option, message);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- numbers */
@@ -71,7 +72,7 @@ int options_cone(const char *text, sp_settings *settings)
  *
  * Each takes its value, or says what it needs.                                   returns 0, EXIT_USAGE or EXIT_UNAVAILABLE */
 
-static int take_tol(options *o, const char *name, const char *value, text_error *error)
+static int take_tol(options *o, const char *name, const char *value, failure *error)
 {
     sp_real *tol = &o->settings.tol;
     if (read_real(value, tol) && *tol >= 4 * SP_EPSILON && *tol <= (sp_real)0.1) return 0;
@@ -79,7 +80,7 @@ static int take_tol(options *o, const char *name, const char *value, text_error 
                                                   : "needs a number from 2.4e-7 to 0.1");
 }
 
-static int take_budget(options *o, const char *name, const char *value, text_error *error)
+static int take_budget(options *o, const char *name, const char *value, failure *error)
 {
     double flops;
     if (!read_number(value, &flops) || !(flops >= 1 && flops <= 1e18))
@@ -88,22 +89,22 @@ static int take_budget(options *o, const char *name, const char *value, text_err
     return 0;
 }
 
-static int take_mu(options *o, const char *name, const char *value, text_error *error)
+static int take_mu(options *o, const char *name, const char *value, failure *error)
 {
     return read_real(value, &o->mu) && o->mu >= 0 ? 0 : usage(error, name, "needs a number, 0 or more");
 }
 
-static int take_eps(options *o, const char *name, const char *value, text_error *error)
+static int take_eps(options *o, const char *name, const char *value, failure *error)
 {
     return read_real(value, &o->eps) && o->eps > 0 ? 0 : usage(error, name, "needs a number above 0");
 }
 
-static int take_near(options *o, const char *name, const char *value, text_error *error)
+static int take_near(options *o, const char *name, const char *value, failure *error)
 {
     return read_number(value, &o->near) && o->near > 0 ? 0 : usage(error, name, "needs a length above 0");
 }
 
-static int take_cone(options *o, const char *name, const char *value, text_error *error)
+static int take_cone(options *o, const char *name, const char *value, failure *error)
 {
     if (!options_cone(value, &o->settings))
         return usage(error, name, "needs true, Ki (inscribed) or Kc (circumscribed) with K = 3..64");
@@ -112,7 +113,7 @@ static int take_cone(options *o, const char *name, const char *value, text_error
 }
 
 /* "gates,exact" */
-static int take_stages(options *o, const char *name, const char *value, text_error *error)
+static int take_stages(options *o, const char *name, const char *value, failure *error)
 {
     static const char *const stage_name[] = { "", "gates", "least-squares", "dense", "polish", "exact", "admm" };
     sp_settings *to = &o->settings;
@@ -129,19 +130,19 @@ static int take_stages(options *o, const char *name, const char *value, text_err
     }
 }
 
-static int take_body(options *o, const char *name, const char *value, text_error *error)
+static int take_body(options *o, const char *name, const char *value, failure *error)
 {
     return read_three(value, o->body) ? 0 : usage(error, name, "needs DX,DY,DZ");
 }
 
-static int take_tilt(options *o, const char *name, const char *value, text_error *error)
+static int take_tilt(options *o, const char *name, const char *value, failure *error)
 {
     if (read_one_or_two(value, &o->tilt, &o->azimuth) && fabs(o->tilt) <= 360 && fabs(o->azimuth) <= 360) return 0;
     return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
 }
 
 /* SECONDS[,MEGABYTES] */
-static int take_worker(options *o, const char *name, const char *value, text_error *error)
+static int take_worker(options *o, const char *name, const char *value, failure *error)
 {
     double megabytes = 0;
     const int good = read_one_or_two(value, &o->worker, &megabytes) && o->worker > 0
@@ -150,7 +151,7 @@ static int take_worker(options *o, const char *name, const char *value, text_err
     return good ? 0 : usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
 }
 
-static int take_backend(options *o, const char *name, const char *value, text_error *error)
+static int take_backend(options *o, const char *name, const char *value, failure *error)
 {
     static const char *const backend[] = { "sparse", "dense", "cg" };           /* as sp_qp_backend */
     for (int k = 0; k < 3; k++)
@@ -161,7 +162,7 @@ static int take_backend(options *o, const char *name, const char *value, text_er
     return usage(error, name, "needs sparse, dense or cg");
 }
 
-static int take_solver(options *o, const char *name, const char *value, text_error *error)
+static int take_solver(options *o, const char *name, const char *value, failure *error)
 {
     (void)name;
     o->solver_name = value;
@@ -178,7 +179,7 @@ static int effect_named(const char *s, size_t n)
 }
 
 /* "+friction,-together": what of an effect is asked for already must not be contradicted. coupled is a question: --coupled. */
-static int take_effects(options *o, const char *name, const char *value, text_error *error)
+static int take_effects(options *o, const char *name, const char *value, failure *error)
 {
     for (;;) {
         const size_t n = strcspn(value, ",");
@@ -196,19 +197,19 @@ static int take_effects(options *o, const char *name, const char *value, text_er
     }
 }
 
-static int take_cra_eps(options *o, const char *name, const char *value, text_error *error)
+static int take_cra_eps(options *o, const char *name, const char *value, failure *error)
 {
     sp_real *eps = &o->settings.coupled.eps;
     return read_real(value, eps) && *eps >= 0 ? 0 : usage(error, name, "needs a length, 0 or more");
 }
 
-static int take_cra_eta(options *o, const char *name, const char *value, text_error *error)
+static int take_cra_eta(options *o, const char *name, const char *value, failure *error)
 {
     sp_real *eta = &o->settings.coupled.eta;
     return read_real(value, eta) && *eta > 0 ? 0 : usage(error, name, "needs a length above 0");
 }
 
-static int take_cra_nodes(options *o, const char *name, const char *value, text_error *error)
+static int take_cra_nodes(options *o, const char *name, const char *value, failure *error)
 {
     sp_real x;
     if (!read_real(value, &x) || !(x >= 0 && x <= (sp_real)1e7) || x > (sp_real)(int32_t)x)
@@ -218,7 +219,7 @@ static int take_cra_nodes(options *o, const char *name, const char *value, text_
 }
 
 /* Read before all others. */
-static int take_preset(options *o, const char *name, const char *value, text_error *error)
+static int take_preset(options *o, const char *name, const char *value, failure *error)
 {
     (void)o, (void)name, (void)value, (void)error;
     return 0;
@@ -226,7 +227,7 @@ static int take_preset(options *o, const char *name, const char *value, text_err
 
 static const struct {
     const char *name;
-    int (*take)(options *o, const char *name, const char *value, text_error *error);
+    int (*take)(options *o, const char *name, const char *value, failure *error);
 } with_value[] = {
     { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
@@ -244,7 +245,7 @@ static const char **text_of(options *o, const char *name)
 }
 
 /* One option with its value. */
-static int take(options *o, const char *name, const char *value, text_error *error)
+static int take(options *o, const char *name, const char *value, failure *error)
 {
     const char **text = text_of(o, name);
     if (text) *text = value;
@@ -317,7 +318,7 @@ static void set_defaults(options *o, char **argv)
 }
 
 /* Every --preset of the line: it comes before all other options, wherever it stands. */
-static int read_presets(int argc, char **argv, options *o, text_error *error)
+static int read_presets(int argc, char **argv, options *o, failure *error)
 {
     for (int i = 2; i < argc && strcmp(argv[i], "--"); i++) {
         const char *value = strcmp(argv[i], "--preset") == 0 ? argv[i + 1] : NULL;
@@ -328,12 +329,12 @@ static int read_presets(int argc, char **argv, options *o, text_error *error)
 }
 
 /* The option argv[*i], with its value behind = or in the next word, to which *i then goes on. */
-static int read_option(int argc, char **argv, int *i, const char *allowed, options *o, text_error *error)
+static int read_option(int argc, char **argv, int *i, const char *allowed, options *o, failure *error)
 {
     char *name = argv[*i], *value = strchr(name, '=');
     if (value) *value++ = 0;
     if (!known(allowed, name))
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name,
+        return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name,
                          argv[1]);
     if (flag(o, name)) return value ? usage(error, name, "takes no value") : 0;
     if (!value && *i + 1 == argc) return usage(error, name, "needs a value");
@@ -341,7 +342,7 @@ static int read_option(int argc, char **argv, int *i, const char *allowed, optio
 }
 
 /* What --effects says of coupled must agree with --coupled; `only` is an option that belongs to it, or NULL. */
-static int join_coupled(options *o, const char *only, text_error *error)
+static int join_coupled(options *o, const char *only, failure *error)
 {
     int32_t *asked = &o->settings.coupled.asked;
     if (o->couple == SP_WITHOUT && *asked) return usage(error, "--effects", "contradicts --coupled");
@@ -349,7 +350,7 @@ static int join_coupled(options *o, const char *only, text_error *error)
     return only && !*asked ? usage(error, only, "belongs to --coupled") : 0;
 }
 
-int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error)
+int options_read(int argc, char **argv, const char *allowed, options *o, failure *error)
 {
     const char *coupled_only = NULL;
     int only_files = 0, status = 0;

@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_OPTIONS_H
 #define STONEPACK_HOST_OPTIONS_H
 
-#include "../files/text.h"
+#include "../files/failure.h"
 
 typedef struct options {
     int json, forces;
@@ -35,7 +35,7 @@ typedef struct options {
 
 /* Read argv[2..] for a command; argv is reordered, files keep their order. `allowed`: the command's options, space around
  * each: " --json --mu ".                                                       returns 0 or EXIT_USAGE */
-int options_read(int argc, char **argv, const char *allowed, options *o, text_error *error);
+int options_read(int argc, char **argv, const char *allowed, options *o, failure *error);
 
 /* "true", K"i" or K"c" with K = 3..64.     returns 1, 0: not a cone */
 int options_cone(const char *text, sp_settings *settings);

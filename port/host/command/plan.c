@@ -62,14 +62,14 @@ static void print_json(const host_scene *s, const sp_outlook *o)
 
 int command_plan(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     host_scene s;
     options o;
     sp_outlook outlook;
 
     if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled ", &o, &error) == 0
         && o.files != 1)
-        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
+        fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
             tilt_turn(o.tilt, o.azimuth, s.scene.gravity);

@@ -21,10 +21,10 @@ typedef struct run {
     run_cost cost;
 } run;
 
-static int solve(run *r, const char *path, text_error *error)
+static int solve(run *r, const char *path, failure *error)
 {
     const sp_status status = run_qp(&r->solver, &r->file.qp, &r->set, &r->result, &r->cost, &r->memory);
-    return status == SP_OK ? 0 : text_fail_status(error, status, path, 0, "");
+    return status == SP_OK ? 0 : fail_status(error, status, path, 0, "");
 }
 
 static double objective(const run *r)
@@ -91,14 +91,14 @@ static int exit_of(sp_qp_status status)
 
 int command_qp(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     options o;
     run r;
     int status;
 
     memset(&r, 0, sizeof r);
     status = options_read(argc, argv, " --json --eps --backend --solver ", &o, &error);
-    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: qp needs one QPS file");
+    if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: qp needs one QPS file");
     if (!status) status = qps_read(o.file[0], &r.file, &error);
     r.set = sp_qp_default();
     r.solver_name = o.solver_name;

@@ -1,9 +1,10 @@
+#include "../files/file.h"
 #include "../picture/svg.h"
 #include "../worker/worker_client.h"
 #include "report.h"
 
 /* By a worker, this program once more. */
-static int by_worker(report *r, void **memory, text_error *error)
+static int by_worker(report *r, void **memory, failure *error)
 {
     const options *o = r->options;
     const char *const command[] = { o->program, "worker", NULL };
@@ -14,21 +15,21 @@ static int by_worker(report *r, void **memory, text_error *error)
     *memory = a.memory;
     r->result = a.result;
     r->cost = a.cost;
-    if (a.end > WORKER_REFUSED && !a.fell_back) return text_fail(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
+    if (a.end > WORKER_REFUSED && !a.fell_back) return fail_with(error, EXIT_INTERNAL, r->scene->path, 0, "%s", a.message);
     if (status == SP_E_UNSUPPORTED && !(o->settings.coupled.asked && r->scene->strength_line))
-        return text_fail(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s",
+        return fail_with(error, EXIT_USAGE, r->scene->path, 0, "this question can't go to a worker: %s",
                          sp_status_text(status));
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
 /* In this process. */
-static int by_ourselves(report *r, void **memory, text_error *error)
+static int by_ourselves(report *r, void **memory, failure *error)
 {
     const sp_status status = run_check(&r->scene->scene, &r->options->settings, &r->result, &r->cost, memory);
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
-int report_check(report *r, void **memory, text_error *error)
+int report_check(report *r, void **memory, failure *error)
 {
     sp_settings without = r->options->settings;
     size_t bytes;
@@ -52,15 +53,15 @@ const char *report_tol_by(const report *r)
     return least / 8 <= r->result.tol ? "least friction" : "coupled";
 }
 
-int report_draw(const report *r, text_error *error)
+int report_draw(const report *r, failure *error)
 {
     const char *path = r->options->svg;
     const subject of = { r->scene, &r->result, r->limit };
-    FILE *out = text_create(path, error);
+    FILE *out = file_create(path, error);
     int status = 0;
     if (!out) return error->status;
-    if (!svg_write(out, &of)) status = text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-    return text_finish(out, path, status, error);
+    if (!svg_write(out, &of)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
+    return file_finish(out, path, status, error);
 }
 
 int report_exit(sp_verdict verdict)

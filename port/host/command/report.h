@@ -21,7 +21,7 @@ typedef struct report {
 
 /* Make the check of r->scene, by a worker if the options ask for one; its arrays live in *memory, to be freed by the caller.
  *   returns 0 or an exit status */
-int report_check(report *r, void **memory, text_error *error);
+int report_check(report *r, void **memory, failure *error);
 
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
@@ -36,7 +36,7 @@ const char *report_tol_by(const report *r);
 void report_tol(FILE *out, const report *r);
 
 /* Draw it into the file of --svg.                          returns 0 or an exit status */
-int report_draw(const report *r, text_error *error);
+int report_draw(const report *r, failure *error);
 
 /* Exit status of a verdict. */
 int report_exit(sp_verdict verdict);

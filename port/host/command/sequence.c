@@ -1,6 +1,8 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../clock.h"
+#include "../files/file.h"
+#include "../files/text.h"
 #include "../run.h"
 #include "commands.h"
 #include "../files/json_out.h"
@@ -57,23 +59,23 @@ static void *get(size_t count, size_t size)
 /* --------------------------------------------------------------------------------------------------------------- order */
 
 /* A stone of the order, by its name. `path` NULL: from the command line.                    returns 0 or an exit status */
-static int add(run *r, text_word name, const char *path, int32_t line, text_error *error)
+static int add(run *r, text_word name, const char *path, int32_t line, failure *error)
 {
     const sp_scene *s = &r->scene.scene;
     const int status = path ? EXIT_SCENE : EXIT_USAGE, n = name.n > 60 ? 60 : (int)name.n;
     int32_t b = 0;
     while (b < s->count.blocks && !text_is(name, r->scene.name[b])) b++;
     if (!path) path = "stonepack: --order";
-    if (b == s->count.blocks) return text_fail(error, status, path, line, "the scene has no block '%.*s'", n, name.s);
-    if (s->block[b].fixed == SP_FIXED) return text_fail(error, status, path, line, "'%.*s' is a support", n, name.s);
+    if (b == s->count.blocks) return fail_with(error, status, path, line, "the scene has no block '%.*s'", n, name.s);
+    if (s->block[b].fixed == SP_FIXED) return fail_with(error, status, path, line, "'%.*s' is a support", n, name.s);
     for (int32_t k = 0; k < r->steps; k++)
-        if (r->order[k] == b) return text_fail(error, status, path, line, "'%.*s' comes twice", n, name.s);
+        if (r->order[k] == b) return fail_with(error, status, path, line, "'%.*s' comes twice", n, name.s);
     r->order[r->steps++] = b;
     return 0;
 }
 
 /* a,b,c */
-static int read_list(run *r, const char *list, text_error *error)
+static int read_list(run *r, const char *list, failure *error)
 {
     for (;;) {
         const text_word name = { list, strcspn(list, ",") };
@@ -84,11 +86,11 @@ static int read_list(run *r, const char *list, text_error *error)
 }
 
 /* Names with white space between them; # starts a comment.    *line: of the last one */
-static int read_file(run *r, const char *path, int32_t *line, text_error *error)
+static int read_file(run *r, const char *path, int32_t *line, failure *error)
 {
     char *text = NULL;
     size_t length = 0;
-    int status = text_read(path, &text, &length, error);
+    int status = file_read(path, &text, &length, error);
     text_cursor c = { text, text ? text + length : NULL, 1 };
     text_word name;
     *line = 1;
@@ -103,29 +105,29 @@ static int read_file(run *r, const char *path, int32_t *line, text_error *error)
 }
 
 /* A stone to be built must be in the order; one that need not go may be left out of it. */
-static int complete(const run *r, const char *path, int32_t line, text_error *error)
+static int complete(const run *r, const char *path, int32_t line, failure *error)
 {
     const sp_scene *s = &r->scene.scene;
     for (int32_t b = 0; b < s->count.blocks; b++) {
         int32_t k = 0;
         while (k < r->steps && r->order[k] != b) k++;
         if (k < r->steps || s->block[b].fixed == SP_FIXED) continue;
-        return text_fail(error, path ? EXIT_SCENE : EXIT_USAGE, path ? path : "stonepack: --order", line,
+        return fail_with(error, path ? EXIT_SCENE : EXIT_USAGE, path ? path : "stonepack: --order", line,
                          "the order ends without '%.60s'", r->scene.name[b]);
     }
     return 0;
 }
 
-static int read_order(run *r, text_error *error)
+static int read_order(run *r, failure *error)
 {
     const options *o = r->options;
     const sp_scene *s = &r->scene.scene;
     int32_t line = 0;
     int status = 0;
     r->order = get((size_t)s->count.blocks, sizeof *r->order);
-    if (!r->order) return text_fail(error, EXIT_MEMORY, r->scene.path, 0, "out of memory");
+    if (!r->order) return fail_with(error, EXIT_MEMORY, r->scene.path, 0, "out of memory");
     if (o->order && o->order_file)
-        return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
+        return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
     if (o->order) status = read_list(r, o->order, error);
     else if (o->order_file) status = read_file(r, o->order_file, &line, error);
     else
@@ -356,10 +358,10 @@ static void caption(const run *r, const told *t, int32_t k, char text[SHEET_CAPT
     if (t->held.count) snprintf(text + strlen(text), SHEET_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
 }
 
-static int draw(const run *r, text_error *error)
+static int draw(const run *r, failure *error)
 {
     const char *path = r->options->svg;
-    FILE *out = text_create(path, error);
+    FILE *out = file_create(path, error);
     sheet_frame frame[STRIP];
     int32_t step[STRIP];
     char title[96];
@@ -375,7 +377,7 @@ static int draw(const run *r, text_error *error)
     if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
     else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
     const int drawn = sheet_write(out, &r->scene.scene, n, frame, title);
-    return text_finish(out, path, drawn ? 0 : text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
+    return file_finish(out, path, drawn ? 0 : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
 static void forget(run *r)
@@ -392,7 +394,7 @@ static void forget(run *r)
 
 int command_sequence(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     options o;
     run r;
     int status;
@@ -401,10 +403,10 @@ int command_sequence(int argc, char **argv)
     r.options = &o;
     status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove"
                           " --suggest ", &o, &error);
-    if (!status && o.files != 1) status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
+    if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
         if (o.settings.stage[k] == SP_STAGE_ADMM)
-            status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
+            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
     if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
     if (!status) tilt_turn(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);

@@ -4,7 +4,7 @@
 
 #ifndef WITH_BULLET
 
-#include "../files/text.h"
+#include "../files/failure.h"
 
 #include <stdio.h>
 
@@ -18,10 +18,12 @@ int command_settle(int argc, char **argv)
 
 #else
 
-#include "../files/json_out.h"
-#include "report.h"
-#include "../picture/sheet.h"
 #include "../../../settle/settle.h"
+#include "../files/file.h"
+#include "../files/json_out.h"
+#include "../files/text.h"
+#include "../picture/sheet.h"
+#include "report.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -66,7 +68,7 @@ static void print_settings(const settle_settings *s)
 }
 
 /* NAME=VALUE,NAME=VALUE */
-static int read_settings(const char *list, settle_settings *s, text_error *error)
+static int read_settings(const char *list, settle_settings *s, failure *error)
 {
     while (list && *list) {
         const size_t n = strcspn(list, "=,"), end = n + strcspn(list + n, ",");
@@ -76,10 +78,10 @@ static int read_settings(const char *list, settle_settings *s, text_error *error
         double x = 0;
         while (k < sizeof setting / sizeof *setting && (strlen(setting[k].name) != n || memcmp(setting[k].name, list, n))) k++;
         if (k == sizeof setting / sizeof *setting)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --set has no setting '%.*s', see stonepack settle --set "
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --set has no setting '%.*s', see stonepack settle --set "
                              "help", n < 40 ? (int)n : 40, list);
         if (end == n || (setting[k].real ? text_double(value, &x) : text_int(value, &i)) != TEXT_NUMBER)
-            return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --set %s needs a %snumber", setting[k].name,
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --set %s needs a %snumber", setting[k].name,
                              setting[k].real ? "" : "whole ");
         if (setting[k].real) memcpy((char *)s + setting[k].at, &x, sizeof x);
         else memcpy((char *)s + setting[k].at, &i, sizeof i);
@@ -198,16 +200,16 @@ static void put_container(session *s)
     for (int c = 0; c < 2 && low[0] <= high[0]; c++) s->set.floor[c] = s->assembly.scale * 0.5 * (low[c] + high[c]);
 }
 
-static int failed(settle_status status, const session *s, text_error *error)
+static int failed(settle_status status, const session *s, failure *error)
 {
     const int32_t b = s->assembly.block;
     const int code = status == SETTLE_E_MEMORY || status == SETTLE_E_STOPPED ? EXIT_MEMORY
                    : status == SETTLE_E_SETTINGS || status == SETTLE_E_NUMBER || status == SETTLE_E_ARGUMENT ? EXIT_USAGE
                    : EXIT_SCENE;
-    if (code == EXIT_USAGE) return text_fail(error, code, NULL, 0, "stonepack: settle: %s", settle_status_text(status));
+    if (code == EXIT_USAGE) return fail_with(error, code, NULL, 0, "stonepack: settle: %s", settle_status_text(status));
     if (code == EXIT_SCENE && b >= 0)
-        return text_fail(error, code, s->in.path, 0, "block '%.60s': %s", s->in.name[b], settle_status_text(status));
-    return text_fail(error, code, s->in.path, 0, "%s", code == EXIT_MEMORY ? "out of memory" : settle_status_text(status));
+        return fail_with(error, code, s->in.path, 0, "block '%.60s': %s", s->in.name[b], settle_status_text(status));
+    return fail_with(error, code, s->in.path, 0, "%s", code == EXIT_MEMORY ? "out of memory" : settle_status_text(status));
 }
 
 /* Which stone is no body: the first that is refused alone. */
@@ -224,7 +226,7 @@ static int32_t refused_alone(const session *s)
     return -1;
 }
 
-static int simulate(session *s, text_error *error)
+static int simulate(session *s, failure *error)
 {
     settle_status status = settle_from_scene(&s->in.scene, s->o->confirm, &s->assembly);
     double size = 0;
@@ -335,7 +337,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
 }
 
 /* The scene as it came to rest. */
-static int build(session *s, void **memory, sp_scene *out, text_error *error)
+static int build(session *s, void **memory, sp_scene *out, failure *error)
 {
     const sp_joint joint = sp_joint_friction(s->in.mu);
     sp_capacity cap = s->in.scene.count;
@@ -350,34 +352,34 @@ static int build(session *s, void **memory, sp_scene *out, text_error *error)
         status = start_scene(s, &cap, memory, out);
         if (status == SP_OK) status = settle_add_interfaces(&s->result, s->container, &joint, out);
     }
-    if (status != SP_OK) return text_fail_status(error, status, s->in.path, 0, "as it came to rest");
+    if (status != SP_OK) return fail_status(error, status, s->in.path, 0, "as it came to rest");
     keep_friction(s, out);
     return 0;
 }
 
-static int write_scene(session *s, text_error *error)
+static int write_scene(session *s, failure *error)
 {
     sp_scene out;
     void *memory = NULL;
     const char **name = malloc(((size_t)s->in.scene.count.blocks + 1) * sizeof *name);
-    int status = name ? build(s, &memory, &out, error) : text_fail(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
-    FILE *file = status ? NULL : text_create(s->o->out, error);
+    int status = name ? build(s, &memory, &out, error) : fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
+    FILE *file = status ? NULL : file_create(s->o->out, error);
     if (file) {
         memcpy(name, s->in.name, (size_t)s->in.scene.count.blocks * sizeof *name);
         name[s->in.scene.count.blocks] = "container";
         status = scene_write(file, &out, name, s->o->out, error);
-        status = text_finish(file, s->o->out, status, error);
+        status = file_finish(file, s->o->out, status, error);
     } else if (!status) status = error->status;
     free(name);
     free(memory);
     return status;
 }
 
-static int write_frames(session *s, text_error *error)
+static int write_frames(session *s, failure *error)
 {
     sheet_frame shown[FRAMES], *last;
     const int n = s->frames < FRAMES - 1 ? s->frames : FRAMES - 1;
-    FILE *file = text_create(s->o->frames, error);
+    FILE *file = file_create(s->o->frames, error);
     const char *slash = strrchr(s->in.path, '/');
     char title[160];
     int status = 0;
@@ -391,9 +393,9 @@ static int write_frames(session *s, text_error *error)
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
              (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
     if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, title))
-        status = text_fail(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
+        status = fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     free(last->vertex);
-    return text_finish(file, s->o->frames, status, error);
+    return file_finish(file, s->o->frames, status, error);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- told */
@@ -450,7 +452,7 @@ static void tell_json(const session *s, const sp_result *statics, const char *ag
 }
 
 /* The static verdict beside what the simulation did. */
-static int compare(session *s, text_error *error)
+static int compare(session *s, failure *error)
 {
     report r;
     void *memory = NULL;
@@ -477,7 +479,7 @@ static int compare(session *s, text_error *error)
     return status;
 }
 
-static int work(session *s, text_error *error)
+static int work(session *s, failure *error)
 {
     int status = scene_read(s->o->file[0], s->o->mu, SCENE_GIVEN, &s->in, error);
     if (!status) status = simulate(s, error);
@@ -492,7 +494,7 @@ static int work(session *s, text_error *error)
 
 int command_settle(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     options o;
     session s;
     int status = options_read(argc, argv, " -o --frames --set --near --mu --json --confirm ", &o, &error);
@@ -508,7 +510,7 @@ int command_settle(int argc, char **argv)
         return 0;
     }
     if (!status && (o.files != 1 || (!o.out && !o.confirm && !o.frames)))
-        status = text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
+        status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
     if (!status) status = read_settings(o.set, &s.set, &error);
     if (!status) status = work(&s, &error);
     if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);

@@ -27,17 +27,17 @@ static const struct { const char *name; sp_qp_solver (*make)(void); const char *
 #endif
 };
 
-int solvers_find(const char *name, sp_qp_solver *out, text_error *error)
+int solvers_find(const char *name, sp_qp_solver *out, failure *error)
 {
     for (size_t k = 0; k < sizeof solver / sizeof *solver; k++) {
         if (strcmp(name, solver[k].name)) continue;
         if (!solver[k].make)
-            return text_fail(error, EXIT_UNAVAILABLE, NULL, 0, "stonepack: --solver %s is not in this build: %s", name,
+            return fail_with(error, EXIT_UNAVAILABLE, NULL, 0, "stonepack: --solver %s is not in this build: %s", name,
                              solver[k].install);
         *out = solver[k].make();
         return 0;
     }
-    return text_fail(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
 }
 
 #ifdef WITH_IPOPT

@@ -2,12 +2,12 @@
 #ifndef STONEPACK_HOST_SOLVERS_H
 #define STONEPACK_HOST_SOLVERS_H
 
-#include "../files/text.h"
+#include "../files/failure.h"
 #include "../../ipopt/ipopt_cra.h"
 
 /* The solver of this name: "admm", "dykstra", "osqp" or "ipopt".
  * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */
-int solvers_find(const char *name, sp_qp_solver *out, text_error *error);
+int solvers_find(const char *name, sp_qp_solver *out, failure *error);
 
 /* The coupled question of a check as its authors' program, by Ipopt. */
 typedef struct solvers_published {

@@ -1,4 +1,5 @@
 #include "tilt_report.h"
+#include "../files/file.h"
 #include "../files/json_out.h"
 #include "../picture/tilt_svg.h"
 #include "../tilt.h"
@@ -7,33 +8,33 @@
 #include <stdlib.h>
 
 /* Weights alone and joints without strength are what a margin is for.                           returns 0 or an exit status */
-static int refuse_others(const host_scene *s, text_error *error)
+static int refuse_others(const host_scene *s, failure *error)
 {
     for (int32_t k = 0; k < s->scene.count.loads; k++) {
         const sp_load *l = &s->scene.load[k];
         sp_real size = 0;
         for (int c = 0; c < 3; c++) size += l->force[c] * l->force[c] + l->couple[c] * l->couple[c];
         if (l->live || size > 0)
-            return text_fail(error, EXIT_USAGE, s->path, 0, "--tilt-margin turns weights only, not the forces of this scene");
+            return fail_with(error, EXIT_USAGE, s->path, 0, "--tilt-margin turns weights only, not the forces of this scene");
     }
     for (int32_t k = 0; k < s->scene.count.interfaces; k++) {
         const sp_joint *j = &s->scene.interface[k].joint;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0)
-            return text_fail(error, EXIT_USAGE, s->path, 0,
+            return fail_with(error, EXIT_USAGE, s->path, 0,
                              "--tilt-margin is for joints without strength; check --tilt takes it along");
     }
     return 0;
 }
 
-static int draw(const report *r, const tilt_margin *m, text_error *error)
+static int draw(const report *r, const tilt_margin *m, failure *error)
 {
     const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone };
     const char *path = r->options->svg;
-    FILE *out = text_create(path, error);
+    FILE *out = file_create(path, error);
     int status = 0;
     if (!out) return error->status;
-    if (!tilt_svg(out, &plot)) status = text_fail(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-    return text_finish(out, path, status, error);
+    if (!tilt_svg(out, &plot)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
+    return file_finish(out, path, status, error);
 }
 
 static void json_degrees(json_out *j, const char *key, int known, double x)
@@ -81,7 +82,7 @@ static void print_text(const report *r, const tilt_margin *m)
            m->undecided);
 }
 
-int tilt_report(report *r, text_error *error)
+int tilt_report(report *r, failure *error)
 {
     const sp_settings *settings = &r->options->settings;
     tilt_margin m;

@@ -5,6 +5,6 @@
 #include "report.h"
 
 /* Measure it for r->scene and tell it as r->options ask.          returns the exit status of the command */
-int tilt_report(report *r, text_error *error);
+int tilt_report(report *r, failure *error);
 
 #endif

@@ -1,4 +1,5 @@
 /* verify: what does a stored result prove? Its forces and mechanism are taken, its verdict is not. */
+#include "../files/text.h"
 #include "commands.h"
 #include "../files/json_in.h"
 #include "../files/json_out.h"
@@ -13,12 +14,12 @@ typedef struct reading {
     json_tree tree;
     const json_value *all;
     const host_scene *scene;
-    text_error *error;
+    failure *error;
 } reading;
 
 static int fail(const reading *r, const json_value *at, const char *message)
 {
-    return text_fail(r->error, EXIT_SCENE, r->path, at ? at->line : 1, "%s", message);
+    return fail_with(r->error, EXIT_SCENE, r->path, at ? at->line : 1, "%s", message);
 }
 
 /* n numbers of an array; 0 if it is not so. */
@@ -50,7 +51,7 @@ static int read_asked(const reading *r, options *o, sp_real gravity[3])
 static int read_number(const reading *r, const char *key, sp_real *x)
 {
     const json_value *v = json_member(&r->tree, r->all, key);
-    if (!v || v->kind != JSON_NUMBER) return text_fail(r->error, EXIT_SCENE, r->path, r->all->line, "no number '%s'", key);
+    if (!v || v->kind != JSON_NUMBER) return fail_with(r->error, EXIT_SCENE, r->path, r->all->line, "no number '%s'", key);
     *x = (sp_real)v->as.number;
     return 0;
 }
@@ -77,7 +78,7 @@ static int read_forces(const reading *r, sp_real *f)
     for (i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
         if (k == points || !reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
     if (k == points && i < 0) return 0;
-    return text_fail(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's %ld contact "
+    return fail_with(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's %ld contact "
                      "vertices", (long)points);
 }
 
@@ -173,7 +174,7 @@ static int read_proof(const reading *r, sp_proof *p)
     if (!p->nodes || !p->entries || length(r, y) != p->entries)
         return fail(r, proof, "no proof in the coupled check: make it with check --json --forces");
     p->y = malloc((size_t)p->entries * (sizeof *p->y + sizeof *p->row) + (size_t)p->nodes * sizeof *p->node);
-    if (!p->y) return text_fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    if (!p->y) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     p->node = (int32_t *)(p->y + p->entries);
     p->row = (uint16_t *)(p->node + p->nodes);
     if (!reals(r, y, p->entries, p->y) || !wholes(r, node, -INT32_MAX, INT32_MAX, p->node, NULL) ||
@@ -193,7 +194,7 @@ static int read_mechanism(const reading *r, sp_real *dq)
         if (!name || name->kind != JSON_STRING) return fail(r, entry, "a block of the mechanism has no name");
         while (b < r->scene->scene.count.blocks && !same_name(name->as.string, r->scene->name[b])) b++;
         if (b == r->scene->scene.count.blocks)
-            return text_fail(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, "
+            return fail_with(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, "
                              "or out of order", name->as.string);
         if (!reals(r, json_member(&r->tree, entry, "dq"), 6, dq + 6 * (size_t)b)) return fail(r, entry, "bad dq");
         b++;
@@ -232,7 +233,7 @@ static int judge(const reading *r, options *o, sp_evidence *evidence)
         status = read_claim(r, o, &claim);
         if (!status) made = run_verify(&r->scene->scene, &o->settings, &claim, evidence);
     }
-    if (!status && made != SP_OK) status = text_fail_status(r->error, made, r->path, f && dq ? r->all->line : 0, "");
+    if (!status && made != SP_OK) status = fail_status(r->error, made, r->path, f && dq ? r->all->line : 0, "");
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
@@ -248,7 +249,7 @@ typedef struct verified {
     sp_evidence evidence;
 } verified;
 
-static int verify(const char *scene_path, const char *path, verified *v, text_error *error)
+static int verify(const char *scene_path, const char *path, verified *v, failure *error)
 {
     host_scene s;
     reading r = { path, { NULL, NULL, 0, 0 }, NULL, &s, error };
@@ -296,13 +297,13 @@ static void print(const char *scene_path, const char *path, const verified *v)
 
 int command_verify(int argc, char **argv)
 {
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     verified v;
     sp_evidence *e = &v.evidence;
 
     memset(&v, 0, sizeof v);
     if (options_read(argc, argv, "", &v.o, &error) == 0 && v.o.files != 2)
-        text_fail(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
+        fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;

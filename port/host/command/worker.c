@@ -12,7 +12,7 @@
 static int round_trip(const char *path)
 {
     const sp_settings settings = sp_settings_default();
-    text_error error = { 0, "" };
+    failure error = { 0, "" };
     blob b = { NULL, 0, 0, 0 };
     void *memory = NULL;
     host_scene s;
@@ -23,9 +23,9 @@ static int round_trip(const char *path)
     if (!exit_status) {
         sp_status status = blob_write_request(&b, &s.scene, &settings);
         if (!status) status = blob_read_request(&b, &again, &set, &memory);
-        if (status) exit_status = text_fail_status(&error, status, path, 0, "");
+        if (status) exit_status = fail_status(&error, status, path, 0, "");
         else if (!worker_same_scene(&s.scene, &again))
-            exit_status = text_fail(&error, EXIT_INTERNAL, path, 0, "not the same bits");
+            exit_status = fail_with(&error, EXIT_INTERNAL, path, 0, "not the same bits");
         else printf("%s: %lu bytes, same bits\n", path, (unsigned long)b.length);
     }
     if (exit_status) fprintf(stderr, "%s\n", error.line);

@@ -1,6 +1,7 @@
 /* done: what an earlier run left of its results. */
 #define _POSIX_C_SOURCE 200809L         /* access */
 #include "done.h"
+#include "file.h"
 #include "json_in.h"
 
 #include <stdlib.h>
@@ -43,7 +44,7 @@ static int add(done_list *d, const char *scene, int status)
 static int take(done_list *d, const char *line, size_t length)
 {
     json_tree tree;
-    text_error ignored;
+    failure ignored;
     char *text = malloc(length + 1);
     int ok = 1, status;
     if (!text) return 0;
@@ -58,7 +59,7 @@ static int take(done_list *d, const char *line, size_t length)
     return ok;
 }
 
-int done_read(const char *path, done_list *d, text_error *error)
+int done_read(const char *path, done_list *d, failure *error)
 {
     const done_list none = { NULL, 0, 0, 0 };
     char *text = NULL;
@@ -67,7 +68,7 @@ int done_read(const char *path, done_list *d, text_error *error)
 
     *d = none;
     if (strcmp(path, "-") && access(path, F_OK) != 0) return 0;
-    status = text_read(path, &text, &length, error);
+    status = file_read(path, &text, &length, error);
     for (size_t k = 0; !status && ok && k < length;) {
         const char *end = memchr(text + k, '\n', length - k);
         const size_t n = end ? (size_t)(end - (text + k)) : length - k;
@@ -76,7 +77,7 @@ int done_read(const char *path, done_list *d, text_error *error)
         k += n + 1;
     }
     free(text);
-    if (!ok) return text_fail(error, EXIT_MEMORY, path, 0, "out of memory");
+    if (!ok) return fail_with(error, EXIT_MEMORY, path, 0, "out of memory");
     if (d->count) qsort(d->entry, (size_t)d->count, sizeof *d->entry, by_name);
     return status;
 }

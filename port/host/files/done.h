@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_DONE_H
 #define STONEPACK_HOST_DONE_H
 
-#include "text.h"
+#include "failure.h"
 
 typedef struct done_entry {
     char *scene;
@@ -17,7 +17,7 @@ typedef struct done_list {
 
 /* Read what `check --json` wrote. Lines that are no result (the torn last one of a run that was stopped) don't count; no such
  * file: nothing is done.       returns 0 or an exit status; free with done_free in every case */
-int done_read(const char *path, done_list *done, text_error *error);
+int done_read(const char *path, done_list *done, failure *error);
 
 /* Exit status of the verdict of this scene, -1: it has none. */
 int done_find(const done_list *done, const char *scene);

@@ -1,4 +1,6 @@
 #include "json_in.h"
+#include "file.h"
+#include "text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,12 +11,12 @@ typedef struct reader {
     json_tree *t;
     const char *path, *p, *end;
     int32_t line;
-    text_error *error;
+    failure *error;
 } reader;
 
 static int fail(reader *r, const char *message)
 {
-    return text_fail(r->error, EXIT_SCENE, r->path, r->line, "%s", message);
+    return fail_with(r->error, EXIT_SCENE, r->path, r->line, "%s", message);
 }
 
 static void skip_space(reader *r)
@@ -39,7 +41,7 @@ static int new_value(reader *r, json_kind kind, int32_t *id)
     if (t->count == t->room) {
         const int32_t room = t->room ? 2 * t->room : 256;
         json_value *more = room > t->room ? realloc(t->value, (size_t)room * sizeof *more) : NULL;
-        if (!more) return text_fail(r->error, EXIT_MEMORY, r->path, 0, "out of memory while reading");
+        if (!more) return fail_with(r->error, EXIT_MEMORY, r->path, 0, "out of memory while reading");
         t->value = more;
         t->room = room;
     }
@@ -212,7 +214,7 @@ static int value(reader *r, int depth, int32_t *id)
     }
 }
 
-int json_parse(const char *path, char *text, size_t length, json_tree *tree, text_error *error)
+int json_parse(const char *path, char *text, size_t length, json_tree *tree, failure *error)
 {
     const json_tree empty = { text, NULL, 0, 0 };
     reader r = { tree, path, text, text + length, 1, error };
@@ -226,12 +228,12 @@ int json_parse(const char *path, char *text, size_t length, json_tree *tree, tex
     return r.p == r.end ? 0 : fail(&r, "more than one JSON value");
 }
 
-int json_read(const char *path, json_tree *tree, text_error *error)
+int json_read(const char *path, json_tree *tree, failure *error)
 {
     const json_tree empty = { NULL, NULL, 0, 0 };
     char *text;
     size_t length;
-    const int status = text_read(path, &text, &length, error);
+    const int status = file_read(path, &text, &length, error);
     *tree = empty;
     return status ? status : json_parse(path, text, length, tree, error);
 }

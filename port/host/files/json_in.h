@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_JSON_IN_H
 #define STONEPACK_HOST_JSON_IN_H
 
-#include "text.h"
+#include "failure.h"
 
 typedef enum json_kind { JSON_NULL, JSON_BOOL, JSON_NUMBER, JSON_STRING, JSON_ARRAY, JSON_OBJECT } json_kind;
 
@@ -25,8 +25,8 @@ typedef struct json_tree {
 } json_tree;
 
 /* Read the first value of a file; more lines (JSON Lines) are refused.  returns 0 or an exit status; free with json_free */
-int json_read(const char *path, json_tree *tree, text_error *error);
-int json_parse(const char *path, char *text, size_t length, json_tree *tree, text_error *error);    /* text: malloc's */
+int json_read(const char *path, json_tree *tree, failure *error);
+int json_parse(const char *path, char *text, size_t length, json_tree *tree, failure *error);    /* text: malloc's */
 
 /* Member of an object, or NULL. */
 const json_value *json_member(const json_tree *tree, const json_value *object, const char *key);

@@ -6,6 +6,7 @@
 #ifndef STONEPACK_HOST_OBJ_H
 #define STONEPACK_HOST_OBJ_H
 
+#include "failure.h"
 #include "text.h"
 
 /* The lines that a scene file may hold, one a line, as `stonepack --help` prints them. */
@@ -63,10 +64,10 @@ typedef struct obj_file {
 } obj_file;
 
 /* Read a scene file ("-": standard input). Free it with obj_free, also after an error.     returns 0 or an exit status */
-int obj_read(const char *path, obj_file *file, text_error *error);
+int obj_read(const char *path, obj_file *file, failure *error);
 
 /* The same from text in memory, which the file then owns (malloc's, or NULL with length 0); path is for messages. */
-int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error);
+int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error);
 
 void obj_free(obj_file *file);
 

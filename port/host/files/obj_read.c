@@ -1,4 +1,5 @@
 /* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
+#include "file.h"
 #include "obj.h"
 
 #include <stdio.h>
@@ -28,7 +29,7 @@ const char *const obj_format =
 typedef struct reader {
     obj_file *f;
     text_cursor at;
-    text_error *error;
+    failure *error;
     int in_block;               /* the line is about the block it stands in */
     int in_contact;             /* or about a contact of these two */
     text_word pair[2];
@@ -53,24 +54,24 @@ static const char *where(const reader *r, char text[160])
 
 static int fail(reader *r, const char *message)
 {
-    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s", message);
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s", message);
 }
 
 static int fail_in_line(reader *r, const char *message)
 {
     char text[160];
-    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, where(r, text));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, where(r, text));
 }
 
 static int fail_word(reader *r, const char *message, text_word w)
 {
     char text[160];
-    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w), where(r, text));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w), where(r, text));
 }
 
 static int out_of_memory(reader *r)
 {
-    return text_fail(r->error, EXIT_MEMORY, r->f->path, r->at.line, "out of memory while reading");
+    return fail_with(r->error, EXIT_MEMORY, r->f->path, r->at.line, "out of memory while reading");
 }
 
 /* -------------------------------------------------------------------------------------------------------------- tables */
@@ -207,7 +208,7 @@ static int read_block(reader *r)
 
     if (!text_next_word(&r->at, &block.name)) return fail(r, "a block without a name");
     if (text_next_word(&r->at, &more) && more.s[0] != '#')
-        return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "the name of block " WORD_FORMAT " goes on with "
+        return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "the name of block " WORD_FORMAT " goes on with "
                          WORD_FORMAT ": names have no spaces", WORD(block.name), WORD(more));
     APPEND(r, block, blocks, room.block, block);
     return 0;
@@ -386,7 +387,7 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "live")) return read_load(r, 1);
     if (text_is(w, "mass")) return read_weight(r, OBJ_MASS);
     if (text_is(w, "pressure")) return read_weight(r, OBJ_PRESSURE);
-    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
 }
 
 /* --------------------------------------------------------------------------------------------------------- whole files */
@@ -408,7 +409,7 @@ static int read_line(reader *r)
     if (text_is(w, "o")) return read_block(r);
     for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
         if (text_is(w, ignored[i])) return 0;
-    return text_fail(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown line: it starts with " WORD_FORMAT, WORD(w));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown line: it starts with " WORD_FORMAT, WORD(w));
 }
 
 /* Every corner of every face is a vertex that exists by now. */
@@ -421,7 +422,7 @@ static int check_corners(reader *r)
             const int32_t v = f->corner[f->face[i].corner + k];
             if (v < f->vertices) continue;
             while (b + 1 < f->blocks && f->block[b + 1].face <= i) b++;
-            return text_fail(r->error, EXIT_SCENE, f->path, f->face[i].line, "no such vertex: %ld, there are %ld; in block "
+            return fail_with(r->error, EXIT_SCENE, f->path, f->face[i].line, "no such vertex: %ld, there are %ld; in block "
                              WORD_FORMAT, (long)v + 1, (long)f->vertices, WORD(f->block[b].name));
         }
     return 0;
@@ -471,7 +472,7 @@ static int sort_names(reader *r)
     }
     free(sorted);
     if (twin < 0) return 0;
-    return text_fail(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in "
+    return fail_with(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in "
                      "line %ld", WORD(f->block[twin].name), (long)f->block[first].line);
 }
 
@@ -495,7 +496,7 @@ static int find_contact_blocks(reader *r)
         for (int side = 0; side < 2; side++) {
             const int32_t b = find_name(r->f, c->name[side]);
             if (b < 0)
-                return text_fail(r->error, EXIT_SCENE, r->f->path, c->line, "contact with block " WORD_FORMAT
+                return fail_with(r->error, EXIT_SCENE, r->f->path, c->line, "contact with block " WORD_FORMAT
                                  ", which does not exist", WORD(c->name[side]));
             *(side ? &c->b : &c->a) = b;
         }
@@ -509,13 +510,13 @@ static int find_load_blocks(reader *r)
         obj_load *load = &r->f->load[i];
         load->block = find_name(r->f, load->name);
         if (load->block < 0)
-            return text_fail(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT
+            return fail_with(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT
                              ", which does not exist", WORD(load->name));
     }
     return 0;
 }
 
-int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_error *error)
+int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error)
 {
     const obj_file empty = { 0 };
     reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } } };
@@ -536,7 +537,7 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_
         more = text_next_line(&r.at);
     } while (more);
     if (file->blocks == 0)
-        return text_fail(error, EXIT_SCENE, path, file->lines, "%s", sp_status_text(SP_E_EMPTY));
+        return fail_with(error, EXIT_SCENE, path, file->lines, "%s", sp_status_text(SP_E_EMPTY));
     status = check_corners(&r);
     if (!status) status = sort_names(&r);
     if (!status) status = find_contact_blocks(&r);
@@ -544,12 +545,12 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, text_
     return status;
 }
 
-int obj_read(const char *path, obj_file *file, text_error *error)
+int obj_read(const char *path, obj_file *file, failure *error)
 {
     const obj_file empty = { 0 };
     char *text;
     size_t length;
-    const int status = text_read(path, &text, &length, error);
+    const int status = file_read(path, &text, &length, error);
 
     *file = empty;
     return status ? status : obj_parse(path, text, length, file, error);

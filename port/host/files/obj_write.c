@@ -1,5 +1,6 @@
 /* The writer of scene files. */
 #include "scene.h"
+#include "text.h"
 
 static void write_triple(FILE *out, const char *before, const sp_real x[3])
 {
@@ -92,7 +93,7 @@ static void write_load(FILE *out, const sp_load *load, const char *const *name)
 
 static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 
-int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, text_error *error)
+int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
 {
     sp_real density = 0;                        /* of all blocks that have one */
     int one_density = 1, one_mu = s->count.interfaces > 0;
@@ -100,7 +101,7 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
     for (int32_t b = 0; b < s->count.blocks; b++) {
         const sp_block *block = &s->block[b];
         if (block->faces == 0 && block->fixed != SP_FIXED)
-            return text_fail(error, EXIT_SCENE, path, 0, "block %ld has no mesh, which a scene file can't say", (long)b);
+            return fail_with(error, EXIT_SCENE, path, 0, "block %ld has no mesh, which a scene file can't say", (long)b);
         if (!(density > 0)) density = block->density;
         if (block->density > 0) one_density = one_density && same(block->density, density);
     }

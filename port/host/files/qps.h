@@ -2,6 +2,7 @@
 #ifndef STONEPACK_HOST_QPS_H
 #define STONEPACK_HOST_QPS_H
 
+#include "failure.h"
 #include "text.h"
 
 typedef struct host_qp {
@@ -18,7 +19,7 @@ typedef struct host_qp {
 /* Read a QPS file ("-": standard input), fixed or free: read by words first, by columns if that fails. Sections NAME, OBJSENSE,
  * ROWS, COLUMNS, RHS, RANGES, BOUNDS, QUADOBJ (QSECTION), QMATRIX, ENDATA.
  *   returns 0 or an exit status; free it in any case */
-int qps_read(const char *path, host_qp *qp, text_error *error);
+int qps_read(const char *path, host_qp *qp, failure *error);
 void qps_free(host_qp *qp);
 
 #endif

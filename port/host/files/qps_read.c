@@ -9,6 +9,7 @@
  *
  * What is given twice, and a second set of RHS, RANGES or BOUNDS, is refused: programs differ in which of them they take.
  */
+#include "file.h"
 #include "qps.h"
 
 #include <math.h>
@@ -45,16 +46,16 @@ typedef struct reader {
     double constant;                    /* right-hand side of the objective, NaN where none */
     entries A, P, Q;                    /* Q: the other triangle of a QMATRIX, turned over */
     host_qp *out;
-    text_error *error;
+    failure *error;
 } reader;
 
 static int fail(reader *r, const char *message, text_word w)
 {
-    return text_fail(r->error, EXIT_SCENE, r->path, r->at.line, "%s%s%.*s%s", message, w.n ? " '" : "",
+    return fail_with(r->error, EXIT_SCENE, r->path, r->at.line, "%s%s%.*s%s", message, w.n ? " '" : "",
                      (int)(w.n < 60 ? w.n : 60), w.n ? w.s : "", w.n ? "'" : "");
 }
 
-static int no_memory(reader *r) { return text_fail(r->error, EXIT_MEMORY, r->path, 0, "out of memory"); }
+static int no_memory(reader *r) { return fail_with(r->error, EXIT_MEMORY, r->path, 0, "out of memory"); }
 
 /* Room for one more of `size` bytes in *p; 0: none. */
 static int grow(void *p, int32_t count, int32_t *room, size_t size)
@@ -468,7 +469,7 @@ static int symmetric(const sp_csc *P, const sp_csc *Q)
     return q == Q->p[Q->cols];
 }
 
-static int refuse(reader *r, const char *what) { return text_fail(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
+static int refuse(reader *r, const char *what) { return fail_with(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
 
 /* Rows of the file, then one row for each bounded column: count them, refuse bounds that leave nothing.    *m: of all rows */
 static int add_bound_rows(reader *r, int32_t *m)
@@ -478,7 +479,7 @@ static int add_bound_rows(reader *r, int32_t *m)
     for (int32_t j = 0; j < n; j++) {
         const text_word name = r->columns.word[j];
         if (!(r->lower[j] <= r->upper[j] && r->lower[j] < 1e20 && r->upper[j] > -1e20))
-            return text_fail(r->error, EXIT_SCENE, r->path, 0, "the bounds of column '%.*s' leave nothing",
+            return fail_with(r->error, EXIT_SCENE, r->path, 0, "the bounds of column '%.*s' leave nothing",
                              (int)(name.n < 60 ? name.n : 60), name.s);
         bounds += bounded(r, j);
     }
@@ -551,7 +552,7 @@ static void reader_free(reader *r)
     free(r->A.at); free(r->P.at); free(r->Q.at);
 }
 
-static int read_as(int fixed, const char *path, size_t length, host_qp *qp, text_error *error)
+static int read_as(int fixed, const char *path, size_t length, host_qp *qp, failure *error)
 {
     reader r;
     int status;
@@ -578,13 +579,13 @@ static int read_as(int fixed, const char *path, size_t length, host_qp *qp, text
     return status;
 }
 
-int qps_read(const char *path, host_qp *qp, text_error *error)
+int qps_read(const char *path, host_qp *qp, failure *error)
 {
     size_t length;
-    text_error other;
+    failure other;
     int status;
     memset(qp, 0, sizeof *qp);
-    status = text_read(path, &qp->text, &length, error);
+    status = file_read(path, &qp->text, &length, error);
     if (status) return status;
     status = read_as(0, path, length, qp, error);
     if (status != EXIT_SCENE || read_as(1, path, length, qp, &other)) return status;

@@ -10,9 +10,9 @@
 /* Text for messages about a block or a contact. */
 #define NAME(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
 
-static int out_of_memory(const obj_file *f, text_error *error)
+static int out_of_memory(const obj_file *f, failure *error)
 {
-    return text_fail(error, EXIT_MEMORY, f->path, 0, "out of memory: %ld blocks, %ld vertices, %ld contact points",
+    return fail_with(error, EXIT_MEMORY, f->path, 0, "out of memory: %ld blocks, %ld vertices, %ld contact points",
                      (long)f->blocks, (long)f->vertices, (long)f->points);
 }
 
@@ -99,7 +99,7 @@ static sp_status add_mesh(const obj_file *f, const obj_block *block, const sp_me
     return sp_scene_block(scene, mesh, block->density > 0 ? block->density : f->density, block->fixed, NULL);
 }
 
-static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, text_error *error)
+static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, failure *error)
 {
     const obj_block *block = &f->block[b];
     const sp_mesh mesh = gather(f, b, m);
@@ -108,8 +108,8 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
 
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "block '%.*s%s'", NAME(block->name));
-    if (mesh.faces == 0) return text_fail(error, EXIT_SCENE, f->path, block->line, "%s has no faces", what);
-    return text_fail_status(error, status, f->path, block->line, what);
+    if (mesh.faces == 0) return fail_with(error, EXIT_SCENE, f->path, block->line, "%s has no faces", what);
+    return fail_status(error, status, f->path, block->line, what);
 }
 
 static void contact_words(const obj_contact *c, char what[192])
@@ -128,17 +128,17 @@ static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], in
 
 /* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact,
  * NULL: of those that are found.     returns 0, or fails */
-static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact *c, text_error *error)
+static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact *c, failure *error)
 {
     const int32_t line = c && c->strength_line[1] ? c->strength_line[1] : f->strength_line[1];
     char what[192] = "contacts";
     if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
     if (c) contact_words(c, what);
-    return text_fail(error, EXIT_SCENE, f->path, line, "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
+    return fail_with(error, EXIT_SCENE, f->path, line, "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
                      what);
 }
 
-static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, text_error *error)
+static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, failure *error)
 {
     const obj_contact *c = &f->contact[i];
     const sp_joint joint = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
@@ -150,10 +150,10 @@ static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene
 
     if (status == SP_OK) return 0;
     contact_words(c, what);
-    return text_fail_status(error, status, f->path, c->line, what);
+    return fail_status(error, status, f->path, c->line, what);
 }
 
-static int add_load(const obj_file *f, int32_t i, sp_scene *scene, text_error *error)
+static int add_load(const obj_file *f, int32_t i, sp_scene *scene, failure *error)
 {
     const obj_load *l = &f->load[i];
     sp_load load = { 0 };
@@ -171,8 +171,8 @@ static int add_load(const obj_file *f, int32_t i, sp_scene *scene, text_error *e
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "load on '%.*s%s'", NAME(l->name));
     if (status == SP_E_INDEX)
-        return text_fail(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
-    return text_fail_status(error, status, f->path, l->line, what);
+        return fail_with(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
+    return fail_status(error, status, f->path, l->line, what);
 }
 
 /* --------------------------------------------------------------------------------------------------------- whole scene */
@@ -194,7 +194,7 @@ static int count_meshes(const obj_file *f, sp_capacity *cap, mesh_room *m)
 }
 
 /* An empty scene in new memory. */
-static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, text_error *error)
+static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, failure *error)
 {
     sp_arena arena;
     free(s->memory);
@@ -205,7 +205,7 @@ static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, text
     return 0;
 }
 
-static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_scene *s, text_error *error)
+static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_scene *s, failure *error)
 {
     int status = create(f, cap, s, error);
     for (int32_t b = 0; !status && b < f->blocks; b++) status = add_block(f, b, m, &s->scene, error);
@@ -214,7 +214,7 @@ static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_s
 }
 
 static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_report *report, sp_status *status,
-                     text_error *error)
+                     failure *error)
 {
     sp_contact_settings settings = sp_contact_settings_default();
     void *memory;
@@ -230,7 +230,7 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
 
 /* Contacts are found in a scene without room for any, which tells how many there are, then once more with just that room:
  * memory stays exact. Overlaps are kept on the second pass. */
-static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, host_scene *s, text_error *error)
+static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, host_scene *s, failure *error)
 {
     sp_contact_report report = { 0, 0, 0, 0, NULL };
     sp_status status;
@@ -238,7 +238,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
 
     s->found = 1;
     if (failed) return failed;
-    if (status != SP_OK && status != SP_E_CAPACITY) return text_fail_status(error, status, f->path, f->lines, "contacts");
+    if (status != SP_OK && status != SP_E_CAPACITY) return fail_status(error, status, f->path, f->lines, "contacts");
     if (report.overlaps > 0) {
         s->overlap = malloc((size_t)report.overlaps * sizeof *s->overlap);
         if (!s->overlap) return out_of_memory(f, error);
@@ -251,7 +251,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     failed = build(f, cap, m, s, error);
     if (!failed) failed = find_once(f, mu, s, &report, &status, error);
     if (failed) return failed;
-    if (status != SP_OK) return text_fail_status(error, status, f->path, f->lines, "contacts");
+    if (status != SP_OK) return fail_status(error, status, f->path, f->lines, "contacts");
     s->overlaps = report.overlaps;
     return 0;
 }
@@ -263,7 +263,7 @@ static void first_line(sp_real x, int32_t told, int32_t *line)
 }
 
 /* Where what stands in the file, for messages after the file is let go. */
-static int keep_lines(const obj_file *f, int given, host_scene *s, text_error *error)
+static int keep_lines(const obj_file *f, int given, host_scene *s, failure *error)
 {
     int32_t *line = malloc(((size_t)f->blocks + (size_t)f->contacts + (size_t)f->loads + 1) * sizeof *line);
     s->line = line;
@@ -279,7 +279,7 @@ static int keep_lines(const obj_file *f, int given, host_scene *s, text_error *e
     return 0;
 }
 
-static int keep_names(const obj_file *f, host_scene *s, text_error *error)
+static int keep_names(const obj_file *f, host_scene *s, failure *error)
 {
     size_t bytes = 0;
     for (int32_t b = 0; b < f->blocks; b++) bytes += f->block[b].name.n + 1;
@@ -296,7 +296,7 @@ static int keep_names(const obj_file *f, host_scene *s, text_error *error)
     return 0;
 }
 
-static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
 {
     const int given = contacts == SCENE_GIVEN && f->contacts > 0;
     sp_capacity cap = { 0, 0, 0, 0, 0, 0, 0 };
@@ -317,7 +317,7 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
 }
 
 /* The file's tables are let go as soon as the scene is built. */
-static int finish(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+static int finish(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
     if (!status) {
@@ -333,7 +333,7 @@ static int finish(obj_file *f, int status, sp_real mu, scene_contacts contacts, 
     return status;
 }
 
-int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error)
+int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
 {
     const host_scene empty = { 0 };
     obj_file f;
@@ -342,7 +342,7 @@ int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene
 }
 
 int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
-                text_error *error)
+                failure *error)
 {
     const host_scene empty = { 0 };
     obj_file f;
@@ -388,7 +388,7 @@ static int32_t heavy(const sp_scene *scene)
     return -1;
 }
 
-static int too_large_where(const host_scene *s, text_error *error)
+static int too_large_where(const host_scene *s, failure *error)
 {
     const char *const why = "a number is too large to be squared";
     sp_scene part = s->scene;
@@ -396,30 +396,30 @@ static int too_large_where(const host_scene *s, text_error *error)
     part.count.loads = part.count.interfaces = 0;
     if (too_large(&part)) {
         const int32_t b = heavy(&part);
-        if (b < 0) return text_fail(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
+        if (b < 0) return fail_with(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
         const int32_t line = s->gravity_line ? s->gravity_line : s->line[b];
-        return text_fail(error, EXIT_SCENE, s->path, line, "weight of block '%.60s': %s", s->name[b], why);
+        return fail_with(error, EXIT_SCENE, s->path, line, "weight of block '%.60s': %s", s->name[b], why);
     }
     part.count.loads = loads;
     if (too_large(&part)) {
         const int32_t k = culprit(&part, &part.count.loads);
-        return text_fail(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
+        return fail_with(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
                          s->name[s->scene.load[k].block], why);
     }
     part.count.interfaces = s->scene.count.interfaces;
     const int32_t i = culprit(&part, &part.count.interfaces);
     const sp_interface *f = &s->scene.interface[i];
-    return text_fail(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
+    return fail_with(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
                      s->name[f->a], s->name[f->b], why);
 }
 
-int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, text_error *error)
+int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, failure *error)
 {
     if (why == SP_E_NOT_FINITE && too_large(&s->scene)) return too_large_where(s, error);
     if (why == SP_E_UNSUPPORTED && settings->coupled.asked && s->strength_line)
-        return text_fail(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a "
+        return fail_with(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a "
                          "coupled check knows friction alone");
-    return text_fail_status(error, why, s->path, 0, "");
+    return fail_status(error, why, s->path, 0, "");
 }
 
 void scene_free(host_scene *s)

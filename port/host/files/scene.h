@@ -3,7 +3,7 @@
 #define STONEPACK_HOST_SCENE_H
 
 #include <stdio.h>
-#include "text.h"
+#include "failure.h"
 
 typedef struct host_scene {
     char *path;                 /* as given, "-": standard input */
@@ -26,20 +26,20 @@ typedef enum scene_contacts { SCENE_GIVEN, SCENE_FIND } scene_contacts;
 /* Read a scene and build it. mu >= 0 overrides every friction of the file, -1: nothing.
  *   contacts   SCENE_GIVEN: the file's, found if it has none; SCENE_FIND: the file's are left out and contacts are found
  *   returns    0 or an exit status; free the scene with scene_free in every case */
-int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, text_error *error);
+int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, failure *error);
 
 /* The same from text in memory (malloc's; the scene frees it). */
 int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
-                text_error *error);
+                failure *error);
 
 /* Write a scene as a file that reads back as the same scene, contacts as `#@ interface` and `#@ points`.
  *   name      of each block, or NULL: b0 b1 ...
  *   returns   0; an exit status where a block has no mesh, which the form can't say */
-int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, text_error *error);
+int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, failure *error);
 
 /* What the library refuses of a scene that was read, with the line that is to blame: the load, gravity, block or contact whose
  * numbers are too large, the strength that a coupled check does not know.     returns an exit status, never 0 */
-int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, text_error *error);
+int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, failure *error);
 
 void scene_free(host_scene *s);
 

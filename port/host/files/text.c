@@ -1,133 +1,13 @@
-#define _POSIX_C_SOURCE 200809L         /* lstat */
 #include "text.h"
 
-#include <errno.h>
 #include <float.h>
-#include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static int blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 static int line_end(char c) { return c == '\n' || c == '\r'; }
 static int digit(char c) { return c >= '0' && c <= '9'; }
-
-/* ---------------------------------------------------------------------------------------------------------- messages */
-
-int text_fail(text_error *error, int status, const char *path, int32_t line, const char *format, ...)
-{
-    const size_t room = sizeof error->line;
-    size_t n = 0;
-    va_list args;
-
-    error->status = status;
-    if (path) {
-        n = strlen(path);
-        if (n > 255) { path += n - 255; n = 255; }      /* the end of a long path tells more than its start */
-        memcpy(error->line, path, n);
-        if (line > 0) n += (size_t)snprintf(error->line + n, room - n, ":%ld", (long)line);
-        n += (size_t)snprintf(error->line + n, room - n, ": ");
-    }
-    va_start(args, format);
-    vsnprintf(error->line + n, room - n, format, args);
-    va_end(args);
-    for (char *c = error->line; *c; c++)
-        if ((unsigned char)*c < 32 || *c == 127) *c = '?';
-    return status;
-}
-
-int text_fail_status(text_error *error, sp_status status, const char *path, int32_t line, const char *what)
-{
-    int code = EXIT_SCENE;
-    if (status == SP_E_MEMORY) code = EXIT_MEMORY;
-    if (status == SP_E_ARGUMENT || status == SP_E_CAPACITY) code = EXIT_INTERNAL;
-    return text_fail(error, code, path, line, "%s%s%s", what, what[0] ? ": " : "", sp_status_text(status));
-}
-
-/* -------------------------------------------------------------------------------------------------------- whole files */
-
-/* The first byte of n that no text contains, or NULL; counts the lines before it. */
-static const char *odd_byte(const char *s, size_t n, int32_t *line)
-{
-    for (size_t i = 0; i < n; i++) {
-        const unsigned char c = (unsigned char)s[i];
-        if (c == '\n') (*line)++;
-        else if ((c < 32 && !blank(s[i]) && c != '\r') || c == 127) return s + i;
-    }
-    return NULL;
-}
-
-/* Make room for n + 1 more bytes. */
-static int make_room(char **text, size_t *room, size_t length, size_t n)
-{
-    char *more;
-    if (length + n + 1 <= *room) return 1;
-    while (*room < length + n + 1) *room *= 2;
-    more = realloc(*text, *room);
-    if (!more) return 0;
-    *text = more;
-    return 1;
-}
-
-static int read_all(FILE *in, const char *path, char **text, size_t *length, text_error *error)
-{
-    enum { CHUNK = 1 << 16 };
-    size_t room = 2 * (size_t)CHUNK, n;
-    int32_t line = 1;
-
-    *length = 0;
-    *text = malloc(room);
-    for (;;) {
-        const char *odd;
-        if (!*text || !make_room(text, &room, *length, CHUNK))
-            return text_fail(error, EXIT_MEMORY, path, 0, "out of memory while reading");
-        n = fread(*text + *length, 1, CHUNK, in);
-        odd = odd_byte(*text + *length, n, &line);
-        if (odd)
-            return text_fail(error, EXIT_SCENE, path, line, "byte 0x%02x: this is no text file", (unsigned)*odd & 255u);
-        *length += n;
-        if (*length > TEXT_CAP) return text_fail(error, EXIT_SCENE, path, line, "the file is larger than 1 GiB");
-        if (n < CHUNK) break;
-    }
-    if (ferror(in)) return text_fail(error, EXIT_NO_INPUT, path, 0, "can't read: %s", strerror(errno));
-    (*text)[*length] = 0;
-    return 0;
-}
-
-int text_read(const char *path, char **text, size_t *length, text_error *error)
-{
-    FILE *in = strcmp(path, "-") ? fopen(path, "rb") : stdin;
-    int status;
-
-    *text = NULL;
-    if (!in) return text_fail(error, EXIT_NO_INPUT, path, 0, "can't open: %s", strerror(errno));
-    status = read_all(in, path, text, length, error);
-    if (in != stdin) fclose(in);
-    if (status) {
-        free(*text);
-        *text = NULL;
-    }
-    return status;
-}
-
-FILE *text_create(const char *path, text_error *error)
-{
-    FILE *out = path && strcmp(path, "-") ? fopen(path, "wb") : stdout;
-    if (!out) text_fail(error, EXIT_INTERNAL, path, 0, "can't write: %s", strerror(errno));
-    return out;
-}
-
-int text_finish(FILE *out, const char *path, int status, text_error *error)
-{
-    const int early = ferror(out), failed = (out == stdout ? fflush(out) : fclose(out)) != 0 || early;
-    struct stat is;
-    if (failed && !status)
-        status = text_fail(error, EXIT_INTERNAL, out == stdout ? "-" : path, 0, "can't write: %s", strerror(errno));
-    if (status && out != stdout && lstat(path, &is) == 0 && S_ISREG(is.st_mode)) remove(path);       /* no device, no link */
-    return status;
-}
 
 /* --------------------------------------------------------------------------------------------------------------- words */
 

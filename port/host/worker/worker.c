@@ -1,4 +1,4 @@
-#include "../files/text.h"
+#include "../files/failure.h"
 #include "../run.h"
 #include "worker.h"
 
