@@ -92,11 +92,17 @@
 #include "solvers/scene/matrix.c"               /* Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
 #include "solvers/scene/place.c"                /* placing a stone: support, seats, resting faces, next-best-object gate */
 
-#include "solvers/contacts/touch.c"             /* distances and settings; do two faces touch? */
+#include "solvers/contacts/touch.c"             /* what the search for contacts knows; its settings */
+#include "solvers/contacts/face.c"              /* the plane of a face, boxes of faces */
 #include "solvers/contacts/patch.c"             /* faces of a block that lie in one plane, merged into patches */
-#include "solvers/contacts/sweep.c"             /* boxes sorted so that only near ones are compared */
-#include "solvers/contacts/pair.c"              /* the contacts of two blocks */
+#include "solvers/contacts/small_patch.c"       /* the same in the smallest build: each face a patch */
+#include "solvers/contacts/body.c"              /* box, noise and patches of a block */
 #include "solvers/contacts/overlap.c"           /* how deep two blocks overlap */
+#include "solvers/contacts/pair.c"              /* tolerances of two blocks, the plane they are compared in */
+#include "solvers/contacts/memory.c"            /* what the search takes from an arena */
+#include "solvers/contacts/polygon.c"           /* the polygons that two blocks share, patch against patch */
+#include "solvers/contacts/sweep.c"             /* a tree of boxes finds the blocks that are near each other */
+#include "solvers/contacts/small_pair.c"        /* the same in the smallest build: hulls, every pair of blocks */
 #include "solvers/contacts/find.c"              /* what touches what, over the whole scene */
 
 #include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */

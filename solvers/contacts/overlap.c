@@ -2,9 +2,7 @@
 #ifndef SP__CONTACTS_OVERLAP_C
 #define SP__CONTACTS_OVERLAP_C
 
-#include "patch.c"
-
-/* ------------------------------------------------------------------------------------------------------------ overlap */
+#include "face.c"
 
 /* By how much the blocks' shadows on an axis overlap, of any length; below 0 they are apart. */
 static sp_real sp__shadow(const sp__touch *t, const sp_real axis[3])
@@ -46,11 +44,8 @@ static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
 /* One of an edge and its opposite? */
 static int sp__edge_once(const sp__touch *t, const int32_t *e)
 {
-#ifdef SP_SMALL
+    if (!SP__WITH_SMALL) return e[0] <= e[1];                       /* one number stands for all vertices at a place */
     return sp__place_order(t->scene->vertex[e[0]], t->scene->vertex[e[1]], 0) < 0;
-#else
-    return (void)t, e[0] <= e[1];
-#endif
 }
 
 /* The same along the cross products of their edges: with the normals that is all a convex pair can be kept apart by. */

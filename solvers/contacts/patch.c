@@ -2,105 +2,10 @@
 #ifndef SP__CONTACTS_PATCH_C
 #define SP__CONTACTS_PATCH_C
 
-#include "../scene/joint.c"
-#include "touch.c"
+#include "face.c"
 
-/* Lexicographic order of places; 0: the same. */
-static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
-{
-    for (int c = 0; c < 3; c++) {
-        if (p[c] < q[c] - eps) return -1;
-        if (p[c] > q[c] + eps) return 1;
-    }
-    return 0;
-}
+#if !SP__WITH_SMALL
 
-/* Plane of a face through its vertex mean; normal 0 without one.     returns twice the area */
-SP__NOINLINE static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
-{
-    const sp_face *face = &t->scene->face[t->face0 + f];
-    const int32_t *corner = t->scene->corner + face->corner;
-    sp__local l;
-    (void)sp__local_start(&l, t->scene->vertex[0], corner, face->corners);
-    (void)sp__polygon_normal(&l, corner, face->corners, n);
-    sp__local_mean(&l, corner, face->corners, m);
-    const sp_real twice = sp__norm3(n);
-    for (int c = 0; c < 3; c++) {
-        n[c] = twice > 0 ? n[c] / twice : 0;
-        m[c] = l.o[c] + l.s * m[c];
-    }
-    return twice * l.s * l.s;
-}
-
-/* What is that near to a plane lies in it. */
-static sp_real sp__body_flat(const sp__touch *t, const sp__body *body)
-{
-    return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
-}
-
-/* Farthest corner of a face from a plane. */
-static sp_real sp__touch_off(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
-{
-    const sp_face *face = &t->scene->face[t->face0 + f];
-    sp_real most = 0;
-    for (int32_t k = 0; k < face->corners; k++) {
-        sp_real d[3];
-        sp__sub3(t->scene->vertex[t->scene->corner[face->corner + k]], o, d);
-        most = sp__max(most, sp__abs(sp__dot3(d, n)));
-    }
-    return most;
-}
-
-static void sp__box_start(sp_real lo[3], sp_real hi[3], const sp_real p[3])
-{
-    for (int c = 0; c < 3; c++) lo[c] = hi[c] = p[c];
-}
-
-static void sp__box_add(sp_real lo[3], sp_real hi[3], const sp_real p[3])
-{
-    for (int c = 0; c < 3; c++) {
-        lo[c] = p[c] < lo[c] ? p[c] : lo[c];
-        hi[c] = hi[c] < p[c] ? p[c] : hi[c];
-    }
-}
-
-/* Box of boundary edges from..to-1. */
-static void sp__bound_box(const sp__touch *t, int32_t from, int32_t to, sp_real lo[3], sp_real hi[3])
-{
-    for (int32_t e = from; e < to; e++) {
-        const sp_real *x = t->scene->vertex[t->all.bound[e][0]];
-        if (e == from) sp__box_start(lo, hi, x);
-        sp__box_add(lo, hi, x);
-    }
-}
-
-#ifdef SP_SMALL
-/* Patches of a block: its faces that have an area. */
-static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
-{
-    const sp_real flat = sp__body_flat(t, body);
-    for (int32_t f = 0; f < faces; f++) {
-        const sp_face *face = &t->scene->face[t->face0 + f];
-        const int32_t *corner = t->scene->corner + face->corner;
-        sp__patch *p = &t->all.patch[t->patches];
-        if (!(sp__touch_plane(t, f, p->n, p->o) > 0)) continue;
-        body->warp = sp__max(body->warp, sp__touch_off(t, f, p->n, p->o));
-        p->edge = t->bounds;
-        p->edges = face->corners;
-        for (int32_t k = 0; k < p->edges; k++) {
-            t->all.bound[t->bounds][0] = corner[k];
-            t->all.bound[t->bounds++][1] = corner[k + 1 < p->edges ? k + 1 : 0];
-        }
-        sp__bound_box(t, p->edge, t->bounds, p->lo, p->hi);
-        p->plane = body->patch;
-        for (const sp__patch *q; p->plane < t->patches; p->plane++) {
-            q = &t->all.patch[p->plane];
-            if (q->plane == p->plane && sp__dot3(q->n, p->n) > 0 && sp__touch_off(t, f, q->n, q->o) <= flat) break;
-        }
-        t->patches++;
-    }
-}
-#else
 /* Larger faces first: the largest of a plane is the most exact. Equal ones by place, so face order does not matter. */
 static int sp__face_before(const void *what, int32_t i, int32_t j)
 {
@@ -219,51 +124,7 @@ static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
         sp__touch_bound(t, &t->all.patch[p]);
     }
 }
+
 #endif
-
-/* Nothing of a closed block beyond a face of it? */
-static int sp__touch_convex(const sp__touch *t, const sp__body *body)
-{
-    const sp_block *k = &t->scene->block[t->block];
-    const sp_real flat = sp__body_flat(t, body) + 2 * body->warp;
-    if (!(k->volume > 0)) return 0;
-    for (int32_t p = body->patch; p < body->patch + body->patches; p++)
-        for (int32_t e = body->edge; e < body->edge + body->edges; e++) {
-            sp_real d[3];
-            sp__sub3(t->scene->vertex[t->all.bound[e][0]], t->all.patch[p].o, d);
-            if (sp__dot3(d, t->all.patch[p].n) > flat) return 0;
-        }
-    return 1;
-}
-
-/* Box and noise of a block from its patches. */
-static void sp__touch_size(sp__touch *t, sp__body *body)
-{
-    const sp_real diameter = t->scene->block[t->block].diameter;
-    sp_real far = 0;
-    for (int32_t v = 0; v < t->scene->block[t->block].vertices; v++)
-        for (int c = 0; c < 3; c++) far = sp__max(far, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
-    body->noise = 16 * SP_EPSILON * (far + diameter);
-    body->reach = sp__max(body->noise, t->set.absolute ? t->set.distance : t->set.distance * diameter);
-}
-
-/* Patches of one block. */
-static void sp__touch_block(sp__touch *t, int32_t block)
-{
-    const sp_block *k = &t->scene->block[block];
-    sp__body *body = &t->all.body[block];
-    t->block = block;
-    t->vertex0 = k->vertex;
-    t->face0 = k->face;
-    body->warp = 0;
-    body->patch = t->patches;
-    body->edge = t->bounds;
-    sp__touch_size(t, body);
-    sp__touch_patches(t, body, k->faces);
-    body->patches = t->patches - body->patch;
-    body->edges = t->bounds - body->edge;
-    sp__bound_box(t, body->edge, t->bounds, body->lo, body->hi);
-    body->convex = sp__touch_convex(t, body);
-}
 
 #endif /* SP__CONTACTS_PATCH_C */

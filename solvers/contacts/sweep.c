@@ -1,19 +1,13 @@
-/* sweep: boxes sorted so that only near ones are compared */
+/* sweep: a tree of boxes finds the blocks that are near each other; all their contacts */
 #ifndef SP__CONTACTS_SWEEP_C
 #define SP__CONTACTS_SWEEP_C
 
-#include "patch.c"
+#include "body.c"
+#include "memory.c"
+#include "polygon.c"
 
-/* --------------------------------------------------------------------------------------------------------------- tree */
+#if !SP__WITH_SMALL
 
-/* Do two boxes come nearer than d? */
-static int sp__boxes_near(const sp_real lo[3], const sp_real hi[3], const sp_real lo2[3], const sp_real hi2[3], sp_real d)
-{
-    for (int c = 0; c < 3; c++) if (lo[c] > hi2[c] + d || lo2[c] > hi[c] + d) return 0;
-    return 1;
-}
-
-#ifndef SP_SMALL
 /* Every third bit from bit 0. */
 static uint32_t sp__spread(uint32_t x)
 {
@@ -102,6 +96,39 @@ static int32_t sp__tree_ask(sp__touch *t, int32_t a)
     sp__sort(t->all.hit, hits, sp__number_before, NULL);
     return hits;
 }
+
+/* Patches of all blocks, then what the largest pair needs. */
+static void sp__touch_blocks(sp__touch *t, sp_arena *scratch)
+{
+    sp__top_sizes *most = &t->most;
+    for (int32_t i = 0; i < t->scene->count.blocks; i++) {
+        int32_t side = 0;
+        sp__touch_block(t, i);
+        for (int32_t p = t->all.body[i].patch; p < t->patches; p++)
+            if (t->all.patch[p].edges > side) side = t->all.patch[p].edges;
+        sp__top_two_add(&most->side, side);
+        sp__top_two_add(&most->total, t->all.body[i].edges);
+        sp__top_two_add(&most->patches, t->all.body[i].patches);
+    }
+    sp__clip_carve(&t->clip, most->side.first, most->side.second, sp__crossings(&most->side), scratch);
+    sp__pair_buffer_carve(&t->pair, most, scratch);
+    if (sp__failed(scratch)) t->status = SP_E_MEMORY;
+}
+
+/* Every pair of blocks whose boxes come near each other. */
+static void sp__touch_all(sp__touch *t, sp_arena *scratch)
+{
+    sp_scene *scene = t->scene;
+    sp__contact_arrays_carve(&t->all, scene, scratch);
+    if (sp__failed(scratch)) { t->status = SP_E_MEMORY; return; }
+    sp__touch_blocks(t, scratch);
+    if (!t->status) sp__tree_build(t);
+    for (t->a = 0; t->a < scene->count.blocks && !t->status; t->a++) {
+        const int32_t hits = sp__tree_ask(t, t->a);
+        for (int32_t h = 0; h < hits && !t->status; h++) sp__touch_pair(t, t->all.hit[h]);
+    }
+}
+
 #endif
 
 #endif /* SP__CONTACTS_SWEEP_C */

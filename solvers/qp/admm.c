@@ -8,6 +8,7 @@
 #ifndef SP__ADMM_C
 #define SP__ADMM_C
 
+#include "certificate.c"
 #include "auglag.c"
 
 #if SP__WITH_QP

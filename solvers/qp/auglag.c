@@ -14,7 +14,7 @@
 #ifndef SP__AUGLAG_C
 #define SP__AUGLAG_C
 
-#include "certificate.c"
+#include "sharpen.c"
 
 #if SP__WITH_QP
 #if SP__WITH_QP_POLISH

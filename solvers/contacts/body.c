@@ -1,0 +1,53 @@
+/* body: box, noise and patches of a block; is it convex? */
+#ifndef SP__CONTACTS_BODY_C
+#define SP__CONTACTS_BODY_C
+
+#include "patch.c"
+#include "small_patch.c"
+
+/* Nothing of a closed block beyond a face of it? */
+static int sp__touch_convex(const sp__touch *t, const sp__body *body)
+{
+    const sp_block *k = &t->scene->block[t->block];
+    const sp_real flat = sp__body_flat(t, body) + 2 * body->warp;
+    if (!(k->volume > 0)) return 0;
+    for (int32_t p = body->patch; p < body->patch + body->patches; p++)
+        for (int32_t e = body->edge; e < body->edge + body->edges; e++) {
+            sp_real d[3];
+            sp__sub3(t->scene->vertex[t->all.bound[e][0]], t->all.patch[p].o, d);
+            if (sp__dot3(d, t->all.patch[p].n) > flat) return 0;
+        }
+    return 1;
+}
+
+/* Box and noise of a block from its patches. */
+static void sp__touch_size(sp__touch *t, sp__body *body)
+{
+    const sp_real diameter = t->scene->block[t->block].diameter;
+    sp_real far = 0;
+    for (int32_t v = 0; v < t->scene->block[t->block].vertices; v++)
+        for (int c = 0; c < 3; c++) far = sp__max(far, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
+    body->noise = 16 * SP_EPSILON * (far + diameter);
+    body->reach = sp__max(body->noise, t->set.absolute ? t->set.distance : t->set.distance * diameter);
+}
+
+/* Patches of one block. */
+static void sp__touch_block(sp__touch *t, int32_t block)
+{
+    const sp_block *k = &t->scene->block[block];
+    sp__body *body = &t->all.body[block];
+    t->block = block;
+    t->vertex0 = k->vertex;
+    t->face0 = k->face;
+    body->warp = 0;
+    body->patch = t->patches;
+    body->edge = t->bounds;
+    sp__touch_size(t, body);
+    sp__touch_patches(t, body, k->faces);
+    body->patches = t->patches - body->patch;
+    body->edges = t->bounds - body->edge;
+    sp__bound_box(t, body->edge, t->bounds, body->lo, body->hi);
+    body->convex = sp__touch_convex(t, body);
+}
+
+#endif /* SP__CONTACTS_BODY_C */

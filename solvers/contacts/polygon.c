@@ -1,0 +1,129 @@
+/* polygon: the polygons that two blocks share, patch against patch */
+#ifndef SP__CONTACTS_POLYGON_C
+#define SP__CONTACTS_POLYGON_C
+
+#include "overlap.c"
+#include "pair.c"
+
+#if !SP__WITH_SMALL
+
+/* Give the boundary of a patch to the clipper: A's as it is, B's in A's plane, turned round. */
+static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patch *p, int32_t side)
+{
+    for (int32_t e = p->edge; e < p->edge + p->edges; e++) {
+        const int32_t u = t->all.bound[e][side], v = t->all.bound[e][1 - side];
+        sp_real from[2], to[2];
+        sp__pair_flat(t, plane, t->scene->vertex[u], from);
+        sp__pair_flat(t, plane, t->scene->vertex[v], to);
+        sp__clip_add(&t->clip, side, from, to, u, v);
+    }
+}
+
+/* A corner of the result in space: on A's plane; a vertex that is there already stays what it is, to the bit. */
+static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
+{
+    const int32_t name = t->clip.corner[corner].name;
+    sp__pair_place(t, p, t->clip.corner[corner].x, x);
+    if (name < 0) return;
+    for (int c = 0; c < 3; c++) if (sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) return;
+    memcpy(x, t->scene->vertex[name], 3 * sizeof *x);
+}
+
+static void sp__reverse(sp_real (*p)[3], int32_t from, int32_t to)
+{
+    for (to--; from < to; from++, to--)
+        for (int c = 0; c < 3; c++) {
+            const sp_real x = p[from][c];
+            p[from][c] = p[to][c];
+            p[to][c] = x;
+        }
+}
+
+/* Start the polygon at its first corner in order of x, y, z. */
+static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size)
+{
+    int32_t first = 0;
+    for (int32_t k = 1; k < size; k++) if (sp__place_order(p[k], p[first], t->snap) < 0) first = k;
+    sp__reverse(p, 0, first);
+    sp__reverse(p, first, size);
+    sp__reverse(p, 0, size);
+}
+/* Keep loop l of the clipper if B's plane is near. */
+static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
+{
+    const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
+    sp_real (*point)[3] = t->pair.point + t->points;
+    if (size > t->pair.room - t->points || t->founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
+    for (int32_t k = 0; k < size; k++) sp__pair_corner(t, p, from + k, point[k]);
+    if (!sp__pair_meets(t, p, q, point, size)) return;
+    sp__pair_canonical(t, point, size);
+    t->pair.found[t->founds].start = t->points;
+    t->pair.found[t->founds].size = size;
+    t->points += size;
+    t->founds++;
+}
+
+/* Polygons of patch p of A and q of B, in the plane of p. */
+static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
+{
+    sp__pair_plane(t, p);
+    sp__pair_region(t, p, p, 0);
+    sp__pair_region(t, p, q, 1);
+    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
+}
+
+/* Patches of one block near the box of another. Returns how many. */
+static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__body *other, int32_t *list)
+{
+    int32_t n = 0;
+    for (int32_t k = own->patch; k < own->patch + own->patches; k++) {
+        const sp__patch *p = &t->all.patch[k];
+        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->near)) list[n++] = k;
+    }
+    return n;
+}
+
+static int sp__polygon_before(const void *what, int32_t i, int32_t j)
+{
+    const sp__touch *t = what;
+    const sp__polygon *f = &t->pair.found[i], *g = &t->pair.found[j];
+    for (int32_t k = 0; k < f->size && k < g->size; k++) {
+        const int o = sp__place_order(t->pair.point[f->start + k], t->pair.point[g->start + k], t->snap);
+        if (o) return o < 0;
+    }
+    return f->size != g->size ? f->size < g->size : i < j;
+}
+
+/* Append what was found to the scene, in the order of corners; where there is no room, count. */
+static void sp__pair_append(sp__touch *t)
+{
+    for (int32_t k = 0; k < t->founds; k++) t->pair.rank[k] = k;
+    sp__sort(t->pair.rank, t->founds, sp__polygon_before, t);
+    for (int32_t k = 0; k < t->founds; k++) {
+        const sp__polygon *f = &t->pair.found[t->pair.rank[k]];
+        sp__pair_add(t, f->size, t->pair.point + f->start);
+    }
+}
+
+/* All contacts of one pair, and their overlap. */
+static void sp__touch_pair(sp__touch *t, int32_t b)
+{
+    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
+    if (t->scene->block[t->a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
+    sp__pair_start(t, b);
+    t->points = t->founds = 0;
+    const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
+    for (int32_t i = 0; i < n; i++)
+        for (int32_t j = 0; j < m && !t->status; j++) {
+            const sp__patch *u = &t->all.patch[t->pair.near_a[i]], *v = &t->all.patch[t->pair.near_b[j]];
+            if (sp__pair_opposed(t, u, v)) sp__pair_clip(t, u, v);
+        }
+    if (t->status) return;
+    sp__pair_append(t);
+    if (!t->status) sp__pair_overlap(t);
+}
+
+#endif
+
+#endif /* SP__CONTACTS_POLYGON_C */
