@@ -88,7 +88,7 @@ qp_parts() {                                            # the switches of its pa
     done
 }
 check_switches() {
-    no_qp=$(echo "$core" | grep -vx qp)
+    no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl')
     no_ipm=$(echo "$core" | grep -vx limit)
     no_plan=$(echo "$core" | grep -vx plan)
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
@@ -98,7 +98,7 @@ check_switches() {
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
-    small='small envelope order bchol chol scene contacts clip convex matrices closed verify near gen limit sequence qp dykstra place cone ruiz'
+    small='small envelope order chol scene contacts matrices closed verify near gen limit sequence qp dykstra place ruiz'
     part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
@@ -108,7 +108,7 @@ check_switches() {
     count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
     for sw_real in '' -DSP_REAL_FLOAT; do
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
-        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small envelope order bchol chol scene contacts clip convex matrices closed verify near gen' \
+        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small envelope scene contacts matrices closed verify near gen' \
             tests/scenes/gen.c -DSP_EXACT_ONLY $sw_real
         count "tests, SP_SMALL $sw_real" tests_without "$small" tests/scenes/gen.c -DSP_SMALL $sw_real
         count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
