@@ -173,12 +173,12 @@ typedef struct sp_mass {
  * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K) of
  * both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
  * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
-typedef struct sp_joint {
+typedef struct sp_strength {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
     sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
     sp_real tension;            /* tensile strength, >= 0 [Pa] */
     sp_real cap;                /* crushing strength, >= 0 [Pa]; 0: unlimited */
-} sp_joint;
+} sp_strength;
 
 #define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
 
@@ -199,7 +199,7 @@ typedef struct sp_interface {
     int32_t point, points;      /* its part of scene.point */
     sp_real n[3], t1[3], t2[3]; /* right-handed frame: t1 along the first true edge, t2 = n x t1 */
     sp_real area;               /* [m^2], 0 for point and edge contacts */
-    sp_joint joint;
+    sp_strength strength;
 } sp_interface;
 
 /* What acts on a block besides its own weight. All of it may be 0; on a support it does nothing. */
@@ -249,20 +249,20 @@ SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real de
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
 SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
 
-/* A joint with friction mu and nothing else. */
-SP_API sp_joint sp_joint_friction(sp_real mu);
+/* Friction mu and nothing else. */
+SP_API sp_strength sp_strength_friction(sp_real mu);
 
 /* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
  * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated interfaces are legal.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (joint),
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (strength),
  *           SP_E_CAPACITY */
 SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
-                                    const sp_joint *joint, int32_t *id);
+                                    const sp_strength *strength, int32_t *id);
 
 /* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
  *   returns as sp_scene_interface; SP_E_AREA: also strength without an area */
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
-                                 const sp_real *xyz, const sp_joint *joint, int32_t *id);
+                                 const sp_real *xyz, const sp_strength *strength, int32_t *id);
 
 /* Use one friction coefficient for every interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
@@ -280,7 +280,7 @@ typedef struct sp_contact_settings {
     sp_real distance;           /* faces nearer than this touch; relative to the smaller block's diameter     1e-6 */
     sp_real angle;              /* largest sine of the angle between touching faces                           1e-3 */
     int32_t absolute;           /* 1: distance is in m                                                           0 */
-    sp_joint joint;             /* given to every contact found                                            mu 0.84 */
+    sp_strength strength;             /* given to every contact found                                            mu 0.84 */
 } sp_contact_settings;
 
 typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* two blocks inside each other by `depth` [m] */
@@ -305,7 +305,7 @@ SP_API size_t sp_contacts_memory(const sp_scene *scene);
  *   scratch   by value: all of it may be overwritten
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (settings.joint), SP_E_MEMORY, SP_E_CAPACITY;
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY;
  *             SP_E_UNSUPPORTED of SP_SMALL: a face that is not convex lies in one plane with an opposed one, and their boxes meet,
  *             whether or not they touch */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,

@@ -66,7 +66,7 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
     for (int c = 0; c < 3; c++)
         if (scene->count.loads || scene->body[c] < 0 || scene->body[c] > 0) return SETTLE_E_LOAD;
     for (int32_t i = 0; i < scene->count.interfaces; i++) {
-        const sp_joint *j = &scene->interface[i].joint;
+        const sp_strength *j = &scene->interface[i].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SETTLE_E_LOAD;
     }
     for (int32_t b = 0; b < scene->count.blocks; b++) {
@@ -124,7 +124,7 @@ void settle_count_interfaces(const settle_result *result, const sp_scene *scene,
     }
 }
 
-sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_joint *joint, sp_scene *scene)
+sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene)
 {
     for (int32_t k = 0; k < result->contacts; k++) {
         const settle_contact *c = &result->contact[k];
@@ -134,7 +134,7 @@ sp_status settle_add_interfaces(const settle_result *result, int32_t container, 
         for (int d = 0; d < 3; d++) n[d] = (sp_real)c->n[d];
         for (int32_t p = 0; p < c->points; p++)
             for (int d = 0; d < 3; d++) xyz[3 * p + d] = (sp_real)c->point[p][d];
-        status = sp_scene_points(scene, c->a < 0 ? container : c->a, c->b, n, c->points, xyz, joint, NULL);
+        status = sp_scene_points(scene, c->a < 0 ? container : c->a, c->b, n, c->points, xyz, strength, NULL);
         if (status != SP_OK) return status;
     }
     return SP_OK;

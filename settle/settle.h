@@ -189,7 +189,7 @@ void settle_count_interfaces(const settle_result *result, const sp_scene *scene,
 
 /* Add them to a scene whose blocks are the stones, in their order; the container, where there is one, is block `container`.
  *   returns what sp_scene_points returns */
-sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_joint *joint, sp_scene *scene);
+sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene);
 
 #ifdef __cplusplus
 }

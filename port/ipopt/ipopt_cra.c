@@ -108,7 +108,7 @@ static double mu_of(const nlp *p, Index k)
 {
     for (int32_t c = 0; c < p->problem.contacts; c++) {
         const sp_contact *a = p->problem.contact + c;
-        if (p->point[k] >= a->point && p->point[k] < a->point + a->points) return (double)a->joint->joint.mu;
+        if (p->point[k] >= a->point && p->point[k] < a->point + a->points) return (double)a->joint->strength.mu;
     }
     return 0;
 }
@@ -453,7 +453,7 @@ sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, co
     if (!scene || !settings || !q || !f || !dq || !alpha || !answer) return SP_E_ARGUMENT;
     if (!(q->eps >= 0) || !(q->eta > 0)) return SP_E_RANGE;
     for (int32_t i = 0; i < scene->count.interfaces; i++) {
-        const sp_joint *j = &scene->interface[i].joint;
+        const sp_strength *j = &scene->interface[i].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SP_E_UNSUPPORTED;
     }
     memset(&p, 0, sizeof p);

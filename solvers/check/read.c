@@ -39,7 +39,7 @@ SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *
     sp__add3(o.point, 1, scene->point[t->point]);
     sp__joint_force(t, sum, o.force);
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
-    const sp_real held = sp__max(0, t->joint.mu * sum[0] + t->joint.cohesion * t->area);
+    const sp_real held = sp__max(0, t->strength.mu * sum[0] + t->strength.cohesion * t->area);
     o.utilisation = size + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, held) : 0;
     *out = o;
     return SP_OK;

@@ -9,7 +9,7 @@ static sp_status sp__contact_settings_check(const sp_contact_settings *s)
 {
     if (!sp__finite(s->distance) || !sp__finite(s->angle)) return SP_E_RANGE;
     if (s->distance < 0 || s->angle < 0 || s->angle > (sp_real)0.5) return SP_E_RANGE;
-    return sp__joint_check(&s->joint);
+    return sp__strength_check(&s->strength);
 }
 
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,

@@ -114,7 +114,7 @@ SP_API sp_contact_settings sp_contact_settings_default(void)
     memset(&s, 0, sizeof s);
     s.distance = (sp_real)1e-6;
     s.angle = (sp_real)1e-3;
-    s.joint.mu = (sp_real)0.84;
+    s.strength.mu = (sp_real)0.84;
     return s;
 }
 

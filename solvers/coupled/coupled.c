@@ -43,7 +43,7 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
 {
     int frictionless = 1;
-    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->joint.mu > 0) frictionless = 0;
+    for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->strength.mu > 0) frictionless = 0;
     const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
     if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, frictionless ? &c->t : NULL, a, c->out);

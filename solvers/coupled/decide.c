@@ -320,7 +320,7 @@ SP__NOINLINE static void sp__branch_make(sp__branch *s)
         for (int32_t p = t->point; p < t->point + t->points; p++, v++) {
             s->contact[v] = k;
             s->at[v] = p;
-            s->mu[v] = c * t->joint->joint.mu;
+            s->mu[v] = c * t->joint->strength.mu;
             s->size[v] = sp__lesser(t, s->load, 1);
             s->state[v] = 0;
             s->loaded[v] = -1;

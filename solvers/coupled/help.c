@@ -18,7 +18,7 @@ SP__NOINLINE static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real *x = out->penalty + 4 * v, ft = SP_SQRT(x[2] * x[2] + x[3] * x[3]);
             o->tension = sp__max(o->tension, x[1] - x[0]);
-            o->friction = sp__max(o->friction, ft - t->joint->joint.mu * sp__max(x[0] - x[1], 0));
+            o->friction = sp__max(o->friction, ft - t->joint->strength.mu * sp__max(x[0] - x[1], 0));
             press = sp__max(press, x[0]);
             pull = sp__max(pull, x[1]);
         }

@@ -75,7 +75,7 @@ static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
         const sp_contact *t = &c->pb->contact[q];
         const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real most = t->joint->joint.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->unit);
+            const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->unit);
             c->cap[v] = c->viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
         }
     }

@@ -90,7 +90,7 @@ static sp_real sp__cra_sbar(const sp__cra *c, const sp_contact *t)
 /* Largest |ft| / fn against slip d: mu, of a pyramid what it reaches in that direction. */
 static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_real d[3])
 {
-    const sp_real mu = t->joint->joint.mu * c->j.mu_factor, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    const sp_real mu = t->joint->strength.mu * c->j.mu_factor, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
     sp_real most = 0;
     if (!c->set->faces || !(slip > 0)) return mu;
     for (int32_t k = 0; k < c->set->faces; k++)

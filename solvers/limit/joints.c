@@ -36,7 +36,7 @@ static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_i
     d[0] = w[0];
     d[1] = SP_SQRT(w[1] * w[1] + w[2] * w[2]);
     if (sp__norm3(u) <= rest) return 0;
-    return d[0] <= f->joint.mu * d[1] * (sp_real)1.001 + rest ? 1 : 2;
+    return d[0] <= f->strength.mu * d[1] * (sp_real)1.001 + rest ? 1 : 2;
 }
 
 SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t interface, sp_joint_motion *motion)

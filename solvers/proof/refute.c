@@ -189,7 +189,7 @@ SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row,
 {
     const sp__certificate *j = w->j;
     const sp_contact *t = &j->pb->contact[w->contact[v]];
-    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = j->set->faces;
     int32_t h = 0, end;
     if (w->state[v] < 4) return 0;
@@ -240,7 +240,7 @@ SP__NOINLINE static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row,
         sp__refute_right(w, sp__abs(y), w->k->eta);
     } else if (row < 21) {                              /* the cone around */
         const int exact = faces && faces <= 8;
-        sp_real mu = j->pb->contact[w->contact[v]].joint->joint.mu * j->mu_factor;
+        sp_real mu = j->pb->contact[w->contact[v]].joint->strength.mu * j->mu_factor;
         if (y < 0 || (exact && row - 13 >= faces)) return 0;
         if (faces && !exact) mu *= SP_SQRT(1 + j->tan_half * j->tan_half);
         sp__pyramid_direction(exact ? faces : 8, row - 13, d);
@@ -278,7 +278,7 @@ static sp_real sp__refute_least_force(sp__refute *w)
     for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->x[k] = w->motion[k];
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
-        const sp_real mu = t->joint->joint.mu * (1 + j->tan_half);
+        const sp_real mu = t->joint->strength.mu * (1 + j->tan_half);
         sp_real u[3], *f = w->f[v];
         sp__vertex_velocity(pb, NULL, t, w->at[v], j->x, u);
         f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;

@@ -9,7 +9,7 @@
  * convex and holds 0, so a shortened force stays in it). out may be f. */
 static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
-    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
     const sp_real slip[3] = { 0, f[1], f[2] };
     sp_real most = faces ? 0 : sp__norm3(slip);         /* the largest tangential share any face sees */
@@ -62,7 +62,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
 SP__NOINLINE static sp_real sp__certificate_resist(const sp__certificate *j, const sp_contact *t, const sp_real u[3])
 {
-    const sp_real mu = t->joint->joint.mu * j->mu_factor;
+    const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
     const sp_real z = SP_SQRT(u[1] * u[1] + u[2] * u[2]), all = SP_SQRT(u[0] * u[0] + z * z);
     if (!faces) {
@@ -94,7 +94,7 @@ SP__NOINLINE static sp_real sp__certificate_resist(const sp__certificate *j, con
 SP__NOINLINE static sp_real sp__certificate_support(const sp__certificate *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
                                            int *capped)
 {
-    const sp_real mu = t->joint->joint.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
+    const sp_real mu = t->joint->strength.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
     const sp__strength k = sp__certificate_strength(j, t);
     sp_real a = j->set->faces ? 0 : SP_SQRT(u[1] * u[1] + u[2] * u[2]);
     for (int32_t q = 0; q < j->set->faces; q++) {

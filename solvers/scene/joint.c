@@ -4,25 +4,28 @@
 
 #include "mesh.c"
 
-SP_API sp_joint sp_joint_friction(sp_real mu)
+SP_API sp_strength sp_strength_friction(sp_real mu)
 {
-    const sp_joint joint = { mu, 0, 0, 0 };
-    return joint;
+    const sp_strength strength = { mu, 0, 0, 0 };
+    return strength;
 }
 
-static sp_status sp__joint_check(const sp_joint *joint)
+static sp_status sp__strength_check(const sp_strength *strength)
 {
-    const sp_real rest[3] = { joint->cohesion, joint->tension, joint->cap };
-    if (!sp__finite(joint->mu) || !sp__finite3(rest)) return SP_E_NOT_FINITE;
-    return joint->mu >= 0 && rest[0] >= 0 && rest[1] >= 0 && rest[2] >= 0 ? SP_OK : SP_E_RANGE;
+    const sp_real rest[3] = { strength->cohesion, strength->tension, strength->cap };
+    if (!sp__finite(strength->mu) || !sp__finite3(rest)) return SP_E_NOT_FINITE;
+    return strength->mu >= 0 && rest[0] >= 0 && rest[1] >= 0 && rest[2] >= 0 ? SP_OK : SP_E_RANGE;
 }
 
 /* Has a joint strength beyond friction, or less than any? */
-SP__NOINLINE_SMALL static int sp__joint_strong(const sp_joint *joint) { return joint->cohesion > 0 || joint->tension > 0 || joint->cap > 0; }
+SP__NOINLINE_SMALL static int sp__strength_more(const sp_strength *strength)
+{
+    return strength->cohesion > 0 || strength->tension > 0 || strength->cap > 0;
+}
 
 static int sp__scene_strong(const sp_scene *scene)
 {
-    for (int32_t k = 0; k < scene->count.interfaces; k++) if (sp__joint_strong(&scene->interface[k].joint)) return 1;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) if (sp__strength_more(&scene->interface[k].strength)) return 1;
     return 0;
 }
 
@@ -34,15 +37,15 @@ typedef struct sp__strength { sp_real C, T, N; } sp__strength;
 static sp__strength sp__vertex_strength(const sp_interface *f, int ignore_strength)
 {
     const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
-    sp__strength k = { f->joint.cohesion * share, f->joint.tension * share, f->joint.cap > 0 ? f->joint.cap * share : SP__HUGE };
-    if (k.T * f->joint.mu > k.C) k.T = k.C / f->joint.mu;
+    sp__strength k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.cap > 0 ? f->strength.cap * share : SP__HUGE };
+    if (k.T * f->strength.mu > k.C) k.T = k.C / f->strength.mu;
     return k;
 }
 
 /* Is K_v of a contact more or less than a cone? */
 static int sp__contact_strong(const sp_problem *pb, const sp_contact *t)
 {
-    return pb->ignore_strength ? t->joint->joint.cap > 0 : sp__joint_strong(&t->joint->joint);
+    return pb->ignore_strength ? t->joint->strength.cap > 0 : sp__strength_more(&t->joint->strength);
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
@@ -120,12 +123,12 @@ static sp_status sp__points_frame(const sp_real n[3], sp_interface *f)
 /* What polygons and points have in common. The new interface is made in the scene's next free place, which is nobody's until
  * sp__interface_add counts it. */
 static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
-                                     const sp_joint *joint)
+                                     const sp_strength *strength)
 {
-    if (!scene || !xyz || !joint || points < 0) return SP_E_ARGUMENT;
+    if (!scene || !xyz || !strength || points < 0) return SP_E_ARGUMENT;
     if (a < 0 || b < 0 || a >= scene->count.blocks || b >= scene->count.blocks) return SP_E_INDEX;
     if (a == b) return SP_E_SELF;
-    const sp_status status = sp__joint_check(joint);
+    const sp_status status = sp__strength_check(strength);
     if (status) return status;
     if (!sp__all_finite(xyz, 3 * (size_t)points)) return SP_E_NOT_FINITE;
     const sp_capacity *n = &scene->count;
@@ -134,7 +137,7 @@ static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int3
     f->a = a; f->b = b;
     f->point = n->points;
     f->points = points;
-    f->joint = *joint;
+    f->strength = *strength;
     return SP_OK;
 }
 
@@ -147,21 +150,21 @@ static void sp__interface_add(sp_scene *scene, int32_t points, const sp_real *xy
 }
 
 SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
-                                    const sp_joint *joint, int32_t *id)
+                                    const sp_strength *strength, int32_t *id)
 {
-    sp_status status = sp__interface_start(scene, a, b, points, xyz, joint);
+    sp_status status = sp__interface_start(scene, a, b, points, xyz, strength);
     if (!status) status = points < 3 ? SP_E_AREA : sp__polygon_frame(points, xyz, &scene->interface[scene->count.interfaces]);
     if (!status) sp__interface_add(scene, points, xyz, id);
     return status;
 }
 
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
-                                 const sp_real *xyz, const sp_joint *joint, int32_t *id)
+                                 const sp_real *xyz, const sp_strength *strength, int32_t *id)
 {
     if (!n) return SP_E_ARGUMENT;
-    sp_status status = sp__interface_start(scene, a, b, points, xyz, joint);
+    sp_status status = sp__interface_start(scene, a, b, points, xyz, strength);
     if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->interface[scene->count.interfaces]);
-    if (!status && sp__joint_strong(joint)) status = SP_E_AREA;         /* strength is per area */
+    if (!status && sp__strength_more(strength)) status = SP_E_AREA;         /* strength is per area */
     if (!status) sp__interface_add(scene, points, xyz, id);
     return status;
 }
@@ -171,7 +174,7 @@ SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu)
     if (!scene) return SP_E_ARGUMENT;
     if (!sp__finite(mu)) return SP_E_NOT_FINITE;
     if (mu < 0) return SP_E_RANGE;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) scene->interface[k].joint.mu = mu;
+    for (int32_t k = 0; k < scene->count.interfaces; k++) scene->interface[k].strength.mu = mu;
     return SP_OK;
 }
 

@@ -95,7 +95,7 @@ static void sp__friction_open(sp__friction *r, int32_t faces, int32_t inscribed,
 /* Column c of one contact vertex: cos_k ft1 + sin_k ft2 - mu_eff (fp or fp - fm). */
 static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_contact *contact, int32_t v, int32_t columns, int32_t c)
 {
-    const sp_real mu = r->shrink * contact->joint->joint.mu;
+    const sp_real mu = r->shrink * contact->joint->strength.mu;
     const int32_t tangent = c - (columns - 2);          /* 0, 1: ft1, ft2 */
     for (int32_t k = 0; k < r->faces; k++) {
         const int32_t row = r->first + r->faces * v + k;

@@ -132,7 +132,7 @@ static void sp__small_square(sp__small *w, sp_real s, const sp_real *e)
  * w = ut / |ut|, and DP_K = g g' + (mu fn / |ut|) w_perp w_perp'. */
 SP__NOINLINE static void sp__small_vertex(sp__small *w, const sp_contact *t, int32_t v, sp__want want)
 {
-    const sp_real mu = t->joint->joint.mu;
+    const sp_real mu = t->joint->strength.mu;
     const sp_real u[3] = { sp__small_row(w, t, v, 0, t->joint->n), sp__small_row(w, t, v, 1, t->joint->t1),
                            sp__small_row(w, t, v, 2, t->joint->t2) };
     sp_real *f = w->to->f + 3 * (size_t)v, slope[3];

@@ -116,7 +116,7 @@ SP__NOINLINE static void sp__flat_open(sp__dual *w)
     w->flat->forest = w->flat->mode == SP__LEVEL_JOINTS && sp__flat_forest(w);
     w->flat->frictionless = w->flat->mode == SP__LEVEL_JOINTS;
     for (int32_t c = 0; c < pb->contacts; c++)
-        if (pb->contact[c].joint->joint.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->frictionless = 0;
+        if (pb->contact[c].joint->strength.mu > 0 || w->flat->mate[pb->contact[c].point] < 0) w->flat->frictionless = 0;
 }
 
 /* Forces of vertices that do not count: those of their images, or none; what rounding left of forces across the plane goes;

@@ -119,7 +119,7 @@ static int sp__problem_strong(const sp_problem *pb)
 }
 
 /* Coefficient of contact c in force. */
-static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->joint.mu * w->factor; }
+static sp_real sp__dual_mu(const sp__dual *w, int32_t c) { return w->pb->contact[c].joint->strength.mu * w->factor; }
 
 /* K of a vertex of contact c in units, and as f = S P_(K/S)(u) wants it: strength over S, friction in its own units. It lies in
  * w->yield until the next call. */

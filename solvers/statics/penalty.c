@@ -25,7 +25,7 @@ SP__NOINLINE static void sp__penalty_demand(sp__dual *w, sp_demand *demand)
             if (!(sp__dual_counts(w, v) > 0)) continue;
             sp__dual_rate(w, V, W, w->pb->local[v], u);
             sp__dual_force(w, c, yield, u, f);
-            const sp_real held = k.C + t->joint->joint.mu * sp__max(-k.T, f[0] * w->unit);
+            const sp_real held = k.C + t->joint->strength.mu * sp__max(-k.T, f[0] * w->unit);
             o->tension = sp__max(o->tension, -f[0] * w->unit - k.T);
             o->friction = sp__max(o->friction, SP_SQRT(f[1] * f[1] + f[2] * f[2]) * w->unit - held);
         }

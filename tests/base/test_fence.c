@@ -91,7 +91,7 @@ static void build(const char *name, const char *param, double value, sp_scene *s
     }
     for (int32_t k = 0; k < plain.count.interfaces; k++) {
         const sp_interface *t = &plain.interface[k];
-        CHECK_INT(sp_scene_interface(s, t->a, t->b, t->points, plain.point[t->point], &t->joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(s, t->a, t->b, t->points, plain.point[t->point], &t->strength, NULL), SP_OK);
     }
 }
 

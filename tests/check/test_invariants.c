@@ -183,7 +183,7 @@ TEST(friction_helps)
         gen_open(&g, sample[k].name);
         gen_set(&g, sample[k].param, sample[k].value);
         NEED(gen_build(&g, &test_arena, &s) == SP_OK);
-        const double mu = (double)s.interface[0].joint.mu;
+        const double mu = (double)s.interface[0].strength.mu;
         CHECK_INT(sp_scene_friction(&s, R(sample[k].verdict == SP_STABLE ? 1.5 * mu : 0.7 * mu)), SP_OK);
         NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
         if (!sample[k].hard || r.verdict) CHECK_INT(r.verdict, sample[k].verdict);

@@ -269,9 +269,9 @@ static void random_scene(sp_scene *scene, int32_t blocks, int32_t interfaces)
     for (int32_t k = 0; k < interfaces && blocks > 1; k++) {
         sp_real xyz[12], n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(1) };
         const int32_t a = test_random_int(0, blocks - 1), b = (a + test_random_int(1, blocks - 1)) % blocks;
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         for (int c = 0; c < 12; c++) xyz[c] = test_random_real(-1, 1);
-        CHECK_INT(sp_scene_points(scene, a, b, n, test_random_int(1, 4), xyz, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(scene, a, b, n, test_random_int(1, 4), xyz, &strength, NULL), SP_OK);
     }
     sp_load load = { 0, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
     if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
@@ -394,7 +394,7 @@ static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int
         const int joined = large ? a <= large && c <= large : a % islands == c % islands;
         const int32_t b = joined && a != c && test_random_int(0, 2) ? c : 0, points = test_random_int(1, most);
         const sp_real n[3] = { shape < 2 ? test_random_real(-1, 1) : 0, shape ? 0 : test_random_real(-1, 1), 1 };
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         sp_real xyz[180];
         for (int32_t i = 0; i < 3 * points; i++) xyz[i] = test_random_real(-1, 1);
         for (int32_t i = 0; i < points && shape; i++) {
@@ -403,7 +403,7 @@ static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int
             if (shape == 2) x[2] = 0;
             if (i % 2) { x[0] = x[-3]; x[2] = x[-1]; }
         }
-        if (supports || b) CHECK_INT(sp_scene_points(scene, a, b, n, points, xyz, &joint, NULL), SP_OK);
+        if (supports || b) CHECK_INT(sp_scene_points(scene, a, b, n, points, xyz, &strength, NULL), SP_OK);
     }
     const sp_load load = { blocks - 1, 1, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, 0 };
     if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
@@ -455,14 +455,14 @@ TEST(a_static_array_sized_by_counts_is_enough)
     const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 0 };
     const sp_real low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 1 };
     const sp_real xyz[12] = { R(-0.5), R(-0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5), R(0.5), R(0.5), R(-0.5), R(0.5), R(0.5) };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     sp_arena arena;
     sp_scene scene;
     sp_result r;
     NEED(sp_arena_init(&arena, a_static_array, sizeof a_static_array) == SP_OK);
     NEED(sp_scene_create(&scene, &cap, &arena) == SP_OK);
     NEED(sp_scene_body(&scene, R(1), low, SP_FIXED, NULL) == SP_OK && sp_scene_body(&scene, R(1), high, 0, NULL) == SP_OK);
-    NEED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL) == SP_OK);
+    NEED(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL) == SP_OK);
     NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
 }

@@ -63,7 +63,7 @@ static void add(sp_scene *out, const sp_scene *in, double x, manner m)
                 xyz[3 * v + i] = R(m.length) * (in->point[f->point + from][i] + (i ? 0 : R(x)));
         }
         CHECK_INT(sp_scene_interface(out, number[m.turned ? f->b : f->a], number[m.turned ? f->a : f->b], f->points, xyz,
-                                     &f->joint, NULL), SP_OK);
+                                     &f->strength, NULL), SP_OK);
     }
 }
 
@@ -171,12 +171,12 @@ static sp_scene piles(int32_t count, manner m)
             const double near = k ? (dy > 0 ? dy : 0) : 0, far = k ? (dy > 0 ? 1 : 1 + dy) : 1;
             const sp_real foot[12] = { R(l * (x + lo)), R(l * (y + near)), R(l * k), R(l * (x + hi)), R(l * (y + near)), R(l * k),
                                        R(l * (x + hi)), R(l * (y + far)), R(l * k), R(l * (x + lo)), R(l * (y + far)), R(l * k) };
-            const sp_joint joint = sp_joint_friction(R(0.6));
+            const sp_strength strength = sp_strength_friction(R(0.6));
             if (k) { x += dx; y += dy; }
             const sp_real c[3] = { R(l * (x + 0.5)), R(l * (y + 0.5)), R(l * (k + 0.5)) };
             int32_t id = 0;
             CHECK_INT(sp_scene_body(&s, R(m.mass * 1000), c, 0, &id), SP_OK);
-            CHECK_INT(sp_scene_interface(&s, below, id, 4, foot, &joint, NULL), SP_OK);
+            CHECK_INT(sp_scene_interface(&s, below, id, 4, foot, &strength, NULL), SP_OK);
             below = id;
         }
     }
@@ -294,7 +294,7 @@ TEST(what_refutes_one_island_is_no_proof_against_another)
         add(&s, &c, 50 * k, plain);
         add(&s, &h, 50 * k + 20, plain);
     }
-    for (int32_t k = 0; k < 2; k++) s.interface[s.count.interfaces - 1 - k].joint.mu = R(1.2);      /* the last of them jams */
+    for (int32_t k = 0; k < 2; k++) s.interface[s.count.interfaces - 1 - k].strength.mu = R(1.2);      /* the last of them jams */
     sp_arena a = test_arena;
     sp_result r = check(&s, &set, &a);
     CHECK_INT(r.islands, 4);
@@ -438,16 +438,16 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
 {
     const sp_real low[3] = { 0, 0, R(-1) }, high[3] = { R(1), 0, R(-1) };
     const sp_real side[12] = { R(0.5), 0, R(-2), R(0.5), R(1), R(-2), R(0.5), R(1), 0, R(0.5), 0, 0 };
-    const sp_joint joint = sp_joint_friction(R(0.6));
+    const sp_strength strength = sp_strength_friction(R(0.6));
     sp_scene s = room(4, 3, 12);
     CHECK_INT(sp_scene_body(&s, 0, low, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, high, SP_FIXED, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, side, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, side, &strength, NULL), SP_OK);
     for (int k = 0; k < 2; k++) {
         const sp_real c[3] = { R(k), 0, R(0.5) };
         const sp_real foot[12] = { R(k - 0.4), R(-0.4), 0, R(k + 0.4), R(-0.4), 0, R(k + 0.4), R(0.4), 0, R(k - 0.4), R(0.4), 0 };
         CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 2 + k, 4, foot, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 2 + k, 4, foot, &strength, NULL), SP_OK);
     }
     sp_arena a = test_arena;
     const sp_result r = check(&s, NULL, &a);
@@ -528,7 +528,7 @@ TEST(a_mirror_is_found_in_any_direction_and_none_where_there_is_none)
 TEST(level_joints_without_a_mirror_stand_by_pressure_alone)
 {
     const sp_real ground[3] = { 0, 0, R(-1) }, top[3] = { R(0.13), R(0.07), R(1.25) };
-    const sp_joint joint = sp_joint_friction(R(0.6));
+    const sp_strength strength = sp_strength_friction(R(0.6));
     sp_scene s = room(4, 4, 16);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     for (int k = 0; k < 2; k++) {
@@ -536,13 +536,13 @@ TEST(level_joints_without_a_mirror_stand_by_pressure_alone)
         const sp_real c[3] = { R(x), R(0.1 * k), R(0.5) };
         const sp_real foot[12] = { R(x - 0.3), R(-0.5), 0, R(x + 0.3), R(-0.5), 0, R(x + 0.3), R(0.5), 0, R(x - 0.3), R(0.5), 0 };
         CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 1 + k, 4, foot, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 1 + k, 4, foot, &strength, NULL), SP_OK);
     }
     CHECK_INT(sp_scene_body(&s, R(1500), top, 0, NULL), SP_OK);
     for (int k = 0; k < 2; k++) {
         const double x = 2 * k - 1;
         const sp_real seat[12] = { R(x - 0.3), R(-0.4), R(1), R(x + 0.3), R(-0.4), R(1), R(x + 0.3), R(0.45), R(1), R(x - 0.3), R(0.45), R(1) };
-        CHECK_INT(sp_scene_interface(&s, 1 + k, 3, 4, seat, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 1 + k, 3, 4, seat, &strength, NULL), SP_OK);
     }
     sp_arena a = test_arena;
     const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
@@ -602,7 +602,7 @@ TEST(a_forest_of_level_joints_falls_by_pressure_alone_and_nothing_else_does)
         sp_settings set;
         test_arena.used = 0;
         NEED(kinds_make(k, &test_arena, &s, &set) == SP_OK);
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].joint.mu = R(q % 2 ? 50 : 0.6);
+        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = R(q % 2 ? 50 : 0.6);
         sp_arena a = test_arena;
         const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
         CHECK_INT(r.verdict, all.verdict);
@@ -634,7 +634,7 @@ TEST(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings
         sp_settings set;
         test_arena.used = 0;
         NEED(kinds_make(k, &test_arena, &s, &set) == SP_OK);
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].joint.mu = 0;
+        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = 0;
         sp_arena a = test_arena;
         const sp_result r = check(&s, &set, &a), all = full(&s, &set, &a);
         CHECK(r.verdict == all.verdict || (OPEN && !all.verdict));
@@ -711,7 +711,7 @@ TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
  * every joint is two, the second from its other side. */
 static void tree(int32_t n, double lean, int halves, sp_scene *s)
 {
-    const sp_joint joint = sp_joint_friction(R(0.6));
+    const sp_strength strength = sp_strength_friction(R(0.6));
     double x[16] = { 0 }, z[16] = { 0 }, half[16] = { 2 };
     const sp_real ground[3] = { 0, 0, R(-1) };
     test_arena.used = 0;
@@ -737,7 +737,7 @@ static void tree(int32_t n, double lean, int halves, sp_scene *s)
                     xyz[3 * v + i] = cut ? (corner[3 * q + i] + corner[3 * (3 - q) + i]) / 2 : corner[3 * q + i];
                 }
             const int32_t below = k ? on + 1 : 0;
-            CHECK_INT(sp_scene_interface(s, part ? k + 1 : below, part ? below : k + 1, 4, xyz, &joint, NULL), SP_OK);
+            CHECK_INT(sp_scene_interface(s, part ? k + 1 : below, part ? below : k + 1, 4, xyz, &strength, NULL), SP_OK);
         }
     }
     s->gravity[0] = R(9.8 * lean);
@@ -806,7 +806,7 @@ TEST(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
         { 0, 1, SP_STABLE }, { 0.27, 1, SP_STABLE }, { 0.3, 0, SP_STABLE }, { 0.43, 0, SP_STABLE }, { 0.46, 0, SP_UNSTABLE } };
     const sp_real ground[3] = { 0, 0, R(-1) }, at[3] = { 0, 0, R(0.2) };
     const sp_real corner[9] = { 0, 1, 0, R(-0.3), R(-0.2), 0, R(0.3), R(-0.2), 0 };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     for (int k = 0; k < 5; k++) {
         const sp_load load = { 1, 0, { at[0], at[1], at[2] }, { 0, 0, 0 }, { 0, 0, R(ask[k].twist * 0.5 * 100 * 9.80665) }, 0 };
         sp_settings set = sp_settings_default();
@@ -816,7 +816,7 @@ TEST(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
         sp_scene s = room(2, 1, 3);
         CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
         CHECK_INT(sp_scene_body(&s, 100, at, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 1, 3, corner, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 1, 3, corner, &strength, NULL), SP_OK);
         CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
         agree_coupled(&s, &set, &told);
         CHECK_INT(told, ask[k].told);
@@ -936,7 +936,7 @@ TEST(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
         if (k % 3) NEED(kinds_make(14 + KINDS * k, &test_arena, &s, &own) == SP_OK);
         else s = part("keystone", "angle", 0.3 * k - 35, 0);
         if (s.count.points > SP_EXACT_POINTS) continue;
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].joint.mu = 0;
+        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = 0;
         set.localise = 0;
         set.coupled.asked = 1;
         set.coupled.box = k % 4 == 1;

@@ -43,8 +43,8 @@ static void box(sp_scene *s, const double lo[3], const double hi[3], uint32_t fi
 static void level(sp_scene *s, int32_t a, int32_t b, double x0, double x1, double y0, double y1, double z, double mu)
 {
     const sp_real p[12] = { R(x0), R(y0), R(z), R(x1), R(y0), R(z), R(x1), R(y1), R(z), R(x0), R(y1), R(z) };
-    const sp_joint joint = sp_joint_friction(R(mu));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, p, &joint, NULL), SP_OK);
+    const sp_strength strength = sp_strength_friction(R(mu));
+    CHECK_INT(sp_scene_interface(s, a, b, 4, p, &strength, NULL), SP_OK);
 }
 
 static void start(sp_scene *s, int32_t blocks, int32_t interfaces)

@@ -9,7 +9,7 @@
 static const double weight = 2400 * 9.80665;            /* of the cube of 1 m */
 
 /* A cube joined to a support on one face: 0 below it, 1 beside it (at x = 0, n along x). */
-static sp_scene cube(int beside, sp_joint joint)
+static sp_scene cube(int beside, sp_strength strength)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 1 };
     const sp_real below[12] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }, side[12] = { 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1 };
@@ -19,14 +19,14 @@ static sp_scene cube(int beside, sp_joint joint)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, R(2400), middle, 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, beside ? side : below, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, beside ? side : below, &strength, NULL), SP_OK);
     return s;
 }
 
-static sp_joint mortar(double mu, double cohesion, double tension, double cap)
+static sp_strength mortar(double mu, double cohesion, double tension, double cap)
 {
-    const sp_joint joint = { R(mu), R(cohesion), R(tension), R(cap) };
-    return joint;
+    const sp_strength strength = { R(mu), R(cohesion), R(tension), R(cap) };
+    return strength;
 }
 
 /* The true cone and pyramids, those inside it and around it. */
@@ -56,12 +56,12 @@ static sp_result check_with(const sp_scene *s, const sp_settings *set)
 static sp_result check(const sp_scene *s) { return check_with(s, NULL); }
 
 /* Stable with all of it 1 - CLOSE times, unstable with 1 + CLOSE times. */
-static void pulled(sp_joint joint, double fx, double fy, double fz, double z)
+static void pulled(sp_strength strength, double fx, double fy, double fz, double z)
 {
     for (int side = -1; side <= 1; side += 2) {
         const double k = 1 + side * CLOSE;
         const sp_load load = { 1, 0, { R(0.5), R(0.5), R(z) }, { R(k * fx), R(k * fy), R(k * fz) }, { 0, 0, 0 }, 0 };
-        sp_scene s = cube(0, joint);
+        sp_scene s = cube(0, strength);
         s.gravity[2] = 0;
         CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
         CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
@@ -158,15 +158,15 @@ TEST(forces_keep_within_strength)
 TEST(more_strength_never_turns_stable_into_unstable)
 {
     for (int trial = 0; trial < 60; trial++) {
-        sp_joint joint = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 2), weight * (double)test_random_real(0, 2),
+        sp_strength strength = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 2), weight * (double)test_random_real(0, 2),
                                 trial % 2 ? weight * (double)test_random_real(0.5, 3) : 0);
         int stood = 0;
         for (int step = 0; step < 3; step++) {
-            const sp_scene s = cube(trial % 3 == 0, joint);
+            const sp_scene s = cube(trial % 3 == 0, strength);
             const sp_verdict v = check(&s).verdict;
             CHECK(!(stood && v == SP_UNSTABLE));
             stood |= v == SP_STABLE;
-            joint.cohesion *= R(1.5); joint.tension *= R(1.5); joint.cap *= R(1.5);
+            strength.cohesion *= R(1.5); strength.tension *= R(1.5); strength.cap *= R(1.5);
         }
     }
 }
@@ -177,9 +177,9 @@ TEST(strength_has_no_unit_of_its_own)
         sp_real unit = 1;
         for (int i = 0; i < (k < 0 ? -k : k); i++) unit *= k < 0 ? R(1e-3) : R(1e3);
         for (int side = -1; side <= 1; side += 2) {
-            sp_joint joint = mortar(0.84, 5 * weight, weight * (1 - side * CLOSE), 4 * weight);
-            joint.cohesion *= unit; joint.tension *= unit; joint.cap *= unit;
-            sp_scene s = cube(1, joint);
+            sp_strength strength = mortar(0.84, 5 * weight, weight * (1 - side * CLOSE), 4 * weight);
+            strength.cohesion *= unit; strength.tension *= unit; strength.cap *= unit;
+            sp_scene s = cube(1, strength);
             s.block[1].mass *= unit;
             CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);
         }
@@ -227,7 +227,7 @@ TEST(no_pyramid_changes_what_tears_or_is_crushed)
 TEST(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
 {
     for (int trial = 0; trial < 120; trial++) {
-        const sp_joint joint = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 1.5),
+        const sp_strength strength = mortar((double)test_random_real(0, 1), weight * (double)test_random_real(0, 1.5),
                                       weight * (double)test_random_real(0, 1.5), trial % 2 ? weight * (double)test_random_real(0.7, 3) : 0);
         const sp_load load = { 1, 0, { R(0.5), R(0.5), test_random_real(0, 1) },
                                { R(weight) * test_random_real(-1, 1), trial % 4 < 2 ? 0 : R(weight) * test_random_real(-1, 1), 0 },
@@ -235,7 +235,7 @@ TEST(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
         const int32_t faces = 4 * test_random_int(1, 4);
         int stood = 0;
         for (int step = 0; step < 3; step++) {
-            sp_scene s = cube(trial % 3 == 0, joint);
+            sp_scene s = cube(trial % 3 == 0, strength);
             sp_settings set = sp_settings_default();
             set.faces = step == 1 ? 0 : faces;
             set.inscribed = step == 0;
@@ -254,7 +254,7 @@ TEST(strength_goes_with_an_area_and_statics_only)
 {
     const sp_scene s = cube(0, mortar(0.84, 1, 1, 0));
     const sp_real up[3] = { 0, 0, 1 }, at[3] = { 0, 0, 0 };
-    const sp_joint joint = mortar(0.84, 1, 0, 0);
+    const sp_strength strength = mortar(0.84, 1, 0, 0);
     sp_settings set = sp_settings_default();
     sp_scene points = s;
     sp_triplets t;
@@ -268,7 +268,7 @@ TEST(strength_goes_with_an_area_and_statics_only)
     set.faces = 0;
     CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
     points.count.interfaces = points.count.points = 0;
-    CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &joint, NULL), SP_E_AREA);
+    CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &strength, NULL), SP_E_AREA);
 }
 
 TEST_LIST(strength)

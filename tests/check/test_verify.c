@@ -213,14 +213,14 @@ static void pebble(double ratio, double mu, sp_scene *s)
         roof[3 * k + 1] = R(y);
         roof[3 * k + 2] = R(10 - d * x);
     }
-    const sp_joint firm = sp_joint_friction(R(0.84)), joint = sp_joint_friction(R(mu));
+    const sp_strength firm = sp_strength_friction(R(0.84)), strength = sp_strength_friction(R(mu));
     int32_t ground, cathedral, stone;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(s, 0, low, SP_FIXED, &ground), SP_OK);
     CHECK_INT(sp_scene_body(s, R(0.01 * ratio), middle, 0, &cathedral), SP_OK);
     CHECK_INT(sp_scene_body(s, R(0.01), high, 0, &stone), SP_OK);
     CHECK_INT(sp_scene_interface(s, ground, cathedral, 4, foot, &firm, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(s, cathedral, stone, 4, roof, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(s, cathedral, stone, 4, roof, &strength, NULL), SP_OK);
 }
 
 TEST(a_pebble_is_judged_by_its_own_weight)
@@ -244,8 +244,8 @@ TEST(a_pebble_is_judged_by_its_own_weight)
 static void bed(sp_scene *s, int32_t a, int32_t b, double x0, double x1, double z)
 {
     const sp_real v[12] = { R(x0), 0, R(z), R(x1), 0, R(z), R(x1), 1, R(z), R(x0), 1, R(z) };
-    const sp_joint joint = sp_joint_friction(R(0.6));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, v, &joint, NULL), SP_OK);
+    const sp_strength strength = sp_strength_friction(R(0.6));
+    CHECK_INT(sp_scene_interface(s, a, b, 4, v, &strength, NULL), SP_OK);
 }
 
 static int32_t cube_at(sp_scene *s, double mass, double x, double z)
@@ -263,7 +263,7 @@ static sp_scene wall_and_pile(double wall, double pile, int foot)
 {
     const sp_capacity cap = { 40, 0, 0, 0, 80, 320, 0 };
     const sp_real ground[3] = { 0, 0, R(-1) }, up[3] = { 0, 0, 1 };
-    const sp_joint joint = sp_joint_friction(R(0.6));
+    const sp_strength strength = sp_strength_friction(R(0.6));
     sp_scene s;
     int32_t id[5][4], last = 0;
     test_arena.used = 0;
@@ -283,7 +283,7 @@ static sp_scene wall_and_pile(double wall, double pile, int foot)
         const int32_t stone = cube_at(&s, pile, 20.5, k + 0.5);
         if (k) bed(&s, last, stone, 20, 21, k);
         else if (foot != FOOT_NONE)
-            CHECK_INT(sp_scene_points(&s, 0, stone, up, foot == FOOT_EDGE ? 2 : 1, foot == FOOT_EDGE ? edge : point, &joint, NULL), SP_OK);
+            CHECK_INT(sp_scene_points(&s, 0, stone, up, foot == FOOT_EDGE ? 2 : 1, foot == FOOT_EDGE ? edge : point, &strength, NULL), SP_OK);
         last = stone;
     }
     return s;

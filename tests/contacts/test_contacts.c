@@ -165,7 +165,7 @@ TEST(aligned_cubes_share_their_square)
     CHECK_INT(scene.interface[0].a, 0);
     CHECK_INT(scene.interface[0].b, 1);
     CHECK_NEAR(scene.interface[0].n[2], 1, TOL(1e-15, 1e-6f));
-    CHECK_NEAR(scene.interface[0].joint.mu, 0.84, TOL(1e-15, 1e-6f));
+    CHECK_NEAR(scene.interface[0].strength.mu, 0.84, TOL(1e-15, 1e-6f));
     CHECK_WITHIN(scene.point[0][0], 0, 0);              /* starts at the lowest corner, and corners are exact */
     CHECK_WITHIN(scene.point[0][1], 0, 0);
     CHECK_WITHIN(scene.point[2][0], 1, 0);
@@ -707,7 +707,7 @@ TEST(nonsense_is_refused)
     set.distance = -1;
     CHECK_INT(find(&set), SP_E_RANGE);
     set = sp_contact_settings_default();
-    set.joint.mu = -1;
+    set.strength.mu = -1;
     CHECK_INT(find(&set), SP_E_RANGE);
     set = sp_contact_settings_default();
     set.angle = 2;

@@ -125,7 +125,7 @@ static sp_status judge(const sp_scene *scene, int32_t faces, sp_arena *arena, ui
 
 static sp_status build(const compiled_scene *c, sp_arena *arena, sp_scene *scene)
 {
-    const sp_joint friction = sp_joint_friction(c->mu);
+    const sp_strength friction = sp_strength_friction(c->mu);
     sp_capacity room = { c->blocks, 0, 0, 0, c->joints, 0, 0 };
     const sp_real *xyz = c->xyz, *point = c->point;
     const int32_t *size = c->size, *corner = c->corner;
@@ -150,7 +150,7 @@ static sp_status build(const compiled_scene *c, sp_arena *arena, sp_scene *scene
     if (!status && !c->joints) {
         sp_contact_settings set = sp_contact_settings_default();
         sp_contact_report report = { 0, 0, 0, 0, NULL };
-        set.joint = friction;
+        set.strength = friction;
         status = sp_contacts_find(scene, &set, *arena, &report);
     }
     if (!status) memcpy(scene->gravity, c->gravity, sizeof scene->gravity);

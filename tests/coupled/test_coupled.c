@@ -186,7 +186,7 @@ TEST(no_spin_hides_that_a_joint_gives_too_little)
     const sp_capacity cap = { 3, 0, 0, 0, 2, 2, 0 };
     const sp_real at[3][3] = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }, n[3] = { 1, 0, 0 };
     const sp_real left[3] = { R(-0.5), 0, 0 }, right[3] = { R(0.5), 0, 0 };
-    const sp_joint joint = sp_joint_friction(1);
+    const sp_strength strength = sp_strength_friction(1);
     const double ratio = sizeof(sp_real) == 8 ? 1e9 : 1e4;
     sp_settings set = coupled();
     sp_scene s;
@@ -194,8 +194,8 @@ TEST(no_spin_hides_that_a_joint_gives_too_little)
     sp_evidence e;
     NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
     for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_body(&s, 1, at[k], k < 2 ? SP_FIXED : 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &joint, NULL), SP_OK);
-    CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &strength, NULL), SP_OK);
     set.coupled.eta = R(ratio) * EPS;
     NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
     CHECK(r.level != SP_COUPLED);
@@ -215,7 +215,7 @@ TEST(no_spin_hides_that_a_joint_gives_too_little)
 TEST(a_bar_between_two_points_is_refuted_whatever_its_spin)
 {
     const sp_capacity cap = { 3, 0, 0, 0, 2, 2, 0 };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     for (int k = 0; k < 4; k++) {
         const double c = cos(0.3 * k), d = sin(0.3 * k), sag = k == 3 ? 0.1 : 0;        /* at last it hangs below the line */
         const sp_real at[3][3] = { { R(-c), R(-d), 0 }, { R(c), R(d), 0 }, { 0, 0, R(-sag) } }, n[3] = { R(c), R(d), 0 };
@@ -227,8 +227,8 @@ TEST(a_bar_between_two_points_is_refuted_whatever_its_spin)
         test_arena.used = 0;
         NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
         for (int b = 0; b < 3; b++) CHECK_INT(sp_scene_body(&s, 1, at[b], b < 2 ? SP_FIXED : 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &joint, NULL), SP_OK);
-        CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 2, n, 1, left, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 2, 1, n, 1, right, &strength, NULL), SP_OK);
         set.coupled.box = k & 1;
         NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
         CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
@@ -242,7 +242,7 @@ TEST(a_bar_between_two_points_is_refuted_whatever_its_spin)
 TEST(a_spin_that_moves_no_contact_neither_makes_nor_breaks_a_triple)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, 2, 0 };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     const sp_real at[2][3] = { { 0, 0, -1 }, { 0, 0, 0 } }, n[3] = { 0, 0, 1 }, feet[6] = { R(-0.5), 0, 0, R(0.7), 0, 0 };
     sp_settings set = coupled();
     sp_scene s;
@@ -251,7 +251,7 @@ TEST(a_spin_that_moves_no_contact_neither_makes_nor_breaks_a_triple)
     test_arena.used = 0;
     NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
     for (int b = 0; b < 2; b++) CHECK_INT(sp_scene_body(&s, 1, at[b], b ? 0 : SP_FIXED, NULL), SP_OK);
-    CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, feet, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, feet, &strength, NULL), SP_OK);
     NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
     CHECK_INT(r.level, SP_COUPLED);
     for (double spin = 1; spin < 1e12; spin *= 1e3) {
@@ -435,7 +435,7 @@ typedef struct squeeze { double w, h, mu, turn, unit, heavy; int swap, late; } s
 static void squeezed(const squeeze *q, sp_scene *s)
 {
     const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
-    const sp_joint joint = sp_joint_friction(R(q->mu));
+    const sp_strength strength = sp_strength_friction(R(q->mu));
     const double c = cos(q->turn), d = sin(q->turn);
     int32_t wall[2], block = 0;
     test_arena.used = 0;
@@ -456,8 +456,8 @@ static void squeezed(const squeeze *q, sp_scene *s)
             xyz[3 * k + 1] = R(d * x + c * y);
             xyz[3 * k + 2] = R((v >= 2 ? 0.5 : -0.5) * q->h * q->unit);
         }
-        CHECK_INT(q->swap ? sp_scene_interface(s, block, wall[side], 4, xyz, &joint, NULL)
-                          : sp_scene_interface(s, wall[side], block, 4, xyz, &joint, NULL), SP_OK);
+        CHECK_INT(q->swap ? sp_scene_interface(s, block, wall[side], 4, xyz, &strength, NULL)
+                          : sp_scene_interface(s, wall[side], block, 4, xyz, &strength, NULL), SP_OK);
     }
 }
 
@@ -541,7 +541,7 @@ TEST(a_coarse_tol_neither_couples_what_slides_nor_leaves_the_h_model_open)
         test_arena.used = 0;
         build(past[k] > 0 ? "incline" : "h-model", past[k] > 0 ? "angle" : NULL, 40, &s);
         for (int32_t i = 0; i < s.count.interfaces && past[k] > 0; i++)
-            s.interface[i].joint.mu = R(tan(40 * 3.14159265358979323846 / 180) / past[k]);
+            s.interface[i].strength.mu = R(tan(40 * 3.14159265358979323846 / 180) / past[k]);
         set.coupled.asked = 0;
         CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
         CHECK_INT(r.verdict, SP_STABLE);                /* within that tol */
@@ -582,7 +582,7 @@ static void snug(double mu, int order, sp_scene *s)
         { 0.5, -0.5, 1.2, 0.5, 0.5, 1.2, 0.5, 0.5, 1.8, 0.5, -0.5, 1.8 },
         { 0.5, -0.5, 0, 1, -0.5, 0, 1, 0.5, 0, 0.5, 0.5, 0 } };
     const sp_capacity cap = { 4, 0, 0, 0, 3, 12, 0 };
-    const sp_joint joint = sp_joint_friction(R(mu));
+    const sp_strength strength = sp_strength_friction(R(mu));
     int32_t id[4];
     test_arena.used = 0;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
@@ -598,7 +598,7 @@ static void snug(double mu, int order, sp_scene *s)
             const int v = (q / 3 + order) % 4;
             xyz[q] = R(corner[j][3 * (swap ? 3 - v : v) + q % 3]);
         }
-        CHECK_INT(sp_scene_interface(s, id[pair[j][swap]], id[pair[j][!swap]], 4, xyz, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(s, id[pair[j][swap]], id[pair[j][!swap]], 4, xyz, &strength, NULL), SP_OK);
     }
 }
 
@@ -812,7 +812,7 @@ static int explained(const sp_scene *s, const sp_result *r)
             CHECK(x[0] >= 0 && x[1] >= 0 && r->coupled.alpha[v] >= 0 && d[0] >= -(double)r->coupled.eps - give);
             CHECK(hypot(d[1], d[2]) <= (double)r->coupled.eta + give && d[0] <= (double)r->coupled.eta + give);
             if (x[0] > 0) CHECK_WITHIN(d[0], -(double)r->coupled.eps, give);
-            CHECK(ft <= (double)s->interface[i].joint.mu * (double)x[0] + dust);
+            CHECK(ft <= (double)s->interface[i].strength.mu * (double)x[0] + dust);
             for (int k = 1; k < 3; k++)
                 CHECK_WITHIN((double)x[k + 1] + (double)r->coupled.alpha[v] * d[k], 0, TOL(1e-6, 1e-2) * (ft + dust));
         }

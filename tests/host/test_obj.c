@@ -62,7 +62,7 @@ TEST(a_scene_is_read)
     CHECK_NEAR(s.scene.block[0].density, 1000, 0);
     CHECK_NEAR(s.scene.block[1].mass, 2000, 1e-6);
     CHECK_NEAR(s.scene.block[1].centroid[2], 0.5, 1e-6);
-    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.7, 0);
+    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.7, 0);
     CHECK_NEAR(s.scene.interface[0].n[2], 1, 1e-6);
     CHECK_NEAR(s.scene.gravity[2], -1, 0);
     CHECK_INT(s.found, 0);
@@ -73,7 +73,7 @@ TEST(defaults_are_those_of_stone_on_earth)
 {
     host_scene s;
     CHECK_INT(parse(GROUND STONE JOINT, -1, SCENE_GIVEN, &s), 0);
-    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.84, 0);
+    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.84, 0);
     CHECK_NEAR(s.scene.block[1].density, 2400, 0);
     CHECK_NEAR(s.scene.gravity[2], (sp_real)-9.80665, 0);
     scene_free(&s);
@@ -83,8 +83,8 @@ TEST(mu_of_the_caller_overrides_every_joint)
 {
     host_scene s;
     CHECK_INT(parse(GROUND STONE JOINT "#@ mu 0.7\n" JOINT, (sp_real)0.25, SCENE_GIVEN, &s), 0);
-    CHECK_NEAR(s.scene.interface[0].joint.mu, 0.25, 0);
-    CHECK_NEAR(s.scene.interface[1].joint.mu, 0.25, 0);
+    CHECK_NEAR(s.scene.interface[0].strength.mu, 0.25, 0);
+    CHECK_NEAR(s.scene.interface[1].strength.mu, 0.25, 0);
     scene_free(&s);
 }
 
@@ -96,7 +96,7 @@ TEST(contacts_are_found_where_none_are_given)
     CHECK_INT(s.scene.count.interfaces, 1);
     CHECK_INT(s.scene.count.points, 4);
     CHECK_NEAR(s.scene.interface[0].area, 1, 1e-6);
-    CHECK_NEAR(s.scene.interface[0].joint.mu, (sp_real)0.3, 0);
+    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.3, 0);
     scene_free(&s);
 }
 
@@ -141,10 +141,10 @@ TEST(what_is_written_reads_back_the_same)
     CHECK_INT(memcmp(s.scene.vertex, t.scene.vertex, (size_t)s.scene.count.vertices * sizeof *s.scene.vertex), 0);
     CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
     CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
-    CHECK_NEAR(t.scene.interface[1].joint.mu, s.scene.interface[1].joint.mu, 0);
-    CHECK_NEAR(t.scene.interface[0].joint.cohesion, 1e5, 0);
-    CHECK_NEAR(t.scene.interface[0].joint.tension, 5e4, 0);
-    CHECK_WITHIN(t.scene.interface[1].joint.tension, 0, 0);
+    CHECK_NEAR(t.scene.interface[1].strength.mu, s.scene.interface[1].strength.mu, 0);
+    CHECK_NEAR(t.scene.interface[0].strength.cohesion, 1e5, 0);
+    CHECK_NEAR(t.scene.interface[0].strength.tension, 5e4, 0);
+    CHECK_WITHIN(t.scene.interface[1].strength.tension, 0, 0);
     CHECK_INT(t.scene.block[1].fixed, 2 + 32);
     CHECK_INT(t.scene.count.loads, 3);                  /* the second written as a force and a couple */
     CHECK_INT(t.scene.load[1].live + t.scene.load[2].live, 2);

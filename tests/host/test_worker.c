@@ -49,8 +49,8 @@ static void by_hand(sp_scene *s)
         const sp_real level[12] = { -1, -1, z - 1, 1, -1, z - 1, 1, 1, z - 1, -1, 1, z - 1 };
         const sp_real n3[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(0.5, 3) };
         const sp_real spot[6] = { test_random_real(-1, 1), 0, z - 1, 0, test_random_real(-1, 1), z - 1 };
-        const sp_joint strong = { R(0.7), test_random_real(0, 100), test_random_real(0, 50), test_random_real(1e5, 1e6) };
-        const sp_joint plain = sp_joint_friction(test_random_real(0, 1));
+        const sp_strength strong = { R(0.7), test_random_real(0, 100), test_random_real(0, 50), test_random_real(1e5, 1e6) };
+        const sp_strength plain = sp_strength_friction(test_random_real(0, 1));
         const sp_load load = { k, test_random_int(0, 1), { 0, 0, z }, { test_random_real(-5, 5), 0, -1 }, { 0, 1, 0 },
                                test_random_real(0, 9) };
         CHECK_INT(sp_scene_body(s, test_random_real(1, 100), c, (uint32_t)test_random_int(0, 7), NULL), SP_OK);
@@ -73,7 +73,7 @@ static void any_scene(sp_scene *s)
 static int strong(const sp_scene *s)
 {
     for (int32_t k = 0; k < s->count.interfaces; k++) {
-        const sp_joint *j = &s->interface[k].joint;
+        const sp_strength *j = &s->interface[k].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return 1;
     }
     return 0;

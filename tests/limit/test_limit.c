@@ -67,7 +67,7 @@ static void found(const sp_scene *s, const sp_settings *set, double multiplier)
 }
 
 /* A cube on the ground, z = 0. */
-static sp_scene cube(sp_joint joint)
+static sp_scene cube(sp_strength strength)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 4 };
     const sp_real foot[12] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 };
@@ -77,7 +77,7 @@ static sp_scene cube(sp_joint joint)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, R(2400), middle, 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
     return s;
 }
 
@@ -100,7 +100,7 @@ TEST(a_push_slides_at_mu_or_topples_at_half_the_width_over_its_height)
 {
     for (int k = 0; k < 6; k++) {
         const double mu = 0.1 + 0.2 * k, h = 0.25 + 0.25 * k;
-        sp_scene s = cube(sp_joint_friction(R(mu)));
+        sp_scene s = cube(sp_strength_friction(R(mu)));
         push(&s, 1, weight, 0, 0, 0, 0.5, h);
         found(&s, NULL, mu < 0.5 / h ? mu : 0.5 / h);
     }
@@ -109,7 +109,7 @@ TEST(a_push_slides_at_mu_or_topples_at_half_the_width_over_its_height)
 TEST(on_a_slope_a_push_along_it_has_what_friction_leaves)
 {
     for (int up = 0; up < 2; up++) {
-        sp_scene s = cube(sp_joint_friction(R(0.6)));
+        sp_scene s = cube(sp_strength_friction(R(0.6)));
         slope(&s, 0.3);
         push(&s, 1, up ? -weight : weight, 0, 0, 0, 0.5, 0);
         found(&s, NULL, 0.6 * cos(0.3) + (up ? 1 : -1) * sin(0.3));
@@ -118,7 +118,7 @@ TEST(on_a_slope_a_push_along_it_has_what_friction_leaves)
 
 TEST(what_slides_on_its_own_may_be_held_by_the_live_load)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);                                     /* tan .3 = .309 > .2: zero does not work, from .104 to .487 does */
     push(&s, 1, -weight, 0, 0, 0, 0.5, 0);
     found(&s, NULL, sin(0.3) + 0.2 * cos(0.3));
@@ -126,7 +126,7 @@ TEST(what_slides_on_its_own_may_be_held_by_the_live_load)
 
 TEST(without_friction_one_multiple_works_and_no_other)
 {
-    sp_scene s = cube(sp_joint_friction(0));
+    sp_scene s = cube(sp_strength_friction(0));
     slope(&s, 0.3);
     s.body[0] = R(-9.80665 * cos(0.3));
     s.body[2] = R(-9.80665 * sin(0.3));
@@ -136,7 +136,7 @@ TEST(without_friction_one_multiple_works_and_no_other)
 TEST(a_gripper_over_the_edge_topples_by_the_lever)
 {
     for (int k = 1; k <= 4; k++) {
-        sp_scene s = cube(sp_joint_friction(R(0.84)));
+        sp_scene s = cube(sp_strength_friction(R(0.84)));
         sp_load load = { 1, 1, { R(1 + 0.3 * k), R(0.5), 1 }, { 0, 0, 0 }, { 0, 0, 0 }, R(100) };
         CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
         found(&s, NULL, 2400 * 0.5 / (0.3 * k * 100));
@@ -145,7 +145,7 @@ TEST(a_gripper_over_the_edge_topples_by_the_lever)
 
 TEST(a_couple_topples_at_weight_times_half_the_width)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.84)));
+    sp_scene s = cube(sp_strength_friction(R(0.84)));
     sp_load load = { 1, 1, { 0, 0, 0 }, { 0, 0, 0 }, { 0, R(3 * weight), 0 }, 0 };
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
     found(&s, NULL, 1. / 6);
@@ -156,7 +156,7 @@ TEST(every_cone_slides_at_its_own_coefficient)
     for (int32_t faces = 0; faces <= (TEST_SMALL ? 0 : 16); faces += 4)
         for (int32_t inscribed = 0; inscribed < 2; inscribed++) {
             sp_settings set = sp_settings_default();
-            sp_scene s = cube(sp_joint_friction(R(0.4)));
+            sp_scene s = cube(sp_strength_friction(R(0.4)));
             set.faces = faces;
             set.inscribed = inscribed;
             push(&s, 1, weight, 0, 0, 0, 0.5, 0);       /* along t1, the first face */
@@ -166,7 +166,7 @@ TEST(every_cone_slides_at_its_own_coefficient)
 
 TEST(glue_and_crushing_have_their_closed_forms)
 {
-    const sp_joint glue = { R(0.5), R(5000), R(700), 0 }, soft = { R(0.84), 0, 0, R(1.6 * weight) };
+    const sp_strength glue = { R(0.5), R(5000), R(700), 0 }, soft = { R(0.84), 0, 0, R(1.6 * weight) };
     for (int32_t faces = 0; faces <= 8; faces += 4) {
         sp_settings set = sp_settings_default();
         set.faces = faces;
@@ -187,9 +187,9 @@ TEST(glue_and_crushing_have_their_closed_forms)
 TEST(a_load_that_presses_on_glue_has_no_end_but_a_cap)
 {
     for (int k = 0; k < 6; k++) {
-        const sp_joint glue = { R(0.5), R(1e3 * pow(10, k % 3)), k < 3 ? 0 : R(500), 0 };
+        const sp_strength glue = { R(0.5), R(1e3 * pow(10, k % 3)), k < 3 ? 0 : R(500), 0 };
         const double cap = 1.6 * weight;
-        sp_joint soft = glue;
+        sp_strength soft = glue;
         soft.cap = R(cap);
         sp_scene s = cube(glue);
         push(&s, 1, 0, 0, -weight, 0.5, 0.5, 1);
@@ -209,7 +209,7 @@ TEST(a_load_that_presses_on_glue_has_no_end_but_a_cap)
 /* What forces without end may be added is a cone of its own: a claim with forces that only strength carries is not held. */
 TEST(a_ray_is_without_strength)
 {
-    const sp_joint glue = { R(0.5), R(1e6), R(1e6), 0 };
+    const sp_strength glue = { R(0.5), R(1e6), R(1e6), 0 };
     sp_scene s = cube(glue);
     int32_t held = 1;
     push(&s, 1, 0, 0, weight, 0.5, 0.5, 1);             /* lifted: by glue, to an end */
@@ -224,14 +224,14 @@ TEST(a_ray_is_without_strength)
 
 TEST(what_stands_only_with_its_live_load_is_told)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);                                     /* held up the slope from .104 to .487 */
     push(&s, 1, -weight, 0, 0, 0, 0.5, 0);
     sp_limit_result x = limit_of(&s, NULL);
     CHECK_INT(x.kind, SP_LIMIT_FOUND);
     CHECK_INT(x.dead, SP_UNSTABLE);
     CHECK_NEAR(x.lowest, sin(0.3) - 0.2 * cos(0.3), LOWEST);
-    s = cube(sp_joint_friction(R(0.2)));
+    s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);                                     /* pressed on: without end */
     push(&s, 1, 0, 0, -weight, 0.5, 0.5, 0);
     x = limit_of(&s, NULL);
@@ -239,13 +239,13 @@ TEST(what_stands_only_with_its_live_load_is_told)
     CHECK_INT(x.dead, SP_UNSTABLE);
     CHECK_NEAR(x.lower, x.lowest, TOL(1e-12, 1e-6));    /* and every multiple beyond */
     if (!TEST_SMALL) CHECK_NEAR(x.lowest, (sin(0.3) - 0.2 * cos(0.3)) / 0.2, LOWEST);
-    s = cube(sp_joint_friction(0));
+    s = cube(sp_strength_friction(0));
     slope(&s, 0.3);                                     /* without friction: at one multiple only */
     push(&s, 1, -weight, 0, 0, 0, 0.5, 0);
     x = limit_of(&s, NULL);
     CHECK_INT(x.dead, SP_UNSTABLE);
     CHECK_NEAR(x.lowest, sin(0.3), LOWEST);
-    s = cube(sp_joint_friction(R(0.5)));
+    s = cube(sp_strength_friction(R(0.5)));
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     x = limit_of(&s, NULL);
     CHECK_INT(x.dead, SP_STABLE);
@@ -257,7 +257,7 @@ TEST(a_multiplier_is_told_no_nearer_than_tol_lets_it)
 {
     for (int k = 0; k <= TOL(12, 5); k++) {
         const double mu = 0.5 * pow(10, -k);
-        sp_scene s = cube(sp_joint_friction(R(mu)));
+        sp_scene s = cube(sp_strength_friction(R(mu)));
         push(&s, 1, weight, 0, 0, 0, 0.5, 0);
         const sp_limit_result x = limit_of(&s, NULL);
         CHECK_INT(x.kind, SP_LIMIT_FOUND);
@@ -270,7 +270,7 @@ TEST(a_multiplier_is_told_no_nearer_than_tol_lets_it)
 /* A cantilever of two cubes' length: the board's tail is held by a weight; pulled at its tip. */
 TEST(glue_that_holds_a_hundred_times_the_weight_slides_where_it_should)
 {
-    const sp_joint glue = { R(0.5), R(1e6), 0, 0 };
+    const sp_strength glue = { R(0.5), R(1e6), 0, 0 };
     sp_scene s = cube(glue);
     push(&s, 1, 1000, 0, 0, 0, 0.5, 0);
     found(&s, NULL, (1e6 + 0.5 * weight) / 1000);
@@ -279,7 +279,7 @@ TEST(glue_that_holds_a_hundred_times_the_weight_slides_where_it_should)
 TEST(a_stone_held_from_turning_slides_or_is_lifted)
 {
     for (int up = 0; up < 2; up++) {
-        sp_scene s = cube(sp_joint_friction(R(0.84)));
+        sp_scene s = cube(sp_strength_friction(R(0.84)));
         s.block[1].fixed = 56;
         push(&s, 1, up ? 0 : weight, 0, up ? weight : 0, 0.5, 0.5, 1);
         found(&s, NULL, up ? 1 : 0.84);
@@ -354,7 +354,7 @@ static sp_scene round_arch(double t)
     const double pi = 3.14159265358979323846, ro = 1 + t / 2, ri = 1 - t / 2, half = pi / 40;
     const double mass = (ro * ro - ri * ri) * half, rc = 2. / 3 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri) * sin(half) / half;
     const sp_capacity cap = { 21, 0, 0, 0, 21, 84, 0 };
-    const sp_joint joint = sp_joint_friction(R(0.84));
+    const sp_strength strength = sp_strength_friction(R(0.84));
     const sp_real ground[3] = { 0, 0, R(-1) };
     sp_scene s;
     test_arena.used = 0;
@@ -368,7 +368,7 @@ static sp_scene round_arch(double t)
     for (int k = 0; k <= 20; k++) {                     /* joint k: from the voussoir before it into the one after */
         const double c = cos(pi - 2 * k * half), z = k == 0 || k == 20 ? 0 : sin(pi - 2 * k * half);
         const sp_real xyz[12] = { R(ri * c), 0, R(ri * z), R(ri * c), 1, R(ri * z), R(ro * c), 1, R(ro * z), R(ro * c), 0, R(ro * z) };
-        CHECK_INT(sp_scene_interface(&s, k, k == 20 ? 0 : k + 1, 4, xyz, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, k, k == 20 ? 0 : k + 1, 4, xyz, &strength, NULL), SP_OK);
     }
     return s;
 }
@@ -408,7 +408,7 @@ TEST(an_arch_falls_by_four_hinges)
 
 TEST(what_slides_is_called_sliding)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.3)));
+    sp_scene s = cube(sp_strength_friction(R(0.3)));
     sp_joint_motion m;
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     sp_limit_result x = limit_of(&s, NULL);
@@ -416,7 +416,7 @@ TEST(what_slides_is_called_sliding)
     CHECK_INT(sp_joint_moves(&s, x.dq, 0, &m), SP_OK);
     CHECK_INT(m.kind, SP_JOINT_SLIDING);
     CHECK_NEAR(m.opening, 0.3 * (double)m.slip, TOL(1e-6, 1e-2));
-    s = cube(sp_joint_friction(R(0.84)));
+    s = cube(sp_strength_friction(R(0.84)));
     push(&s, 1, 0, 0, 2 * weight, 0.5, 0.5, 1);
     x = limit_of(&s, NULL);
     CHECK_NEAR(x.multiplier, 0.5, NEAR);
@@ -429,15 +429,15 @@ TEST(what_slides_is_called_sliding)
 
 TEST(what_falls_whatever_the_live_load_has_no_multiplier)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);               /* pushes it down the slope */
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
-    s = cube(sp_joint_friction(R(0.2)));
+    s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);
     push(&s, 1, 0, weight, 0, 0.5, 0.5, 0);             /* pushes it aside: in vain */
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
-    s = cube(sp_joint_friction(R(0.2)));
+    s = cube(sp_strength_friction(R(0.2)));
     s.count.interfaces = s.count.points = 0;            /* touches nothing */
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
@@ -445,10 +445,10 @@ TEST(what_falls_whatever_the_live_load_has_no_multiplier)
 
 TEST(a_load_that_presses_has_no_end)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     push(&s, 1, 0.1 * weight, 0, -weight, 0.6, 0.5, 0.5);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
-    s = cube(sp_joint_friction(R(0.2)));
+    s = cube(sp_strength_friction(R(0.2)));
     slope(&s, 0.3);                                     /* it falls, unless pressed on: lambda (.2 - 0) > sin .3 - .2 cos .3 */
     push(&s, 1, 0, 0, -weight, 0.5, 0.5, 0);
     const sp_limit_result x = limit_of(&s, NULL);
@@ -510,7 +510,7 @@ TEST(a_load_that_lifts_everything_ends_at_its_weight)
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s), SP_OK);
-        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].joint.mu = R(scene[k].mu);
+        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].strength.mu = R(scene[k].mu);
         s.body[2] = R(9.80665);
         const sp_limit_result x = limit_of(&s, NULL);
         if (!CHECK_INT(x.kind, scene[k].kind)) TEST_PRINT("    %s, mu %g\n", scene[k].name, scene[k].mu);
@@ -525,7 +525,7 @@ TEST(what_its_own_weight_crushes_has_no_multiplier)
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(gen_make("tower", "lean", 0.08, &test_arena, &s), SP_OK);
-        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].joint.cap = R(20000);
+        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].strength.cap = R(20000);
         s.body[0] = R(back ? -9.80665 : 9.80665);
         CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
     }
@@ -533,7 +533,7 @@ TEST(what_its_own_weight_crushes_has_no_multiplier)
 
 TEST(supports_alone_bear_any_load)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.84)));
+    sp_scene s = cube(sp_strength_friction(R(0.84)));
     s.block[1].fixed = SP_FIXED;
     push(&s, 1, weight, 0, 0, 0, 0.5, 1);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
@@ -541,7 +541,7 @@ TEST(supports_alone_bear_any_load)
 
 TEST(without_live_load_it_is_all_or_nothing)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
     slope(&s, 0.3);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
@@ -549,7 +549,7 @@ TEST(without_live_load_it_is_all_or_nothing)
 
 TEST(a_live_load_on_a_support_changes_nothing)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.2)));
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
     sp_load load = { 0, 1, { 0, 0, 0 }, { R(weight), 0, 0 }, { 0, 0, 0 }, 0 };
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
@@ -607,7 +607,7 @@ TEST(which_side_is_called_a_does_not_matter)
 
 TEST(the_multiple_at_which_the_scene_stands_is_not_read)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.3)));
+    sp_scene s = cube(sp_strength_friction(R(0.3)));
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     s.live = 77;
     const sp_limit_result x = limit_of(&s, NULL);
@@ -633,9 +633,9 @@ static sp_scene pile(void)
         const double ly = fmax(y - d / 2, ny - nd / 2), hy = fmin(y + d / 2, ny + nd / 2);
         const sp_real c[3] = { R(nx), R(ny), R(z + h / 2) };
         const sp_real foot[12] = { R(lx), R(ly), R(z), R(hx), R(ly), R(z), R(hx), R(hy), R(z), R(lx), R(hy), R(z) };
-        const sp_joint joint = sp_joint_friction(test_random_real(0.1, 1));
+        const sp_strength strength = sp_strength_friction(test_random_real(0.1, 1));
         CHECK_INT(sp_scene_body(&s, R(nw * nd * h * 2000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, k, k + 1, 4, foot, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, k, k + 1, 4, foot, &strength, NULL), SP_OK);
         x = nx; y = ny; z += h; w = nw; d = nd;
     }
     for (int k = 0; k < 3; k++) s.body[k] = test_random_real(-5, 5);
@@ -703,9 +703,9 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
         for (int32_t i = 0; i < s.count.interfaces; i++) area += (double)s.interface[i].area;
         const double p = 9.80665 * mass / area, c = p * pow(10, (double)test_random_real(-1, 3)), cap = p * pow(10, (double)test_random_real(0, 2));
         for (int32_t i = 0; i < s.count.interfaces; i++) {
-            s.interface[i].joint.cohesion = type & 1 ? R(c) : 0;
-            s.interface[i].joint.tension = (type & 3) == 3 ? R(c / 4) : 0;
-            s.interface[i].joint.cap = type & 4 ? R(cap) : 0;
+            s.interface[i].strength.cohesion = type & 1 ? R(c) : 0;
+            s.interface[i].strength.tension = (type & 3) == 3 ? R(c / 4) : 0;
+            s.interface[i].strength.cap = type & 4 ? R(cap) : 0;
         }
         int32_t b = test_random_int(0, s.count.blocks - 1);
         if (trial % 3 == 0 && s.block[b].fixed != SP_FIXED) s.block[b].fixed = test_random_int(1, 62);
@@ -796,7 +796,7 @@ TEST(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
 /* A claim with either end pushed too far, or evidence of another scene, is not held. */
 TEST(a_changed_claim_is_not_held)
 {
-    sp_scene s = cube(sp_joint_friction(R(0.3)));
+    sp_scene s = cube(sp_strength_friction(R(0.3)));
     int32_t held = 1;
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     const sp_limit_result x = limit_of(&s, NULL);
@@ -884,7 +884,7 @@ TEST(a_budget_that_is_too_small_is_told)
 TEST(what_is_no_question_is_refused)
 {
     sp_settings set = sp_settings_default();
-    sp_scene s = cube(sp_joint_friction(R(0.3))), none = s;
+    sp_scene s = cube(sp_strength_friction(R(0.3))), none = s;
     sp_limit_result x;
     sp_joint_motion m;
     size_t bytes;

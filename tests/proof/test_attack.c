@@ -32,12 +32,12 @@ static int32_t body(sp_scene *s, double mass, double x, double y, double z, unsi
 /* A rectangle about c with half sides p and q; its normal is p x q. */
 static void quad(sp_scene *s, int32_t a, int32_t b, const double c[3], const double p[3], const double q[3], double mu)
 {
-    const sp_joint joint = sp_joint_friction(R(mu));
+    const sp_strength strength = sp_strength_friction(R(mu));
     sp_real x[12];
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 3; i++)
             x[3 * k + i] = R(c[i] + (k == 1 || k == 2 ? p[i] : -p[i]) + (k >= 2 ? q[i] : -q[i]));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, x, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(s, a, b, 4, x, &strength, NULL), SP_OK);
 }
 
 /* A level rectangle about (x, y, z), 2 p by 2 q: b stands on a. */
@@ -239,11 +239,11 @@ TEST(a_pebble_slides_alone)
         sp_scene s;
         sp_result r;
         pile(&s, 2, 1 / ratio, 25, 0.7);
-        s.interface[1].joint.mu = R(0.46);
+        s.interface[1].strength.mu = R(0.46);
         NEED(checked(&s, NULL, &r) == SP_OK);
         CHECK_INT(r.verdict, SP_UNSTABLE);
         CHECK(fabs((double)r.dq[6]) + fabs((double)r.dq[8]) < 1e-6);
-        s.interface[1].joint.mu = R(0.47);
+        s.interface[1].strength.mu = R(0.47);
         verdict_is(&s, SP_STABLE, 1);
     }
 }
@@ -257,7 +257,7 @@ TEST(sandwiches_of_unequal_weights)
             sp_scene s;
             pile(&s, 3, 1, 25, 0.6);
             for (int b = 0; b < 3; b++) s.block[b + 1].mass = R(mass[k][b]);
-            if (weak >= 0) s.interface[weak].joint.mu = R(0.4);
+            if (weak >= 0) s.interface[weak].strength.mu = R(0.4);
             if (!verdict_is(&s, weak < 0 ? SP_STABLE : SP_UNSTABLE, TOL(1, 0)))
                 TEST_PRINT("    masses %g %g %g, weak joint %d\n", mass[k][0], mass[k][1], mass[k][2], (int)weak);
         }
@@ -465,11 +465,11 @@ TEST(hints_along_motions_no_contact_feels_do_nothing)
                 sp_scene s;
                 sp_result r;
                 const sp_real n[3] = { 0, 0, 1 }, x[6] = { -1, 0, 0, 1, 0, 0 };
-                const sp_joint joint = sp_joint_friction(R(0.5));
+                const sp_strength strength = sp_strength_friction(R(0.5));
                 start(&s, 2, 1, 2);
                 body(&s, 0, 0, 0, -1, SP_FIXED);
                 body(&s, 1, 0, 0.1 * off, 1, 0);
-                CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, x, &joint, NULL), SP_OK);
+                CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, x, &strength, NULL), SP_OK);
                 NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
                 CHECK_INT(r.verdict, off ? SP_UNSTABLE : SP_STABLE);
                 for (int i = 0; i < 6; i++) r.y0[i] = 0;
@@ -579,7 +579,7 @@ static void redo(const sp_scene *in, const world *w, sp_scene *out)
             x[3 * v + 1] = R((double)p[1] * w->m - w->shift);
             x[3 * v + 2] = R((double)p[2] * w->m + 0.5 * w->shift);
         }
-        CHECK_INT(sp_scene_interface(out, w->swap ? b : a, w->swap ? a : b, f->points, x, &f->joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(out, w->swap ? b : a, w->swap ? a : b, f->points, x, &f->strength, NULL), SP_OK);
     }
     for (int i = 0; i < 3; i++) out->gravity[i] = R((double)in->gravity[i] * w->g);
 }
@@ -627,11 +627,11 @@ TEST(a_block_on_a_point_stands_above_it_only)
         static const double off[] = { 0, TOL(1e-6, 1e-2), 0.1, -0.3, 5 };
         sp_scene s;
         const sp_real n[3] = { 0, 0, R(3) }, x[3] = { 0, 0, 0 };
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         start(&s, 2, 1, 1);
         body(&s, 0, 0, 0, -1, SP_FIXED);
         body(&s, 2, off[k], 0, 1, 0);
-        CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, x, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, x, &strength, NULL), SP_OK);
         verdict_is(&s, k ? SP_UNSTABLE : SP_STABLE, 1);
     }
 }
@@ -642,11 +642,11 @@ TEST(a_block_on_an_edge_stands_above_it_only)
     for (int k = 0; k < 5; k++) {
         sp_scene s;
         const sp_real n[3] = { 0, 0, 1 }, x[6] = { -1, 0, 0, 1, 0, 0 };
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         start(&s, 2, 1, 2);
         body(&s, 0, 0, 0, -1, SP_FIXED);
         body(&s, 2, at[k][0], at[k][1], 1, 0);
-        CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, x, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 1, n, 2, x, &strength, NULL), SP_OK);
         verdict_is(&s, k < 2 ? SP_STABLE : SP_UNSTABLE, 1);
     }
 }
@@ -658,13 +658,13 @@ TEST(three_points_carry_what_is_above_their_triangle)
     for (int k = 0; k < 5; k++) {
         sp_scene s;
         const sp_real n[3] = { 0, 0, 1 };
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         start(&s, 2, 3, 3);
         body(&s, 0, 0, 0, -1, SP_FIXED);
         body(&s, 2, at[k][0], at[k][1], 1, 0);
         for (int leg = 0; leg < 3; leg++) {
             const sp_real x[3] = { R(leg ? -0.5 : 1), R(leg == 1 ? 1 : leg == 2 ? -1 : 0), 0 };
-            CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, x, &joint, NULL), SP_OK);
+            CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, x, &strength, NULL), SP_OK);
         }
         verdict_is(&s, k == 2 || k == 3 ? SP_UNSTABLE : SP_STABLE, 1);
     }
@@ -674,7 +674,7 @@ TEST(three_points_carry_what_is_above_their_triangle)
 static void column(sp_scene *s, int32_t n, int32_t times, double h, double mu, double tilt)
 {
     static sp_real x[3 * 512];
-    const sp_joint joint = sp_joint_friction(R(mu));
+    const sp_strength strength = sp_strength_friction(R(mu));
     start(s, 2, times, n * times);
     body(s, 0, 0, 0, -1, SP_FIXED);
     body(s, 1, 0, 0, h, 0);
@@ -684,7 +684,7 @@ static void column(sp_scene *s, int32_t n, int32_t times, double h, double mu, d
         x[3 * k + 1] = R(sin(a));
         x[3 * k + 2] = 0;
     }
-    for (int32_t k = 0; k < times; k++) CHECK_INT(sp_scene_interface(s, 0, 1, n, x, &joint, NULL), SP_OK);
+    for (int32_t k = 0; k < times; k++) CHECK_INT(sp_scene_interface(s, 0, 1, n, x, &strength, NULL), SP_OK);
     gen_gravity(tilt, 0, s->gravity);
 }
 
@@ -718,11 +718,11 @@ TEST(collinear_corners_change_nothing)
     static const double at[] = { 0, 0.999, 1.001 };
     for (int k = 0; k < 3; k++) {
         sp_scene s;
-        const sp_joint joint = sp_joint_friction(R(0.5));
+        const sp_strength strength = sp_strength_friction(R(0.5));
         start(&s, 2, 1, 8);
         body(&s, 0, 0, 0, -1, SP_FIXED);
         body(&s, 1, at[k], 0, 1, 0);
-        CHECK_INT(sp_scene_interface(&s, 0, 1, 8, x, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(&s, 0, 1, 8, x, &strength, NULL), SP_OK);
         verdict_is(&s, k == 2 ? SP_UNSTABLE : SP_STABLE, 1);
     }
 }
@@ -973,7 +973,7 @@ static void anything(sp_scene *s)
     gen_set(&g, "azimuth", (double)test_random_real(-180, 180));
     CHECK_INT(gen_build(&g, &test_arena, s), SP_OK);
     for (int32_t b = 0; b < s->count.blocks; b++) s->block[b].mass *= R(pow(10, (double)test_random_real(-2, 2)));
-    for (int32_t j = 0; j < s->count.interfaces; j++) s->interface[j].joint.mu = test_random_real(0, 1.2);
+    for (int32_t j = 0; j < s->count.interfaces; j++) s->interface[j].strength.mu = test_random_real(0, 1.2);
 }
 
 /* Piles of plates of any weights slide at the joint of least friction, if that is less than the slope, and nowhere else. */

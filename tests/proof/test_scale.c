@@ -32,11 +32,11 @@ static int place(one_block *o, double mass, double a, double h, double angle, do
     o->set.tol = R(TOL(1e-9, 1e-4f));
     o->set.force_bound = 100;
     o->set.iterations = 300;
-    const sp_joint joint = { R(mu), 0, 0, 0 };
+    const sp_strength strength = { R(mu), 0, 0, 0 };
     if (!CHECK_INT(sp_scene_create(&o->scene, &room, &test_arena), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&o->scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&o->scene, R(mass), at, 0, NULL), SP_OK)) return 0;
-    if (!CHECK_INT(sp_scene_interface(&o->scene, 0, 1, 4, corner, &joint, NULL), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_interface(&o->scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
     return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
 }
 

@@ -13,7 +13,7 @@ static sp_scene cube(double mu)
     static const int32_t corner[24] = { 0, 2, 3, 1,  4, 5, 7, 6,  0, 1, 5, 4,  2, 6, 7, 3,  0, 4, 6, 2,  1, 3, 7, 5 };
     const sp_capacity cap = { 2, 16, 12, 48, 1, 4, 4 };
     const sp_real foot[12] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }, ground[3] = { 0, 0, R(-5) };
-    const sp_joint joint = sp_joint_friction(R(mu));
+    const sp_strength strength = sp_strength_friction(R(mu));
     sp_real xyz[24];
     const sp_mesh mesh = { 8, 6, xyz, size, corner };
     sp_scene s;
@@ -22,7 +22,7 @@ static sp_scene cube(double mu)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_block(&s, &mesh, R(2400), 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
     return s;
 }
 
@@ -241,9 +241,9 @@ TEST(each_joint_slides_at_its_own_friction)
             for (int b = 0; b < 3; b++) {
                 const sp_real c[3] = { 2, 2, R(0.1 * b - 0.05) };
                 const sp_real z = R(0.1 * (b - 1)), foot[12] = { 0, 0, z, 4, 0, z, 4, 4, z, 0, 4, z };
-                const sp_joint joint = sp_joint_friction(R(b ? mu[k][b - 1] : 0));
+                const sp_strength strength = sp_strength_friction(R(b ? mu[k][b - 1] : 0));
                 CHECK_INT(sp_scene_body(&s, 100, c, b ? 0 : SP_FIXED, NULL), SP_OK);
-                if (b) CHECK_INT(sp_scene_interface(&s, b - 1, b, 4, foot, &joint, NULL), SP_OK);
+                if (b) CHECK_INT(sp_scene_interface(&s, b - 1, b, 4, foot, &strength, NULL), SP_OK);
             }
             s.gravity[0] = R(0.3) * G * R(1 + side * CLOSE);
             CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
@@ -259,13 +259,13 @@ TEST(a_couple_turns_what_nothing_holds)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 1 };
     const sp_real at[2][3] = { { 0, 0, 0 }, { 0, 0, 1 } }, quad[12] = { 0, 0, R(0.5), 1, 0, R(0.5), 1, 1, R(0.5), 0, 1, R(0.5) };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     sp_load load = force(0, 0, 0, 0, 0, 0);
     sp_scene s;
     sp_result r;
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     for (int k = 0; k < 2; k++) CHECK_INT(sp_scene_body(&s, 1, at[k], 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, quad, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, quad, &strength, NULL), SP_OK);
     load.couple[0] = 1;
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
     s.gravity[2] = 0;
@@ -412,7 +412,7 @@ TEST(memory_is_exact_with_live_loads)
 TEST(without_weight_only_what_bears_the_load_is_pressed)
 {
     const sp_capacity cap = { 12, 0, 0, 0, 11, 44, 1 };
-    const sp_joint joint = sp_joint_friction(R(0.6));
+    const sp_strength strength = sp_strength_friction(R(0.6));
     for (int k = 1; k < 12; k++)
         for (int q = 0; q < 4; q++) {
             const double at = 0.06 * k, out = at + (q < 2 ? 0.41 : 0.37) * (q % 2 ? 1 : -1);
@@ -425,7 +425,7 @@ TEST(without_weight_only_what_bears_the_load_is_pressed)
                 const sp_real c[3] = { R(x), 0, R(i - 0.5) }, v[12] = { R(low), R(-0.5), R(i - 1), R(high), R(-0.5), R(i - 1),
                                                                         R(high), R(0.5), R(i - 1), R(low), R(0.5), R(i - 1) };
                 CHECK_INT(sp_scene_body(&s, R(1000), c, i ? 0 : SP_FIXED, NULL), SP_OK);
-                if (i) CHECK_INT(sp_scene_interface(&s, i - 1, i, 4, v, &joint, NULL), SP_OK);
+                if (i) CHECK_INT(sp_scene_interface(&s, i - 1, i, 4, v, &strength, NULL), SP_OK);
             }
             memset(s.gravity, 0, sizeof s.gravity);
             CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);

@@ -26,8 +26,8 @@ static void body(sp_scene *scene, double x, double y, double z, double mass, uin
 
 static void touch(sp_scene *scene, int32_t a, int32_t b, const sp_real *xyz, double mu)
 {
-    const sp_joint joint = sp_joint_friction(R(mu));
-    CHECK_INT(sp_scene_interface(scene, a, b, 4, xyz, &joint, NULL), SP_OK);
+    const sp_strength strength = sp_strength_friction(R(mu));
+    CHECK_INT(sp_scene_interface(scene, a, b, 4, xyz, &strength, NULL), SP_OK);
 }
 
 static sp_scene two_cubes(uint32_t below)
@@ -196,7 +196,7 @@ TEST(two_cubes_make_the_problem_on_paper)
     CHECK_INT(c->id, 0);
     CHECK_INT(c->point, 0);
     CHECK_INT(c->points, 4);
-    CHECK_NEAR(c->joint->joint.mu, 0.5, 0);
+    CHECK_NEAR(c->joint->strength.mu, 0.5, 0);
     for (int k = 0; k < 3; k++) {
         CHECK_WITHIN(c->ra[k], ra[k], 0);
         CHECK_WITHIN(c->rb[k], rb[k], 0);

@@ -166,12 +166,12 @@ static sp_verdict on_points(const sp_real *xyz, int32_t n, const sp_real com[3])
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, POINTS, 0 };
     const sp_real ground[3] = { 0, 0, R(-2) }, up[3] = { 0, 0, 1 };
-    const sp_joint joint = sp_joint_friction(R(0.84));
+    const sp_strength strength = sp_strength_friction(R(0.84));
     sp_arena a = test_arena;
     sp_scene scene;
     sp_result r;
     if (sp_scene_create(&scene, &cap, &a) || sp_scene_body(&scene, 1, ground, SP_FIXED, NULL) ||
-        sp_scene_body(&scene, 1, com, 0, NULL) || sp_scene_points(&scene, 0, 1, up, n, xyz, &joint, NULL) ||
+        sp_scene_body(&scene, 1, com, 0, NULL) || sp_scene_points(&scene, 0, 1, up, n, xyz, &strength, NULL) ||
         sp_check(&scene, NULL, &a, &r)) return SP_UNDECIDED;
     return r.verdict;
 }

@@ -723,11 +723,11 @@ static void frame_is_right_handed(const sp_interface *f, double tol)
 TEST(square_has_the_obvious_frame)
 {
     const sp_real xyz[12] = { 0, 0, 1,  2, 0, 1,  2, 2, 1,  0, 2, 1 };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     sp_scene scene = two_cubes();
     int32_t id = -1;
-    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&scene, 1, 0, 4, xyz, &joint, &id), SP_OK);        /* repeated: legal */
+    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&scene, 1, 0, 4, xyz, &strength, &id), SP_OK);        /* repeated: legal */
     CHECK_INT(id, 1);
     const sp_interface *f = &scene.interface[0];
     const sp_real x[3] = { 1, 0, 0 }, y[3] = { 0, 1, 0 }, z[3] = { 0, 0, 1 };
@@ -737,7 +737,7 @@ TEST(square_has_the_obvious_frame)
         CHECK_WITHIN(f->t2[c], y[c], 0);
     }
     CHECK_NEAR(f->area, 4, 0);
-    CHECK_NEAR(f->joint.mu, R(0.5), 0);
+    CHECK_NEAR(f->strength.mu, R(0.5), 0);
     CHECK_INT(f->a, 0);
     CHECK_INT(f->b, 1);
     CHECK_INT(scene.interface[1].point, 4);
@@ -750,7 +750,7 @@ TEST(square_has_the_obvious_frame)
 TEST(frames_hold_at_any_scale_and_turn)
 {
     static const double plan[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene = two_cubes();
     for (int k = 0; k < 200; k++) {
         const double s = pow(10, (double)test_random_real(-15, 15));        /* 1e-6 .. 1e6 m in units of 1e-9 .. 1e9 */
@@ -763,7 +763,7 @@ TEST(frames_hold_at_any_scale_and_turn)
         turn(r, xyz, 6);
         turn(r, e, 2);
         scene.count.interfaces = scene.count.points = 0;
-        NEED(sp_scene_interface(&scene, 0, 1, 6, xyz, &joint, NULL) == SP_OK);
+        NEED(sp_scene_interface(&scene, 0, 1, 6, xyz, &strength, NULL) == SP_OK);
         const sp_interface *f = &scene.interface[0];
         frame_is_right_handed(f, 16 * U);
         CHECK_NEAR(f->area, 3 * s * s, 64 * U);
@@ -775,7 +775,7 @@ TEST(frames_hold_at_any_scale_and_turn)
 /* Strips 1e-6 wide keep a normal good to the width's own rounding. */
 TEST(strips_are_interfaces_and_lines_are_not)
 {
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene = two_cubes();
     int32_t id;
     for (int k = 0; k < 300; k++) {
@@ -789,18 +789,18 @@ TEST(strips_are_interfaces_and_lines_are_not)
             turn(r, line, 4);
         }
         scene.count.interfaces = scene.count.points = 0;
-        NEED(sp_scene_interface(&scene, 0, 1, 4, strip, &joint, NULL) == SP_OK);
+        NEED(sp_scene_interface(&scene, 0, 1, 4, strip, &strength, NULL) == SP_OK);
         frame_is_right_handed(&scene.interface[0], 16 * U);
         CHECK_NEAR(scene.interface[0].area, s * s * 1e-6, k % 2 ? 8e6 * U : 8 * U);
-        REFUSED(sp_scene_interface(&scene, 0, 1, 4, line, &joint, &id), SP_E_AREA);
+        REFUSED(sp_scene_interface(&scene, 0, 1, 4, line, &strength, &id), SP_E_AREA);
     }
     sp_real point[12] = { 1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3 };
-    REFUSED(sp_scene_interface(&scene, 0, 1, 4, point, &joint, &id), SP_E_AREA);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 4, point, &strength, &id), SP_E_AREA);
     const sp_real eight[12] = { 0, 0, 0,  1, 1, 0,  1, 0, 0,  0, 1, 0 };        /* two lobes that cancel */
-    REFUSED(sp_scene_interface(&scene, 0, 1, 4, eight, &joint, &id), SP_E_AREA);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 4, eight, &strength, &id), SP_E_AREA);
     const sp_real box_[12] = { 0, 0, 0,  1, 0, 0,  1, R(1e-3), 0,  0, R(1e-3), 0 };
-    REFUSED(sp_scene_interface(&scene, 0, 1, 2, box_, &joint, &id), SP_E_AREA);
-    REFUSED(sp_scene_interface(&scene, 0, 1, 0, box_, &joint, &id), SP_E_AREA);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 2, box_, &strength, &id), SP_E_AREA);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 0, box_, &strength, &id), SP_E_AREA);
 }
 
 /* A strip 1e-6 m wide and 1e6 m long: one part in 1e12, which float cannot tell from a line. */
@@ -808,9 +808,9 @@ TEST(very_long_strips_pass_in_double)
 {
 #ifndef SP_REAL_FLOAT
     const sp_real strip[12] = { 0, 0, 0,  1e6, 0, 0,  1e6, 1e-6, 0,  0, 1e-6, 0 };
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene = two_cubes();
-    NEED(sp_scene_interface(&scene, 0, 1, 4, strip, &joint, NULL) == SP_OK);
+    NEED(sp_scene_interface(&scene, 0, 1, 4, strip, &strength, NULL) == SP_OK);
     CHECK_NEAR(scene.interface[0].area, 1, 8 * U);
     CHECK_NEAR(scene.interface[0].n[2], 1, 0);
 #endif
@@ -818,28 +818,28 @@ TEST(very_long_strips_pass_in_double)
 
 TEST(polygons_are_plane_to_a_millionth)
 {
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene = two_cubes();
     int32_t id;
     sp_real xyz[12] = { 0, 0, 0,  1, 0, 0,  1, 1, 0,  0, 1, 0 };
     xyz[8] = R(4 * 0.8e-6 * sqrt(2));                   /* each corner is a quarter of it off */
-    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL), SP_OK);
     xyz[8] = R(4 * (double)TOL(1.2e-6, 3e-6f) * sqrt(2));
-    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, &id), SP_E_PLANE);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, &id), SP_E_PLANE);
     xyz[8] = R(0.1);
-    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, &id), SP_E_PLANE);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, &id), SP_E_PLANE);
 }
 
 TEST(tangent_skips_edges_without_length)
 {
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     const sp_real tiny = R(1e-10);
     const sp_real xyz[18] = { 0, 0, 0,  0, 0, 0,  tiny, 0, 0,  tiny, 1, 0,  -1, 1, 0,  -1, 0, 0 };
     sp_scene scene = two_cubes();
-    CHECK_INT(sp_scene_interface(&scene, 0, 1, 6, xyz, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&scene, 0, 1, 6, xyz, &strength, NULL), SP_OK);
     CHECK_NEAR(scene.interface[0].t1[1], 1, 0);         /* third edge, 1 long */
     const sp_real collinear[15] = { 0, 0, 0,  0, R(-0.5), 0,  0, -1, 0,  1, -1, 0,  1, 0, 0 };
-    CHECK_INT(sp_scene_interface(&scene, 0, 1, 5, collinear, &joint, NULL), SP_OK);
+    CHECK_INT(sp_scene_interface(&scene, 0, 1, 5, collinear, &strength, NULL), SP_OK);
     CHECK_NEAR(scene.interface[1].t1[1], -1, 0);
     CHECK_NEAR(scene.interface[1].area, 1, 4 * U);
 }
@@ -849,7 +849,7 @@ TEST(bad_interfaces_leave_the_scene_alone)
     const sp_real inf = (sp_real)HUGE_VAL, nan_ = (sp_real)NAN;
     sp_real xyz[12] = { 0, 0, 1,  1, 0, 1,  1, 1, 1,  0, 1, 1 };
     const sp_real n[3] = { 0, 0, 1 };
-    const sp_joint good = sp_joint_friction(R(0.5));
+    const sp_strength good = sp_strength_friction(R(0.5));
     sp_scene scene = two_cubes();
     int32_t id;
     CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &good, &id), SP_OK);
@@ -864,7 +864,7 @@ TEST(bad_interfaces_leave_the_scene_alone)
         REFUSED(ADD(&scene, 0, 2, 4, xyz, &good), SP_E_INDEX);
         REFUSED(ADD(&scene, 0, INT32_MAX, 4, xyz, &good), SP_E_INDEX);
         REFUSED(ADD(&scene, 1, 1, 4, xyz, &good), SP_E_SELF);
-        sp_joint j = good;
+        sp_strength j = good;
         j.mu = R(-0.1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
         j.mu = inf;      REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
         j.mu = nan_;     REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
@@ -887,24 +887,24 @@ TEST(interfaces_and_points_stop_at_the_capacity)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 2, 5, 0 };
     const sp_real c[3] = { 0, 0, 0 }, n[3] = { 0, 0, 1 }, xyz[12] = { 0, 0, 1,  1, 0, 1,  1, 1, 1,  0, 1, 1 };
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene;
     int32_t id;
     NEED(sp_scene_create(&scene, &cap, &test_arena) == SP_OK);
     CHECK_INT(sp_scene_body(&scene, R(1), c, 0, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&scene, R(1), c, SP_FIXED, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL), SP_OK);
-    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, &id), SP_E_CAPACITY);
-    REFUSED(sp_scene_points(&scene, 0, 1, n, 2, xyz, &joint, &id), SP_E_CAPACITY);
-    CHECK_INT(sp_scene_points(&scene, 0, 1, n, 1, xyz, &joint, &id), SP_OK);
+    CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL), SP_OK);
+    REFUSED(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, &id), SP_E_CAPACITY);
+    REFUSED(sp_scene_points(&scene, 0, 1, n, 2, xyz, &strength, &id), SP_E_CAPACITY);
+    CHECK_INT(sp_scene_points(&scene, 0, 1, n, 1, xyz, &strength, &id), SP_OK);
     CHECK_INT(id, 1);
-    REFUSED(sp_scene_points(&scene, 0, 1, n, 1, xyz, &joint, &id), SP_E_CAPACITY);
+    REFUSED(sp_scene_points(&scene, 0, 1, n, 1, xyz, &strength, &id), SP_E_CAPACITY);
 }
 
 TEST(point_contacts_have_a_frame_of_their_normal)
 {
     const sp_real xyz[6] = { 0, 0, 1,  1, 0, 1 };
-    const sp_joint joint = sp_joint_friction(0);
+    const sp_strength strength = sp_strength_friction(0);
     sp_scene scene = two_cubes();
     int32_t id;
     const double most = (double)TOL(1e300, 1e37f), least = (double)TOL(1e-300, 1e-37f);
@@ -914,7 +914,7 @@ TEST(point_contacts_have_a_frame_of_their_normal)
             sp_real n[3] = { 0, 0, 0 };
             n[axis] = R(length[k]);
             scene.count.interfaces = scene.count.points = 0;
-            NEED(sp_scene_points(&scene, 0, 1, n, 2, xyz, &joint, NULL) == SP_OK);
+            NEED(sp_scene_points(&scene, 0, 1, n, 2, xyz, &strength, NULL) == SP_OK);
             const sp_interface *f = &scene.interface[0];
             CHECK_WITHIN(f->n[axis], 1, 0);
             CHECK_WITHIN(f->t1[axis == 0 ? 1 : 0], 1, 0);       /* the first of the two axes across n */
@@ -924,29 +924,29 @@ TEST(point_contacts_have_a_frame_of_their_normal)
     for (int k = 0; k < 200; k++) {
         const sp_real n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
         scene.count.interfaces = scene.count.points = 0;
-        NEED(sp_scene_points(&scene, 0, 1, n, 1, xyz, &joint, NULL) == SP_OK);
+        NEED(sp_scene_points(&scene, 0, 1, n, 1, xyz, &strength, NULL) == SP_OK);
         frame_is_right_handed(&scene.interface[0], 16 * U);
         CHECK_NEAR(dot(scene.interface[0].n, n), sqrt(dot(n, n)), 8 * U);
     }
     const sp_real zero[3] = { 0, 0, 0 }, bad[3] = { 0, (sp_real)NAN, 1 }, inf[3] = { 0, 1, (sp_real)HUGE_VAL }, up[3] = { 0, 0, 1 };
-    REFUSED(sp_scene_points(&scene, 0, 1, zero, 2, xyz, &joint, &id), SP_E_AREA);
-    REFUSED(sp_scene_points(&scene, 0, 1, bad, 2, xyz, &joint, &id), SP_E_NOT_FINITE);
-    REFUSED(sp_scene_points(&scene, 0, 1, inf, 2, xyz, &joint, &id), SP_E_NOT_FINITE);
-    REFUSED(sp_scene_points(&scene, 0, 1, NULL, 2, xyz, &joint, &id), SP_E_ARGUMENT);
-    REFUSED(sp_scene_points(&scene, 0, 1, up, 0, xyz, &joint, &id), SP_E_RANGE);
+    REFUSED(sp_scene_points(&scene, 0, 1, zero, 2, xyz, &strength, &id), SP_E_AREA);
+    REFUSED(sp_scene_points(&scene, 0, 1, bad, 2, xyz, &strength, &id), SP_E_NOT_FINITE);
+    REFUSED(sp_scene_points(&scene, 0, 1, inf, 2, xyz, &strength, &id), SP_E_NOT_FINITE);
+    REFUSED(sp_scene_points(&scene, 0, 1, NULL, 2, xyz, &strength, &id), SP_E_ARGUMENT);
+    REFUSED(sp_scene_points(&scene, 0, 1, up, 0, xyz, &strength, &id), SP_E_RANGE);
 }
 
 TEST(friction_is_set_for_all_or_none)
 {
     const sp_real xyz[12] = { 0, 0, 1,  1, 0, 1,  1, 1, 1,  0, 1, 1 };
-    const sp_joint joint = sp_joint_friction(R(0.25));
+    const sp_strength strength = sp_strength_friction(R(0.25));
     sp_scene scene = two_cubes();
     int32_t id;
-    CHECK_NEAR(joint.mu, 0.25, 0);
-    CHECK_NEAR((double)joint.cohesion + (double)joint.tension + (double)joint.cap, 0, 0);
-    for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &joint, NULL), SP_OK);
+    CHECK_NEAR(strength.mu, 0.25, 0);
+    CHECK_NEAR((double)strength.cohesion + (double)strength.tension + (double)strength.cap, 0, 0);
+    for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL), SP_OK);
     CHECK_INT(sp_scene_friction(&scene, R(0.75)), SP_OK);
-    for (int k = 0; k < 3; k++) CHECK_NEAR(scene.interface[k].joint.mu, 0.75, 0);
+    for (int k = 0; k < 3; k++) CHECK_NEAR(scene.interface[k].strength.mu, 0.75, 0);
     REFUSED(sp_scene_friction(&scene, R(-1)), SP_E_RANGE);
     REFUSED(sp_scene_friction(&scene, (sp_real)NAN), SP_E_NOT_FINITE);
     REFUSED(sp_scene_friction(&scene, (sp_real)HUGE_VAL), SP_E_NOT_FINITE);

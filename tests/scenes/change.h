@@ -94,7 +94,7 @@ static void copy_interfaces(const sp_scene *in, const change *c, sp_scene *out, 
             move(c, in->point[j->point + from], 0, y);
             for (int i = 0; i < 3; i++) xyz[3 * v + i] = R(y[i]);
         }
-        CHECK_INT(sp_scene_interface(out, place[back ? j->b : j->a], place[back ? j->a : j->b], n, xyz, &j->joint,
+        CHECK_INT(sp_scene_interface(out, place[back ? j->b : j->a], place[back ? j->a : j->b], n, xyz, &j->strength,
                                      &name[order[k]]), SP_OK);
     }
 }

@@ -14,7 +14,7 @@
 struct gen_sink {
     sp_scene *scene;            /* NULL: count only */
     sp_capacity count;
-    sp_joint joint;
+    sp_strength strength;
     double density;
     sp_status status;           /* the first failure */
     uint64_t random;
@@ -102,7 +102,7 @@ static void joint(gen_sink *s, int32_t a, int32_t b, int32_t points, const doubl
     if (!s->scene || s->status) return;
     for (int32_t k = 0; k < points; k++)
         for (int c = 0; c < 3; c++) x[3 * k + c] = (sp_real)xyz[k][c];
-    s->status = sp_scene_interface(s->scene, a, b, points, x, &s->joint, NULL);
+    s->status = sp_scene_interface(s->scene, a, b, points, x, &s->strength, NULL);
 }
 
 /* A six-sided solid: corners 0-3 anticlockwise seen from outside, 4-7 the same corners of the opposite side. */
@@ -786,7 +786,7 @@ int gen_set(gen_scene *g, const char *name, double value)
 static gen_sink start(const gen_scene *g, sp_scene *scene)
 {
     gen_sink s = { scene, { 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0 }, g->value[GEN_OWN + 1], SP_OK, 1 };
-    s.joint.mu = (sp_real)g->value[GEN_OWN];
+    s.strength.mu = (sp_real)g->value[GEN_OWN];
     return s;
 }
 

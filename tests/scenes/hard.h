@@ -47,10 +47,10 @@ static sp_status hard_body(sp_scene *s, double mass, double x, double y, double 
 static sp_status hard_bed(sp_scene *s, int32_t a, int32_t b, double x, double y, double z, double p, double q, double mu)
 {
     const double c[12] = { x - p, y - q, z, x + p, y - q, z, x + p, y + q, z, x - p, y + q, z };
-    const sp_joint joint = sp_joint_friction((sp_real)mu);
+    const sp_strength strength = sp_strength_friction((sp_real)mu);
     sp_real v[12];
     for (int k = 0; k < 12; k++) v[k] = (sp_real)c[k];
-    return sp_scene_interface(s, a, b, 4, v, &joint, NULL);
+    return sp_scene_interface(s, a, b, 4, v, &strength, NULL);
 }
 
 /* Ground, a cube of 1 m and mass a, on it another of mass b, `off` beside it. */
@@ -104,7 +104,7 @@ static sp_status hard_slender(const hard_case *c, sp_arena *arena, sp_scene *s)
 static sp_status hard_gon(const hard_case *c, sp_arena *arena, sp_scene *s)
 {
     const int32_t n = (int32_t)c->a;
-    const sp_joint joint = sp_joint_friction((sp_real)0.6);
+    const sp_strength strength = sp_strength_friction((sp_real)0.6);
     sp_real v[3 * 512];
     sp_status e = hard_start(s, 2, 1, n, arena);
     if (!e) e = hard_body(s, 0, 0, 0, -1, 1);
@@ -115,7 +115,7 @@ static sp_status hard_gon(const hard_case *c, sp_arena *arena, sp_scene *s)
         v[3 * k + 1] = (sp_real)gen_sin(t);
         v[3 * k + 2] = 0;
     }
-    return e ? e : sp_scene_interface(s, 0, 1, n, v, &joint, NULL);
+    return e ? e : sp_scene_interface(s, 0, 1, n, v, &strength, NULL);
 }
 
 /* A cube on a joint given `a` times, each shifted by b; it stands on a support of another mind where b = 0. */
@@ -146,11 +146,11 @@ static sp_status hard_slope(const hard_case *c, sp_arena *arena, sp_scene *s)
 static sp_status hard_points(const hard_case *c, sp_arena *arena, sp_scene *s)
 {
     const sp_real up[3] = { 0, 0, 1 }, v[6] = { 0, c->a > 1 ? (sp_real)-0.5 : 0, 0, 0, (sp_real)0.5, 0 };
-    const sp_joint joint = sp_joint_friction((sp_real)0.6);
+    const sp_strength strength = sp_strength_friction((sp_real)0.6);
     sp_status e = hard_start(s, 2, 1, 2, arena);
     if (!e) e = hard_body(s, 0, 0, 0, -1, 1);
     if (!e) e = hard_body(s, 10, c->b, 0, 0.5, 0);
-    return e ? e : sp_scene_points(s, 0, 1, up, (int32_t)c->a, v, &joint, NULL);
+    return e ? e : sp_scene_points(s, 0, 1, up, (int32_t)c->a, v, &strength, NULL);
 }
 
 /* A square whose edges carry `a` corners each, all collinear but four; the middle of the cube b beside its own. */
@@ -158,7 +158,7 @@ static sp_status hard_collinear(const hard_case *c, sp_arena *arena, sp_scene *s
 {
     static const double corner[5][2] = { { -0.5, -0.5 }, { 0.5, -0.5 }, { 0.5, 0.5 }, { -0.5, 0.5 }, { -0.5, -0.5 } };
     const int32_t n = (int32_t)c->a;
-    const sp_joint joint = sp_joint_friction((sp_real)0.6);
+    const sp_strength strength = sp_strength_friction((sp_real)0.6);
     sp_real v[3 * 64];
     sp_status e = hard_start(s, 2, 1, 4 * n, arena);
     if (!e) e = hard_body(s, 0, 0, 0, -1, 1);
@@ -169,7 +169,7 @@ static sp_status hard_collinear(const hard_case *c, sp_arena *arena, sp_scene *s
         v[3 * k + 1] = (sp_real)(p[1] + t * (q[1] - p[1]));
         v[3 * k + 2] = 0;
     }
-    return e ? e : sp_scene_interface(s, 0, 1, 4 * n, v, &joint, NULL);
+    return e ? e : sp_scene_interface(s, 0, 1, 4 * n, v, &strength, NULL);
 }
 
 /* Five cubes of side a and mass b, each 0.05 a (0.3 a: it falls) beyond the one below. */

@@ -42,7 +42,7 @@ static sp_status kinds_bed(sp_scene *s, int a, int b, const double p[4], const d
 {
     double low[2], high[2];
     sp_real v[12];
-    const sp_joint joint = sp_joint_friction((sp_real)mu);
+    const sp_strength strength = sp_strength_friction((sp_real)mu);
     for (int k = 0; k < 2; k++) {
         low[k] = p[k] - p[2 + k] > q[k] - q[2 + k] ? p[k] - p[2 + k] : q[k] - q[2 + k];
         high[k] = p[k] + p[2 + k] < q[k] + q[2 + k] ? p[k] + p[2 + k] : q[k] + q[2 + k];
@@ -53,7 +53,7 @@ static sp_status kinds_bed(sp_scene *s, int a, int b, const double p[4], const d
         v[3 * k + 1] = (sp_real)(k > 1 ? high[1] : low[1]);
         v[3 * k + 2] = (sp_real)z;
     }
-    return sp_scene_interface(s, a, b, 4, v, &joint, NULL);
+    return sp_scene_interface(s, a, b, 4, v, &strength, NULL);
 }
 
 static sp_status kinds_room(sp_scene *s, int32_t blocks, int32_t interfaces, sp_arena *arena)

@@ -66,14 +66,14 @@ static void undecided(const sp_scene *scene, const sp_result *r, sp_reason reaso
 static void columns(int standing, int floating, sp_scene *s)
 {
     const sp_capacity cap = { standing + floating, 0, 0, 0, standing + floating, 4 * (standing + floating), 0 };
-    const sp_joint joint = sp_joint_friction(R(0.84));
+    const sp_strength strength = sp_strength_friction(R(0.84));
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
     for (int k = 0; k < standing + floating; k++) {
         const double z = k < standing ? k : k + 1;
         const sp_real c[3] = { R(0.5), R(0.5), R(z + 0.5) };
         const sp_real foot[12] = { 0, 0, R(z), 1, 0, R(z), 1, 1, R(z), 0, 1, R(z) };
         CHECK_INT(sp_scene_body(s, 2400, c, standing && !k ? SP_FIXED : 0, NULL), SP_OK);
-        if (k && k != standing) CHECK_INT(sp_scene_interface(s, k - 1, k, 4, foot, &joint, NULL), SP_OK);
+        if (k && k != standing) CHECK_INT(sp_scene_interface(s, k - 1, k, 4, foot, &strength, NULL), SP_OK);
     }
 }
 
@@ -149,7 +149,7 @@ TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
     for (int run = 0; run < 1000; run++) {
         const int32_t n = test_random_int(2, 7), joints = test_random_int(1, 2 * n);
         const sp_capacity cap = { n, 0, 0, 0, joints, 4 * joints, 1 };
-        const sp_joint joint = sp_joint_friction(test_random_real(0, 1));
+        const sp_strength strength = sp_strength_friction(test_random_real(0, 1));
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
@@ -162,7 +162,7 @@ TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
             const int32_t a = test_random_int(0, n - 2), b = test_random_int(a + 1, n - 1);
             const double x = (double)test_random_real(-2, 0), y = (double)test_random_real(-2, 0), z = 0.5 * (a + b);
             const sp_real foot[12] = { R(x), R(y), R(z), R(x + 2), R(y), R(z), R(x + 2), R(y + 2), R(z), R(x), R(y + 2), R(z) };
-            CHECK_INT(sp_scene_interface(&s, a, b, 4, foot, &joint, NULL), SP_OK);
+            CHECK_INT(sp_scene_interface(&s, a, b, 4, foot, &strength, NULL), SP_OK);
         }
         if (run % 4 == 0) {
             sp_load load = { 1, 0, { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };

@@ -162,7 +162,7 @@ static void any_scene(sp_scene *s)
     if (test_random_int(0, 3) == 0) s->gravity[0] = R(0.2) * s->gravity[2];
     if (test_random_int(0, 5) == 0 && !TEST_SMALL)
         for (int32_t i = 0; i < s->count.interfaces; i++)
-            if (s->interface[i].area > 0) s->interface[i].joint.cohesion = s->interface[i].joint.tension = 2000;
+            if (s->interface[i].area > 0) s->interface[i].strength.cohesion = s->interface[i].strength.tension = 2000;
 }
 
 static int loose(const sp_scene *s, int32_t b) { return presence[b] == SP_PRESENT && s->block[b].fixed != SP_FIXED; }
@@ -210,7 +210,7 @@ TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
         test_arena.used = start;
         any_scene(&s);
         int strong = 0;
-        for (int32_t i = 0; i < s.count.interfaces; i++) strong |= s.interface[i].joint.cohesion > 0;
+        for (int32_t i = 0; i < s.count.interfaces; i++) strong |= s.interface[i].strength.cohesion > 0;
         if (!strong && scene % 5 == 0 && !TEST_SMALL) set.faces = 8;
         sp_sequence *q = open_sequence(&s, &set);
         NEED(q != NULL);
@@ -280,7 +280,7 @@ TEST(a_wall_is_taken_down_from_the_top_and_stands_all_the_while)
 static void two_columns(int height, sp_scene *s)
 {
     const sp_capacity cap = { 1 + 2 * height, 0, 0, 0, 2 * height, 8 * height, 0 };
-    const sp_joint joint = sp_joint_friction(R(0.5));
+    const sp_strength strength = sp_strength_friction(R(0.5));
     const sp_real ground[3] = { 0, 0, R(-0.5) };
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(s, 1, ground, SP_FIXED, NULL), SP_OK);
@@ -288,7 +288,7 @@ static void two_columns(int height, sp_scene *s)
         const sp_real x = R(k % 2 ? 5 : 0), z = R(k / 2), c[3] = { x, 0, z + R(0.5) }, h = R(0.5);
         const sp_real foot[12] = { x - h, -h, z, x + h, -h, z, x + h, h, z, x - h, h, z };
         CHECK_INT(sp_scene_body(s, 2400, c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(s, k < 2 ? 0 : k - 1, k + 1, 4, foot, &joint, NULL), SP_OK);
+        CHECK_INT(sp_scene_interface(s, k < 2 ? 0 : k - 1, k + 1, 4, foot, &strength, NULL), SP_OK);
     }
 }
 

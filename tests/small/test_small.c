@@ -75,7 +75,7 @@ TEST(strength_of_joints_is_refused_by_the_smallest_build)
 {
     sp_scene s;
     arch(&s);
-    s.interface[0].joint.cohesion = 1000;
+    s.interface[0].strength.cohesion = 1000;
     answered(&s, NULL, LEFT_OUT);
 }
 
@@ -232,7 +232,7 @@ TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
     for (int32_t k = 0; k < 120; k++) {
         const int32_t loose = k % 4, each = 10 * (k / 4), corners = k % 3 ? 3 : 9;
         const sp_capacity cap = { 3 + loose, 0, 0, 0, 2 * each + loose, corners * (2 * each + loose), 0 };
-        const sp_joint joint = sp_joint_friction(R(0.6));
+        const sp_strength strength = sp_strength_friction(R(0.6));
         const sp_real up[3] = { 0, 0, 1 };
         size_t bytes = 0;
         sp_scene s;
@@ -250,7 +250,7 @@ TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
                 xyz[3 * c + 1] = test_random_real(-0.5, 0.5);
                 xyz[3 * c + 2] = b == 2;
             }
-            NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &joint, NULL) == SP_OK);
+            NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &strength, NULL) == SP_OK);
         }
         NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
         if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.interfaces, s.count.points, 0)))

@@ -13,7 +13,7 @@
 
 static int any_friction(const sp_scene *s)
 {
-    for (int32_t i = 0; i < s->count.interfaces; i++) if (s->interface[i].joint.mu > 0) return 1;
+    for (int32_t i = 0; i < s->count.interfaces; i++) if (s->interface[i].strength.mu > 0) return 1;
     return 0;
 }
 

@@ -179,7 +179,7 @@ static int own_friction(session *s)
     if (!s->pair) return 0;
     for (int32_t i = 0; i < scene->count.interfaces; i++) {
         const sp_interface *c = &scene->interface[i];
-        const settle_pair p = { c->a, c->b, (double)c->joint.mu };
+        const settle_pair p = { c->a, c->b, (double)c->strength.mu };
         if (p.mu < s->set.mu || p.mu > s->set.mu) s->pair[s->set.pairs++] = p;
     }
     s->set.pair = s->pair;
@@ -294,7 +294,7 @@ static void keep_friction(const session *s, sp_scene *out)
         sp_interface *c = &out->interface[i];
         for (int32_t k = 0; k < s->set.pairs; k++)
             if ((s->pair[k].a == c->a && s->pair[k].b == c->b) || (s->pair[k].a == c->b && s->pair[k].b == c->a))
-                c->joint = sp_joint_friction((sp_real)s->pair[k].mu);
+                c->strength = sp_strength_friction((sp_real)s->pair[k].mu);
     }
 }
 
@@ -321,7 +321,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
     near.distance = (sp_real)s->o->near;
     near.absolute = 1;
     near.angle = (sp_real)0.05;                 /* 3 degrees */
-    near.joint = sp_joint_friction(s->in.mu);
+    near.strength = sp_strength_friction(s->in.mu);
     for (int pass = 0; pass < 2 && status == SP_E_CAPACITY; pass++) {
         void *room;
         sp_arena scratch;
@@ -339,7 +339,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
 /* The scene as it came to rest. */
 static int build(session *s, void **memory, sp_scene *out, failure *error)
 {
-    const sp_joint joint = sp_joint_friction(s->in.mu);
+    const sp_strength strength = sp_strength_friction(s->in.mu);
     sp_capacity cap = s->in.scene.count;
     sp_status status;
 
@@ -350,7 +350,7 @@ static int build(session *s, void **memory, sp_scene *out, failure *error)
     else {
         settle_count_interfaces(&s->result, &s->in.scene, &cap);
         status = start_scene(s, &cap, memory, out);
-        if (status == SP_OK) status = settle_add_interfaces(&s->result, s->container, &joint, out);
+        if (status == SP_OK) status = settle_add_interfaces(&s->result, s->container, &strength, out);
     }
     if (status != SP_OK) return fail_status(error, status, s->in.path, 0, "as it came to rest");
     keep_friction(s, out);

@@ -58,10 +58,10 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
     if (!(c->area > 0)) write_triple(out, "", c->n);
     for (int32_t k = 0; k < c->points; k++) write_triple(out, "", s->point[c->point + k]);
     fputs("\n", out);
-    if (own_mu) write_setting(out, "mu", c->joint.mu);
-    if (c->joint.cohesion > 0) write_setting(out, "cohesion", c->joint.cohesion);
-    if (c->joint.tension > 0) write_setting(out, "tension", c->joint.tension);
-    if (c->joint.cap > 0) write_setting(out, "crushing", c->joint.cap);
+    if (own_mu) write_setting(out, "mu", c->strength.mu);
+    if (c->strength.cohesion > 0) write_setting(out, "cohesion", c->strength.cohesion);
+    if (c->strength.tension > 0) write_setting(out, "tension", c->strength.tension);
+    if (c->strength.cap > 0) write_setting(out, "crushing", c->strength.cap);
 }
 
 static int is_zero(const sp_real x[3])
@@ -106,8 +106,8 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
         if (block->density > 0) one_density = one_density && same(block->density, density);
     }
     for (int32_t i = 1; i < s->count.interfaces; i++)
-        one_mu = one_mu && same(s->interface[i].joint.mu, s->interface[0].joint.mu);
-    if (one_mu) write_setting(out, "mu", s->interface[0].joint.mu);
+        one_mu = one_mu && same(s->interface[i].strength.mu, s->interface[0].strength.mu);
+    if (one_mu) write_setting(out, "mu", s->interface[0].strength.mu);
     if (one_density && density > 0) write_setting(out, "density", density);
     write_triple(out, "#@ gravity", s->gravity);
     fputs("\n", out);

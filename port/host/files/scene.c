@@ -118,17 +118,17 @@ static void contact_words(const obj_contact *c, char what[192])
 }
 
 /* A joint with this friction and strength; of strength the scene's where a number is below 0 (points have none: no area). */
-static sp_joint joint_of(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
+static sp_strength joint_of(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
 {
     sp_real k[3];
     for (int i = 0; i < 3; i++) k[i] = own[i] >= 0 ? own[i] : polygon ? f->strength[i] : 0;
-    const sp_joint joint = { mu, k[0], k[1], k[2] };
-    return joint;
+    const sp_strength strength = { mu, k[0], k[1], k[2] };
+    return strength;
 }
 
 /* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact,
  * NULL: of those that are found.     returns 0, or fails */
-static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact *c, failure *error)
+static int joint_counts(const obj_file *f, const sp_strength *j, const obj_contact *c, failure *error)
 {
     const int32_t line = c && c->strength_line[1] ? c->strength_line[1] : f->strength_line[1];
     char what[192] = "contacts";
@@ -141,11 +141,11 @@ static int joint_counts(const obj_file *f, const sp_joint *j, const obj_contact 
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, failure *error)
 {
     const obj_contact *c = &f->contact[i];
-    const sp_joint joint = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
+    const sp_strength strength = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
-    if (joint_counts(f, &joint, c, error)) return error->status;
-    const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &joint, NULL)
-                                        : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &joint, NULL);
+    if (joint_counts(f, &strength, c, error)) return error->status;
+    const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &strength, NULL)
+                                        : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &strength, NULL);
     char what[192];
 
     if (status == SP_OK) return 0;
@@ -220,8 +220,8 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
     void *memory;
     sp_arena scratch;
 
-    settings.joint = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
-    if (joint_counts(f, &settings.joint, NULL, error)) return error->status;
+    settings.strength = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
+    if (joint_counts(f, &settings.strength, NULL, error)) return error->status;
     if (run_arena(sp_contacts_memory(&s->scene), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
     *status = sp_contacts_find(&s->scene, &settings, scratch, report);
     free(memory);

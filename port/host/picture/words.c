@@ -22,8 +22,8 @@ static void put_friction(const words *w)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (int32_t i = 0; i < w->d->s->count.interfaces; i++) {
-        low = fmin(low, (double)w->d->s->interface[i].joint.mu);
-        high = fmax(high, (double)w->d->s->interface[i].joint.mu);
+        low = fmin(low, (double)w->d->s->interface[i].strength.mu);
+        high = fmax(high, (double)w->d->s->interface[i].strength.mu);
     }
     if (!(low <= high)) return;
     fprintf(w->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);

@@ -258,10 +258,10 @@ static void io_interface(io *s, sp_interface *f)
     io_int(s, &f->points, 0, INT32_MAX);
     io_int(s, &polygon, 0, 1);
     f->area = (sp_real)polygon;
-    io_real(s, &f->joint.mu);
-    io_real(s, &f->joint.cohesion);
-    io_real(s, &f->joint.tension);
-    io_real(s, &f->joint.cap);
+    io_real(s, &f->strength.mu);
+    io_real(s, &f->strength.cohesion);
+    io_real(s, &f->strength.tension);
+    io_real(s, &f->strength.cap);
     io_reals(s, f->n, 3);
     io_reals(s, f->t1, 3);
     io_reals(s, f->t2, 3);
@@ -364,8 +364,8 @@ static sp_status add_interface(const raw *r, const sp_interface *x, sp_scene *sc
     const sp_real *xyz = r->point + 3 * (size_t)scene->count.points;
     sp_interface *made = scene->interface + scene->count.interfaces;
     const sp_status status = x->points > scene->cap.points - scene->count.points ? SP_E_CAPACITY
-        : x->area > 0 ? sp_scene_interface(scene, x->a, x->b, x->points, xyz, &x->joint, NULL)
-                      : sp_scene_points(scene, x->a, x->b, x->n, x->points, xyz, &x->joint, NULL);
+        : x->area > 0 ? sp_scene_interface(scene, x->a, x->b, x->points, xyz, &x->strength, NULL)
+                      : sp_scene_points(scene, x->a, x->b, x->n, x->points, xyz, &x->strength, NULL);
     if (status) return status;
     if (!near(x->n, made->n) || !near(x->t1, made->t1) || !near(x->t2, made->t2)) return SP_E_RANGE;
     memcpy(made->n, x->n, sizeof made->n);

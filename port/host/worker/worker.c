@@ -82,7 +82,7 @@ static int same_interface(const sp_interface *a, const sp_interface *b)
     return a->a == b->a && a->b == b->b && a->point == b->point && a->points == b->points
         && memcmp(a->n, b->n, sizeof a->n) == 0 && memcmp(a->t1, b->t1, sizeof a->t1) == 0
         && memcmp(a->t2, b->t2, sizeof a->t2) == 0 && memcmp(&a->area, &b->area, sizeof a->area) == 0
-        && memcmp(&a->joint, &b->joint, sizeof a->joint) == 0;
+        && memcmp(&a->strength, &b->strength, sizeof a->strength) == 0;
 }
 
 static int same_load(const sp_load *a, const sp_load *b)

@@ -8,7 +8,7 @@ static sp_verdict ask(sp_real offset)
     const sp_real slab[3] = { 0, 0, 0 }, block[3] = { offset, 0, 1 };
     const sp_real left = offset - 1, joint[12] = { left, -1, 0.5, 1, -1, 0.5, 1, 1, 0.5, left, 1, 0.5 };
     const sp_capacity room = { 2, 0, 0, 0, 1, 4 };
-    const sp_joint friction = sp_joint_friction(0.6);
+    const sp_strength friction = sp_strength_friction(0.6);
     sp_arena arena;
     sp_scene scene;
     sp_result result;
