@@ -41,7 +41,7 @@ extern "C" {
  *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
  *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
  *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
- *                   (sp_interface_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
+ *                   (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
  *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
  *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
  *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.
@@ -110,15 +110,15 @@ typedef enum sp_status {
     SP_E_MEMORY      = -2,      /* the arena is too small */
     SP_E_CAPACITY    = -3,      /* the scene is full: one of its sp_capacity numbers was reached */
     SP_E_NOT_FINITE  = -4,      /* an infinity or a NaN in the input, or a size whose square or cube overflows */
-    SP_E_INDEX       = -5,      /* a block, vertex or interface number that does not exist */
+    SP_E_INDEX       = -5,      /* a block, vertex or joint number that does not exist */
     SP_E_RANGE       = -6,      /* a number outside its range: mu < 0, density <= 0, tol, number of pyramid faces ... */
     SP_E_OPEN        = -7,      /* the mesh of a free block has an edge without its opposite */
     SP_E_INWARD      = -8,      /* the mesh of a free block is closed but its faces look inward */
     SP_E_DEGENERATE  = -9,      /* no volume relative to its size, or a face with fewer than three corners */
     SP_E_WARPED      = -10,     /* a face out of plane by more than 1e-2 of its block's diameter */
-    SP_E_PLANE       = -11,     /* an interface polygon out of plane by more than 1e-6 of its diameter */
-    SP_E_AREA        = -12,     /* an interface polygon without area, a contact normal without length */
-    SP_E_SELF        = -13,     /* an interface between a block and itself */
+    SP_E_PLANE       = -11,     /* a joint polygon out of plane by more than 1e-6 of its diameter */
+    SP_E_AREA        = -12,     /* a joint polygon without area, a contact normal without length */
+    SP_E_SELF        = -13,     /* a joint between a block and itself */
     SP_E_EMPTY       = -14,     /* no block at all */
     SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: strength of a joint in a coupled check */
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
@@ -149,7 +149,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 /* What a scene has room for. Each number >= 0. */
 typedef struct sp_capacity {
     int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
-    int32_t interfaces, points;                 /* contacts; points: sum of the interfaces' vertex counts */
+    int32_t joints, points;                 /* contacts; points: sum of the joints' vertex counts */
     int32_t loads;                              /* besides weight */
 } sp_capacity;
 
@@ -194,13 +194,13 @@ typedef struct sp_block {
 
 typedef struct sp_face { int32_t corner, corners; } sp_face;    /* its part of scene.corner; vertex numbers of the scene */
 
-typedef struct sp_interface {
+typedef struct sp_joint {
     int32_t a, b;               /* blocks; n points from a into b */
     int32_t point, points;      /* its part of scene.point */
     sp_real n[3], t1[3], t2[3]; /* right-handed frame: t1 along the first true edge, t2 = n x t1 */
     sp_real area;               /* [m^2], 0 for point and edge contacts */
     sp_strength strength;
-} sp_interface;
+} sp_joint;
 
 /* What acts on a block besides its own weight. All of it may be 0; on a support it does nothing. */
 typedef struct sp_load {
@@ -213,7 +213,7 @@ typedef struct sp_load {
 } sp_load;
 
 /* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). To take out what
- * was added last, set count back to what it was before (all of it, or interfaces and points to find them anew). Lives in an arena.
+ * was added last, set count back to what it was before (all of it, or joints and points to find them anew). Lives in an arena.
  * Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
 typedef struct sp_scene {
     sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
@@ -224,7 +224,7 @@ typedef struct sp_scene {
     sp_real (*vertex)[3];       /* [m] */
     sp_face *face;
     int32_t *corner;
-    sp_interface *interface;
+    sp_joint *joint;
     sp_real (*point)[3];        /* contact vertices [m] */
     sp_load *load;
 } sp_scene;
@@ -253,18 +253,18 @@ SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real cent
 SP_API sp_strength sp_strength_friction(sp_real mu);
 
 /* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
- * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated interfaces are legal.
+ * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (strength),
  *           SP_E_CAPACITY */
-SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                     const sp_strength *strength, int32_t *id);
 
 /* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
- *   returns as sp_scene_interface; SP_E_AREA: also strength without an area */
+ *   returns as sp_scene_joint; SP_E_AREA: also strength without an area */
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
                                  const sp_real *xyz, const sp_strength *strength, int32_t *id);
 
-/* Use one friction coefficient for every interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+/* Use one friction coefficient for every joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
 
 /* Add a load.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_RANGE (mass < 0), SP_E_CAPACITY */
@@ -286,7 +286,7 @@ typedef struct sp_contact_settings {
 typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* two blocks inside each other by `depth` [m] */
 
 typedef struct sp_contact_report {
-    int32_t interfaces, points;         /* found; also when the scene had no room for them */
+    int32_t joints, points;         /* found; also when the scene had no room for them */
     int32_t overlaps;                   /* pairs of blocks inside each other beyond the distance */
     int32_t overlap_cap;                /* in: room in `overlap`, may be 0 */
     sp_overlap *overlap;                /* the first overlap_cap of them, by block numbers; may be NULL */
@@ -299,7 +299,7 @@ SP_API sp_contact_settings sp_contact_settings_default(void);
 SP_API size_t sp_contacts_memory(const sp_scene *scene);
 
 /* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
- * exact common polygon(s), one interface each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
+ * exact common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
  * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
  * SP_SMALL the convex hull of what faces share in one plane).
  *   scratch   by value: all of it may be overwritten
@@ -471,7 +471,7 @@ typedef struct sp_cost {
     int32_t interior;           /* of the iterations those of the interior-point method */
 } sp_cost;
 
-/* What was found about one interface's share of help, from the penalty form; joined with a motion where that was asked and one
+/* What was found about one joint's share of help, from the penalty form; joined with a motion where that was asked and one
  * was found. */
 typedef struct sp_demand {
     sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
@@ -479,7 +479,7 @@ typedef struct sp_demand {
 } sp_demand;
 
 /* A proof that no triple meets the conditions of the coupled check. Every contact vertex that takes part, 0..V-1 in the order
- * of interfaces, is in one of these cases, of which finer ones halve the sector of coarser ones (angles from t1 to t2):
+ * of joints, is in one of these cases, of which finer ones halve the sector of coarser ones (angles from t1 to t2):
  *
  *     0 unknown;  1 open, f = 0;  2 engaged, dn = -eps;  4..7 engaged, dt and -ft in that quarter;  2s, 2s + 1 the halves of s
  *
@@ -560,19 +560,19 @@ typedef struct sp_result {
     sp_real omega;              /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
                                    (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
     sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
-    int32_t free_blocks, interfaces, points;    /* that took part */
+    int32_t free_blocks, joints, points;    /* that took part */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
                                    of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
                                    displacement is the largest distance of a joint from its block's centroid          [m, 1] */
     sp_real *y0;                /* 12 x free blocks: potential of the bilateral force in two parts of 6, large and small (one
                                    part alone loses a pebble beside a cathedral); a hint for sp_verify */
-    sp_demand *demand;          /* per interface; zero where not asked for */
+    sp_demand *demand;          /* per joint; zero where not asked for */
     sp_real max_compression;    /* largest fn [N] */
     sp_real max_tension;        /* largest demanded tension [N] */
-    sp_real max_utilisation;    /* largest of the interfaces' [1] */
+    sp_real max_utilisation;    /* largest of the joints' [1] */
     sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
-    int32_t weakest;            /* interface: most help demanded, else highest utilisation; -1 if there is none */
+    int32_t weakest;            /* joint: most help demanded, else highest utilisation; -1 if there is none */
     sp_cost cost;               /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];
     sp_coupled coupled;
@@ -600,7 +600,7 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
 /* The same as constant expressions, for static arrays:
  *
  *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
- *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), interfaces and contact vertices,
+ *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), joints and contact vertices,
  *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
  *                     for the default ones; each load takes 4 + sizeof(sp_load) more. The factor is taken as full, 36
  *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
@@ -613,31 +613,31 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settin
  *                     some ten times the truth for a few stones, a hundred times for twenty
  *   SP_ADMM_CG_BYTES  to be added instead of that where the seed has ADMM use conjugate gradients, which keep no factor
  *                     (dense_cells 0, admm.backend SP_QP_CG): near the truth */
-#define SP_SCENE_BYTES(blocks, vertices, faces, corners, interfaces, points, loads) \
+#define SP_SCENE_BYTES(blocks, vertices, faces, corners, joints, points, loads) \
     ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
      + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
      + (((size_t)(faces) * sizeof(sp_face) + 15) & ~(size_t)15) + (((size_t)(corners) * 4 + 15) & ~(size_t)15) \
-     + (((size_t)(interfaces) * sizeof(sp_interface) + 15) & ~(size_t)15) \
+     + (((size_t)(joints) * sizeof(sp_joint) + 15) & ~(size_t)15) \
      + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
 #ifdef SP_REAL_MIXED                                    /* the matrix beside its factor, and what refines */
-#define SP_MIXED_BYTES(blocks, interfaces) (sizeof(sp_real) * (54 * (size_t)(blocks) + 36 * (size_t)(interfaces)) + 64)
+#define SP_MIXED_BYTES(blocks, joints) (sizeof(sp_real) * (54 * (size_t)(blocks) + 36 * (size_t)(joints)) + 64)
 #else
-#define SP_MIXED_BYTES(blocks, interfaces) 0
+#define SP_MIXED_BYTES(blocks, joints) 0
 #endif
 /* The factor in 6 rows a block, or a quarter of it in 3 and what those know of joints and of mirror images: the larger. */
-#define SP_SEARCH_BYTES(blocks, interfaces, vertices) \
-    (SP_PAIRS_BYTES(blocks, 9) + (SP_PAIRS_BYTES(blocks, 27) > SP_MIRROR_BYTES(interfaces, vertices) \
-                                  ? SP_PAIRS_BYTES(blocks, 27) : SP_MIRROR_BYTES(interfaces, vertices)))
+#define SP_SEARCH_BYTES(blocks, joints, vertices) \
+    (SP_PAIRS_BYTES(blocks, 9) + (SP_PAIRS_BYTES(blocks, 27) > SP_MIRROR_BYTES(joints, vertices) \
+                                  ? SP_PAIRS_BYTES(blocks, 27) : SP_MIRROR_BYTES(joints, vertices)))
 #define SP_PAIRS_BYTES(blocks, each) (sizeof(sp_real) * (each) * ((size_t)(blocks) + 1) * ((size_t)(blocks) + 1) / 2)
-#define SP_MIRROR_BYTES(interfaces, vertices) (20 * sizeof(sp_real) * (size_t)(interfaces) + 4 * (size_t)(vertices))
-#define SP_MEMORY_BYTES(blocks, interfaces, vertices, stages) \
+#define SP_MIRROR_BYTES(joints, vertices) (20 * sizeof(sp_real) * (size_t)(joints) + 4 * (size_t)(vertices))
+#define SP_MEMORY_BYTES(blocks, joints, vertices, stages) \
     ((stages) & ~126 ? SIZE_MAX \
      : ((stages) & 1 << SP_STAGE_ADMM ? SP_ADMM_BYTES(blocks, vertices, 8) : 0) \
      + sizeof(sp_real) * (15 * (size_t)(vertices) + 85 * ((size_t)(blocks) + 1) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
-     + SP_MIXED_BYTES(blocks, interfaces) + SP_SEARCH_BYTES(blocks, interfaces, vertices) \
-     + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(interfaces) + 3) \
-     + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_interface)) * (size_t)(interfaces) \
+     + SP_MIXED_BYTES(blocks, joints) + SP_SEARCH_BYTES(blocks, joints, vertices) \
+     + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(joints) + 3) \
+     + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_joint)) * (size_t)(joints) \
      + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
      + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776)
 #define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (size_t)(faces) * ((size_t)(vertices) + 4) + 64)
@@ -710,17 +710,17 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
 
 /* 7 --------------------------------------------------------------------------------------------------- reading a result */
 
-typedef struct sp_interface_force {
+typedef struct sp_joint_force {
     sp_real force[3];           /* resultant on b, world axes [N] */
     sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
     sp_real min_fn, max_fn;     /* [N] */
     sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area); 0 where less than
                                    1e-4 of the lighter block's weight is carried [1] */
-} sp_interface_force;
+} sp_joint_force;
 
-/* Resultant of one interface.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
-SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
-                                        sp_interface_force *out);
+/* Resultant of one joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint,
+                                        sp_joint_force *out);
 
 /* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
  * balance its weight; a support pushes back with the opposite, which is its reaction.
@@ -745,8 +745,8 @@ SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason);
 typedef struct sp_contact {
     int32_t a, b;               /* rows of the free blocks, -1: a support */
     int32_t point, points;      /* its part of scene.point and of problem.local */
-    int32_t id;                 /* interface of the scene */
-    const sp_interface *joint;  /* that interface: frame and friction */
+    int32_t id;                 /* joint of the scene */
+    const sp_joint *joint;  /* that joint: frame and friction */
     sp_real ra[3], rb[3];       /* origin of the contact (mean of its vertices) seen from the two centroids [m] */
 } sp_contact;
 
@@ -1302,7 +1302,7 @@ typedef struct sp_joint_motion {
 } sp_joint_motion;
 
 /* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
-SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t interface, sp_joint_motion *motion);
+SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion);
 
 SP_API const char *sp_joint_text(sp_joint_kind kind);
 

@@ -1,4 +1,4 @@
-/* Scenes and stones: from blocks to stones, from contacts to interfaces. */
+/* Scenes and stones: from blocks to stones, from contacts to joints. */
 #include "settle.h"
 
 #include <math.h>
@@ -65,8 +65,8 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
     *assembly = none;
     for (int c = 0; c < 3; c++)
         if (scene->count.loads || scene->body[c] < 0 || scene->body[c] > 0) return SETTLE_E_LOAD;
-    for (int32_t i = 0; i < scene->count.interfaces; i++) {
-        const sp_strength *j = &scene->interface[i].strength;
+    for (int32_t i = 0; i < scene->count.joints; i++) {
+        const sp_strength *j = &scene->joint[i].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SETTLE_E_LOAD;
     }
     for (int32_t b = 0; b < scene->count.blocks; b++) {
@@ -114,17 +114,17 @@ static int counts(const settle_contact *c, const sp_scene *s)
     return !(s->block[c->b].fixed && (c->a < 0 || s->block[c->a].fixed));
 }
 
-void settle_count_interfaces(const settle_result *result, const sp_scene *scene, sp_capacity *cap)
+void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *cap)
 {
-    cap->interfaces = cap->points = 0;
+    cap->joints = cap->points = 0;
     for (int32_t k = 0; k < result->contacts; k++) {
         if (!counts(&result->contact[k], scene)) continue;
-        cap->interfaces++;
+        cap->joints++;
         cap->points += result->contact[k].points;
     }
 }
 
-sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene)
+sp_status settle_add_joints(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene)
 {
     for (int32_t k = 0; k < result->contacts; k++) {
         const settle_contact *c = &result->contact[k];

@@ -184,12 +184,12 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
 
 void settle_assembly_free(settle_assembly *assembly);
 
-/* Room for the contacts of a result as interfaces of points. Contacts of two blocks that are both fixed are left out. */
-void settle_count_interfaces(const settle_result *result, const sp_scene *scene, sp_capacity *cap);
+/* Room for the contacts of a result as joints of points. Contacts of two blocks that are both fixed are left out. */
+void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *cap);
 
 /* Add them to a scene whose blocks are the stones, in their order; the container, where there is one, is block `container`.
  *   returns what sp_scene_points returns */
-sp_status settle_add_interfaces(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene);
+sp_status settle_add_joints(const settle_result *result, int32_t container, const sp_strength *strength, sp_scene *scene);
 
 #ifdef __cplusplus
 }

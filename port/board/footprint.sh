@@ -130,12 +130,12 @@ all() {
     build 'SP_QP_ONLY, no Dykstra, CG, polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
     linked 'quadratic programs' sp_qp_default sp_qp_memory sp_qp_solve
     build 'SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN' -DSP_NO_QP -DSP_NO_CRA -DSP_NO_IPM -DSP_NO_PLAN
-    linked 'check, interfaces given' sp_scene_create sp_scene_body sp_scene_interface sp_check sp_verify
+    linked 'check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
     linked 'check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
     build SP_EXACT_ONLY -DSP_EXACT_ONLY
-    linked 'smallest check, interfaces given' sp_scene_create sp_scene_body sp_scene_interface sp_check sp_verify
+    linked 'smallest check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
     linked 'smallest check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
-    linked 'smallest verification, interfaces given' sp_scene_create sp_scene_body sp_scene_interface sp_verify
+    linked 'smallest verification, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_verify
     for a_switch in SP_NO_QP SP_NO_CRA SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH; do
         build $a_switch -D$a_switch
     done

@@ -97,7 +97,7 @@ static sp_status add(sp_scene *scene, const stone *s, uint32_t fixed, sp_arena s
     set.distance = (sp_real)1e-4;                       /* as well as the robot knows where its stones are */
     sp_status status = s->bad ? SP_E_ARGUMENT : sp_scene_block(scene, &s->mesh, 2400, fixed, NULL);
     if (status) return status;
-    scene->count.interfaces = scene->count.points = 0;
+    scene->count.joints = scene->count.points = 0;
     return sp_contacts_find(scene, &set, scratch, report);
 }
 

@@ -452,8 +452,8 @@ sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, co
     sp_status status;
     if (!scene || !settings || !q || !f || !dq || !alpha || !answer) return SP_E_ARGUMENT;
     if (!(q->eps >= 0) || !(q->eta > 0)) return SP_E_RANGE;
-    for (int32_t i = 0; i < scene->count.interfaces; i++) {
-        const sp_strength *j = &scene->interface[i].strength;
+    for (int32_t i = 0; i < scene->count.joints; i++) {
+        const sp_strength *j = &scene->joint[i].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SP_E_UNSUPPORTED;
     }
     memset(&p, 0, sizeof p);

@@ -6,25 +6,25 @@
 
 #if SP__WITH_LARGE
 
-/* Reading the force state: extremes over the interfaces, and the weakest of them. */
+/* Reading the force state: extremes over the joints, and the weakest of them. */
 SP__NOINLINE static void sp__check_read(const sp_scene *scene, sp_result *r)
 {
     sp_real worst = -1;
     int wants = 0;
     r->weakest = -1;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        sp_interface_force f;
-        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
-        sp_interface_resultant(scene, r, k, &f);
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        sp_joint_force f;
+        if (!sp__contact_counts(scene, &scene->joint[k])) continue;
+        sp_joint_resultant(scene, r, k, &f);
         r->max_compression = sp__max(r->max_compression, f.max_fn);
         r->max_tension = sp__max(r->max_tension, r->demand[k].tension);
         r->max_utilisation = sp__max(r->max_utilisation, f.utilisation);
     }
     const sp_real dust = 16 * SP__SCALE_TOL * r->max_compression;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        sp_interface_force f;
-        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
-        sp_interface_resultant(scene, r, k, &f);
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        sp_joint_force f;
+        if (!sp__contact_counts(scene, &scene->joint[k])) continue;
+        sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
         const int wanted = help > dust;
         const sp_real score = wanted ? help : f.utilisation;

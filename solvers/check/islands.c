@@ -13,9 +13,9 @@ SP__NOINLINE static void sp__island_triple(const sp_scene *scene, const sp__isla
     const sp_coupled *from = &found->r.coupled;
     sp_coupled *out = &c->r.coupled;
     int32_t joint = 0;
-    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
-        const sp_interface *f = &found->pb.scene->interface[joint];
-        const size_t to = (size_t)scene->interface[q].point, at = (size_t)f->point, n = (size_t)f->points;
+    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_joint *f = &found->pb.scene->joint[joint];
+        const size_t to = (size_t)scene->joint[q].point, at = (size_t)f->point, n = (size_t)f->points;
         memcpy(out->alpha + to, from->alpha + at, n * sizeof *out->alpha);
         if (out->penalty) memcpy(out->penalty + 4 * to, from->penalty + 4 * at, 4 * n * sizeof *out->penalty);
         for (size_t v = 0; v < n && out->penalty && from->verdict == SP_COUPLING_COUPLED; v++)
@@ -42,9 +42,9 @@ SP__NOINLINE static void sp__island_keep(const sp_scene *scene, const sp__island
     sp_result *r = &c->r;
     const size_t b = 6 * (size_t)found->pb.blocks, all = 6 * (size_t)c->pb.blocks;
     int32_t joint = 0;
-    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q], joint++) {
-        const sp_interface *f = &found->pb.scene->interface[joint];
-        memcpy(r->f + 3 * (size_t)scene->interface[q].point, from->f + 3 * (size_t)f->point,
+    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q], joint++) {
+        const sp_joint *f = &found->pb.scene->joint[joint];
+        memcpy(r->f + 3 * (size_t)scene->joint[q].point, from->f + 3 * (size_t)f->point,
                3 * (size_t)f->points * sizeof *r->f);
         r->demand[q] = from->demand[joint];
     }

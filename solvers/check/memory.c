@@ -26,7 +26,7 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
-    r->demand = sp__take(a, (size_t)scene->count.interfaces, sizeof *r->demand);
+    r->demand = sp__take(a, (size_t)scene->count.joints, sizeof *r->demand);
     if (apart->islands > 1) {
         r->island = sp__take(a, (size_t)scene->count.blocks, sizeof *r->island);
         r->part = sp__take(a, (size_t)apart->islands, sizeof *r->part);

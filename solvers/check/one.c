@@ -87,7 +87,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
     memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     memset(r->y0, 0, 12 * b * sizeof *r->y0);
-    memset(r->demand, 0, (size_t)scene->count.interfaces * sizeof *r->demand);
+    memset(r->demand, 0, (size_t)scene->count.joints * sizeof *r->demand);
     if (r->coupled.dq) memset(r->coupled.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->coupled.dq);
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     r->tension_ratio = r->coupled.tension_ratio = -1;
@@ -96,7 +96,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
-    r->interfaces = c->pb.contacts;
+    r->joints = c->pb.contacts;
     r->points = sp__points_count(scene);
     r->verdict = b ? SP_UNDECIDED : SP_STABLE;
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;

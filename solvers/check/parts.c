@@ -22,8 +22,8 @@ typedef struct sp__islands {
     int32_t count;
     int32_t *label;                     /* per block: its island, by lowest block numbers; -1: a support */
     int32_t *rank, *row;                /* per block: number in its island's scene (0: the support there); row among free blocks */
-    int32_t *block, *interface, *load;  /* of each island the first, -1: none */
-    int32_t *next, *link, *hook;        /* the next block, interface, load of the same island, -1: none */
+    int32_t *block, *joint, *load;  /* of each island the first, -1: none */
+    int32_t *next, *link, *hook;        /* the next block, joint, load of the same island, -1: none */
 } sp__islands;
 
 /* May islands be solved apart? Not on a budget, which the first of them might spend. */
@@ -37,8 +37,8 @@ static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
 {
     int32_t count = 0;
     for (int32_t i = 0; i < scene->count.blocks; i++) up[i] = i;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        const sp_interface *f = &scene->interface[k];
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        const sp_joint *f = &scene->joint[k];
         if (scene->block[f->a].fixed != SP_FIXED && scene->block[f->b].fixed != SP_FIXED) sp__join(up, f->a, f->b);
     }
     for (int32_t i = 0; i < scene->count.blocks; i++) count += scene->block[i].fixed != SP_FIXED && sp__root(up, i) == i;
@@ -54,8 +54,8 @@ SP__NOINLINE static void sp__islands_few(const sp_scene *scene, int32_t *up, int
     const sp_capacity *n = &scene->count;
     o->points = o->blocks = 0;
     for (int32_t i = 0; i < n->blocks; i++) points[i] = blocks[i] = 0;
-    for (int32_t k = 0; k < n->interfaces; k++) {
-        const sp_interface *f = &scene->interface[k];
+    for (int32_t k = 0; k < n->joints; k++) {
+        const sp_joint *f = &scene->joint[k];
         if (sp__contact_counts(scene, f)) points[sp__root(up, scene->block[f->a].fixed != SP_FIXED ? f->a : f->b)] += f->points;
     }
     for (int32_t i = 0; i < n->blocks; i++) if (scene->block[i].fixed != SP_FIXED) blocks[sp__root(up, i)]++;
@@ -95,10 +95,10 @@ SP__NOINLINE static void sp__islands_carve(sp__islands *t, const sp_scene *scene
     t->rank = sp__take(a, b, sizeof *t->rank);
     t->row = sp__take(a, b, sizeof *t->row);
     t->next = sp__take(a, b, sizeof *t->next);
-    t->link = sp__take(a, (size_t)scene->count.interfaces, sizeof *t->link);
+    t->link = sp__take(a, (size_t)scene->count.joints, sizeof *t->link);
     t->hook = sp__take(a, (size_t)scene->count.loads, sizeof *t->hook);
     t->block = sp__take(a, n, sizeof *t->block);
-    t->interface = sp__take(a, n, sizeof *t->interface);
+    t->joint = sp__take(a, n, sizeof *t->joint);
     t->load = sp__take(a, n, sizeof *t->load);
 }
 
@@ -110,11 +110,11 @@ static void sp__islands_put(int32_t island, int32_t k, int32_t *first, int32_t *
     first[island] = k;
 }
 
-/* The island of an interface: that of its free block. */
+/* The island of a joint: that of its free block. */
 static int32_t sp__islands_joint(const sp_scene *scene, const sp__islands *t, int32_t k)
 {
-    const int32_t a = t->label[scene->interface[k].a];
-    return a >= 0 ? a : t->label[scene->interface[k].b];
+    const int32_t a = t->label[scene->joint[k].a];
+    return a >= 0 ? a : t->label[scene->joint[k].b];
 }
 
 /* Labels by lowest block, lists in ascending order. */
@@ -128,9 +128,9 @@ SP__NOINLINE static void sp__islands_fill(const sp_scene *scene, const sp__islan
         t->label[i] = root < 0 ? -1 : root == i ? count++ : t->label[root];
         t->row[i] = root < 0 ? -1 : row++;
     }
-    for (int32_t k = 0; k < t->count; k++) t->block[k] = t->interface[k] = t->load[k] = -1;
+    for (int32_t k = 0; k < t->count; k++) t->block[k] = t->joint[k] = t->load[k] = -1;
     for (int32_t i = n->blocks - 1; i >= 0; i--) sp__islands_put(t->label[i], i, t->block, t->next);
-    for (int32_t k = n->interfaces - 1; k >= 0; k--) sp__islands_put(sp__islands_joint(scene, t, k), k, t->interface, t->link);
+    for (int32_t k = n->joints - 1; k >= 0; k--) sp__islands_put(sp__islands_joint(scene, t, k), k, t->joint, t->link);
     for (int32_t k = n->loads - 1; k >= 0; k--) sp__islands_put(t->label[scene->load[k].block], k, t->load, t->hook);
     for (int32_t i = 0; i < n->blocks; i++) t->rank[i] = 0;
     for (int32_t k = 0; k < t->count; k++) {
@@ -145,14 +145,14 @@ static void sp__island_size(const sp_scene *scene, const sp__islands *t, int32_t
     memset(n, 0, sizeof *n);
     n->blocks = 1;
     for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) n->blocks++;
-    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q]) {
-        n->interfaces++;
-        n->points += scene->interface[q].points;
+    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q]) {
+        n->joints++;
+        n->points += scene->joint[q].points;
     }
     for (int32_t q = t->load[k]; q >= 0; q = t->hook[q]) n->loads++;
 }
 
-/* Island k as a scene of its own in `a`: one support, then its blocks (without meshes), interfaces and loads in their order.
+/* Island k as a scene of its own in `a`: one support, then its blocks (without meshes), joints and loads in their order.
  *     returns NULL when it does not fit */
 SP__NOINLINE static sp_scene *sp__island_scene(const sp_scene *scene, const sp__islands *t, int32_t k, sp_arena *a)
 {
@@ -169,9 +169,9 @@ SP__NOINLINE static sp_scene *sp__island_scene(const sp_scene *scene, const sp__
     for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) s->block[t->rank[i]] = scene->block[i];
     for (int32_t i = 0; i < s->count.blocks; i++)
         s->block[i].vertex = s->block[i].vertices = s->block[i].face = s->block[i].faces = 0;
-    for (int32_t q = t->interface[k]; q >= 0; q = t->link[q]) {
-        sp_interface *f = &s->interface[n++];
-        *f = scene->interface[q];
+    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q]) {
+        sp_joint *f = &s->joint[n++];
+        *f = scene->joint[q];
         memcpy(s->point + points, scene->point + f->point, (size_t)f->points * sizeof *s->point);
         f->a = t->rank[f->a];
         f->b = t->rank[f->b];

@@ -5,21 +5,21 @@
 #include "../base/vectors.c"
 #include "../scene/problem.c"
 
-/* Weight of the lighter free block of an interface: what a joint that carries next to nothing is measured by. */
-static sp_real sp__lesser_weight(const sp_scene *scene, const sp_interface *t)
+/* Weight of the lighter free block of a joint: what a joint that carries next to nothing is measured by. */
+static sp_real sp__lesser_weight(const sp_scene *scene, const sp_joint *t)
 {
     const sp_block *a = &scene->block[t->a], *b = &scene->block[t->b];
     const sp_real mass = a->fixed == SP_FIXED || (b->fixed != SP_FIXED && b->mass < a->mass) ? b->mass : a->mass;
     return mass * sp__norm3(scene->gravity);
 }
 
-SP_API sp_status sp_interface_resultant(const sp_scene *scene, const sp_result *result, int32_t interface,
-                                        sp_interface_force *out)
+SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint,
+                                        sp_joint_force *out)
 {
     if (!scene || !result || !result->f || !out) return SP_E_ARGUMENT;
-    if (interface < 0 || interface >= scene->count.interfaces) return SP_E_INDEX;
-    const sp_interface *t = &scene->interface[interface];
-    sp_interface_force o;
+    if (joint < 0 || joint >= scene->count.joints) return SP_E_INDEX;
+    const sp_joint *t = &scene->joint[joint];
+    sp_joint_force o;
     sp_real sum[3] = { 0, 0, 0 }, size = 0;
     memset(&o, 0, sizeof o);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -51,8 +51,8 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
     if (!scene || !result || !result->f || !force || !moment) return SP_E_ARGUMENT;
     if (block < 0 || block >= scene->count.blocks) return SP_E_INDEX;
     for (int k = 0; k < 3; k++) force[k] = moment[k] = 0;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        const sp_interface *t = &scene->interface[k];
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        const sp_joint *t = &scene->joint[k];
         if (t->a != block && t->b != block) continue;
         const sp_real sign = t->b == block ? (sp_real)1 : (sp_real)-1;
         for (int32_t v = t->point; v < t->point + t->points; v++) {

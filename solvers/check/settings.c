@@ -66,8 +66,8 @@ static void sp__settings_fit(const sp_scene *scene, sp_settings *s)
 {
     const sp_real most = s->tol / (10 * (sp_real)SP_EPSILON);
     if (!(s->force_bound > 0)) s->force_bound = sp__max(SP__FORCES_LEAST, most < (sp_real)1e6 ? most : (sp_real)1e6);
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        const sp_real enough = scene->interface[k].strength.mu / 8;
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        const sp_real enough = scene->joint[k].strength.mu / 8;
         if (enough > 0 && enough < s->tol) s->tol = sp__max(enough, 4 * (sp_real)SP_EPSILON);
     }
 }
@@ -159,8 +159,8 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
 {
     int friction = 0;
-    for (int32_t k = 0; k < scene->count.interfaces; k++)
-        friction |= sp__contact_counts(scene, &scene->interface[k]) && scene->interface[k].strength.mu > 0;
+    for (int32_t k = 0; k < scene->count.joints; k++)
+        friction |= sp__contact_counts(scene, &scene->joint[k]) && scene->joint[k].strength.mu > 0;
     return effect == SP_EFFECT_FRICTION ? friction
          : effect == SP_EFFECT_DEPTH ? 1
          : effect == SP_EFFECT_TOGETHER ? islands < 2

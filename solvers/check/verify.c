@@ -22,7 +22,7 @@ SP__NOINLINE static size_t sp__verify_part_need(const sp_scene *scene, const sp_
     if (pb.points > few) pb.points = few;
     n.vertices = n.faces = n.corners = 0;
     n.blocks = pb.blocks + 1;
-    n.interfaces = pb.contacts;
+    n.joints = pb.contacts;
     n.points = pb.points;
     sp__take(&dry, 1, sizeof(sp__part));
     sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);

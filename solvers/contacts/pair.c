@@ -68,10 +68,10 @@ static int sp__pair_meets(const sp__touch *t, const sp__patch *p, const sp__patc
 /* Append a polygon to the scene; where there is no room, count. */
 static void sp__pair_add(sp__touch *t, int32_t size, sp_real (*point)[3])
 {
-    const sp_status s = sp_scene_interface(t->scene, t->a, t->b, size, point[0], &t->set.strength, NULL);
+    const sp_status s = sp_scene_joint(t->scene, t->a, t->b, size, point[0], &t->set.strength, NULL);
     if (s != SP_OK && s != SP_E_CAPACITY) return;                   /* too small for its coordinates */
     t->full |= s == SP_E_CAPACITY;
-    t->report.interfaces++;
+    t->report.joints++;
     t->report.points += size;
 }
 

@@ -195,7 +195,7 @@ static void sp__branch_load(sp__branch *s, int32_t v, int32_t state)
 /* d of vertex v: +-(e, (r - c) x e / arm) on b and a. */
 static void sp__branch_vertex(sp__branch *s, int32_t v, const sp_contact *t, const sp_real local[3])
 {
-    const sp_interface *o = t->joint;
+    const sp_joint *o = t->joint;
     for (int q = 0; q < 3; q++) {
         const sp_real *e = q == 0 ? o->n : q == 1 ? o->t1 : o->t2;
         sp_real *to = s->d[v][q];

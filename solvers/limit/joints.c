@@ -27,7 +27,7 @@ static sp_real sp__joint_displace(const sp_scene *scene, const sp_real *dq, int3
 }
 
 /* One corner: dn and |dt|.     returns 0 at rest, 1 in touch and sliding, 2 open */
-static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_interface *f, int32_t v, sp_real d[2])
+static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_joint *f, int32_t v, sp_real d[2])
 {
     sp_real u[3], w[3];
     const sp_real rest = SP__PLAY * (sp__joint_displace(scene, dq, f->b, v, u) + sp__joint_displace(scene, dq, f->a, v, w));
@@ -39,11 +39,11 @@ static int sp__joint_corner(const sp_scene *scene, const sp_real *dq, const sp_i
     return d[0] <= f->strength.mu * d[1] * (sp_real)1.001 + rest ? 1 : 2;
 }
 
-SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t interface, sp_joint_motion *motion)
+SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion)
 {
     if (!scene || !dq || !motion) return SP_E_ARGUMENT;
-    if (interface < 0 || interface >= scene->count.interfaces) return SP_E_INDEX;
-    const sp_interface *f = &scene->interface[interface];
+    if (joint < 0 || joint >= scene->count.joints) return SP_E_INDEX;
+    const sp_joint *f = &scene->joint[joint];
     sp_joint_motion m = { SP_JOINT_RIGID, 0, 0, { 0, 0, 0 }, { 0, 0, 0 } };
     int32_t count[3] = { 0, 0, 0 };
     sp_real farthest = -1, d[2], x[3];

@@ -25,7 +25,7 @@ SP__NOINLINE_SMALL static int sp__strength_more(const sp_strength *strength)
 
 static int sp__scene_strong(const sp_scene *scene)
 {
-    for (int32_t k = 0; k < scene->count.interfaces; k++) if (sp__strength_more(&scene->interface[k].strength)) return 1;
+    for (int32_t k = 0; k < scene->count.joints; k++) if (sp__strength_more(&scene->joint[k].strength)) return 1;
     return 0;
 }
 
@@ -34,7 +34,7 @@ static int sp__scene_strong(const sp_scene *scene)
  * ignore_strength: only its directions without end, forces that may be added as often as one likes: as if it had no area. */
 typedef struct sp__strength { sp_real C, T, N; } sp__strength;
 
-static sp__strength sp__vertex_strength(const sp_interface *f, int ignore_strength)
+static sp__strength sp__vertex_strength(const sp_joint *f, int ignore_strength)
 {
     const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
     sp__strength k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.cap > 0 ? f->strength.cap * share : SP__HUGE };
@@ -86,7 +86,7 @@ static void sp__polygon_tangent(const sp__local *l, int32_t points, sp_real peri
 }
 
 /* Normal, tangents and area of a contact polygon; plane to 1e-6 of its diameter and what its coordinates are good for. */
-static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_interface *f)
+static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_joint *f)
 {
     sp__local l;
     sp_real m[3], reach;
@@ -106,7 +106,7 @@ static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_interf
 }
 
 /* The same for points that share a given normal of any length. */
-static sp_status sp__points_frame(const sp_real n[3], sp_interface *f)
+static sp_status sp__points_frame(const sp_real n[3], sp_joint *f)
 {
     const sp_real most = sp__max(sp__abs(n[0]), sp__max(sp__abs(n[1]), sp__abs(n[2])));
     if (!sp__finite3(n)) return SP_E_NOT_FINITE;
@@ -120,9 +120,9 @@ static sp_status sp__points_frame(const sp_real n[3], sp_interface *f)
     return SP_OK;
 }
 
-/* What polygons and points have in common. The new interface is made in the scene's next free place, which is nobody's until
- * sp__interface_add counts it. */
-static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+/* What polygons and points have in common. The new joint is made in the scene's next free place, which is nobody's until
+ * sp__joint_add counts it. */
+static sp_status sp__joint_start(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                      const sp_strength *strength)
 {
     if (!scene || !xyz || !strength || points < 0) return SP_E_ARGUMENT;
@@ -132,8 +132,8 @@ static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int3
     if (status) return status;
     if (!sp__all_finite(xyz, 3 * (size_t)points)) return SP_E_NOT_FINITE;
     const sp_capacity *n = &scene->count;
-    if (n->interfaces >= scene->cap.interfaces || points > scene->cap.points - n->points) return SP_E_CAPACITY;
-    sp_interface *f = &scene->interface[n->interfaces];
+    if (n->joints >= scene->cap.joints || points > scene->cap.points - n->points) return SP_E_CAPACITY;
+    sp_joint *f = &scene->joint[n->joints];
     f->a = a; f->b = b;
     f->point = n->points;
     f->points = points;
@@ -141,20 +141,20 @@ static sp_status sp__interface_start(sp_scene *scene, int32_t a, int32_t b, int3
     return SP_OK;
 }
 
-static void sp__interface_add(sp_scene *scene, int32_t points, const sp_real *xyz, int32_t *id)
+static void sp__joint_add(sp_scene *scene, int32_t points, const sp_real *xyz, int32_t *id)
 {
     memcpy(scene->point + scene->count.points, xyz, (size_t)points * sizeof *scene->point);
-    if (id) *id = scene->count.interfaces;
-    scene->count.interfaces++;
+    if (id) *id = scene->count.joints;
+    scene->count.joints++;
     scene->count.points += points;
 }
 
-SP_API sp_status sp_scene_interface(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                     const sp_strength *strength, int32_t *id)
 {
-    sp_status status = sp__interface_start(scene, a, b, points, xyz, strength);
-    if (!status) status = points < 3 ? SP_E_AREA : sp__polygon_frame(points, xyz, &scene->interface[scene->count.interfaces]);
-    if (!status) sp__interface_add(scene, points, xyz, id);
+    sp_status status = sp__joint_start(scene, a, b, points, xyz, strength);
+    if (!status) status = points < 3 ? SP_E_AREA : sp__polygon_frame(points, xyz, &scene->joint[scene->count.joints]);
+    if (!status) sp__joint_add(scene, points, xyz, id);
     return status;
 }
 
@@ -162,10 +162,10 @@ SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp
                                  const sp_real *xyz, const sp_strength *strength, int32_t *id)
 {
     if (!n) return SP_E_ARGUMENT;
-    sp_status status = sp__interface_start(scene, a, b, points, xyz, strength);
-    if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->interface[scene->count.interfaces]);
+    sp_status status = sp__joint_start(scene, a, b, points, xyz, strength);
+    if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->joint[scene->count.joints]);
     if (!status && sp__strength_more(strength)) status = SP_E_AREA;         /* strength is per area */
-    if (!status) sp__interface_add(scene, points, xyz, id);
+    if (!status) sp__joint_add(scene, points, xyz, id);
     return status;
 }
 
@@ -174,7 +174,7 @@ SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu)
     if (!scene) return SP_E_ARGUMENT;
     if (!sp__finite(mu)) return SP_E_NOT_FINITE;
     if (mu < 0) return SP_E_RANGE;
-    for (int32_t k = 0; k < scene->count.interfaces; k++) scene->interface[k].strength.mu = mu;
+    for (int32_t k = 0; k < scene->count.joints; k++) scene->joint[k].strength.mu = mu;
     return SP_OK;
 }
 

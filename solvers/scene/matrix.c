@@ -35,7 +35,7 @@ static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_c
                            int32_t c)
 {
     const sp_scene *scene = problem->scene;
-    const sp_interface *f = &scene->interface[contact->id];
+    const sp_joint *f = &scene->joint[contact->id];
     const int32_t extra = columns - 3;                  /* 1: fm after fp */
     const sp_real *e = c <= extra ? contact->joint->n : c - extra == 1 ? contact->joint->t1 : contact->joint->t2;
     const sp_real s = c == 1 && extra ? (sp_real)-1 : (sp_real)1;

@@ -12,7 +12,7 @@
 #endif
 
 /* A contact takes part if it touches a free block. */
-static int sp__contact_counts(const sp_scene *scene, const sp_interface *f)
+static int sp__contact_counts(const sp_scene *scene, const sp_joint *f)
 {
     return scene->block[f->a].fixed != SP_FIXED || scene->block[f->b].fixed != SP_FIXED;
 }
@@ -26,12 +26,12 @@ static int sp__scene_live(const sp_scene *scene)
 }
 
 /* A vector of a joint's frame (n, t1, t2) in space, and back. */
-static void sp__joint_force(const sp_interface *t, const sp_real f[3], sp_real F[3])
+static void sp__joint_force(const sp_joint *t, const sp_real f[3], sp_real F[3])
 {
     for (int k = 0; k < 3; k++) F[k] = f[0] * t->n[k] + f[1] * t->t1[k] + f[2] * t->t2[k];
 }
 
-static void sp__joint_frame(const sp_interface *t, const sp_real u[3], sp_real d[3])
+static void sp__joint_frame(const sp_joint *t, const sp_real u[3], sp_real d[3])
 {
     const sp_real x = sp__dot3(u, t->n), y = sp__dot3(u, t->t1), z = sp__dot3(u, t->t2);
     d[0] = x; d[1] = y; d[2] = z;
@@ -41,8 +41,8 @@ static void sp__joint_frame(const sp_interface *t, const sp_real u[3], sp_real d
 static int32_t sp__points_count(const sp_scene *scene)
 {
     int32_t n = 0;
-    for (int32_t k = 0; k < scene->count.interfaces; k++)
-        if (sp__contact_counts(scene, &scene->interface[k])) n += scene->interface[k].points;
+    for (int32_t k = 0; k < scene->count.joints; k++)
+        if (sp__contact_counts(scene, &scene->joint[k])) n += scene->joint[k].points;
     return n;
 }
 
@@ -57,8 +57,8 @@ static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
     problem->keep_order = problem->ignore_strength = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
-    for (int32_t k = 0; k < scene->count.interfaces; k++)
-        if (sp__contact_counts(scene, &scene->interface[k])) problem->contacts++;
+    for (int32_t k = 0; k < scene->count.joints; k++)
+        if (sp__contact_counts(scene, &scene->joint[k])) problem->contacts++;
 }
 
 static void sp__problem_carve(sp_problem *problem, sp_arena *a)
@@ -94,7 +94,7 @@ static int32_t sp__problem_row(const sp_problem *problem, int32_t block)
 
 /* Points of a contact from their mean, in its frame; the mean goes to `mean`, seen from the first point. Differences are taken
  * of neighbouring places only, so coordinates far from the origin lose nothing. */
-static void sp__contact_local(const sp_problem *problem, const sp_interface *f, sp_real mean[3])
+static void sp__contact_local(const sp_problem *problem, const sp_joint *f, sp_real mean[3])
 {
     const sp_real (*point)[3] = (const sp_real (*)[3])problem->scene->point + f->point;
     sp_real x[3];
@@ -116,7 +116,7 @@ static void sp__contact_local(const sp_problem *problem, const sp_interface *f, 
 static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact *contact)
 {
     const sp_scene *scene = problem->scene;
-    const sp_interface *f = &scene->interface[id];
+    const sp_joint *f = &scene->joint[id];
     contact->id = id;
     contact->a = sp__problem_row(problem, f->a);
     contact->b = sp__problem_row(problem, f->b);
@@ -228,8 +228,8 @@ static sp_status sp__problem_fill(sp_problem *problem)
     const sp_status status = sp__problem_loads(problem);
     if (status) return status;
     memset(problem->local, 0, (size_t)problem->points * sizeof *problem->local);
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
-        if (!sp__contact_counts(scene, &scene->interface[k])) continue;
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        if (!sp__contact_counts(scene, &scene->joint[k])) continue;
         sp_contact *c = &problem->contact[contact++];
         sp__contact_build(problem, k, c);
         sp_real size = sp__dot3(c->ra, c->ra) + sp__dot3(c->rb, c->rb);

@@ -11,14 +11,14 @@ static void sp__scene_carve(sp_scene *scene, sp_arena *a)
     scene->vertex = sp__take(a, (size_t)c->vertices, sizeof *scene->vertex);
     scene->face = sp__take(a, (size_t)c->faces, sizeof *scene->face);
     scene->corner = sp__take(a, (size_t)c->corners, sizeof *scene->corner);
-    scene->interface = sp__take(a, (size_t)c->interfaces, sizeof *scene->interface);
+    scene->joint = sp__take(a, (size_t)c->joints, sizeof *scene->joint);
     scene->point = sp__take(a, (size_t)c->points, sizeof *scene->point);
     scene->load = sp__take(a, (size_t)c->loads, sizeof *scene->load);
 }
 
 static int sp__capacity_valid(const sp_capacity *c)
 {
-    return c && c->blocks >= 0 && c->vertices >= 0 && c->faces >= 0 && c->corners >= 0 && c->interfaces >= 0 && c->points >= 0
+    return c && c->blocks >= 0 && c->vertices >= 0 && c->faces >= 0 && c->corners >= 0 && c->joints >= 0 && c->points >= 0
         && c->loads >= 0;
 }
 

@@ -9,8 +9,8 @@
 /* What a check of the part found becomes what is known of its blocks. */
 SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
 {
-    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
-        const sp_interface *t = &q->part.interface[k];
+    for (int32_t k = 0; k < q->part.count.joints; k++) {
+        const sp_joint *t = &q->part.joint[k];
         memcpy(q->f + 3 * (size_t)q->pb.contact[q->part_joint[k]].point, c->r.f + 3 * (size_t)t->point,
                3 * (size_t)t->points * sizeof *q->f);
     }
@@ -122,8 +122,8 @@ SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 {
     int plain = 1;
-    for (int32_t k = 0; k < q->part.count.interfaces; k++) {
-        const sp_interface *from = &q->part.interface[k];
+    for (int32_t k = 0; k < q->part.count.joints; k++) {
+        const sp_joint *from = &q->part.joint[k];
         const sp_contact *t = &q->pb.contact[q->part_joint[k]];
         q->certificate.cap = q->set.force_bound * sp__stone_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {

@@ -12,7 +12,7 @@ static void sp__sequence_islands(sp_sequence *q)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
     for (int32_t c = 0; c < q->pb.contacts; c++) {
-        const sp_interface *t = q->pb.contact[c].joint;
+        const sp_joint *t = q->pb.contact[c].joint;
         if (sp__loose(q, t->a) && sp__loose(q, t->b)) sp__join(q->up, t->a, t->b);
     }
 }
@@ -31,7 +31,7 @@ static void sp__part_block(sp_sequence *q, int32_t b, int fixed)
 /* Contact c into the part, if it is between members or of one and something fixed. */
 static void sp__part_joint(sp_sequence *q, int32_t c)
 {
-    const sp_interface *t = q->pb.contact[c].joint;
+    const sp_joint *t = q->pb.contact[c].joint;
     const int32_t end[2] = { t->a, t->b };
     int inside = 0;
     for (int k = 0; k < 2; k++) inside += q->number[end[k]] >= 0 && q->number[end[k]] < q->members;
@@ -41,14 +41,14 @@ static void sp__part_joint(sp_sequence *q, int32_t c)
         if (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k])) return;
         if (q->number[end[k]] < 0) sp__part_block(q, end[k], 1);
     }
-    sp_interface *to = &q->part.interface[q->part.count.interfaces];
+    sp_joint *to = &q->part.joint[q->part.count.joints];
     *to = *t;
     to->a = q->number[t->a];
     to->b = q->number[t->b];
     to->point = q->part.count.points;
     memcpy(q->part.point[to->point], q->scene->point[t->point], (size_t)t->points * sizeof *q->part.point);
     q->part.count.points += t->points;
-    q->part_joint[q->part.count.interfaces++] = c;
+    q->part_joint[q->part.count.joints++] = c;
 }
 
 /* The part of all marked blocks. */
@@ -99,7 +99,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp__check **c)
 /* F, m: force on block b at vertex v of contact t, its moment about the centroid, both in units. */
 static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
 {
-    const sp_interface *j = t->joint;
+    const sp_joint *j = t->joint;
     const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certificate.unit;
     sp_real arm[3];
     for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);

@@ -94,7 +94,7 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->certificate.direction = sp__take(a, 64, sizeof *q->certificate.direction);
     memset(&q->part, 0, sizeof q->part);
     q->part.cap.blocks = scene->count.blocks;
-    q->part.cap.interfaces = count->contacts;
+    q->part.cap.joints = count->contacts;
     q->part.cap.points = scene->count.points;
     q->part.cap.loads = scene->count.loads;
     sp__scene_carve(&q->part, a);

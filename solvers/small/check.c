@@ -446,7 +446,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!scene || !arena || !arena->base || !result || (work && (work == arena || !work->base))) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp_arena kept = *arena;
-    const size_t numbers = sp__small_numbers(scene), joints = (size_t)scene->count.interfaces;
+    const size_t numbers = sp__small_numbers(scene), joints = (size_t)scene->count.joints;
     sp_real *number = sp__take(&kept, numbers, sizeof *number);
     sp_demand *demand = sp__take(&kept, joints, sizeof *demand);
     sp_arena a = work ? *work : kept;
@@ -468,7 +468,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;
-    r->interfaces = c->pb.contacts;
+    r->joints = c->pb.contacts;
     r->points = sp__points_count(scene);
     r->tension_ratio = r->coupled.tension_ratio = -1;
     r->weakest = -1;
@@ -507,7 +507,7 @@ static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *sett
     if (status) return status;
     sp_arena kept = sp__arena_dry(), dry = kept;
     sp__take(&kept, sp__small_numbers(scene), sizeof(sp_real));
-    sp__take(&kept, (size_t)scene->count.interfaces, sizeof(sp_demand));
+    sp__take(&kept, (size_t)scene->count.joints, sizeof(sp_demand));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sizeof *w);
     sp__take(&dry, 1, sp_problem_memory(scene));

@@ -27,7 +27,7 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_t wor
 {
     const size_t blocks = (size_t)scene->count.blocks;
     q->part.block = sp__take(a, blocks, sizeof *q->part.block);
-    q->part.interface = sp__take(a, (size_t)scene->count.interfaces, sizeof *q->part.interface);
+    q->part.joint = sp__take(a, (size_t)scene->count.joints, sizeof *q->part.joint);
     q->who = sp__take(a, blocks, sizeof *q->who);
     q->answer = sp__take(a, 3 * blocks, sizeof *q->answer);
     q->work.base = sp__take(a, 1, work);
@@ -90,13 +90,13 @@ SP__NOINLINE static sp_verdict sp__sequence_check(sp_sequence *q)
 {
     const sp_scene *s = q->scene;
     sp_arena a = q->work;
-    q->part.count.interfaces = 0;
+    q->part.count.joints = 0;
     for (int32_t b = 0; b < s->count.blocks; b++) {
         q->part.block[b] = s->block[b];
         if (q->who[b] != SP_PRESENT) q->part.block[b].fixed = SP_FIXED;
     }
-    for (int32_t k = 0; k < s->count.interfaces; k++)
-        if (q->who[s->interface[k].a] && q->who[s->interface[k].b]) q->part.interface[q->part.count.interfaces++] = s->interface[k];
+    for (int32_t k = 0; k < s->count.joints; k++)
+        if (q->who[s->joint[k].a] && q->who[s->joint[k].b]) q->part.joint[q->part.count.joints++] = s->joint[k];
     q->r.verdict = SP_UNDECIDED;
     sp_check(&q->part, &q->set, &a, &q->r);
     q->cost.flops += q->r.cost.flops;
@@ -206,8 +206,8 @@ static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
 {
     if (q->scene->block[b].fixed == SP_FIXED) return 0;
     if (!add) return q->who[b] == SP_PRESENT;
-    for (int32_t k = 0; k < q->scene->count.interfaces && !q->who[b]; k++) {
-        const sp_interface *t = &q->scene->interface[k];
+    for (int32_t k = 0; k < q->scene->count.joints && !q->who[b]; k++) {
+        const sp_joint *t = &q->scene->joint[k];
         if ((t->a == b && q->who[t->b]) || (t->b == b && q->who[t->a])) return 1;
     }
     return 0;

@@ -20,7 +20,7 @@ typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } 
 /* Force g at l, in the contact's frame, into what the blocks bear. */
 SP__NOINLINE static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3])
 {
-    const sp_interface *f = t->joint;
+    const sp_joint *f = t->joint;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;

@@ -120,7 +120,7 @@ static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp
  * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
 static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
 {
-    const sp_interface *f = pb->contact[0].joint;
+    const sp_joint *f = pb->contact[0].joint;
     sp_real widest = (sp_real)1e-3, size;
     m[0] = m[1] = m[2] = 0;
     for (int32_t k = 1; k < pb->contacts + pb->blocks; k++) {
@@ -246,7 +246,7 @@ static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings 
  *   level          t1, t2 along e0 (2), along e1 (2)                                                                         */
 static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_contact *t, sp_real *g)
 {
-    const sp_interface *f = t->joint;
+    const sp_joint *f = t->joint;
     const sp_real *n = f->n;
     const int plane = o->mode == SP__PLANE;
     g[0] = plane ? sp__dot3(n, o->e[0]) : sp__dot3(f->t1, o->e[0]);

@@ -42,7 +42,7 @@ static int sp__dual_whole(const sp__dual *w)
 SP__NOINLINE static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
                                     sp_real *longest)
 {
-    const sp_interface *g = t->joint;
+    const sp_joint *g = t->joint;
     const sp_real o[3] = { sp__dot3(arm, g->n), sp__dot3(arm, g->t1), sp__dot3(arm, g->t2) };
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };

@@ -89,9 +89,9 @@ static void build(const char *name, const char *param, double value, sp_scene *s
         const sp_mesh mesh = { from->vertices, from->faces, plain.vertex[from->vertex], size, corner };
         CHECK_INT(sp_scene_block(s, &mesh, from->density, from->fixed, NULL), SP_OK);
     }
-    for (int32_t k = 0; k < plain.count.interfaces; k++) {
-        const sp_interface *t = &plain.interface[k];
-        CHECK_INT(sp_scene_interface(s, t->a, t->b, t->points, plain.point[t->point], &t->strength, NULL), SP_OK);
+    for (int32_t k = 0; k < plain.count.joints; k++) {
+        const sp_joint *t = &plain.joint[k];
+        CHECK_INT(sp_scene_joint(s, t->a, t->b, t->points, plain.point[t->point], &t->strength, NULL), SP_OK);
     }
 }
 
@@ -186,12 +186,12 @@ TEST(finding_contacts_keeps_to_its_pieces)
         sp_contact_report report = { 0, 0, 0, 1, NULL };
         report.overlap = overlap;
         prepare(k, &s);
-        const int32_t given = s.count.interfaces;
-        s.count.interfaces = s.count.points = 0;
+        const int32_t given = s.count.joints;
+        s.count.joints = s.count.points = 0;
         const sp_status status = sp_contacts_find(&s, NULL, test_arena, &report);
-        CHECK_INT(status, report.interfaces > given ? SP_E_CAPACITY : SP_OK);  /* boards side by side touch, too */
-        CHECK(report.interfaces >= given);
-        s.count.interfaces = s.count.points = s.cap.points = 0;         /* no room: only counted */
+        CHECK_INT(status, report.joints > given ? SP_E_CAPACITY : SP_OK);  /* boards side by side touch, too */
+        CHECK(report.joints >= given);
+        s.count.joints = s.count.points = s.cap.points = 0;         /* no room: only counted */
         CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_E_CAPACITY);
         whole();
     }

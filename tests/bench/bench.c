@@ -6,7 +6,7 @@
  * again. These jobs take turns: one round runs each of them once, so a neighbour's load hits all alike. The first round warms
  * up and is dropped; of the others the median and the best are kept. Time is what the processor spent on this process. Arenas
  * are as small as sp_memory says.
- * Lines that start with # are comments: where and how it ran, the growth of time over interfaces, wrong verdicts (exit 1).
+ * Lines that start with # are comments: where and how it ran, the growth of time over joints, wrong verdicts (exit 1).
  *
  * Contents:  1 clock   2 jobs   3 one scene   4 scenes   5 growth   6 main
  */
@@ -100,7 +100,7 @@ typedef struct job {
 typedef struct bench {
     const char *family, *size, *load;
     const gen_scene *gen;
-    sp_scene scene, bare;                               /* as made; another without interfaces, for their finding */
+    sp_scene scene, bare;                               /* as made; another without joints, for their finding */
     sp_settings set;                                    /* what jobs start from */
     sp_verdict expected;                                /* SP_UNDECIDED: nobody knows */
     job job[JOBS];
@@ -186,7 +186,7 @@ static double run(bench *b, job *j)
     sp_result claim = b->job[b->claim].result;
     must(sp_arena_init(&arena, j->memory, j->bytes), "arena");
     if (!j->hint) claim.y0 = NULL;
-    b->bare.count.interfaces = b->bare.count.points = 0;
+    b->bare.count.joints = b->bare.count.points = 0;
     const double start = now();
     switch (j->what) {
     case BUILD:    must(gen_build(b->gen, &arena, &built), "build"); break;
@@ -237,7 +237,7 @@ static void print(bench *b, job *j)
     const sp_capacity *n = &b->scene.count;
     const double ms = median(j, b->runs);
     printf("%s,%s,%s,%s,%s,%s,%ld,%ld,%ld,", BENCH_REAL, kind_name[j->what], b->family, b->size, b->load, j->config,
-           (long)n->blocks, (long)n->interfaces, (long)n->points);
+           (long)n->blocks, (long)n->joints, (long)n->points);
     if (j->what == CHECK) {
         const sp_result *r = &j->result;
         printf("%s,%d,%.2e,%ld,%ld,%lld", sp_verdict_text(r->verdict), (int)r->verified, (double)r->omega,
@@ -248,7 +248,7 @@ static void print(bench *b, job *j)
     fflush(stdout);
 }
 
-/* The same scene with all its faces and no interface. */
+/* The same scene with all its faces and no joint. */
 static void strip(bench *b, void *memory, size_t bytes)
 {
     sp_arena arena;
@@ -271,9 +271,9 @@ static void scene(bench *b, int contacts, int quick, tally *t)
         job *j = &b->job[k];
         print(b, j);
         if (j->what == CHECK || j->what == VERIFY) count(b, j, t);
-        if (j->what == CONTACTS && j->report.interfaces != b->scene.count.interfaces) {
-            printf("# %s %s: %ld interfaces found of %ld\n", b->family, b->size, (long)j->report.interfaces,
-                   (long)b->scene.count.interfaces);
+        if (j->what == CONTACTS && j->report.joints != b->scene.count.joints) {
+            printf("# %s %s: %ld interfaces found of %ld\n", b->family, b->size, (long)j->report.joints,
+                   (long)b->scene.count.joints);
             t->wrong++;
         }
         free(j->memory);
@@ -338,7 +338,7 @@ static double slenderness(const sp_scene *s)
     return depth / (high - low);
 }
 
-typedef struct fit { double interfaces, ms, flops; } fit;
+typedef struct fit { double joints, ms, flops; } fit;
 
 static sp_arena make(bench *b, const gen_scene *g)
 {
@@ -372,7 +372,7 @@ static void wall(bench *b, const char *size, const wall_load *l, int quick, tall
     scene(b, flat, quick, t);
     if (flat) {
         const job *j = &b->job[b->claim];
-        const fit f = { b->scene.count.interfaces, 1e3 * j->seconds[b->runs / 2], (double)j->result.cost.flops };
+        const fit f = { b->scene.count.joints, 1e3 * j->seconds[b->runs / 2], (double)j->result.cost.flops };
         growth[(*points)++] = f;
     }
     free(arena.base);
@@ -402,7 +402,7 @@ static double exponent(const fit *f, int n, int flops)
 {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (int k = 0; k < n; k++) {
-        const double x = log(f[k].interfaces), y = log(flops ? f[k].flops : f[k].ms);
+        const double x = log(f[k].joints), y = log(flops ? f[k].flops : f[k].ms);
         sx += x; sy += y; sxx += x * x; sxy += x * y;
     }
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);

@@ -1,5 +1,5 @@
 /* The verdict does not depend on where the scene is, how it is turned, in which units it is written, in which order its
- * blocks, interfaces and contact vertices come, or which side is called A; and the forces go with the scene. */
+ * blocks, joints and contact vertices come, or which side is called A; and the forces go with the scene. */
 #include "../test.h"
 #include "../scenes/gen.h"
 #include "../scenes/change.h"
@@ -14,11 +14,11 @@ static void same_forces(const sp_scene *s1, const sp_result *r1, const sp_scene 
 {
     const double unit = c->density * c->gravity * c->scale * c->scale * c->scale;
     double largest = 0, worst = 0;
-    for (int32_t j = 0; j < s1->count.interfaces; j++) {
-        sp_interface_force a, b;
+    for (int32_t j = 0; j < s1->count.joints; j++) {
+        sp_joint_force a, b;
         double want[3];
-        CHECK_INT(sp_interface_resultant(s1, r1, j, &a), SP_OK);
-        CHECK_INT(sp_interface_resultant(s2, r2, name[j], &b), SP_OK);
+        CHECK_INT(sp_joint_resultant(s1, r1, j, &a), SP_OK);
+        CHECK_INT(sp_joint_resultant(s2, r2, name[j], &b), SP_OK);
         const double sign = c->swap && j % 2 == 0 ? -unit : unit;
         move(c, a.force, 1, want);
         for (int i = 0; i < 3; i++) {
@@ -53,7 +53,7 @@ static void unchanged_by(const change *c, double forces)
         gen_open(&g, sample[k].name);
         gen_set(&g, sample[k].param, sample[k].value);
         NEED(gen_build(&g, &test_arena, &s1) == SP_OK);
-        NEED(s1.count.blocks <= MOST && s1.count.interfaces <= MOST);
+        NEED(s1.count.blocks <= MOST && s1.count.joints <= MOST);
         copy(&s1, c, &s2, place, name);
         NEED(sp_check(&s1, NULL, &test_arena, &r1) == SP_OK);
         NEED(sp_check(&s2, NULL, &test_arena, &r2) == SP_OK);
@@ -110,7 +110,7 @@ TEST(units_change_numbers_only)
     }
 }
 
-TEST(order_of_blocks_and_interfaces_does_not_matter)
+TEST(order_of_blocks_and_joints_does_not_matter)
 {
     for (int k = 0; k < 3; k++) {
         change c = none();
@@ -183,7 +183,7 @@ TEST(friction_helps)
         gen_open(&g, sample[k].name);
         gen_set(&g, sample[k].param, sample[k].value);
         NEED(gen_build(&g, &test_arena, &s) == SP_OK);
-        const double mu = (double)s.interface[0].strength.mu;
+        const double mu = (double)s.joint[0].strength.mu;
         CHECK_INT(sp_scene_friction(&s, R(sample[k].verdict == SP_STABLE ? 1.5 * mu : 0.7 * mu)), SP_OK);
         NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
         if (!sample[k].hard || r.verdict) CHECK_INT(r.verdict, sample[k].verdict);
@@ -195,7 +195,7 @@ TEST_LIST(invariants)
     RUN(mirroring_through_two_planes_is_a_rotation)
     RUN(translating_changes_nothing)
     RUN(units_change_numbers_only)
-    RUN(order_of_blocks_and_interfaces_does_not_matter)
+    RUN(order_of_blocks_and_joints_does_not_matter)
     RUN(first_corner_of_a_joint_does_not_matter)
     RUN(which_side_is_called_a_does_not_matter)
     RUN(all_changes_at_once_change_nothing)

@@ -239,34 +239,34 @@ TEST(contacts_memory_is_enough_and_less_is_refused)
     sp_contact_settings settings = sp_contact_settings_default();
     sp_contact_report report = { 0, 0, 0, 0, NULL };
     build("arch", "n", 7, &scene);
-    const int32_t given = scene.count.interfaces, points = scene.count.points;
+    const int32_t given = scene.count.joints, points = scene.count.points;
     const size_t need = sp_contacts_memory(&scene);
     NEED(need > 0);
     fenced f = fence(need);
-    scene.count.interfaces = scene.count.points = 0;    /* as if there had been none */
+    scene.count.joints = scene.count.points = 0;    /* as if there had been none */
     CHECK_INT(sp_contacts_find(&scene, &settings, fenced_arena(&f), &report), SP_OK);
     CHECK(fence_holds(&f));
-    CHECK_INT(scene.count.interfaces, given);
+    CHECK_INT(scene.count.joints, given);
     CHECK_INT(scene.count.points, points);
     for (size_t cap = 0; cap < need; cap += 1 + need / 199) {
         f = fence(cap);
-        scene.count.interfaces = scene.count.points = 0;
+        scene.count.joints = scene.count.points = 0;
         const sp_status status = sp_contacts_find(&scene, &settings, fenced_arena(&f), &report);
         if (!CHECK(status == SP_E_MEMORY || status == SP_OK) || !CHECK(fence_holds(&f))) return;
-        CHECK_INT(scene.count.interfaces, status == SP_OK ? given : 0);
+        CHECK_INT(scene.count.joints, status == SP_OK ? given : 0);
     }
 }
 
 /* Bodies of any weight that touch in points wherever: from none touching to all pairs, repeatedly. */
-static void random_scene(sp_scene *scene, int32_t blocks, int32_t interfaces)
+static void random_scene(sp_scene *scene, int32_t blocks, int32_t joints)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, 4 * interfaces, 2 };
+    const sp_capacity cap = { blocks, 0, 0, 0, joints, 4 * joints, 2 };
     NEED(sp_scene_create(scene, &cap, &test_arena) == SP_OK);
     for (int32_t k = 0; k < blocks; k++) {
         const sp_real c[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
         CHECK_INT(sp_scene_body(scene, R(100), c, test_random_int(0, 9) ? 0 : SP_FIXED, NULL), SP_OK);
     }
-    for (int32_t k = 0; k < interfaces && blocks > 1; k++) {
+    for (int32_t k = 0; k < joints && blocks > 1; k++) {
         sp_real xyz[12], n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(1) };
         const int32_t a = test_random_int(0, blocks - 1), b = (a + test_random_int(1, blocks - 1)) % blocks;
         const sp_strength strength = sp_strength_friction(R(0.5));
@@ -290,19 +290,19 @@ TEST(memory_by_counts_bounds_what_is_taken)
     double least = 1e9;
     for (int k = 0; k < 300; k++) {
         const int32_t blocks = test_random_int(1, k % 10 ? 12 : 40), most = k % 3 ? 3 * blocks : blocks * blocks / 2;
-        const int32_t interfaces = blocks > 1 ? test_random_int(0, most) : 0;
+        const int32_t joints = blocks > 1 ? test_random_int(0, most) : 0;
         size_t bytes = 0;
         sp_scene scene;
         test_arena.used = 0;
-        random_scene(&scene, blocks, interfaces);
+        random_scene(&scene, blocks, joints);
         NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
         const size_t loads = (size_t)scene.count.loads * (4 + sizeof(sp_load));
-        const size_t bound = SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, 0) + loads;
-        if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)interfaces,
+        const size_t bound = SP_MEMORY_BYTES(blocks, joints, scene.count.points, 0) + loads;
+        if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)joints,
                                                (unsigned long)bytes, (unsigned long)bound);
         if ((double)bound / (double)bytes < least) least = (double)bound / (double)bytes;
         NEED(sp_memory(&scene, &dense, test_arena, &bytes) == SP_OK);
-        CHECK(bytes <= SP_MEMORY_BYTES(blocks, interfaces, scene.count.points, ALL_STAGES) + loads);
+        CHECK(bytes <= SP_MEMORY_BYTES(blocks, joints, scene.count.points, ALL_STAGES) + loads);
     }
     CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
     CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SIZE_MAX);
@@ -318,7 +318,7 @@ static void within(spread *s, const sp_scene *scene, const sp_settings *set, siz
     bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
     if (!CHECK(bytes <= bound))
         TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
-                   (int)scene->count.interfaces, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
+                   (int)scene->count.joints, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
     if (scene->count.points < 4) return;
     const double ratio = (double)bound / (double)bytes;
     if (ratio < s->least || s->least <= 0) s->least = ratio;
@@ -332,13 +332,13 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
                       { "ADMM without a factor", 0, 0 }, { "ADMM", 0, 0 } };
     for (int k = 0; k < 120; k++) {
         const int32_t blocks = test_random_int(1, k % 10 ? 8 : 20);
-        const int32_t interfaces = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
+        const int32_t joints = blocks > 1 ? test_random_int(0, 2 * blocks) : 0;
         sp_scene scene;
         test_arena.used = 0;
-        random_scene(&scene, blocks, interfaces);
+        random_scene(&scene, blocks, joints);
         const int32_t v = scene.count.points, faces = test_random_int(3, k % 2 ? 8 : 64);
         const int32_t nodes = test_random_int(0, 3) ? test_random_int(0, 300) : 0;
-        const size_t plain = SP_MEMORY_BYTES(blocks, interfaces, v, 0), pyramid = SP_PYRAMID_BYTES(v, faces);
+        const size_t plain = SP_MEMORY_BYTES(blocks, joints, v, 0), pyramid = SP_PYRAMID_BYTES(v, faces);
         sp_settings set = sp_settings_default();
         if (k % 3) { set.faces = faces; set.inscribed = k % 2; }
         const size_t base = plain + (k % 3 ? pyramid : 0);
@@ -352,7 +352,7 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
 #endif
 #if !defined SP_NO_QP && !defined SP_NO_ADMM
         set.stage[set.stage_count++] = SP_STAGE_ADMM;
-        const size_t both = SP_MEMORY_BYTES(blocks, interfaces, v, ALL_STAGES | 1 << SP_STAGE_ADMM);
+        const size_t both = SP_MEMORY_BYTES(blocks, joints, v, ALL_STAGES | 1 << SP_STAGE_ADMM);
         within(&s[ADMM], &scene, &set, set.faces <= 8 ? base - plain + both : base + SP_ADMM_BYTES(blocks, v, faces));
 #ifndef SP_QP_NO_CG
         sp_seed seed = *sp_seed_table();
@@ -379,9 +379,9 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
 
 /* Stones in `islands`, or one with nearly all joints and the others loose; joints of many vertices any way, in one plane (odd
  * vertices mirror images), or all level. */
-static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int32_t interfaces, int32_t most)
+static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int32_t joints, int32_t most)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, most * interfaces, 1 };
+    const sp_capacity cap = { blocks, 0, 0, 0, joints, most * joints, 1 };
     const int32_t shape = test_random_int(0, 2), supports = test_random_int(0, 1);
     const int32_t large = test_random_int(0, 1) ? blocks - islands : 0;
     NEED(most <= 60 && sp_scene_create(scene, &cap, &test_arena) == SP_OK);
@@ -389,7 +389,7 @@ static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int
         const sp_real c[3] = { test_random_real(-1, 1), shape ? 0 : test_random_real(-1, 1), test_random_real(-1, 1) };
         CHECK_INT(sp_scene_body(scene, R(100), c, k || !supports ? 0 : SP_FIXED, NULL), SP_OK);
     }
-    for (int32_t k = 0; k < interfaces; k++) {
+    for (int32_t k = 0; k < joints; k++) {
         const int32_t a = test_random_int(1, large && k > islands ? large : blocks - 1), c = test_random_int(1, blocks - 1);
         const int joined = large ? a <= large && c <= large : a % islands == c % islands;
         const int32_t b = joined && a != c && test_random_int(0, 2) ? c : 0, points = test_random_int(1, most);
@@ -415,11 +415,11 @@ TEST(islands_of_few_stones_with_many_joints_are_bounded)
     spread s[ALL] = { { "plain", 0, 0 }, { "all stages", 0, 0 }, { "pyramids", 0, 0 }, { "coupled", 0, 0 } };
     for (int k = 0; k < 400; k++) {
         const int32_t blocks = test_random_int(2, k % 8 ? 8 : 30), islands = test_random_int(1, blocks - 1);
-        const int32_t interfaces = test_random_int(0, k % 3 ? 40 : 300);
+        const int32_t joints = test_random_int(0, k % 3 ? 40 : 300);
         sp_scene scene;
         test_arena.used = 0;
-        random_islands(&scene, blocks, islands, interfaces, k % 4 ? 4 : 60);
-        const int32_t i = scene.count.interfaces, v = scene.count.points, faces = test_random_int(3, 64);
+        random_islands(&scene, blocks, islands, joints, k % 4 ? 4 : 60);
+        const int32_t i = scene.count.joints, v = scene.count.points, faces = test_random_int(3, 64);
         const size_t plain = SP_MEMORY_BYTES(blocks, i, v, 0);
         sp_settings set = sp_settings_default();
         within(&s[PLAIN], &scene, &set, plain);
@@ -462,7 +462,7 @@ TEST(a_static_array_sized_by_counts_is_enough)
     NEED(sp_arena_init(&arena, a_static_array, sizeof a_static_array) == SP_OK);
     NEED(sp_scene_create(&scene, &cap, &arena) == SP_OK);
     NEED(sp_scene_body(&scene, R(1), low, SP_FIXED, NULL) == SP_OK && sp_scene_body(&scene, R(1), high, 0, NULL) == SP_OK);
-    NEED(sp_scene_interface(&scene, 0, 1, 4, xyz, &strength, NULL) == SP_OK);
+    NEED(sp_scene_joint(&scene, 0, 1, 4, xyz, &strength, NULL) == SP_OK);
     NEED(sp_check(&scene, NULL, &arena, &r) == SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
 }
@@ -475,7 +475,7 @@ TEST(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
     sp_result r;
     a.cap = a.used + TOL(128, 64) * 1024;
     CHECK_INT(gen_make("wall", "size", 54, &a, &s), SP_OK);
-    CHECK_INT(s.count.interfaces, 64);
+    CHECK_INT(s.count.joints, 64);
     CHECK_INT(sp_check(&s, NULL, &a, &r), SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK(a.used <= a.cap);

@@ -30,13 +30,13 @@ static sp_scene part(const char *name, const char *param, double value, double m
 /* How parts are put together: lengths times `length`, masses times `mass`, everything else way round where `turned`. */
 typedef struct manner { double length, mass; int turned; } manner;
 
-static sp_scene room(int32_t blocks, int32_t interfaces, int32_t points)
+static sp_scene room(int32_t blocks, int32_t joints, int32_t points)
 {
     sp_capacity cap;
     sp_scene s;
     memset(&cap, 0, sizeof cap);
     cap.blocks = blocks;
-    cap.interfaces = interfaces;
+    cap.joints = joints;
     cap.points = points;
     cap.loads = 4;
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
@@ -54,15 +54,15 @@ static void add(sp_scene *out, const sp_scene *in, double x, manner m)
         for (int i = 0; i < 3; i++) c[i] = R(m.length) * (b->centroid[i] + (i ? 0 : R(x)));
         CHECK_INT(sp_scene_body(out, R(m.mass) * b->mass, c, b->fixed, &number[k]), SP_OK);
     }
-    for (int32_t q = 0; q < in->count.interfaces; q++) {
-        const sp_interface *f = &in->interface[m.turned ? in->count.interfaces - 1 - q : q];
+    for (int32_t q = 0; q < in->count.joints; q++) {
+        const sp_joint *f = &in->joint[m.turned ? in->count.joints - 1 - q : q];
         sp_real xyz[3 * 16];
         for (int32_t v = 0; v < f->points; v++) {
             const int32_t from = m.turned ? (2 * f->points - v) % f->points : v;        /* backwards: seen from the other side */
             for (int i = 0; i < 3; i++)
                 xyz[3 * v + i] = R(m.length) * (in->point[f->point + from][i] + (i ? 0 : R(x)));
         }
-        CHECK_INT(sp_scene_interface(out, number[m.turned ? f->b : f->a], number[m.turned ? f->a : f->b], f->points, xyz,
+        CHECK_INT(sp_scene_joint(out, number[m.turned ? f->b : f->a], number[m.turned ? f->a : f->b], f->points, xyz,
                                      &f->strength, NULL), SP_OK);
     }
 }
@@ -91,7 +91,7 @@ static const manner plain = { 1, 1, 0 }, other = { 39.37, 2.2046, 1 };
 static sp_scene two(const char *left, const char *right, const char *param, double value, manner m)
 {
     const sp_scene a = part(left, NULL, 0, -1), b = part(right, param, value, -1);
-    sp_scene s = room(a.count.blocks + b.count.blocks, a.count.interfaces + b.count.interfaces, a.count.points + b.count.points);
+    sp_scene s = room(a.count.blocks + b.count.blocks, a.count.joints + b.count.joints, a.count.points + b.count.points);
     add(&s, &a, 0, m);
     add(&s, &b, 100, m);
     for (int k = 0; k < 3; k++) s.gravity[k] *= R(m.length);
@@ -176,7 +176,7 @@ static sp_scene piles(int32_t count, manner m)
             const sp_real c[3] = { R(l * (x + 0.5)), R(l * (y + 0.5)), R(l * (k + 0.5)) };
             int32_t id = 0;
             CHECK_INT(sp_scene_body(&s, R(m.mass * 1000), c, 0, &id), SP_OK);
-            CHECK_INT(sp_scene_interface(&s, below, id, 4, foot, &strength, NULL), SP_OK);
+            CHECK_INT(sp_scene_joint(&s, below, id, 4, foot, &strength, NULL), SP_OK);
             below = id;
         }
     }
@@ -221,7 +221,7 @@ TEST(a_coupled_check_of_islands_answers_as_of_the_whole)
     for (int k = 0; k < 2; k++) {
         test_arena.used = 0;
         const sp_scene h = part("h-model", NULL, 0, mu[k]), c = part("two-cubes", NULL, 0, -1);
-        sp_scene s = room(h.count.blocks + 2, h.count.interfaces + 1, h.count.points + 4);
+        sp_scene s = room(h.count.blocks + 2, h.count.joints + 1, h.count.points + 4);
         sp_settings set = sp_settings_default();
         add(&s, &h, 0, plain);
         add(&s, &c, 50, plain);
@@ -249,7 +249,7 @@ static sp_arena behind(size_t bytes)
 TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
 {
     const sp_scene h = part("h-model", NULL, 0, 0.45);
-    sp_scene s = room(7 * h.count.blocks, 7 * h.count.interfaces, 7 * h.count.points);
+    sp_scene s = room(7 * h.count.blocks, 7 * h.count.joints, 7 * h.count.points);
     sp_settings set = sp_settings_default();
     sp_evidence e;
     for (int k = 0; k < 7; k++) add(&s, &h, 20 * k, plain);
@@ -286,7 +286,7 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
 TEST(what_refutes_one_island_is_no_proof_against_another)
 {
     const sp_scene h = part("h-model", NULL, 0, 0.45), c = part("two-cubes", NULL, 0, -1);
-    sp_scene s = room(2 * h.count.blocks + 4, 2 * h.count.interfaces + 2, 2 * h.count.points + 8);
+    sp_scene s = room(2 * h.count.blocks + 4, 2 * h.count.joints + 2, 2 * h.count.points + 8);
     sp_settings set = sp_settings_default();
     sp_evidence e;
     set.coupled.asked = 1;
@@ -294,7 +294,7 @@ TEST(what_refutes_one_island_is_no_proof_against_another)
         add(&s, &c, 50 * k, plain);
         add(&s, &h, 50 * k + 20, plain);
     }
-    for (int32_t k = 0; k < 2; k++) s.interface[s.count.interfaces - 1 - k].strength.mu = R(1.2);      /* the last of them jams */
+    for (int32_t k = 0; k < 2; k++) s.joint[s.count.joints - 1 - k].strength.mu = R(1.2);      /* the last of them jams */
     sp_arena a = test_arena;
     sp_result r = check(&s, &set, &a);
     CHECK_INT(r.islands, 4);
@@ -328,7 +328,7 @@ static sp_scene some_part(void)
     return s;
 }
 
-/* An island's forces from its first interface on are those of a check of it alone, but for the rounding of a unit. */
+/* An island's forces from its first joint on are those of a check of it alone, but for the rounding of a unit. */
 static int same_forces(const sp_result *r, int32_t point, const sp_result *alone, int32_t points)
 {
     double far = 0, most = 0;
@@ -353,7 +353,7 @@ static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int 
     if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_E_MEMORY);
     a = behind(bytes);
     if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
-    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0)
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.joints, s->count.points, 0)
                    + SP_COUPLED_BYTES(s->count.blocks, s->count.points, 48000));
     test_arena.used += bytes + SP_ALIGN;
     return r;
@@ -372,7 +372,7 @@ static void claim_holds(const sp_scene *s, const sp_settings *set, const sp_resu
 static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const sp_scene *piece, sp_settings set, int32_t seen[4])
 {
     const sp_island *p = &r->part[q];
-    sp_scene alone = room(piece->count.blocks, piece->count.interfaces, piece->count.points);
+    sp_scene alone = room(piece->count.blocks, piece->count.joints, piece->count.points);
     add(&alone, piece, 0, plain);
     set.coupled.eps = r->coupled.eps;
     set.coupled.eta = 0;                                /* 100 eps, as of the whole */
@@ -393,14 +393,14 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
     for (int32_t k = 0; k < 24; k++) {
         sp_scene piece[5], s;
         const int32_t pieces = test_random_int(2, 5);
-        int32_t blocks = 0, interfaces = 0, points = 0;
+        int32_t blocks = 0, joints = 0, points = 0;
         sp_settings set = sp_settings_default();
         test_arena.used = 0;
         for (int32_t q = 0; q < pieces; q++) {
             piece[q] = some_part();
-            blocks += piece[q].count.blocks; interfaces += piece[q].count.interfaces; points += piece[q].count.points;
+            blocks += piece[q].count.blocks; joints += piece[q].count.joints; points += piece[q].count.points;
         }
-        s = room(blocks, interfaces, points);
+        s = room(blocks, joints, points);
         for (int32_t q = 0; q < pieces; q++) add(&s, &piece[q], 0, plain);
         set.coupled.asked = 1;
         set.localise = k % 3 != 0;
@@ -442,18 +442,18 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
     sp_scene s = room(4, 3, 12);
     CHECK_INT(sp_scene_body(&s, 0, low, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, high, SP_FIXED, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, side, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, side, &strength, NULL), SP_OK);
     for (int k = 0; k < 2; k++) {
         const sp_real c[3] = { R(k), 0, R(0.5) };
         const sp_real foot[12] = { R(k - 0.4), R(-0.4), 0, R(k + 0.4), R(-0.4), 0, R(k + 0.4), R(0.4), 0, R(k - 0.4), R(0.4), 0 };
         CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 2 + k, 4, foot, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 0, 2 + k, 4, foot, &strength, NULL), SP_OK);
     }
     sp_arena a = test_arena;
     const sp_result r = check(&s, NULL, &a);
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK_INT(r.islands, 2);
-    CHECK_INT(r.interfaces, 2);
+    CHECK_INT(r.joints, 2);
 }
 
 /* Rows 1, 2, 3, 4, 5, 4, 3, 2, 1: all joints level, all loads plumb, and yet only friction holds it. */
@@ -536,13 +536,13 @@ TEST(level_joints_without_a_mirror_stand_by_pressure_alone)
         const sp_real c[3] = { R(x), R(0.1 * k), R(0.5) };
         const sp_real foot[12] = { R(x - 0.3), R(-0.5), 0, R(x + 0.3), R(-0.5), 0, R(x + 0.3), R(0.5), 0, R(x - 0.3), R(0.5), 0 };
         CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 1 + k, 4, foot, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 0, 1 + k, 4, foot, &strength, NULL), SP_OK);
     }
     CHECK_INT(sp_scene_body(&s, R(1500), top, 0, NULL), SP_OK);
     for (int k = 0; k < 2; k++) {
         const double x = 2 * k - 1;
         const sp_real seat[12] = { R(x - 0.3), R(-0.4), R(1), R(x + 0.3), R(-0.4), R(1), R(x + 0.3), R(0.45), R(1), R(x - 0.3), R(0.45), R(1) };
-        CHECK_INT(sp_scene_interface(&s, 1 + k, 3, 4, seat, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 1 + k, 3, 4, seat, &strength, NULL), SP_OK);
     }
     sp_arena a = test_arena;
     const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
@@ -602,7 +602,7 @@ TEST(a_forest_of_level_joints_falls_by_pressure_alone_and_nothing_else_does)
         sp_settings set;
         test_arena.used = 0;
         NEED(kinds_make(k, &test_arena, &s, &set) == SP_OK);
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = R(q % 2 ? 50 : 0.6);
+        for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength.mu = R(q % 2 ? 50 : 0.6);
         sp_arena a = test_arena;
         const sp_result r = check(&s, NULL, &a), all = full(&s, NULL, &a);
         CHECK_INT(r.verdict, all.verdict);
@@ -634,7 +634,7 @@ TEST(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings
         sp_settings set;
         test_arena.used = 0;
         NEED(kinds_make(k, &test_arena, &s, &set) == SP_OK);
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = 0;
+        for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength.mu = 0;
         sp_arena a = test_arena;
         const sp_result r = check(&s, &set, &a), all = full(&s, &set, &a);
         CHECK(r.verdict == all.verdict || (OPEN && !all.verdict));
@@ -737,7 +737,7 @@ static void tree(int32_t n, double lean, int halves, sp_scene *s)
                     xyz[3 * v + i] = cut ? (corner[3 * q + i] + corner[3 * (3 - q) + i]) / 2 : corner[3 * q + i];
                 }
             const int32_t below = k ? on + 1 : 0;
-            CHECK_INT(sp_scene_interface(s, part ? k + 1 : below, part ? below : k + 1, 4, xyz, &strength, NULL), SP_OK);
+            CHECK_INT(sp_scene_joint(s, part ? k + 1 : below, part ? below : k + 1, 4, xyz, &strength, NULL), SP_OK);
         }
     }
     s->gravity[0] = R(9.8 * lean);
@@ -816,7 +816,7 @@ TEST(a_twisted_slab_is_searched_where_friction_spread_as_pressure_does_not_do)
         sp_scene s = room(2, 1, 3);
         CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
         CHECK_INT(sp_scene_body(&s, 100, at, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, 0, 1, 3, corner, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 0, 1, 3, corner, &strength, NULL), SP_OK);
         CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
         agree_coupled(&s, &set, &told);
         CHECK_INT(told, ask[k].told);
@@ -936,7 +936,7 @@ TEST(without_friction_a_coupled_check_is_decided_by_one_linear_programme)
         if (k % 3) NEED(kinds_make(14 + KINDS * k, &test_arena, &s, &own) == SP_OK);
         else s = part("keystone", "angle", 0.3 * k - 35, 0);
         if (s.count.points > SP_EXACT_POINTS) continue;
-        for (int32_t q = 0; q < s.count.interfaces; q++) s.interface[q].strength.mu = 0;
+        for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength.mu = 0;
         set.localise = 0;
         set.coupled.asked = 1;
         set.coupled.box = k % 4 == 1;

@@ -44,12 +44,12 @@ static void level(sp_scene *s, int32_t a, int32_t b, double x0, double x1, doubl
 {
     const sp_real p[12] = { R(x0), R(y0), R(z), R(x1), R(y0), R(z), R(x1), R(y1), R(z), R(x0), R(y1), R(z) };
     const sp_strength strength = sp_strength_friction(R(mu));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, p, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, a, b, 4, p, &strength, NULL), SP_OK);
 }
 
-static void start(sp_scene *s, int32_t blocks, int32_t interfaces)
+static void start(sp_scene *s, int32_t blocks, int32_t joints)
 {
-    const sp_capacity cap = { blocks, 8 * blocks, 6 * blocks, 24 * blocks, interfaces, 4 * interfaces, 0 };
+    const sp_capacity cap = { blocks, 8 * blocks, 6 * blocks, 24 * blocks, joints, 4 * joints, 0 };
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
 }
 
@@ -171,8 +171,8 @@ TEST(a_joint_of_a_stack_carries_the_weight_above_it_below_its_centre)
             mx += one * x[i];
             my += one * (0.5 + 0.025 * i);
         }
-        sp_interface_force f;
-        CHECK_INT(sp_interface_resultant(&s, &r, k - 1, &f), SP_OK);
+        sp_joint_force f;
+        CHECK_INT(sp_joint_resultant(&s, &r, k - 1, &f), SP_OK);
         CHECK_NEAR(f.force[2], weight, NEAR);
         CHECK_WITHIN(f.force[0] / R(weight), 0, NEAR);
         CHECK_WITHIN(f.force[1] / R(weight), 0, NEAR);
@@ -190,11 +190,11 @@ TEST(corners_of_an_offset_cube_share_its_weight_by_the_lever)
     for (int k = 0; k < 5; k++) {
         const double offset = 0.1 * k, width = 1 - offset, e = 0.5 * offset, W = density * gravity;
         sp_scene s;
-        sp_interface_force f;
+        sp_joint_force f;
         test_arena.used = 0;
         build("two-cubes", "offset", offset, &s);
         const sp_result r = check(&s, NULL, SP_STABLE);
-        CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+        CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
         CHECK_NEAR(f.max_fn, W / 4 * (1 + 2 * e / width), NEAR);
         CHECK_NEAR(f.min_fn, W / 4 * (1 - 2 * e / width), NEAR);
         CHECK_NEAR(r.max_compression, f.max_fn, 0);
@@ -244,11 +244,11 @@ TEST(both_sides_of_a_joint_feel_opposite_forces)
 {
     sp_scene s;
     sp_real F[2][3], M[2][3];
-    sp_interface_force f;
+    sp_joint_force f;
     build("two-cubes", NULL, 0, &s);
     const sp_result r = check(&s, NULL, SP_STABLE);
     for (int b = 0; b < 2; b++) CHECK_INT(sp_block_resultant(&s, &r, b, F[b], M[b]), SP_OK);
-    CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
     for (int c = 0; c < 3; c++) {
         CHECK_NEAR(F[1][c], f.force[c], NEAR);
         CHECK_NEAR(F[0][c], -f.force[c], NEAR);
@@ -261,14 +261,14 @@ TEST(resultants_say_which_argument_they_cannot_use)
 {
     sp_scene s;
     sp_real F[3], M[3];
-    sp_interface_force f;
+    sp_joint_force f;
     build("two-cubes", NULL, 0, &s);
     sp_result r = check(&s, NULL, SP_STABLE);
-    CHECK_INT(sp_interface_resultant(NULL, &r, 0, &f), SP_E_ARGUMENT);
-    CHECK_INT(sp_interface_resultant(&s, NULL, 0, &f), SP_E_ARGUMENT);
-    CHECK_INT(sp_interface_resultant(&s, &r, 0, NULL), SP_E_ARGUMENT);
-    CHECK_INT(sp_interface_resultant(&s, &r, -1, &f), SP_E_INDEX);
-    CHECK_INT(sp_interface_resultant(&s, &r, 1, &f), SP_E_INDEX);
+    CHECK_INT(sp_joint_resultant(NULL, &r, 0, &f), SP_E_ARGUMENT);
+    CHECK_INT(sp_joint_resultant(&s, NULL, 0, &f), SP_E_ARGUMENT);
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_joint_resultant(&s, &r, -1, &f), SP_E_INDEX);
+    CHECK_INT(sp_joint_resultant(&s, &r, 1, &f), SP_E_INDEX);
     CHECK_INT(sp_block_resultant(NULL, &r, 0, F, M), SP_E_ARGUMENT);
     CHECK_INT(sp_block_resultant(&s, NULL, 0, F, M), SP_E_ARGUMENT);
     CHECK_INT(sp_block_resultant(&s, &r, 0, NULL, M), SP_E_ARGUMENT);
@@ -276,7 +276,7 @@ TEST(resultants_say_which_argument_they_cannot_use)
     CHECK_INT(sp_block_resultant(&s, &r, -1, F, M), SP_E_INDEX);
     CHECK_INT(sp_block_resultant(&s, &r, 2, F, M), SP_E_INDEX);
     r.f = NULL;
-    CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_E_ARGUMENT);
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_E_ARGUMENT);
     CHECK_INT(sp_block_resultant(&s, &r, 0, F, M), SP_E_ARGUMENT);
 }
 
@@ -289,14 +289,14 @@ TEST(utilisation_on_a_slope_is_its_tangent_over_mu)
         for (size_t i = 0; i < sizeof turn / sizeof turn[0]; i++) {
             gen_scene g;
             sp_scene s;
-            sp_interface_force f;
+            sp_joint_force f;
             test_arena.used = 0;
             gen_open(&g, "incline");
             gen_set(&g, "angle", angle[k]);
             gen_set(&g, "turn", turn[i]);
             CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
             const sp_result r = check(&s, NULL, SP_STABLE);
-            CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+            CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
             CHECK_NEAR(f.utilisation, tan(angle[k] / deg) / 0.84, TOL(1e-8, 1e-3));
             CHECK_NEAR(r.max_utilisation, f.utilisation, 0);
             CHECK_NEAR(norm(f.force), density * 0.2 * gravity, NEAR);
@@ -353,7 +353,7 @@ TEST(without_joints_there_is_no_weakest)
     box(&s, up, over, 0);
     const sp_result r = check(&s, NULL, SP_UNSTABLE);
     CHECK_INT(r.weakest, -1);
-    CHECK_INT(r.interfaces, 0);
+    CHECK_INT(r.joints, 0);
     CHECK_WITHIN(r.max_compression, 0, 0);
     CHECK_WITHIN(r.max_utilisation, 0, 0);
 }
@@ -364,8 +364,8 @@ TEST(without_joints_there_is_no_weakest)
 static double reach(const sp_scene *s, int32_t b)
 {
     double most = 0;
-    for (int32_t k = 0; k < s->count.interfaces; k++) {
-        const sp_interface *t = &s->interface[k];
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        const sp_joint *t = &s->joint[k];
         if (t->a != b && t->b != b) continue;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real arm[3];
@@ -478,7 +478,7 @@ TEST(two_runs_give_the_same_bits)
         CHECK(same_bytes(a.f, b.f, 3 * (size_t)s.count.points * sizeof *a.f));
         CHECK(same_bytes(a.dq, b.dq, 6 * (size_t)s.count.blocks * sizeof *a.dq));
         CHECK(same_bytes(a.y0, b.y0, 6 * (size_t)a.free_blocks * sizeof *a.y0));
-        CHECK(same_bytes(a.demand, b.demand, (size_t)s.count.interfaces * sizeof *a.demand));
+        CHECK(same_bytes(a.demand, b.demand, (size_t)s.count.joints * sizeof *a.demand));
         CHECK(same_bytes(&a.omega, &b.omega, sizeof a.omega) && same_bytes(&a.least_imbalance, &b.least_imbalance, sizeof a.omega));
         CHECK_INT(a.cost.flops, b.cost.flops);
         CHECK_INT(a.cost.iterations, b.cost.iterations);
@@ -526,7 +526,7 @@ TEST(work_on_walls_grows_in_proportion)
         gen_set(&g, "bricks", k ? 60 : 6);
         CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
         const sp_result r = check(&s, NULL, SP_STABLE);
-        per_joint[k] = (double)r.cost.flops / s.count.interfaces;
+        per_joint[k] = (double)r.cost.flops / s.count.joints;
     }
     CHECK(per_joint[1] < 3 * per_joint[0]);
 }
@@ -544,7 +544,7 @@ TEST(counts_are_of_what_took_part)
     level(&s, 1, 2, 0, 1, 0, 1, 1, 0.84);
     const sp_result r = check(&s, NULL, SP_STABLE);
     CHECK_INT(r.free_blocks, 1);
-    CHECK_INT(r.interfaces, 1);
+    CHECK_INT(r.joints, 1);
     CHECK_INT(r.points, 4);
     for (int32_t k = 0; k < 12; k++) CHECK_WITHIN(r.f[k], 0, 0);
     for (int32_t k = 12; k < 24; k += 3) CHECK_NEAR(r.f[k], density * gravity / 4, NEAR);

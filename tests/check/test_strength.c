@@ -19,7 +19,7 @@ static sp_scene cube(int beside, sp_strength strength)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, R(2400), middle, 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, beside ? side : below, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, beside ? side : below, &strength, NULL), SP_OK);
     return s;
 }
 
@@ -149,8 +149,8 @@ TEST(forces_keep_within_strength)
         CHECK(fn >= -0.5 * weight * (1 + 1e-6) && fn <= 0.625 * weight * (1 + 1e-6));
         CHECK(t1 * t1 + t2 * t2 <= (0.75 * weight + 0.5 * fn) * (0.75 * weight + 0.5 * fn) * (1 + 1e-6));
     }
-    sp_interface_force f;
-    CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+    sp_joint_force f;
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
     CHECK_NEAR(f.utilisation, 1. / 3, TOL(1e-8, 1e-3));         /* W / (3 W), no pressure */
     CHECK(f.min_fn < 0);
 }
@@ -267,7 +267,7 @@ TEST(strength_goes_with_an_area_and_statics_only)
     CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
     set.faces = 0;
     CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_E_UNSUPPORTED);
-    points.count.interfaces = points.count.points = 0;
+    points.count.joints = points.count.points = 0;
     CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &strength, NULL), SP_E_AREA);
 }
 

@@ -219,8 +219,8 @@ static void pebble(double ratio, double mu, sp_scene *s)
     CHECK_INT(sp_scene_body(s, 0, low, SP_FIXED, &ground), SP_OK);
     CHECK_INT(sp_scene_body(s, R(0.01 * ratio), middle, 0, &cathedral), SP_OK);
     CHECK_INT(sp_scene_body(s, R(0.01), high, 0, &stone), SP_OK);
-    CHECK_INT(sp_scene_interface(s, ground, cathedral, 4, foot, &firm, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(s, cathedral, stone, 4, roof, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, ground, cathedral, 4, foot, &firm, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, cathedral, stone, 4, roof, &strength, NULL), SP_OK);
 }
 
 TEST(a_pebble_is_judged_by_its_own_weight)
@@ -245,7 +245,7 @@ static void bed(sp_scene *s, int32_t a, int32_t b, double x0, double x1, double 
 {
     const sp_real v[12] = { R(x0), 0, R(z), R(x1), 0, R(z), R(x1), 1, R(z), R(x0), 1, R(z) };
     const sp_strength strength = sp_strength_friction(R(0.6));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, v, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, a, b, 4, v, &strength, NULL), SP_OK);
 }
 
 static int32_t cube_at(sp_scene *s, double mass, double x, double z)

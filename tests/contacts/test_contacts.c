@@ -117,7 +117,7 @@ static int refused(void)
 {
     if (!CONVEX_ONLY) return 0;
     CHECK_INT(find(NULL), SP_E_UNSUPPORTED);
-    CHECK_INT(scene.count.interfaces, 0);
+    CHECK_INT(scene.count.joints, 0);
     CHECK_INT(scene.count.points, 0);
     return 1;
 }
@@ -125,14 +125,14 @@ static int refused(void)
 static double area_sum(void)
 {
     double a = 0;
-    for (int32_t k = 0; k < scene.count.interfaces; k++) a += (double)scene.interface[k].area;
+    for (int32_t k = 0; k < scene.count.joints; k++) a += (double)scene.joint[k].area;
     return a;
 }
 
-/* Does an interface have a corner at p, to within tol? */
+/* Does a joint have a corner at p, to within tol? */
 static int has_corner(int32_t k, const sp_real p[3], double tol)
 {
-    const sp_interface *f = &scene.interface[k];
+    const sp_joint *f = &scene.joint[k];
     for (int32_t i = f->point; i < f->point + f->points; i++) {
         double d = 0;
         for (int c = 0; c < 3; c++) {
@@ -148,7 +148,7 @@ static int has_corner(int32_t k, const sp_real p[3], double tol)
 static void expect_one(int32_t corners, double area)
 {
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, 1);
+    CHECK_INT(report.joints, 1);
     CHECK_INT(report.points, corners);
     CHECK_INT(report.overlaps, 0);
     CHECK_NEAR(area_sum(), area, CLOSE);
@@ -161,11 +161,11 @@ TEST(aligned_cubes_share_their_square)
     box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
     box(&f, 0, 0, 1, 1, 1, 2, 0);
     expect_one(4, 1);
-    NEED(scene.count.interfaces == 1);
-    CHECK_INT(scene.interface[0].a, 0);
-    CHECK_INT(scene.interface[0].b, 1);
-    CHECK_NEAR(scene.interface[0].n[2], 1, TOL(1e-15, 1e-6f));
-    CHECK_NEAR(scene.interface[0].strength.mu, 0.84, TOL(1e-15, 1e-6f));
+    NEED(scene.count.joints == 1);
+    CHECK_INT(scene.joint[0].a, 0);
+    CHECK_INT(scene.joint[0].b, 1);
+    CHECK_NEAR(scene.joint[0].n[2], 1, TOL(1e-15, 1e-6f));
+    CHECK_NEAR(scene.joint[0].strength.mu, 0.84, TOL(1e-15, 1e-6f));
     CHECK_WITHIN(scene.point[0][0], 0, 0);              /* starts at the lowest corner, and corners are exact */
     CHECK_WITHIN(scene.point[0][1], 0, 0);
     CHECK_WITHIN(scene.point[2][0], 1, 0);
@@ -178,8 +178,8 @@ TEST(the_normal_points_from_the_lower_number_whoever_lies_below)
     box(&f, 0, 0, 1, 1, 1, 2, 0);
     box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
     expect_one(4, 1);
-    NEED(scene.count.interfaces == 1);
-    CHECK_NEAR(scene.interface[0].n[2], -1, TOL(1e-15, 1e-6f));
+    NEED(scene.count.joints == 1);
+    CHECK_NEAR(scene.joint[0].n[2], -1, TOL(1e-15, 1e-6f));
 }
 
 TEST(offset_cubes_share_three_quarters)
@@ -224,7 +224,7 @@ TEST(cubes_that_share_an_edge_or_corner_do_not_touch_in_faces)
     box(&f, 1, 0, 1, 2, 1, 2, 0);
     box(&f, -1, -1, -1, 0, 0, 0, 0);
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, 0);
+    CHECK_INT(report.joints, 0);
     CHECK_INT(report.overlaps, 0);
 }
 
@@ -240,7 +240,7 @@ TEST(gaps_count_by_the_distance)
         box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
         box(&f, 0, 0, 1 + gap[k], 1, 1, 2, 0);
         CHECK_INT(find(&set), SP_OK);
-        CHECK_INT(report.interfaces, k % 2 ? 0 : 1);
+        CHECK_INT(report.joints, k % 2 ? 0 : 1);
         CHECK_INT(report.overlaps, 0);
     }
 }
@@ -260,7 +260,7 @@ TEST(tilted_faces_count_by_the_angle)
         box(&f, -0.5, -0.5, 0, 0.5, 0.5, 1, SP_FIXED);
         box(&g, -0.5, -0.5, 0, 0.5, 0.5, 1, 0);
         CHECK_INT(find(&set), SP_OK);
-        CHECK_INT(report.interfaces, k ? 0 : 1);
+        CHECK_INT(report.joints, k ? 0 : 1);
     }
 }
 
@@ -283,7 +283,7 @@ TEST(frames_and_units_do_not_matter)
         box(&f[k], 1, 0, 1, 2, 1, 2, 0);
         box(&f[k], 0.5, 0, 2, 1.5, 1, 3, 0);
         CHECK_INT(find(NULL), SP_OK);
-        CHECK_INT(report.interfaces, 5);
+        CHECK_INT(report.joints, 5);
         CHECK_INT(report.points, 20);
         CHECK_INT(report.overlaps, 0);
         CHECK_NEAR(area_sum(), 4 * u2, tol[k]);
@@ -303,7 +303,7 @@ TEST(an_l_on_a_slab_keeps_its_reflex_corner)
     expect_one(6, 5);
     sp_real reflex[3];
     place(&f, 1, 1, 0, reflex);
-    NEED(scene.count.interfaces == 1);
+    NEED(scene.count.joints == 1);
     CHECK(has_corner(0, reflex, TOL(1e-14, 1e-5)));
 }
 
@@ -315,7 +315,7 @@ TEST(the_legs_of_a_u_are_two_patches)
     prism(&f, 8, you, 0, 1, -1, 0, 0);
     if (refused()) return;
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, 2);
+    CHECK_INT(report.joints, 2);
     CHECK_INT(report.points, 8);
     CHECK_NEAR(area_sum(), 2, CLOSE);
 }
@@ -332,17 +332,17 @@ TEST(two_us_face_to_face_touch_at_both_legs)
     prism(&f, 8, you, 0, 1, -1, 0, 0);
     prism(&g, 8, you, 0, 1, -1, 0, 0);
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, CONVEX_ONLY ? 1 : 2);
+    CHECK_INT(report.joints, CONVEX_ONLY ? 1 : 2);
     CHECK_INT(report.overlaps, 0);
     CHECK_NEAR(area_sum(), CONVEX_ONLY ? 3 : 2, CLOSE);
 }
 
 /* A contact of the smallest build, which may begin at another corner: the area and corners of that wanted. */
-static void turned_round(int32_t k, const sp_interface *want, sp_real (*point)[3])
+static void turned_round(int32_t k, const sp_joint *want, sp_real (*point)[3])
 {
-    CHECK_INT(scene.interface[k].a, want->a);
-    CHECK_INT(scene.interface[k].b, want->b);
-    CHECK_NEAR(scene.interface[k].area, want->area, TOL(1e-9, 1e-5f));
+    CHECK_INT(scene.joint[k].a, want->a);
+    CHECK_INT(scene.joint[k].b, want->b);
+    CHECK_NEAR(scene.joint[k].area, want->area, TOL(1e-9, 1e-5f));
     for (int32_t i = want->point; i < want->point + want->points; i++) CHECK(has_corner(k, point[i], TOL(1e-12, 1e-5)));
 }
 
@@ -352,7 +352,7 @@ TEST(triangulated_stones_have_the_contacts_of_polygonal_ones)
     static double eight[8][2] = { { 1, 0 }, { 2, 0 }, { 3, 1 }, { 3, 2 }, { 2, 3 }, { 1, 3 }, { 0, 2 }, { 0, 1 } };
     const frame f = turned(2, -1, 3, 0.5, 3, 1);
     for (int shape = CONVEX_ONLY ? 2 : 0; shape < 4; shape++) {
-        sp_interface want[8];
+        sp_joint want[8];
         static sp_real point[64][3];
         int32_t count = 0, points = 0;
         for (int model = 0; model < 6; model++) {       /* polygonal, then fans and other face orders */
@@ -365,22 +365,22 @@ TEST(triangulated_stones_have_the_contacts_of_polygonal_ones)
             CHECK_INT(find(NULL), SP_OK);
             CHECK_INT(report.overlaps, 0);
             if (!model) {
-                count = scene.count.interfaces;
+                count = scene.count.joints;
                 points = scene.count.points;
                 NEED(count <= 8 && points <= 64);
-                memcpy(want, scene.interface, (size_t)count * sizeof *want);
+                memcpy(want, scene.joint, (size_t)count * sizeof *want);
                 memcpy(point, scene.point, (size_t)points * sizeof *point);
                 continue;
             }
-            NEED(scene.count.interfaces == count && scene.count.points == points);
+            NEED(scene.count.joints == count && scene.count.points == points);
             if (CONVEX_ONLY) {
                 for (int32_t k = 0; k < count; k++) turned_round(k, &want[k], point);
                 continue;
             }
             for (int32_t k = 0; k < count; k++) {
-                CHECK_INT(scene.interface[k].a, want[k].a);
-                CHECK_INT(scene.interface[k].b, want[k].b);
-                CHECK_NEAR(scene.interface[k].area, want[k].area, TOL(1e-9, 1e-5f));
+                CHECK_INT(scene.joint[k].a, want[k].a);
+                CHECK_INT(scene.joint[k].b, want[k].b);
+                CHECK_NEAR(scene.joint[k].area, want[k].area, TOL(1e-9, 1e-5f));
             }
             for (int32_t k = 0; k < points; k++)        /* the same corners in the same order */
                 for (int c = 0; c < 3; c++) CHECK_WITHIN(scene.point[k][c], point[k][c], TOL(1e-13, 2e-5f));
@@ -419,12 +419,12 @@ TEST(drums_of_many_triangles_touch_all_round)
     prism(&f, N, round, -1, 0, 0, 0, SP_FIXED);
     prism(&f, N, round, 0, 1, 20, 7, 0);
     CHECK_INT(find(NULL), SP_OK);
-    CHECK(CONVEX_ONLY ? report.interfaces > 1 : report.interfaces == 1);
+    CHECK(CONVEX_ONLY ? report.joints > 1 : report.joints == 1);
     for (int k = 0; k < N; k++) {
         sp_real p[3];
         int seen = 0;
         place(&f, round[k][0], round[k][1], 0, p);
-        for (int32_t i = 0; i < scene.count.interfaces; i++) seen |= has_corner(i, p, TOL(1e-12, 1e-5));
+        for (int32_t i = 0; i < scene.count.joints; i++) seen |= has_corner(i, p, TOL(1e-12, 1e-5));
         CHECK(seen);
     }
 }
@@ -466,10 +466,10 @@ TEST(narrow_faces_make_up_what_they_share)
     set.absolute = 1;
     set.distance = R(0.06);                             /* strips are 0.04 wide, sectors 0.025 at most */
     CHECK_INT(find(&set), SP_OK);
-    CHECK(CONVEX_ONLY ? report.interfaces >= 1 : report.interfaces == 1);
+    CHECK(CONVEX_ONLY ? report.joints >= 1 : report.joints == 1);
     for (int k = 0; k < N; k++) {
         int seen = 0;
-        for (int32_t i = 0; i < scene.count.interfaces; i++) seen |= has_corner(i, xyz[k], TOL(1e-12, 1e-5));
+        for (int32_t i = 0; i < scene.count.joints; i++) seen |= has_corner(i, xyz[k], TOL(1e-12, 1e-5));
         CHECK(seen);
     }
     scene.gravity[0] = R(-9.81 * f.r[0][2]);
@@ -495,7 +495,7 @@ TEST(what_is_narrower_than_the_distance_is_left_out)
             prism(&f, 4, low, -1, 0, fan, 0, SP_FIXED);
             prism(&f, 4, high, 0, 1, fan, 0, 0);
             CHECK_INT(find(&set), SP_OK);
-            CHECK_INT(report.interfaces, wide);
+            CHECK_INT(report.joints, wide);
         }
 }
 
@@ -518,7 +518,7 @@ TEST(two_rims_of_a_gap_narrower_than_the_distance_do_not_make_a_wide_contact)
             CHECK_INT(sp_scene_block(&scene, &plates, 2400, SP_FIXED, NULL), SP_OK);
             prism(&f, 4, xy, 0, 1, fan, 0, 0);
             CHECK_INT(find(&set), SP_OK);
-            CHECK_INT(report.interfaces, CONVEX_ONLY ? wide > 0 : wide);
+            CHECK_INT(report.joints, CONVEX_ONLY ? wide > 0 : wide);
             sp_arena a = test_arena;
             sp_result r;
             CHECK_INT(sp_check(&scene, NULL, &a, &r), SP_OK);
@@ -580,7 +580,7 @@ TEST(a_ring_on_a_slab_has_the_area_of_the_ring)
     ring(&f, 0, 1);
     if (refused()) return;
     CHECK_INT(find(NULL), SP_OK);
-    CHECK(report.interfaces >= 2);
+    CHECK(report.joints >= 2);
     CHECK_INT(report.overlaps, 0);
     CHECK_NEAR(area_sum(), 12, CLOSE);
     static const double xy[8][2] = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 3, 1 }, { 3, 3 }, { 1, 3 } };
@@ -588,7 +588,7 @@ TEST(a_ring_on_a_slab_has_the_area_of_the_ring)
         sp_real p[3];
         int seen = 0;
         place(&f, xy[k][0], xy[k][1], 0, p);
-        for (int32_t i = 0; i < scene.count.interfaces; i++) seen += has_corner(i, p, TOL(1e-12, 1e-5));
+        for (int32_t i = 0; i < scene.count.joints; i++) seen += has_corner(i, p, TOL(1e-12, 1e-5));
         CHECK(seen > 0);
     }
 }
@@ -600,7 +600,7 @@ TEST(a_plug_in_a_ring_touches_all_round)
     ring(&f, 0, 1);
     box(&f, 1, 1, 0, 3, 3, 1, 0);
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, 4);
+    CHECK_INT(report.joints, 4);
     CHECK_INT(report.overlaps, 0);
     CHECK_NEAR(area_sum(), 8, CLOSE);
 }
@@ -612,7 +612,7 @@ TEST(supports_do_not_touch_each_other)
     box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
     box(&f, 0, 0, 1, 1, 1, 2, SP_FIXED);
     CHECK_INT(find(NULL), SP_OK);
-    CHECK_INT(report.interfaces, 0);
+    CHECK_INT(report.joints, 0);
 }
 
 TEST(a_flat_support_is_enough)
@@ -656,7 +656,7 @@ TEST(a_stone_in_the_notch_of_an_l_is_told_only_when_inside)
         box(&f, 1 - into, 1 - into, 0.25, 2, 2, 0.75, 0);
         CHECK_INT(find(NULL), SP_OK);
         CHECK_INT(report.overlaps, CONVEX_ONLY ? 0 : k);
-        CHECK_INT(report.interfaces, k ? 0 : 2);
+        CHECK_INT(report.joints, k ? 0 : 2);
         if (k && !CONVEX_ONLY) CHECK_NEAR(overlap[0].depth, 0.125, 0.5);
     }
 }
@@ -669,7 +669,7 @@ TEST(too_little_room_in_the_scene_changes_nothing)
     for (int k = 0; k < 3; k++) box(&f, 0, 0, k, 1, 1, k + 1, k ? 0 : SP_FIXED);
     const sp_capacity before = scene.count;
     CHECK_INT(find(NULL), SP_E_CAPACITY);
-    CHECK_INT(report.interfaces, 2);
+    CHECK_INT(report.joints, 2);
     CHECK_INT(report.points, 8);
     CHECK_INT(memcmp(&before, &scene.count, sizeof before), 0);
 }
@@ -735,12 +735,12 @@ TEST(a_running_bond_has_the_contacts_of_its_formula)
         wall(N, L, order);
         CHECK_INT(find(NULL), SP_OK);
         /* heads N (L - 1); beds: 2 L - 1 between courses; L on the slab */
-        CHECK_INT(report.interfaces, N * (L - 1) + (N - 1) * (2 * L - 1) + L);
-        CHECK_INT(report.points, 4 * report.interfaces);
+        CHECK_INT(report.joints, N * (L - 1) + (N - 1) * (2 * L - 1) + L);
+        CHECK_INT(report.points, 4 * report.joints);
         CHECK_INT(report.overlaps, 0);
         area[order] = area_sum();
-        for (int32_t k = 1; k < scene.count.interfaces; k++) {
-            const sp_interface *p = &scene.interface[k - 1], *q = &scene.interface[k];
+        for (int32_t k = 1; k < scene.count.joints; k++) {
+            const sp_joint *p = &scene.joint[k - 1], *q = &scene.joint[k];
             CHECK(p->a < q->a || (p->a == q->a && p->b < q->b));
             CHECK(q->a < q->b);
         }

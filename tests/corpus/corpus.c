@@ -135,7 +135,7 @@ static sp_status build(const compiled_scene *c, sp_arena *arena, sp_scene *scene
         for (int32_t k = 0; k < c->faces[b]; k++) room.corners += c->size[f++];
     }
     for (int32_t j = 0; j < c->joints; j++) room.points += c->points[j];
-    if (!c->joints) room.interfaces = 4 * c->blocks, room.points = 32 * c->blocks;
+    if (!c->joints) room.joints = 4 * c->blocks, room.points = 32 * c->blocks;
     sp_status status = sp_scene_create(scene, &room, arena);
     for (int32_t b = 0; !status && b < c->blocks; b++) {
         const sp_mesh mesh = { c->vertices[b], c->faces[b], xyz, size, corner };
@@ -144,7 +144,7 @@ static sp_status build(const compiled_scene *c, sp_arena *arena, sp_scene *scene
         for (int32_t k = 0; k < c->faces[b]; k++) corner += *size++;
     }
     for (int32_t j = 0; !status && j < c->joints; j++) {
-        status = sp_scene_interface(scene, c->pair[2 * j], c->pair[2 * j + 1], c->points[j], point, &friction, NULL);
+        status = sp_scene_joint(scene, c->pair[2 * j], c->pair[2 * j + 1], c->points[j], point, &friction, NULL);
         point += 3 * c->points[j];
     }
     if (!status && !c->joints) {

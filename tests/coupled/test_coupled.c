@@ -38,7 +38,7 @@ typedef struct triple {
 
 static void slide(triple *t, double sink, double slip)
 {
-    const sp_interface *c = &t->s.interface[0];
+    const sp_joint *c = &t->s.joint[0];
     double ft[3] = { 0, 0, 0 }, size = 0;
     for (int k = 0; k < 3; k++) {
         for (int32_t v = 0; v < c->points; v++)
@@ -456,8 +456,8 @@ static void squeezed(const squeeze *q, sp_scene *s)
             xyz[3 * k + 1] = R(d * x + c * y);
             xyz[3 * k + 2] = R((v >= 2 ? 0.5 : -0.5) * q->h * q->unit);
         }
-        CHECK_INT(q->swap ? sp_scene_interface(s, block, wall[side], 4, xyz, &strength, NULL)
-                          : sp_scene_interface(s, wall[side], block, 4, xyz, &strength, NULL), SP_OK);
+        CHECK_INT(q->swap ? sp_scene_joint(s, block, wall[side], 4, xyz, &strength, NULL)
+                          : sp_scene_joint(s, wall[side], block, 4, xyz, &strength, NULL), SP_OK);
     }
 }
 
@@ -540,8 +540,8 @@ TEST(a_coarse_tol_neither_couples_what_slides_nor_leaves_the_h_model_open)
         set.tol = R(1e-3);
         test_arena.used = 0;
         build(past[k] > 0 ? "incline" : "h-model", past[k] > 0 ? "angle" : NULL, 40, &s);
-        for (int32_t i = 0; i < s.count.interfaces && past[k] > 0; i++)
-            s.interface[i].strength.mu = R(tan(40 * 3.14159265358979323846 / 180) / past[k]);
+        for (int32_t i = 0; i < s.count.joints && past[k] > 0; i++)
+            s.joint[i].strength.mu = R(tan(40 * 3.14159265358979323846 / 180) / past[k]);
         set.coupled.asked = 0;
         CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
         CHECK_INT(r.verdict, SP_STABLE);                /* within that tol */
@@ -598,7 +598,7 @@ static void snug(double mu, int order, sp_scene *s)
             const int v = (q / 3 + order) % 4;
             xyz[q] = R(corner[j][3 * (swap ? 3 - v : v) + q % 3]);
         }
-        CHECK_INT(sp_scene_interface(s, id[pair[j][swap]], id[pair[j][!swap]], 4, xyz, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(s, id[pair[j][swap]], id[pair[j][!swap]], 4, xyz, &strength, NULL), SP_OK);
     }
 }
 
@@ -758,7 +758,7 @@ TEST(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
 /* -------------------------------------------------------------------------------------------- where help is wanted */
 
 /* How B moves seen from A at point v of joint i, along n, t1, t2 [m]. */
-static void rate(const sp_scene *s, const sp_real *dq, const sp_interface *i, int32_t v, double d[3])
+static void rate(const sp_scene *s, const sp_real *dq, const sp_joint *i, int32_t v, double d[3])
 {
     double u[3] = { 0, 0, 0 };
     for (int side = 0; side < 2; side++) {
@@ -777,7 +777,7 @@ static void rate(const sp_scene *s, const sp_real *dq, const sp_interface *i, in
 }
 
 /* Force of vertex v of joint i onto its B, and the turn about c it gives. */
-static void push(const sp_scene *s, const sp_real *penalty, const sp_interface *i, int32_t v, int32_t b, double sum[6])
+static void push(const sp_scene *s, const sp_real *penalty, const sp_joint *i, int32_t v, int32_t b, double sum[6])
 {
     const sp_real *x = penalty + 4 * v;
     double f[3], arm[3];
@@ -798,21 +798,21 @@ static int explained(const sp_scene *s, const sp_result *r)
         const double weight = (double)s->block[b].mass * (double)s->gravity[2];
         double sum[6] = { 0, 0, weight, 0, 0, 0 };
         if (s->block[b].fixed) continue;
-        for (int32_t i = 0; i < s->count.interfaces; i++)
-            for (int32_t v = 0; v < s->interface[i].points && (s->interface[i].a == b || s->interface[i].b == b); v++)
-                push(s, r->coupled.penalty, &s->interface[i], s->interface[i].point + v, b, sum);
+        for (int32_t i = 0; i < s->count.joints; i++)
+            for (int32_t v = 0; v < s->joint[i].points && (s->joint[i].a == b || s->joint[i].b == b); v++)
+                push(s, r->coupled.penalty, &s->joint[i], s->joint[i].point + v, b, sum);
         for (int k = 0; k < 6; k++) CHECK_WITHIN(sum[k], 0, TOL(1e-6, 1e-2) * fabs(weight));
     }
-    for (int32_t i = 0; i < s->count.interfaces; i++)
-        for (int32_t v = s->interface[i].point; v < s->interface[i].point + s->interface[i].points; v++) {
+    for (int32_t i = 0; i < s->count.joints; i++)
+        for (int32_t v = s->joint[i].point; v < s->joint[i].point + s->joint[i].points; v++) {
             const sp_real *x = r->coupled.penalty + 4 * v;
             double d[3];
-            rate(s, r->coupled.dq, &s->interface[i], v, d);
+            rate(s, r->coupled.dq, &s->joint[i], v, d);
             const double ft = hypot((double)x[2], (double)x[3]), dust = TOL(1e-9, 1e-4) * (double)x[0];
             CHECK(x[0] >= 0 && x[1] >= 0 && r->coupled.alpha[v] >= 0 && d[0] >= -(double)r->coupled.eps - give);
             CHECK(hypot(d[1], d[2]) <= (double)r->coupled.eta + give && d[0] <= (double)r->coupled.eta + give);
             if (x[0] > 0) CHECK_WITHIN(d[0], -(double)r->coupled.eps, give);
-            CHECK(ft <= (double)s->interface[i].strength.mu * (double)x[0] + dust);
+            CHECK(ft <= (double)s->joint[i].strength.mu * (double)x[0] + dust);
             for (int k = 1; k < 3; k++)
                 CHECK_WITHIN((double)x[k + 1] + (double)r->coupled.alpha[v] * d[k], 0, TOL(1e-6, 1e-2) * (ft + dust));
         }
@@ -895,7 +895,7 @@ TEST(nothing_is_demanded_where_a_motion_is_found_or_nobody_asks)
         build(k ? "h-model" : "incline", NULL, 0, &s);
         CHECK(answer(&s, &set, &r) == (k ? TOL(SP_COUPLING_REFUTED, r.coupled.verdict) : SP_COUPLING_COUPLED));
         CHECK(r.coupled.tension_ratio < 0 && !(r.max_tension > 0));
-        for (int32_t i = 0; i < s.count.interfaces; i++) CHECK(!(r.demand[i].tension > 0) && !(r.demand[i].friction > 0));
+        for (int32_t i = 0; i < s.count.joints; i++) CHECK(!(r.demand[i].tension > 0) && !(r.demand[i].friction > 0));
         for (int32_t v = 0; !k && v < 4 * s.count.points; v++) CHECK_WITHIN(r.coupled.penalty[v], 0, 0);
     }
 }

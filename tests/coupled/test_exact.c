@@ -110,7 +110,7 @@ static void side(sp_scene *s, int32_t a, int32_t b, double x, double low, double
 {
     const sp_strength strength = sp_strength_friction(R(0.6));
     const sp_real xyz[12] = { R(x), R(-0.2), R(low), R(x), R(0.2), R(low), R(x), R(0.2), R(high), R(x), R(-0.2), R(high) };
-    CHECK_INT(sp_scene_interface(s, a, b, 4, xyz, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, a, b, 4, xyz, &strength, NULL), SP_OK);
 }
 
 /* Wall and floor fixed, an upright block on the floor, a beam between wall and block that nothing squeezes: statics lets
@@ -130,7 +130,7 @@ TEST(a_beam_snug_between_a_wall_and_a_free_block_is_refused)
     NEED(sp_scene_body(&s, 20, upright, 0, NULL) == SP_OK);
     side(&s, 0, 1, -1, 0.5, 0.7);
     side(&s, 1, 2, 1, 0.5, 0.7);
-    NEED(sp_scene_interface(&s, 0, 2, 4, floor, &strength, NULL) == SP_OK);
+    NEED(sp_scene_joint(&s, 0, 2, 4, floor, &strength, NULL) == SP_OK);
     set.coupled.asked = 0;
     NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);

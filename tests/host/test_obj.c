@@ -55,15 +55,15 @@ TEST(a_scene_is_read)
     CHECK_INT(parse("#@ mu 0.5\n#@ density 1000\n#@ gravity 0 0 -1\n" GROUND STONE "#@ density 2000\n" JOINT "#@ mu 0.7\n", -1, SCENE_GIVEN, &s), 0);
     CHECK_INT(s.scene.count.blocks, 2);
     CHECK_INT(s.scene.count.vertices, 16);
-    CHECK_INT(s.scene.count.interfaces, 1);
+    CHECK_INT(s.scene.count.joints, 1);
     CHECK_INT(s.scene.block[0].fixed, SP_FIXED);
     CHECK_INT(s.scene.block[1].fixed, 0);
     CHECK_TEXT(s.name[1], "stone");
     CHECK_NEAR(s.scene.block[0].density, 1000, 0);
     CHECK_NEAR(s.scene.block[1].mass, 2000, 1e-6);
     CHECK_NEAR(s.scene.block[1].centroid[2], 0.5, 1e-6);
-    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.7, 0);
-    CHECK_NEAR(s.scene.interface[0].n[2], 1, 1e-6);
+    CHECK_NEAR(s.scene.joint[0].strength.mu, (sp_real)0.7, 0);
+    CHECK_NEAR(s.scene.joint[0].n[2], 1, 1e-6);
     CHECK_NEAR(s.scene.gravity[2], -1, 0);
     CHECK_INT(s.found, 0);
     scene_free(&s);
@@ -73,7 +73,7 @@ TEST(defaults_are_those_of_stone_on_earth)
 {
     host_scene s;
     CHECK_INT(parse(GROUND STONE JOINT, -1, SCENE_GIVEN, &s), 0);
-    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.84, 0);
+    CHECK_NEAR(s.scene.joint[0].strength.mu, (sp_real)0.84, 0);
     CHECK_NEAR(s.scene.block[1].density, 2400, 0);
     CHECK_NEAR(s.scene.gravity[2], (sp_real)-9.80665, 0);
     scene_free(&s);
@@ -83,8 +83,8 @@ TEST(mu_of_the_caller_overrides_every_joint)
 {
     host_scene s;
     CHECK_INT(parse(GROUND STONE JOINT "#@ mu 0.7\n" JOINT, (sp_real)0.25, SCENE_GIVEN, &s), 0);
-    CHECK_NEAR(s.scene.interface[0].strength.mu, 0.25, 0);
-    CHECK_NEAR(s.scene.interface[1].strength.mu, 0.25, 0);
+    CHECK_NEAR(s.scene.joint[0].strength.mu, 0.25, 0);
+    CHECK_NEAR(s.scene.joint[1].strength.mu, 0.25, 0);
     scene_free(&s);
 }
 
@@ -93,10 +93,10 @@ TEST(contacts_are_found_where_none_are_given)
     host_scene s;
     CHECK_INT(parse("#@ mu 0.3\n" GROUND STONE, -1, SCENE_GIVEN, &s), 0);
     CHECK_INT(s.found, 1);
-    CHECK_INT(s.scene.count.interfaces, 1);
+    CHECK_INT(s.scene.count.joints, 1);
     CHECK_INT(s.scene.count.points, 4);
-    CHECK_NEAR(s.scene.interface[0].area, 1, 1e-6);
-    CHECK_NEAR(s.scene.interface[0].strength.mu, (sp_real)0.3, 0);
+    CHECK_NEAR(s.scene.joint[0].area, 1, 1e-6);
+    CHECK_NEAR(s.scene.joint[0].strength.mu, (sp_real)0.3, 0);
     scene_free(&s);
 }
 
@@ -104,8 +104,8 @@ TEST(joints_may_name_blocks_of_later_lines)
 {
     host_scene s;
     CHECK_INT(parse(JOINT GROUND STONE, -1, SCENE_GIVEN, &s), 0);
-    CHECK_INT(s.scene.interface[0].a, 0);
-    CHECK_INT(s.scene.interface[0].b, 1);
+    CHECK_INT(s.scene.joint[0].a, 0);
+    CHECK_INT(s.scene.joint[0].b, 1);
     scene_free(&s);
 }
 
@@ -141,10 +141,10 @@ TEST(what_is_written_reads_back_the_same)
     CHECK_INT(memcmp(s.scene.vertex, t.scene.vertex, (size_t)s.scene.count.vertices * sizeof *s.scene.vertex), 0);
     CHECK_INT(memcmp(s.scene.point, t.scene.point, (size_t)s.scene.count.points * sizeof *s.scene.point), 0);
     CHECK_NEAR(t.scene.block[1].mass, s.scene.block[1].mass, 0);
-    CHECK_NEAR(t.scene.interface[1].strength.mu, s.scene.interface[1].strength.mu, 0);
-    CHECK_NEAR(t.scene.interface[0].strength.cohesion, 1e5, 0);
-    CHECK_NEAR(t.scene.interface[0].strength.tension, 5e4, 0);
-    CHECK_WITHIN(t.scene.interface[1].strength.tension, 0, 0);
+    CHECK_NEAR(t.scene.joint[1].strength.mu, s.scene.joint[1].strength.mu, 0);
+    CHECK_NEAR(t.scene.joint[0].strength.cohesion, 1e5, 0);
+    CHECK_NEAR(t.scene.joint[0].strength.tension, 5e4, 0);
+    CHECK_WITHIN(t.scene.joint[1].strength.tension, 0, 0);
     CHECK_INT(t.scene.block[1].fixed, 2 + 32);
     CHECK_INT(t.scene.count.loads, 3);                  /* the second written as a force and a couple */
     CHECK_INT(t.scene.load[1].live + t.scene.load[2].live, 2);
@@ -164,7 +164,7 @@ TEST(every_refusal_tells_line_and_block)
     refuse("o a\no b\r\no a", "t.obj:3: block 'a' has the name of the one in line 1");
     refuse(GROUND STONE "#@ interface ground wall 0 0 0 1 0 0 1 1 0\n", "t.obj:32: contact with block 'wall', which does not exist");
     refuse(GROUND STONE "#@ interface stone stone 0 0 0 1 0 0 1 1 0\n",
-           "t.obj:32: contact 'stone' 'stone': an interface between a block and itself");
+           "t.obj:32: contact 'stone' 'stone': a joint between a block and itself");
     refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite");
     refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
     refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");

@@ -54,7 +54,7 @@ static void by_hand(sp_scene *s)
         const sp_load load = { k, test_random_int(0, 1), { 0, 0, z }, { test_random_real(-5, 5), 0, -1 }, { 0, 1, 0 },
                                test_random_real(0, 9) };
         CHECK_INT(sp_scene_body(s, test_random_real(1, 100), c, (uint32_t)test_random_int(0, 7), NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(s, k - 1, k, 4, level, test_random() & 1 ? &strong : &plain, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(s, k - 1, k, 4, level, test_random() & 1 ? &strong : &plain, NULL), SP_OK);
         if (test_random() & 1) CHECK_INT(sp_scene_points(s, k - 1, k, n3, 2, spot, &plain, NULL), SP_OK);
         if (test_random() & 1) CHECK_INT(sp_scene_load(s, &load, NULL), SP_OK);
     }
@@ -72,8 +72,8 @@ static void any_scene(sp_scene *s)
 
 static int strong(const sp_scene *s)
 {
-    for (int32_t k = 0; k < s->count.interfaces; k++) {
-        const sp_strength *j = &s->interface[k].strength;
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        const sp_strength *j = &s->joint[k].strength;
         if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return 1;
     }
     return 0;
@@ -116,7 +116,7 @@ static void same_settings(const sp_settings *a, const sp_settings *b)
 /* Numbers of two results, all of them. */
 static int same_numbers(const sp_scene *s, const sp_result *a, const sp_result *b)
 {
-    const size_t r = sizeof(sp_real), v = (size_t)s->count.points, n = (size_t)s->count.blocks, i = (size_t)s->count.interfaces;
+    const size_t r = sizeof(sp_real), v = (size_t)s->count.points, n = (size_t)s->count.blocks, i = (size_t)s->count.joints;
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
     return memcmp(a->f, b->f, 3 * v * r) == 0 && memcmp(a->dq, b->dq, 6 * n * r) == 0
         && memcmp(a->y0, b->y0, 12 * (size_t)a->free_blocks * r) == 0 && memcmp(a->demand, b->demand, i * sizeof *a->demand) == 0
@@ -149,7 +149,7 @@ static int same_words(const sp_result *a, const sp_result *b)
     return same && a->verdict == b->verdict && a->level == b->level && a->reason == b->reason && a->final == b->final
         && a->verified == b->verified && a->stage == b->stage && a->free_blocks == b->free_blocks
         && memcmp(a->effect, b->effect, sizeof a->effect) == 0 && a->missing == b->missing && a->islands == b->islands
-        && a->interfaces == b->interfaces && a->points == b->points && a->weakest == b->weakest
+        && a->joints == b->joints && a->points == b->points && a->weakest == b->weakest
         && c->verdict == d->verdict && c->reason == d->reason && c->rounds == d->rounds && a->peak_bytes == b->peak_bytes;
 }
 

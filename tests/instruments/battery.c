@@ -85,23 +85,23 @@ static sp_verdict changed(const sp_scene *s, const sp_settings *set, int way, do
     sp_result r;
     const sp_real *g = s->gravity;
     const double much = share * (double)sp__norm3(g);
-    const int32_t blocks = s->count.blocks, joints = s->count.interfaces, points = s->count.points;
+    const int32_t blocks = s->count.blocks, joints = s->count.joints, points = s->count.points;
     int32_t support = 0;
     memset(&r, 0, sizeof r);
     while (support < blocks && s->block[support].fixed != SP_FIXED) support++;
     if (way < 6) t.gravity[way / 2] += (sp_real)(way % 2 ? -much : much);
     else {
-        t.interface = sp__take(&arena, (size_t)(joints + blocks), sizeof *t.interface);
+        t.joint = sp__take(&arena, (size_t)(joints + blocks), sizeof *t.joint);
         t.point = sp__take(&arena, (size_t)(points + blocks), sizeof *t.point);
         if (support == blocks || sp__failed(&arena)) return SP_UNDECIDED;
-        memcpy(t.interface, s->interface, (size_t)joints * sizeof *t.interface);
+        memcpy(t.joint, s->joint, (size_t)joints * sizeof *t.joint);
         memcpy(t.point, s->point, (size_t)points * sizeof *t.point);
     }
     for (int32_t k = 0; k < blocks && way == 6; k++) {
         const sp_real hold = (sp_real)much * s->block[k].mass;
-        const sp_interface hand = { support, k, t.count.points, 1, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, { 0, hold, hold, hold } };
+        const sp_joint hand = { support, k, t.count.points, 1, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 1, { 0, hold, hold, hold } };
         if (s->block[k].fixed || !(hold > 0)) continue;
-        t.interface[t.count.interfaces++] = hand;
+        t.joint[t.count.joints++] = hand;
         memcpy(t.point[t.count.points++], s->block[k].centroid, sizeof *t.point);
     }
     t.cap = t.count;

@@ -77,7 +77,7 @@ static sp_scene cube(sp_strength strength)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_body(&s, R(2400), middle, 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
     return s;
 }
 
@@ -368,7 +368,7 @@ static sp_scene round_arch(double t)
     for (int k = 0; k <= 20; k++) {                     /* joint k: from the voussoir before it into the one after */
         const double c = cos(pi - 2 * k * half), z = k == 0 || k == 20 ? 0 : sin(pi - 2 * k * half);
         const sp_real xyz[12] = { R(ri * c), 0, R(ri * z), R(ri * c), 1, R(ri * z), R(ro * c), 1, R(ro * z), R(ro * c), 0, R(ro * z) };
-        CHECK_INT(sp_scene_interface(&s, k, k == 20 ? 0 : k + 1, 4, xyz, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, k, k == 20 ? 0 : k + 1, 4, xyz, &strength, NULL), SP_OK);
     }
     return s;
 }
@@ -392,7 +392,7 @@ TEST(an_arch_falls_by_four_hinges)
     const sp_limit_result x = limit_of(&s, NULL);
     int kind[4] = { 0, 0, 0, 0 };
     NEED(x.kind == SP_LIMIT_FOUND);
-    for (int32_t i = 0; i < s.count.interfaces; i++) {
+    for (int32_t i = 0; i < s.count.joints; i++) {
         sp_joint_motion m;
         CHECK_INT(sp_joint_moves(&s, x.dq, i, &m), SP_OK);
         kind[m.kind]++;
@@ -438,7 +438,7 @@ TEST(what_falls_whatever_the_live_load_has_no_multiplier)
     push(&s, 1, 0, weight, 0, 0.5, 0.5, 0);             /* pushes it aside: in vain */
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
     s = cube(sp_strength_friction(R(0.2)));
-    s.count.interfaces = s.count.points = 0;            /* touches nothing */
+    s.count.joints = s.count.points = 0;            /* touches nothing */
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
 }
@@ -510,7 +510,7 @@ TEST(a_load_that_lifts_everything_ends_at_its_weight)
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s), SP_OK);
-        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].strength.mu = R(scene[k].mu);
+        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.mu = R(scene[k].mu);
         s.body[2] = R(9.80665);
         const sp_limit_result x = limit_of(&s, NULL);
         if (!CHECK_INT(x.kind, scene[k].kind)) TEST_PRINT("    %s, mu %g\n", scene[k].name, scene[k].mu);
@@ -525,7 +525,7 @@ TEST(what_its_own_weight_crushes_has_no_multiplier)
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(gen_make("tower", "lean", 0.08, &test_arena, &s), SP_OK);
-        for (int32_t i = 0; i < s.count.interfaces; i++) s.interface[i].strength.cap = R(20000);
+        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.cap = R(20000);
         s.body[0] = R(back ? -9.80665 : 9.80665);
         CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
     }
@@ -587,19 +587,19 @@ TEST(live_loads_twice_as_large_have_half_the_multiplier)
     }
 }
 
-/* Every interface turned round: B pushes A. */
+/* Every joint turned round: B pushes A. */
 TEST(which_side_is_called_a_does_not_matter)
 {
     sp_scene s = round_arch(0.15), t = s;
-    sp_interface joint[21];
+    sp_joint joint[21];
     for (int k = 0; k < 21; k++) {
-        joint[k] = s.interface[k];
-        joint[k].a = s.interface[k].b;
-        joint[k].b = s.interface[k].a;
+        joint[k] = s.joint[k];
+        joint[k].a = s.joint[k].b;
+        joint[k].b = s.joint[k].a;
         for (int c = 0; c < 3; c++) { joint[k].n[c] = -joint[k].n[c]; joint[k].t2[c] = -joint[k].t2[c]; }
     }
     s.body[0] = t.body[0] = R(9.80665);
-    t.interface = joint;
+    t.joint = joint;
     const double a = (double)limit_of(&s, NULL).multiplier, b = (double)limit_of(&t, NULL).multiplier;
     CHECK(a > 0.1);
     CHECK_NEAR(a, b, NEAR);
@@ -635,7 +635,7 @@ static sp_scene pile(void)
         const sp_real foot[12] = { R(lx), R(ly), R(z), R(hx), R(ly), R(z), R(hx), R(hy), R(z), R(lx), R(hy), R(z) };
         const sp_strength strength = sp_strength_friction(test_random_real(0.1, 1));
         CHECK_INT(sp_scene_body(&s, R(nw * nd * h * 2000), c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(&s, k, k + 1, 4, foot, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, k, k + 1, 4, foot, &strength, NULL), SP_OK);
         x = nx; y = ny; z += h; w = nw; d = nd;
     }
     for (int k = 0; k < 3; k++) s.body[k] = test_random_real(-5, 5);
@@ -700,12 +700,12 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
         test_arena.used = 0;
         NEED(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s) == SP_OK);
         for (int32_t b = 0; b < s.count.blocks; b++) if (s.block[b].fixed != SP_FIXED) mass += (double)s.block[b].mass;
-        for (int32_t i = 0; i < s.count.interfaces; i++) area += (double)s.interface[i].area;
+        for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
         const double p = 9.80665 * mass / area, c = p * pow(10, (double)test_random_real(-1, 3)), cap = p * pow(10, (double)test_random_real(0, 2));
-        for (int32_t i = 0; i < s.count.interfaces; i++) {
-            s.interface[i].strength.cohesion = type & 1 ? R(c) : 0;
-            s.interface[i].strength.tension = (type & 3) == 3 ? R(c / 4) : 0;
-            s.interface[i].strength.cap = type & 4 ? R(cap) : 0;
+        for (int32_t i = 0; i < s.count.joints; i++) {
+            s.joint[i].strength.cohesion = type & 1 ? R(c) : 0;
+            s.joint[i].strength.tension = (type & 3) == 3 ? R(c / 4) : 0;
+            s.joint[i].strength.cap = type & 4 ? R(cap) : 0;
         }
         int32_t b = test_random_int(0, s.count.blocks - 1);
         if (trial % 3 == 0 && s.block[b].fixed != SP_FIXED) s.block[b].fixed = test_random_int(1, 62);

@@ -14,9 +14,9 @@ static int numbers(const sp_real *x, int32_t n)
     return 1;
 }
 
-static void start(sp_scene *s, int32_t blocks, int32_t interfaces, int32_t points)
+static void start(sp_scene *s, int32_t blocks, int32_t joints, int32_t points)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, points, 0 };
+    const sp_capacity cap = { blocks, 0, 0, 0, joints, points, 0 };
     test_arena.used = 0;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
 }
@@ -37,7 +37,7 @@ static void quad(sp_scene *s, int32_t a, int32_t b, const double c[3], const dou
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 3; i++)
             x[3 * k + i] = R(c[i] + (k == 1 || k == 2 ? p[i] : -p[i]) + (k >= 2 ? q[i] : -q[i]));
-    CHECK_INT(sp_scene_interface(s, a, b, 4, x, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(s, a, b, 4, x, &strength, NULL), SP_OK);
 }
 
 /* A level rectangle about (x, y, z), 2 p by 2 q: b stands on a. */
@@ -98,9 +98,9 @@ static sp_status checked(const sp_scene *s, const sp_settings *settings, sp_resu
     CHECK(numbers(r->f, 3 * s->count.points) && numbers(r->dq, 6 * s->count.blocks) && numbers(r->y0, 6 * r->free_blocks));
     CHECK(number(r->omega) && number(r->least_imbalance) && number(r->max_compression) && number(r->max_tension) &&
           number(r->max_utilisation));
-    for (int32_t k = 0; k < s->count.interfaces; k++) {
-        sp_interface_force f;
-        CHECK_INT(sp_interface_resultant(s, r, k, &f), SP_OK);
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        sp_joint_force f;
+        CHECK_INT(sp_joint_resultant(s, r, k, &f), SP_OK);
         CHECK(numbers(f.force, 3) && numbers(f.point, 3) && number(f.utilisation));
         CHECK(number(r->demand[k].tension) && number(r->demand[k].friction));
     }
@@ -239,11 +239,11 @@ TEST(a_pebble_slides_alone)
         sp_scene s;
         sp_result r;
         pile(&s, 2, 1 / ratio, 25, 0.7);
-        s.interface[1].strength.mu = R(0.46);
+        s.joint[1].strength.mu = R(0.46);
         NEED(checked(&s, NULL, &r) == SP_OK);
         CHECK_INT(r.verdict, SP_UNSTABLE);
         CHECK(fabs((double)r.dq[6]) + fabs((double)r.dq[8]) < 1e-6);
-        s.interface[1].strength.mu = R(0.47);
+        s.joint[1].strength.mu = R(0.47);
         verdict_is(&s, SP_STABLE, 1);
     }
 }
@@ -257,7 +257,7 @@ TEST(sandwiches_of_unequal_weights)
             sp_scene s;
             pile(&s, 3, 1, 25, 0.6);
             for (int b = 0; b < 3; b++) s.block[b + 1].mass = R(mass[k][b]);
-            if (weak >= 0) s.interface[weak].strength.mu = R(0.4);
+            if (weak >= 0) s.joint[weak].strength.mu = R(0.4);
             if (!verdict_is(&s, weak < 0 ? SP_STABLE : SP_UNSTABLE, TOL(1, 0)))
                 TEST_PRINT("    masses %g %g %g, weak joint %d\n", mass[k][0], mass[k][1], mass[k][2], (int)weak);
         }
@@ -346,8 +346,8 @@ TEST(a_force_changed_by_more_than_tol_is_refused)
         sp_scene s;
         sp_result r;
         if (!sampled(k, &s, &r) || r.verdict != SP_STABLE) continue;
-        for (int32_t c = 0; c < s.count.interfaces; c++) {
-            const int32_t v = s.interface[c].point;     /* a vertex that carries something, with a free block above */
+        for (int32_t c = 0; c < s.count.joints; c++) {
+            const int32_t v = s.joint[c].point;     /* a vertex that carries something, with a free block above */
             const sp_real kept = r.f[3 * v];
             if (kept < R(0.05) * r.max_compression) continue;
             r.f[3 * v] = R((double)kept + by * (double)r.max_compression);
@@ -561,7 +561,7 @@ typedef struct world { double m, kg, g, shift; int order, swap; } world;
 /* The scene in other units, elsewhere, in another order, from the other side. */
 static void redo(const sp_scene *in, const world *w, sp_scene *out)
 {
-    const int32_t n = in->count.blocks, m = in->count.interfaces;
+    const int32_t n = in->count.blocks, m = in->count.joints;
     const sp_capacity cap = { n, 0, 0, 0, m, in->count.points, 0 };
     CHECK_INT(sp_scene_create(out, &cap, &test_arena), SP_OK);
     for (int32_t k = 0; k < n; k++) {
@@ -570,7 +570,7 @@ static void redo(const sp_scene *in, const world *w, sp_scene *out)
              (double)b->centroid[2] * w->m + 0.5 * w->shift, b->fixed);
     }
     for (int32_t k = 0; k < m; k++) {
-        const sp_interface *f = &in->interface[w->order ? (7 * k + 3) % m : k];
+        const sp_joint *f = &in->joint[w->order ? (7 * k + 3) % m : k];
         const int32_t a = w->order ? n - 1 - f->a : f->a, b = w->order ? n - 1 - f->b : f->b;
         sp_real x[3 * 16];
         for (int32_t v = 0; v < f->points; v++) {
@@ -579,7 +579,7 @@ static void redo(const sp_scene *in, const world *w, sp_scene *out)
             x[3 * v + 1] = R((double)p[1] * w->m - w->shift);
             x[3 * v + 2] = R((double)p[2] * w->m + 0.5 * w->shift);
         }
-        CHECK_INT(sp_scene_interface(out, w->swap ? b : a, w->swap ? a : b, f->points, x, &f->strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(out, w->swap ? b : a, w->swap ? a : b, f->points, x, &f->strength, NULL), SP_OK);
     }
     for (int i = 0; i < 3; i++) out->gravity[i] = R((double)in->gravity[i] * w->g);
 }
@@ -684,7 +684,7 @@ static void column(sp_scene *s, int32_t n, int32_t times, double h, double mu, d
         x[3 * k + 1] = R(sin(a));
         x[3 * k + 2] = 0;
     }
-    for (int32_t k = 0; k < times; k++) CHECK_INT(sp_scene_interface(s, 0, 1, n, x, &strength, NULL), SP_OK);
+    for (int32_t k = 0; k < times; k++) CHECK_INT(sp_scene_joint(s, 0, 1, n, x, &strength, NULL), SP_OK);
     gen_gravity(tilt, 0, s->gravity);
 }
 
@@ -722,7 +722,7 @@ TEST(collinear_corners_change_nothing)
         start(&s, 2, 1, 8);
         body(&s, 0, 0, 0, -1, SP_FIXED);
         body(&s, 1, at[k], 0, 1, 0);
-        CHECK_INT(sp_scene_interface(&s, 0, 1, 8, x, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 0, 1, 8, x, &strength, NULL), SP_OK);
         verdict_is(&s, k == 2 ? SP_UNSTABLE : SP_STABLE, 1);
     }
 }
@@ -933,7 +933,7 @@ TEST(a_stop_carries_the_push_of_statics)
 {
     sp_scene s;
     sp_result r;
-    sp_interface_force f;
+    sp_joint_force f;
     const double c = 0.8660254037844386, d = 0.5, centre[3] = { 0, 0, 0 }, p[3] = { c, 0, d }, q[3] = { 0, 1, 0 };
     start(&s, 2, 2, 8);
     body(&s, 0, 0, 0, -1, SP_FIXED);
@@ -942,9 +942,9 @@ TEST(a_stop_carries_the_push_of_statics)
     wall(&s, 0, 1, -2, 1, 0.5, 0);
     NEED(checked(&s, NULL, &r) == SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
-    CHECK_INT(sp_interface_resultant(&s, &r, 1, &f), SP_OK);
+    CHECK_INT(sp_joint_resultant(&s, &r, 1, &f), SP_OK);
     CHECK_NEAR(f.force[0], 9.80665 * d / c, TOL(1e-9, 1e-4));   /* W tan 30 */
-    CHECK_INT(sp_interface_resultant(&s, &r, 0, &f), SP_OK);
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
     CHECK_NEAR(f.force[2], 9.80665, TOL(1e-9, 1e-4));
 }
 
@@ -973,7 +973,7 @@ static void anything(sp_scene *s)
     gen_set(&g, "azimuth", (double)test_random_real(-180, 180));
     CHECK_INT(gen_build(&g, &test_arena, s), SP_OK);
     for (int32_t b = 0; b < s->count.blocks; b++) s->block[b].mass *= R(pow(10, (double)test_random_real(-2, 2)));
-    for (int32_t j = 0; j < s->count.interfaces; j++) s->interface[j].strength.mu = test_random_real(0, 1.2);
+    for (int32_t j = 0; j < s->count.joints; j++) s->joint[j].strength.mu = test_random_real(0, 1.2);
 }
 
 /* Piles of plates of any weights slide at the joint of least friction, if that is less than the slope, and nowhere else. */

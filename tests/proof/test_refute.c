@@ -38,7 +38,7 @@ static int begin(int32_t faces, int32_t inscribed, int32_t box)
     if (!CHECK_INT(sp_scene_create(&scene, &room, &test_arena), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&scene, 1, at, 0, NULL), SP_OK)) return 0;
-    if (!CHECK_INT(sp_scene_interface(&scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_joint(&scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&scene, &test_arena, &pb), SP_OK)) return 0;
     if (!CHECK(sp__certificate_open(&judge, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
     length = sp__coupled_lengths(&pb, &set);

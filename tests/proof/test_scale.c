@@ -36,7 +36,7 @@ static int place(one_block *o, double mass, double a, double h, double angle, do
     if (!CHECK_INT(sp_scene_create(&o->scene, &room, &test_arena), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&o->scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&o->scene, R(mass), at, 0, NULL), SP_OK)) return 0;
-    if (!CHECK_INT(sp_scene_interface(&o->scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_joint(&o->scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
     return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
 }
 

@@ -22,7 +22,7 @@ static sp_scene cube(double mu)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
     CHECK_INT(sp_scene_block(&s, &mesh, R(2400), 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
     return s;
 }
 
@@ -243,7 +243,7 @@ TEST(each_joint_slides_at_its_own_friction)
                 const sp_real z = R(0.1 * (b - 1)), foot[12] = { 0, 0, z, 4, 0, z, 4, 4, z, 0, 4, z };
                 const sp_strength strength = sp_strength_friction(R(b ? mu[k][b - 1] : 0));
                 CHECK_INT(sp_scene_body(&s, 100, c, b ? 0 : SP_FIXED, NULL), SP_OK);
-                if (b) CHECK_INT(sp_scene_interface(&s, b - 1, b, 4, foot, &strength, NULL), SP_OK);
+                if (b) CHECK_INT(sp_scene_joint(&s, b - 1, b, 4, foot, &strength, NULL), SP_OK);
             }
             s.gravity[0] = R(0.3) * G * R(1 + side * CLOSE);
             CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
@@ -265,7 +265,7 @@ TEST(a_couple_turns_what_nothing_holds)
     sp_result r;
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     for (int k = 0; k < 2; k++) CHECK_INT(sp_scene_body(&s, 1, at[k], 0, NULL), SP_OK);
-    CHECK_INT(sp_scene_interface(&s, 0, 1, 4, quad, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, quad, &strength, NULL), SP_OK);
     load.couple[0] = 1;
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
     s.gravity[2] = 0;
@@ -425,7 +425,7 @@ TEST(without_weight_only_what_bears_the_load_is_pressed)
                 const sp_real c[3] = { R(x), 0, R(i - 0.5) }, v[12] = { R(low), R(-0.5), R(i - 1), R(high), R(-0.5), R(i - 1),
                                                                         R(high), R(0.5), R(i - 1), R(low), R(0.5), R(i - 1) };
                 CHECK_INT(sp_scene_body(&s, R(1000), c, i ? 0 : SP_FIXED, NULL), SP_OK);
-                if (i) CHECK_INT(sp_scene_interface(&s, i - 1, i, 4, v, &strength, NULL), SP_OK);
+                if (i) CHECK_INT(sp_scene_joint(&s, i - 1, i, 4, v, &strength, NULL), SP_OK);
             }
             memset(s.gravity, 0, sizeof s.gravity);
             CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);

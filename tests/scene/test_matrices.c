@@ -27,7 +27,7 @@ static void body(sp_scene *scene, double x, double y, double z, double mass, uin
 static void touch(sp_scene *scene, int32_t a, int32_t b, const sp_real *xyz, double mu)
 {
     const sp_strength strength = sp_strength_friction(R(mu));
-    CHECK_INT(sp_scene_interface(scene, a, b, 4, xyz, &strength, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(scene, a, b, 4, xyz, &strength, NULL), SP_OK);
 }
 
 static sp_scene two_cubes(uint32_t below)
@@ -301,7 +301,7 @@ TEST(arms_and_locals_rebuild_the_points)
     const sp_problem p = build(&scene);
     for (int32_t k = 0; k < p.contacts; k++) {
         const sp_contact *c = &p.contact[k];
-        const sp_interface *f = &scene.interface[c->id];
+        const sp_joint *f = &scene.joint[c->id];
         double mean[3] = { 0, 0, 0 };
         for (int32_t v = c->point; v < c->point + c->points; v++)
             for (int x = 0; x < 3; x++) {

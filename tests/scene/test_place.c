@@ -318,8 +318,8 @@ TEST(no_gate_says_unstable_where_the_exact_stage_says_stable)
         sp_result gate, exact;
         test_arena.used = 0;
         if (!CHECK_INT(kinds_make(k / 3, &test_arena, &s, &set), SP_OK)) return;
-        for (int32_t i = 0, half = s.count.interfaces / 2; k % 3 == 1 && i < half; i++) {
-            const sp_interface last = s.interface[--s.count.interfaces];
+        for (int32_t i = 0, half = s.count.joints / 2; k % 3 == 1 && i < half; i++) {
+            const sp_joint last = s.joint[--s.count.joints];
             if (last.point + last.points == s.count.points) s.count.points = last.point;
         }
         for (int32_t i = 0; k % 3 == 2 && i < s.count.blocks; i++) {

@@ -12,10 +12,10 @@
 typedef struct change {
     double q[3][3], shift[3];
     double scale, density, gravity;                     /* factors: m, kg/m^3, m/s^2 */
-    int permute;                                        /* blocks and interfaces in another order */
+    int permute;                                        /* blocks and joints in another order */
     int turn;                                           /* contact polygons start elsewhere */
-    int swap;                                           /* every other interface from the other side */
-    int twice;                                          /* every interface given two times */
+    int swap;                                           /* every other joint from the other side */
+    int twice;                                          /* every joint given two times */
 } change;
 
 static change none(void)
@@ -24,7 +24,7 @@ static change none(void)
     return c;
 }
 
-enum { MOST = 512 };                                    /* blocks and interfaces of the scenes here */
+enum { MOST = 512 };                                    /* blocks and joints of the scenes here */
 
 static void move(const change *c, const sp_real x[3], int direction_only, double y[3])
 {
@@ -78,13 +78,13 @@ static void copy_blocks(const sp_scene *in, const change *c, sp_scene *out, int3
     }
 }
 
-/* Interfaces: name[j] is the new number of interface j. */
-static void copy_interfaces(const sp_scene *in, const change *c, sp_scene *out, const int32_t *place, int32_t *name)
+/* Joints: name[j] is the new number of joint j. */
+static void copy_joints(const sp_scene *in, const change *c, sp_scene *out, const int32_t *place, int32_t *name)
 {
     int32_t order[MOST];
-    shuffle(order, in->count.interfaces, c->permute);
-    for (int32_t k = 0; k < in->count.interfaces; k++) {
-        const sp_interface *j = &in->interface[order[k]];
+    shuffle(order, in->count.joints, c->permute);
+    for (int32_t k = 0; k < in->count.joints; k++) {
+        const sp_joint *j = &in->joint[order[k]];
         const int back = c->swap && order[k] % 2 == 0;
         const int32_t n = j->points, start = c->turn ? test_random_int(0, n - 1) : 0;
         sp_real xyz[3 * 16];
@@ -94,7 +94,7 @@ static void copy_interfaces(const sp_scene *in, const change *c, sp_scene *out, 
             move(c, in->point[j->point + from], 0, y);
             for (int i = 0; i < 3; i++) xyz[3 * v + i] = R(y[i]);
         }
-        CHECK_INT(sp_scene_interface(out, place[back ? j->b : j->a], place[back ? j->a : j->b], n, xyz, &j->strength,
+        CHECK_INT(sp_scene_joint(out, place[back ? j->b : j->a], place[back ? j->a : j->b], n, xyz, &j->strength,
                                      &name[order[k]]), SP_OK);
     }
 }
@@ -103,14 +103,14 @@ static void copy(const sp_scene *in, const change *c, sp_scene *out, int32_t *pl
 {
     double g[3];
     sp_capacity cap = in->count;
-    cap.interfaces *= 1 + c->twice;
+    cap.joints *= 1 + c->twice;
     cap.points *= 1 + c->twice;
     CHECK_INT(sp_scene_create(out, &cap, &test_arena), SP_OK);
     move(c, in->gravity, 1, g);
     for (int i = 0; i < 3; i++) out->gravity[i] = R(g[i] * c->gravity);
     copy_blocks(in, c, out, place);
-    copy_interfaces(in, c, out, place, name);
-    if (c->twice) copy_interfaces(in, c, out, place, name);
+    copy_joints(in, c, out, place, name);
+    if (c->twice) copy_joints(in, c, out, place, name);
 }
 
 /* A turn about a random axis, from a random unit quaternion. */

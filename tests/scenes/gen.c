@@ -93,16 +93,16 @@ static int32_t solid(gen_sink *s, int32_t vertices, const double (*xyz)[3], int3
     return id;
 }
 
-/* An interface, anticlockwise seen from b. */
+/* A joint, anticlockwise seen from b. */
 static void joint(gen_sink *s, int32_t a, int32_t b, int32_t points, const double (*xyz)[3])
 {
     sp_real x[3 * 8];
-    s->count.interfaces++;
+    s->count.joints++;
     s->count.points += points;
     if (!s->scene || s->status) return;
     for (int32_t k = 0; k < points; k++)
         for (int c = 0; c < 3; c++) x[3 * k + c] = (sp_real)xyz[k][c];
-    s->status = sp_scene_interface(s->scene, a, b, points, x, &s->strength, NULL);
+    s->status = sp_scene_joint(s->scene, a, b, points, x, &s->strength, NULL);
 }
 
 /* A six-sided solid: corners 0-3 anticlockwise seen from outside, 4-7 the same corners of the opposite side. */
@@ -394,7 +394,7 @@ static void meet_level(gen_sink *s, int32_t a, int32_t b, double x0, double x1, 
     level(s, a, b, x0, x1, 0, t->depth, t->z);
 }
 
-/* Known sizes: about 54, 95, 147, 500, 2000 and 10000 interfaces have 64, 95, 150, 474, 2004 and 9986. */
+/* Known sizes: about 54, 95, 147, 500, 2000 and 10000 joints have 64, 95, 150, 474, 2004 and 9986. */
 static void wall_size(double size, int32_t *rows, int32_t *bricks)
 {
     static const struct { int32_t size, rows, bricks; } known[] = {

@@ -1,12 +1,12 @@
 /* gen: assemblies made by formula, for tests, the bench and the command line.
  *
- * Every scene has exact interfaces, A below or left of B, and named numbers with defaults and ranges:
+ * Every scene has exact joints, A below or left of B, and named numbers with defaults and ranges:
  *
  *     gen_scene g;
  *     gen_open(&g, "arch");
  *     gen_set(&g, "t", 0.12);
  *     gen_capacity(&g, &cap);                   how much room (a dry run)
- *     gen_build(&g, &arena, &scene);            sp_scene_create and all blocks and interfaces
+ *     gen_build(&g, &arena, &scene);            sp_scene_create and all blocks and joints
  *
  * The same numbers give the same scene, bit by bit, on every machine. Needs the public calls, floor, fabs and sqrt.
  */
@@ -25,7 +25,7 @@ typedef struct gen_param {
     const char *help;
 } gen_param;
 
-typedef struct gen_sink gen_sink;               /* where blocks and interfaces go: counted or built */
+typedef struct gen_sink gen_sink;               /* where blocks and joints go: counted or built */
 
 typedef struct gen_entry {
     const char *name, *help;                    /* NULL ends the table */

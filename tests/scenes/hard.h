@@ -31,9 +31,9 @@ typedef struct hard_case {
     double far;                 /* relative distance from its limit, in load, friction or overhang; 0: at it, or none is known */
 } hard_case;
 
-static sp_status hard_start(sp_scene *s, int32_t blocks, int32_t interfaces, int32_t points, sp_arena *arena)
+static sp_status hard_start(sp_scene *s, int32_t blocks, int32_t joints, int32_t points, sp_arena *arena)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, points, 0 };
+    const sp_capacity cap = { blocks, 0, 0, 0, joints, points, 0 };
     return sp_scene_create(s, &cap, arena);
 }
 
@@ -50,7 +50,7 @@ static sp_status hard_bed(sp_scene *s, int32_t a, int32_t b, double x, double y,
     const sp_strength strength = sp_strength_friction((sp_real)mu);
     sp_real v[12];
     for (int k = 0; k < 12; k++) v[k] = (sp_real)c[k];
-    return sp_scene_interface(s, a, b, 4, v, &strength, NULL);
+    return sp_scene_joint(s, a, b, 4, v, &strength, NULL);
 }
 
 /* Ground, a cube of 1 m and mass a, on it another of mass b, `off` beside it. */
@@ -115,7 +115,7 @@ static sp_status hard_gon(const hard_case *c, sp_arena *arena, sp_scene *s)
         v[3 * k + 1] = (sp_real)gen_sin(t);
         v[3 * k + 2] = 0;
     }
-    return e ? e : sp_scene_interface(s, 0, 1, n, v, &strength, NULL);
+    return e ? e : sp_scene_joint(s, 0, 1, n, v, &strength, NULL);
 }
 
 /* A cube on a joint given `a` times, each shifted by b; it stands on a support of another mind where b = 0. */
@@ -169,7 +169,7 @@ static sp_status hard_collinear(const hard_case *c, sp_arena *arena, sp_scene *s
         v[3 * k + 1] = (sp_real)(p[1] + t * (q[1] - p[1]));
         v[3 * k + 2] = 0;
     }
-    return e ? e : sp_scene_interface(s, 0, 1, 4 * n, v, &strength, NULL);
+    return e ? e : sp_scene_joint(s, 0, 1, 4 * n, v, &strength, NULL);
 }
 
 /* Five cubes of side a and mass b, each 0.05 a (0.3 a: it falls) beyond the one below. */

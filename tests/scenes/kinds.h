@@ -53,12 +53,12 @@ static sp_status kinds_bed(sp_scene *s, int a, int b, const double p[4], const d
         v[3 * k + 1] = (sp_real)(k > 1 ? high[1] : low[1]);
         v[3 * k + 2] = (sp_real)z;
     }
-    return sp_scene_interface(s, a, b, 4, v, &strength, NULL);
+    return sp_scene_joint(s, a, b, 4, v, &strength, NULL);
 }
 
-static sp_status kinds_room(sp_scene *s, int32_t blocks, int32_t interfaces, sp_arena *arena)
+static sp_status kinds_room(sp_scene *s, int32_t blocks, int32_t joints, sp_arena *arena)
 {
-    const sp_capacity cap = { blocks, 0, 0, 0, interfaces, 4 * interfaces, 0 };
+    const sp_capacity cap = { blocks, 0, 0, 0, joints, 4 * joints, 0 };
     return sp_scene_create(s, &cap, arena);
 }
 

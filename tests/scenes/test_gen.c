@@ -6,7 +6,7 @@
 
 /* Largest distance of a contact vertex from the nearest face plane of a block, relative to the block's size: 0 when the
  * joint lies in one of the block's faces. */
-static double off_faces(const sp_scene *s, const sp_block *b, const sp_interface *j, const double n[3])
+static double off_faces(const sp_scene *s, const sp_block *b, const sp_joint *j, const double n[3])
 {
     double best = 1e30;
     for (int32_t f = b->face; f < b->face + b->faces; f++) {
@@ -41,7 +41,7 @@ static void same_capacity(const sp_capacity *a, const sp_capacity *b)
     CHECK_INT(a->vertices, b->vertices);
     CHECK_INT(a->faces, b->faces);
     CHECK_INT(a->corners, b->corners);
-    CHECK_INT(a->interfaces, b->interfaces);
+    CHECK_INT(a->joints, b->joints);
     CHECK_INT(a->points, b->points);
 }
 
@@ -58,8 +58,8 @@ static void fits(const gen_scene *g)
     }
     same_capacity(&s.count, &cap);
     same_capacity(&s.cap, &cap);
-    for (int32_t k = 0; k < s.count.interfaces; k++) {
-        const sp_interface *j = &s.interface[k];
+    for (int32_t k = 0; k < s.count.joints; k++) {
+        const sp_joint *j = &s.joint[k];
         double n[3], m[3];
         for (int c = 0; c < 3; c++) n[c] = (double)j->n[c], m[c] = -n[c];
         if (!(off_faces(&s, &s.block[j->a], j, n) < TOL(1e-12, 1e-5)) || !(off_faces(&s, &s.block[j->b], j, m) < TOL(1e-12, 1e-5))) {
@@ -96,9 +96,9 @@ TEST(jitter_and_odd_numbers_build_too)
     }
 }
 
-TEST(known_walls_have_the_interfaces_of_the_speed_tables)
+TEST(known_walls_have_the_joints_of_the_speed_tables)
 {
-    static const struct { double size; int32_t free_blocks, interfaces; } want[] = {
+    static const struct { double size; int32_t free_blocks, joints; } want[] = {
         { 54, 26, 64 }, { 95, 37, 95 }, { 147, 57, 150 }, { 500, 170, 474 }, { 2000, 693, 2004 }, { 10000, 3384, 9986 }
     };
     for (size_t k = 0; k < sizeof want / sizeof want[0]; k++) {
@@ -109,7 +109,7 @@ TEST(known_walls_have_the_interfaces_of_the_speed_tables)
         CHECK_INT(gen_set(&g, "jitter", 0.35), 1);
         CHECK_INT(gen_capacity(&g, &cap), SP_OK);
         CHECK_INT(cap.blocks, want[k].free_blocks + 1);
-        CHECK_INT(cap.interfaces, want[k].interfaces);
+        CHECK_INT(cap.joints, want[k].joints);
     }
 }
 
@@ -132,11 +132,11 @@ static void found_as_given(const gen_scene *g)
     const sp_contact_settings settings = sp_contact_settings_default();
     test_arena.used = 0;
     NEED(gen_build(g, &test_arena, &s) == SP_OK);
-    const int32_t given = s.count.interfaces, points = s.count.points;
-    sp_interface *want = s.interface, *found;           /* room for the found ones besides */
+    const int32_t given = s.count.joints, points = s.count.points;
+    sp_joint *want = s.joint, *found;           /* room for the found ones besides */
     sp_capacity cap = s.count;
     sp_scene t;
-    cap.interfaces *= 2;
+    cap.joints *= 2;
     cap.points *= 4;
     NEED(sp_scene_create(&t, &cap, &test_arena) == SP_OK);
     for (int32_t b = 0; b < s.count.blocks; b++) {
@@ -155,12 +155,12 @@ static void found_as_given(const gen_scene *g)
     const sp_status status = sp_contacts_find(&t, &settings, test_arena, &report);
     NEED(status == SP_OK);
     CHECK_INT(report.overlaps, 0);
-    found = t.interface;
-    if (!CHECK_INT(report.interfaces, given) || !CHECK(report.points >= points)) CHECK_TEXT("", g->entry->name);
+    found = t.joint;
+    if (!CHECK_INT(report.joints, given) || !CHECK(report.points >= points)) CHECK_TEXT("", g->entry->name);
     for (int32_t i = 0; i < given; i++) {
         double area = 0;
         const int32_t a = want[i].a < want[i].b ? want[i].a : want[i].b, b = want[i].a + want[i].b - a;
-        for (int32_t j = 0; j < t.count.interfaces; j++) if (found[j].a == a && found[j].b == b) area += (double)found[j].area;
+        for (int32_t j = 0; j < t.count.joints; j++) if (found[j].a == a && found[j].b == b) area += (double)found[j].area;
         CHECK_NEAR(area, want[i].area, TOL(1e-9, 1e-3));
     }
 }
@@ -179,7 +179,7 @@ TEST(contacts_found_are_the_joints_given)
 TEST_LIST(gen)
     RUN(every_scene_builds_with_joints_in_its_blocks_faces)
     RUN(jitter_and_odd_numbers_build_too)
-    RUN(known_walls_have_the_interfaces_of_the_speed_tables)
+    RUN(known_walls_have_the_joints_of_the_speed_tables)
     RUN(contacts_found_are_the_joints_given)
     RUN(unknown_names_and_numbers_out_of_range_are_refused)
 TEST_END

@@ -73,7 +73,7 @@ static void columns(int standing, int floating, sp_scene *s)
         const sp_real c[3] = { R(0.5), R(0.5), R(z + 0.5) };
         const sp_real foot[12] = { 0, 0, R(z), 1, 0, R(z), 1, 1, R(z), 0, 1, R(z) };
         CHECK_INT(sp_scene_body(s, 2400, c, standing && !k ? SP_FIXED : 0, NULL), SP_OK);
-        if (k && k != standing) CHECK_INT(sp_scene_interface(s, k - 1, k, 4, foot, &strength, NULL), SP_OK);
+        if (k && k != standing) CHECK_INT(sp_scene_joint(s, k - 1, k, 4, foot, &strength, NULL), SP_OK);
     }
 }
 
@@ -162,7 +162,7 @@ TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
             const int32_t a = test_random_int(0, n - 2), b = test_random_int(a + 1, n - 1);
             const double x = (double)test_random_real(-2, 0), y = (double)test_random_real(-2, 0), z = 0.5 * (a + b);
             const sp_real foot[12] = { R(x), R(y), R(z), R(x + 2), R(y), R(z), R(x + 2), R(y + 2), R(z), R(x), R(y + 2), R(z) };
-            CHECK_INT(sp_scene_interface(&s, a, b, 4, foot, &strength, NULL), SP_OK);
+            CHECK_INT(sp_scene_joint(&s, a, b, 4, foot, &strength, NULL), SP_OK);
         }
         if (run % 4 == 0) {
             sp_load load = { 1, 0, { 0, 0, 1 }, { 0, 0, 0 }, { 0, 0, 0 }, 0 };
@@ -281,7 +281,7 @@ TEST(every_stage_knows_the_cone)
  * the block: tan = mu_eff / max_k d_k.e, e the direction of friction in the joint's frame, d_k at 2 pi k/K. */
 static double critical_slope(const sp_scene *s, int32_t K, int inscribed, double mu)
 {
-    const sp_interface *t = &s->interface[0];
+    const sp_joint *t = &s->joint[0];
     const double pi = 3.14159265358979323846;
     double e[2] = { 0, 0 }, most = 0;
     for (int c = 0; c < 3; c++) {

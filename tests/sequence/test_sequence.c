@@ -30,7 +30,7 @@ static void build_wall(int rows, int bricks, double jitter, sp_scene *scene)
  * `point` gets, for each of its contact vertices, the number in the whole scene; `block` likewise. */
 static void partial(const sp_scene *s, const sp_presence *who, sp_scene *p, int32_t **point, int32_t **block)
 {
-    const sp_capacity cap = { s->count.blocks, 0, 0, 0, s->count.interfaces, s->count.points, s->count.loads };
+    const sp_capacity cap = { s->count.blocks, 0, 0, 0, s->count.joints, s->count.points, s->count.loads };
     int32_t *number = (int32_t *)(void *)(test_arena.base + ((test_arena.used + 15) & ~(size_t)15));
     test_arena.used = ((test_arena.used + 15) & ~(size_t)15)
                     + (size_t)(2 * s->count.blocks + s->count.points + 4) * sizeof *number;
@@ -49,10 +49,10 @@ static void partial(const sp_scene *s, const sp_presence *who, sp_scene *p, int3
         p->block[number[b]].vertices = p->block[number[b]].faces = 0;
         if (who[b] == SP_HELD) p->block[number[b]].fixed = SP_FIXED;
     }
-    for (int32_t k = 0; k < s->count.interfaces; k++) {
-        const sp_interface *t = &s->interface[k];
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        const sp_joint *t = &s->joint[k];
         if (number[t->a] < 0 || number[t->b] < 0) continue;
-        sp_interface *to = &p->interface[p->count.interfaces++];
+        sp_joint *to = &p->joint[p->count.joints++];
         *to = *t;
         to->a = number[t->a];
         to->b = number[t->b];
@@ -161,8 +161,8 @@ static void any_scene(sp_scene *s)
     if (test_random_int(0, 3) == 0) s->block[test_random_int(0, s->count.blocks - 1)].fixed |= (uint32_t)test_random_int(1, 62);
     if (test_random_int(0, 3) == 0) s->gravity[0] = R(0.2) * s->gravity[2];
     if (test_random_int(0, 5) == 0 && !TEST_SMALL)
-        for (int32_t i = 0; i < s->count.interfaces; i++)
-            if (s->interface[i].area > 0) s->interface[i].strength.cohesion = s->interface[i].strength.tension = 2000;
+        for (int32_t i = 0; i < s->count.joints; i++)
+            if (s->joint[i].area > 0) s->joint[i].strength.cohesion = s->joint[i].strength.tension = 2000;
 }
 
 static int loose(const sp_scene *s, int32_t b) { return presence[b] == SP_PRESENT && s->block[b].fixed != SP_FIXED; }
@@ -174,8 +174,8 @@ static void island_of(const sp_scene *s, int32_t b, sp_presence *island)
     for (int32_t k = 0; k < s->count.blocks; k++) island[k] = loose(s, k) && k != b ? SP_ABSENT : presence[k];
     while (grows) {
         grows = 0;
-        for (int32_t i = 0; i < s->count.interfaces; i++) {
-            const int32_t j = s->interface[i].a, k = s->interface[i].b;
+        for (int32_t i = 0; i < s->count.joints; i++) {
+            const int32_t j = s->joint[i].a, k = s->joint[i].b;
             if (!loose(s, j) || !loose(s, k) || island[j] == island[k]) continue;
             island[j] = island[k] = SP_PRESENT;
             grows = 1;
@@ -210,7 +210,7 @@ TEST(every_step_has_the_verdict_of_a_cold_check_and_its_evidence_is_verified)
         test_arena.used = start;
         any_scene(&s);
         int strong = 0;
-        for (int32_t i = 0; i < s.count.interfaces; i++) strong |= s.interface[i].strength.cohesion > 0;
+        for (int32_t i = 0; i < s.count.joints; i++) strong |= s.joint[i].strength.cohesion > 0;
         if (!strong && scene % 5 == 0 && !TEST_SMALL) set.faces = 8;
         sp_sequence *q = open_sequence(&s, &set);
         NEED(q != NULL);
@@ -288,7 +288,7 @@ static void two_columns(int height, sp_scene *s)
         const sp_real x = R(k % 2 ? 5 : 0), z = R(k / 2), c[3] = { x, 0, z + R(0.5) }, h = R(0.5);
         const sp_real foot[12] = { x - h, -h, z, x + h, -h, z, x + h, h, z, x - h, h, z };
         CHECK_INT(sp_scene_body(s, 2400, c, 0, NULL), SP_OK);
-        CHECK_INT(sp_scene_interface(s, k < 2 ? 0 : k - 1, k + 1, 4, foot, &strength, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(s, k < 2 ? 0 : k - 1, k + 1, 4, foot, &strength, NULL), SP_OK);
     }
 }
 

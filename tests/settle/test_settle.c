@@ -107,7 +107,7 @@ static int keeps_still(const sp_scene *scene, int32_t without)
     settle_settings s = settle_confirm_default();
     settle_result r;
     int held = -1;
-    s.mu = (double)scene->interface[0].strength.mu;
+    s.mu = (double)scene->joint[0].strength.mu;
     for (int c = 0; c < 3; c++) s.gravity[c] = (double)scene->gravity[c];
     if (CHECK_INT(settle_from_scene(scene, 1, &a), SETTLE_OK)) {
         settle_stone gone = { 0, NULL, 0, 0 };
@@ -429,14 +429,14 @@ static sp_status at_rest(const sp_scene *scene, const settle_result *r, sp_scene
     const sp_strength strength = sp_strength_friction(R(0.84));
     sp_capacity cap = { scene->count.blocks, 0, 0, 0, 0, 0, 0 };
     sp_status status;
-    settle_count_interfaces(r, scene, &cap);
+    settle_count_joints(r, scene, &cap);
     status = sp_scene_create(out, &cap, &test_arena);
     for (int32_t b = 0; b < scene->count.blocks && status == SP_OK; b++) {
         sp_real c[3];
         for (int d = 0; d < 3; d++) c[d] = R(r->pose[b].t[d]);
         status = sp_scene_body(out, scene->block[b].mass, c, scene->block[b].fixed, NULL);
     }
-    return status == SP_OK ? settle_add_interfaces(r, -1, &strength, out) : status;
+    return status == SP_OK ? settle_add_joints(r, -1, &strength, out) : status;
 }
 
 TEST(twelve_stones_come_to_rest_and_statics_finds_their_forces)
@@ -680,10 +680,10 @@ TEST(what_a_simulation_of_weight_cannot_have_is_refused)
     CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_E_LOAD);
     settle_assembly_free(&a);
     scene.body[0] = 0;
-    scene.interface[0].strength.cohesion = 1;              /* mortar */
+    scene.joint[0].strength.cohesion = 1;              /* mortar */
     CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_E_LOAD);
     settle_assembly_free(&a);
-    scene.interface[0].strength.cohesion = 0;
+    scene.joint[0].strength.cohesion = 0;
     CHECK_INT(settle_from_scene(&scene, 0, &a), SETTLE_OK);
     settle_assembly_free(&a);
 }

@@ -75,7 +75,7 @@ TEST(strength_of_joints_is_refused_by_the_smallest_build)
 {
     sp_scene s;
     arch(&s);
-    s.interface[0].strength.cohesion = 1000;
+    s.joint[0].strength.cohesion = 1000;
     answered(&s, NULL, LEFT_OUT);
 }
 
@@ -187,7 +187,7 @@ static void fits(const sp_scene *s, sp_verdict want, int tight)
     a.cap = bytes;
     NEED(sp_check(s, NULL, &a, &r) == SP_OK);
     CHECK(a.peak == r.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
-    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.interfaces, s->count.points, 0));
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.joints, s->count.points, 0));
     CHECK_INT(r.verdict, want);
     test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;
     NEED(sp_verify(s, NULL, &r, test_arena, &e) == SP_OK);
@@ -253,7 +253,7 @@ TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
             NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &strength, NULL) == SP_OK);
         }
         NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
-        if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.interfaces, s.count.points, 0)))
+        if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.joints, s.count.points, 0)))
             TEST_PRINT("  %d loose, %d joints each of %d: %lu\n", (int)loose, (int)each, (int)corners, (unsigned long)bytes);
     }
 }

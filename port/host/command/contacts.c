@@ -7,15 +7,15 @@
 static void print_table(const host_scene *s)
 {
     printf("%-16s %-16s %13s %7s   %s\n", "a", "b", "area [m^2]", "corners", "normal from a into b");
-    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
-        const sp_interface *c = &s->scene.interface[i];
+    for (int32_t i = 0; i < s->scene.count.joints; i++) {
+        const sp_joint *c = &s->scene.joint[i];
         printf("%-16s %-16s %13.6g %7ld   %9.6f %9.6f %9.6f\n", s->name[c->a], s->name[c->b], (double)c->area, (long)c->points,
                (double)c->n[0], (double)c->n[1], (double)c->n[2]);
     }
     for (int32_t i = 0; i < s->overlaps; i++)
         printf("overlap: %s and %s are %.6g m inside each other\n", s->name[s->overlap[i].a], s->name[s->overlap[i].b],
                (double)s->overlap[i].depth);
-    printf("%ld contacts between %ld blocks, %ld overlaps\n", (long)s->scene.count.interfaces, (long)s->scene.count.blocks,
+    printf("%ld contacts between %ld blocks, %ld overlaps\n", (long)s->scene.count.joints, (long)s->scene.count.blocks,
            (long)s->overlaps);
 }
 
@@ -26,8 +26,8 @@ static void print_json(const host_scene *s)
     json_string(&j, "scene", s->path);
     json_int(&j, "blocks", s->scene.count.blocks);
     json_open(&j, "contacts", '[');
-    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
-        const sp_interface *c = &s->scene.interface[i];
+    for (int32_t i = 0; i < s->scene.count.joints; i++) {
+        const sp_joint *c = &s->scene.joint[i];
         json_open(&j, NULL, '{');
         json_string(&j, "a", s->name[c->a]);
         json_string(&j, "b", s->name[c->b]);

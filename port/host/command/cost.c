@@ -152,7 +152,7 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
 {
     char flops[16];
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points\n", s->path,
-            sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.interfaces, (long)s->scene.count.points);
+            sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, (long)s->scene.count.points);
     fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, omega; no check above %s flop; "
             "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));
     fprintf(out, "%-18s", "stage, cone   tol:");
@@ -179,7 +179,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
     json_string(&j, "verdict", sp_verdict_text(t->truth));
     json_real(&j, "verdict_tol", t->truth_tol);
     json_int(&j, "blocks", s->scene.count.blocks);
-    json_int(&j, "interfaces", s->scene.count.interfaces);
+    json_int(&j, "interfaces", s->scene.count.joints);
     json_int(&j, "contact_vertices", s->scene.count.points);
     json_int(&j, "budget", t->budget);
     json_open(&j, "checks", '[');

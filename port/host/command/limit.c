@@ -13,7 +13,7 @@
 
 static int any_friction(const sp_scene *s)
 {
-    for (int32_t i = 0; i < s->count.interfaces; i++) if (s->interface[i].strength.mu > 0) return 1;
+    for (int32_t i = 0; i < s->count.joints; i++) if (s->joint[i].strength.mu > 0) return 1;
     return 0;
 }
 
@@ -51,8 +51,8 @@ static void json_mechanism(json_out *j, const host_scene *s, const sp_real *of)
 static void json_joint(json_out *j, const host_scene *s, int32_t i, const sp_joint_motion *m)
 {
     json_open(j, NULL, '{');
-    json_string(j, "a", s->name[s->scene.interface[i].a]);
-    json_string(j, "b", s->name[s->scene.interface[i].b]);
+    json_string(j, "a", s->name[s->scene.joint[i].a]);
+    json_string(j, "b", s->name[s->scene.joint[i].b]);
     json_string(j, "kind", sp_joint_text(m->kind));
     json_real(j, "opening", (double)m->opening);
     json_real(j, "slip", (double)m->slip);
@@ -69,7 +69,7 @@ static void json_joint(json_out *j, const host_scene *s, int32_t i, const sp_joi
 static void json_joints(json_out *j, const host_scene *s, const sp_real *dq)
 {
     json_open(j, "joints", '[');
-    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+    for (int32_t i = 0; i < s->scene.count.joints; i++) {
         sp_joint_motion m;
         if (sp_joint_moves(&s->scene, dq, i, &m) == SP_OK && m.kind != SP_JOINT_RIGID) json_joint(j, s, i, &m);
     }
@@ -138,11 +138,11 @@ static void print_joints(const report *r, sp_joint_kind kind, const char *label)
     enum { SHOWN = 6 };
     const host_scene *s = r->scene;
     int32_t n = 0;
-    for (int32_t i = 0; i < s->scene.count.interfaces; i++) {
+    for (int32_t i = 0; i < s->scene.count.joints; i++) {
         sp_joint_motion m;
         if (sp_joint_moves(&s->scene, r->limit->dq, i, &m) != SP_OK || m.kind != kind || n++ >= SHOWN) continue;
         if (n == 1) report_row(stdout, label);
-        printf("%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.interface[i].a], s->name[s->scene.interface[i].b]);
+        printf("%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.joint[i].a], s->name[s->scene.joint[i].b]);
     }
     if (n > SHOWN) printf(" and %ld more", (long)(n - SHOWN));
     if (n) putchar('\n');
@@ -205,8 +205,8 @@ static void print_text(const report *r)
         print_joints(r, SP_JOINT_OPEN, "opening");
     }
     report_row(stdout, "scene");
-    printf("%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->interfaces,
-           n->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "");
+    printf("%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->joints,
+           n->joints == 1 ? "" : "s", r->scene->found ? " found" : "");
     report_row(stdout, "cost");
     printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
            (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);

@@ -9,7 +9,7 @@
 static void print_table(const host_scene *s, const sp_outlook *o)
 {
     printf("%s: %ld blocks, %ld joints, %ld island%s\n\n", s->path, (long)s->scene.count.blocks,
-           (long)s->scene.count.interfaces, (long)o->islands, o->islands == 1 ? "" : "s");
+           (long)s->scene.count.joints, (long)o->islands, o->islands == 1 ? "" : "s");
     printf("%-10s %-4s %12s %12s %12s   %s\n", "effect", "", "unknowns", "flops", "bytes saved", "why");
     for (int k = 0; k < SP_EFFECTS; k++) {
         const sp_planned *p = &o->effect[k];

@@ -46,8 +46,8 @@ const char *report_tol_by(const report *r)
     const sp_scene *s = &r->scene->scene;
     sp_real least = 1;
     if (!(r->result.tol < r->options->settings.tol)) return "asked";
-    for (int32_t i = 0; i < s->count.interfaces; i++) {
-        const sp_real mu = s->interface[i].strength.mu;
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        const sp_real mu = s->joint[i].strength.mu;
         if (mu > 0 && mu < least) least = mu;
     }
     return least / 8 <= r->result.tol ? "least friction" : "coupled";

@@ -2,16 +2,16 @@
 #include "../motion.h"
 #include "report.h"
 
-static void json_interfaces(json_out *j, const report *r)
+static void json_joints(json_out *j, const report *r)
 {
     const sp_scene *s = &r->scene->scene;
     json_open(j, "interfaces_detail", '[');
-    for (int32_t i = 0; i < s->count.interfaces; i++) {
-        sp_interface_force f;
-        if (sp_interface_resultant(s, &r->result, i, &f) != SP_OK) continue;
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        sp_joint_force f;
+        if (sp_joint_resultant(s, &r->result, i, &f) != SP_OK) continue;
         json_open(j, NULL, '{');
-        json_string(j, "a", r->scene->name[s->interface[i].a]);
-        json_string(j, "b", r->scene->name[s->interface[i].b]);
+        json_string(j, "a", r->scene->name[s->joint[i].a]);
+        json_string(j, "b", r->scene->name[s->joint[i].b]);
         json_reals(j, "force", f.force, 3);
         json_reals(j, "point", f.point, 3);
         json_real(j, "min_fn", (double)f.min_fn);
@@ -214,7 +214,7 @@ static void json_question(json_out *j, const report *r)
     json_real(j, "force_bound", (double)x->force_bound);
     json_int(j, "blocks", r->scene->scene.count.blocks);
     json_int(j, "free_blocks", x->free_blocks);
-    json_int(j, "interfaces", x->interfaces);
+    json_int(j, "interfaces", x->joints);
     json_int(j, "contact_vertices", x->points);
 }
 
@@ -247,7 +247,7 @@ void report_json(FILE *out, const report *r)
     json_bool(&j, "final", x->final);
     json_question(&j, r);
     json_evidence(&j, x);
-    json_interfaces(&j, r);
+    json_joints(&j, r);
     json_mechanism(&j, r);
     json_overlaps(&j, r->scene);
     json_effects(&j, &r->result);

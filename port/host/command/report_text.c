@@ -99,11 +99,11 @@ static void text_weakest(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
     const sp_scene *s = &r->scene->scene;
-    sp_interface_force f;
-    if (x->weakest < 0 || sp_interface_resultant(s, x, x->weakest, &f) != SP_OK) return;
+    sp_joint_force f;
+    if (x->weakest < 0 || sp_joint_resultant(s, x, x->weakest, &f) != SP_OK) return;
     const sp_demand *help = &x->demand[x->weakest];
     report_row(out, "weakest joint");
-    fprintf(out, "%s - %s", r->scene->name[s->interface[x->weakest].a], r->scene->name[s->interface[x->weakest].b]);
+    fprintf(out, "%s - %s", r->scene->name[s->joint[x->weakest].a], r->scene->name[s->joint[x->weakest].b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
         put_scaled(out, (double)help->friction, "N");
@@ -183,7 +183,7 @@ static void text_scene(FILE *out, const report *r)
     const int32_t blocks = r->scene->scene.count.blocks;
     report_row(out, "scene");
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)blocks, blocks == 1 ? "" : "s",
-            (long)x->free_blocks, (long)x->interfaces, x->interfaces == 1 ? "" : "s", r->scene->found ? " found" : "",
+            (long)x->free_blocks, (long)x->joints, x->joints == 1 ? "" : "s", r->scene->found ? " found" : "",
             (long)x->points);
     if (x->reason != SP_REASON_EFFECT) return;
     report_row(out, "left out");

@@ -175,10 +175,10 @@ static int own_friction(session *s)
 {
     const sp_scene *scene = &s->in.scene;
     s->set.mu = (double)s->in.mu;
-    s->pair = malloc(((size_t)scene->count.interfaces + 1) * sizeof *s->pair);
+    s->pair = malloc(((size_t)scene->count.joints + 1) * sizeof *s->pair);
     if (!s->pair) return 0;
-    for (int32_t i = 0; i < scene->count.interfaces; i++) {
-        const sp_interface *c = &scene->interface[i];
+    for (int32_t i = 0; i < scene->count.joints; i++) {
+        const sp_joint *c = &scene->joint[i];
         const settle_pair p = { c->a, c->b, (double)c->strength.mu };
         if (p.mu < s->set.mu || p.mu > s->set.mu) s->pair[s->set.pairs++] = p;
     }
@@ -290,8 +290,8 @@ static sp_status add_blocks(const session *s, sp_scene *out)
 /* Contacts of the scene written get the friction they had while it settled. */
 static void keep_friction(const session *s, sp_scene *out)
 {
-    for (int32_t i = 0; i < out->count.interfaces; i++) {
-        sp_interface *c = &out->interface[i];
+    for (int32_t i = 0; i < out->count.joints; i++) {
+        sp_joint *c = &out->joint[i];
         for (int32_t k = 0; k < s->set.pairs; k++)
             if ((s->pair[k].a == c->a && s->pair[k].b == c->b) || (s->pair[k].a == c->b && s->pair[k].b == c->a))
                 c->strength = sp_strength_friction((sp_real)s->pair[k].mu);
@@ -325,7 +325,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
     for (int pass = 0; pass < 2 && status == SP_E_CAPACITY; pass++) {
         void *room;
         sp_arena scratch;
-        cap->interfaces = found.interfaces;
+        cap->joints = found.joints;
         cap->points = found.points;
         status = start_scene(s, cap, memory, out);
         if (status != SP_OK) return status;
@@ -343,14 +343,14 @@ static int build(session *s, void **memory, sp_scene *out, failure *error)
     sp_capacity cap = s->in.scene.count;
     sp_status status;
 
-    cap.interfaces = cap.points = 0;
+    cap.joints = cap.points = 0;
     s->container = s->set.container[0] > 0 ? cap.blocks : -1;
     if (s->container >= 0) cap.blocks += 1, cap.vertices += 8, cap.faces += 5, cap.corners += 20;
     if (s->o->near > 0) status = find_near(s, &cap, memory, out);
     else {
-        settle_count_interfaces(&s->result, &s->in.scene, &cap);
+        settle_count_joints(&s->result, &s->in.scene, &cap);
         status = start_scene(s, &cap, memory, out);
-        if (status == SP_OK) status = settle_add_interfaces(&s->result, s->container, &strength, out);
+        if (status == SP_OK) status = settle_add_joints(&s->result, s->container, &strength, out);
     }
     if (status != SP_OK) return fail_status(error, status, s->in.path, 0, "as it came to rest");
     keep_friction(s, out);

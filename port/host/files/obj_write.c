@@ -51,7 +51,7 @@ static void write_block(FILE *out, const sp_scene *s, int32_t b, const char *con
 
 static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *const *name, int own_mu)
 {
-    const sp_interface *c = &s->interface[i];
+    const sp_joint *c = &s->joint[i];
     fputs(c->area > 0 ? "#@ interface" : "#@ points", out);
     write_name(out, name, c->a);
     write_name(out, name, c->b);
@@ -96,7 +96,7 @@ static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
 {
     sp_real density = 0;                        /* of all blocks that have one */
-    int one_density = 1, one_mu = s->count.interfaces > 0;
+    int one_density = 1, one_mu = s->count.joints > 0;
 
     for (int32_t b = 0; b < s->count.blocks; b++) {
         const sp_block *block = &s->block[b];
@@ -105,14 +105,14 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
         if (!(density > 0)) density = block->density;
         if (block->density > 0) one_density = one_density && same(block->density, density);
     }
-    for (int32_t i = 1; i < s->count.interfaces; i++)
-        one_mu = one_mu && same(s->interface[i].strength.mu, s->interface[0].strength.mu);
-    if (one_mu) write_setting(out, "mu", s->interface[0].strength.mu);
+    for (int32_t i = 1; i < s->count.joints; i++)
+        one_mu = one_mu && same(s->joint[i].strength.mu, s->joint[0].strength.mu);
+    if (one_mu) write_setting(out, "mu", s->joint[0].strength.mu);
     if (one_density && density > 0) write_setting(out, "density", density);
     write_triple(out, "#@ gravity", s->gravity);
     fputs("\n", out);
     for (int32_t b = 0; b < s->count.blocks; b++) write_block(out, s, b, name, !one_density);
-    for (int32_t i = 0; i < s->count.interfaces; i++) write_contact(out, s, i, name, !one_mu);
+    for (int32_t i = 0; i < s->count.joints; i++) write_contact(out, s, i, name, !one_mu);
     for (int32_t i = 0; i < s->count.loads; i++) write_load(out, &s->load[i], name);
     return 0;
 }

@@ -144,7 +144,7 @@ static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene
     const sp_strength strength = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
     if (joint_counts(f, &strength, c, error)) return error->status;
-    const sp_status status = c->polygon ? sp_scene_interface(scene, c->a, c->b, c->points, xyz, &strength, NULL)
+    const sp_status status = c->polygon ? sp_scene_joint(scene, c->a, c->b, c->points, xyz, &strength, NULL)
                                         : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &strength, NULL);
     char what[192];
 
@@ -244,7 +244,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
         if (!s->overlap) return out_of_memory(f, error);
     }
     if (status == SP_OK && report.overlaps == 0) return 0;
-    cap->interfaces = report.interfaces;
+    cap->joints = report.joints;
     cap->points = report.points;
     report.overlap = s->overlap;
     report.overlap_cap = report.overlaps;
@@ -307,7 +307,7 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
     if (status) return status;
     if (!make_room(f, m) || !count_meshes(f, &cap, m)) return out_of_memory(f, error);
     if (given) {
-        cap.interfaces = f->contacts;
+        cap.joints = f->contacts;
         cap.points = f->points;
     }
     status = build(f, &cap, m, s, error);
@@ -393,7 +393,7 @@ static int too_large_where(const host_scene *s, failure *error)
     const char *const why = "a number is too large to be squared";
     sp_scene part = s->scene;
     const int32_t blocks = part.count.blocks, loads = part.count.loads;
-    part.count.loads = part.count.interfaces = 0;
+    part.count.loads = part.count.joints = 0;
     if (too_large(&part)) {
         const int32_t b = heavy(&part);
         if (b < 0) return fail_with(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
@@ -406,9 +406,9 @@ static int too_large_where(const host_scene *s, failure *error)
         return fail_with(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
                          s->name[s->scene.load[k].block], why);
     }
-    part.count.interfaces = s->scene.count.interfaces;
-    const int32_t i = culprit(&part, &part.count.interfaces);
-    const sp_interface *f = &s->scene.interface[i];
+    part.count.joints = s->scene.count.joints;
+    const int32_t i = culprit(&part, &part.count.joints);
+    const sp_joint *f = &s->scene.joint[i];
     return fail_with(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
                      s->name[f->a], s->name[f->b], why);
 }

@@ -32,7 +32,7 @@ int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene
 int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
                 failure *error);
 
-/* Write a scene as a file that reads back as the same scene, contacts as `#@ interface` and `#@ points`.
+/* Write a scene as a file that reads back as the same scene, contacts as `#@ joint` and `#@ points`.
  *   name      of each block, or NULL: b0 b1 ...
  *   returns   0; an exit status where a block has no mesh, which the form can't say */
 int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, failure *error);

@@ -8,9 +8,9 @@
 /* The force of a joint on the block it holds up: the one it pushes against gravity. */
 static int arrow_of(const forces *f, const sp_scene *s, int32_t i, sp_real from[3], sp_real to[3], double *size)
 {
-    sp_interface_force on;
+    sp_joint_force on;
     double lift = 0, sign;
-    if (sp_interface_resultant(s, f->result, i, &on) != SP_OK) return 0;
+    if (sp_joint_resultant(s, f->result, i, &on) != SP_OK) return 0;
     *size = view_length(on.force);
     if (!(*size > 0)) return 0;
     for (int c = 0; c < 3; c++) lift -= (double)on.force[c] * (double)s->gravity[c];
@@ -28,11 +28,11 @@ void forces_scale(forces *f, drawing *d, const sp_result *result, double length)
     double size;
     memset(f, 0, sizeof *f);
     f->result = result;
-    for (int32_t i = 0; i < d->s->count.interfaces; i++)
+    for (int32_t i = 0; i < d->s->count.joints; i++)
         if (arrow_of(f, d->s, i, from, to, &size)) f->largest = fmax(f->largest, size);
     if (!(f->largest > 0)) return;
     f->scale = length / f->largest;
-    for (int32_t i = 0; i < d->s->count.interfaces; i++)
+    for (int32_t i = 0; i < d->s->count.joints; i++)
         if (arrow_of(f, d->s, i, from, to, &size)) drawing_cover(d, to);
 }
 
@@ -48,7 +48,7 @@ static int nearer(const void *pa, const void *pb)
 static int32_t gather(const forces *f, const drawing *d, arrow *drawn)
 {
     int32_t n = 0;
-    for (int32_t i = 0; f->largest > 0 && i < d->s->count.interfaces; i++) {
+    for (int32_t i = 0; f->largest > 0 && i < d->s->count.joints; i++) {
         sp_real from[3], to[3];
         double size;
         if (!arrow_of(f, d->s, i, from, to, &size)) continue;
@@ -65,8 +65,8 @@ static int32_t gather(const forces *f, const drawing *d, arrow *drawn)
 
 int forces_draw(const forces *f, const drawing *d, int fade)
 {
-    const int many = d->s->count.interfaces > 400;
-    arrow *drawn = malloc(((size_t)d->s->count.interfaces + 1) * sizeof *drawn);
+    const int many = d->s->count.joints > 400;
+    arrow *drawn = malloc(((size_t)d->s->count.joints + 1) * sizeof *drawn);
     int32_t n;
     double range;
 

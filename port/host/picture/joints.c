@@ -1,7 +1,7 @@
 #include "joints.h"
 #include "page.h"
 
-static void put_polygon(const drawing *d, const sp_interface *c)
+static void put_polygon(const drawing *d, const sp_joint *c)
 {
     for (int32_t k = 0; k < c->points; k++) {
         double at[2];
@@ -13,11 +13,11 @@ static void put_polygon(const drawing *d, const sp_interface *c)
 
 void joints_draw_weakest(const drawing *d, int32_t weakest)
 {
-    const sp_interface *c;
+    const sp_joint *c;
     double at[2];
 
     if (weakest < 0) return;
-    c = &d->s->interface[weakest];
+    c = &d->s->joint[weakest];
     fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\" d=\"",
             INK_WEAK, INK_WEAK);
     put_polygon(d, c);
@@ -39,7 +39,7 @@ static void draw_hinge(const drawing *d, const sp_joint_motion *m)
 
 void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides)
 {
-    for (int32_t i = 0; i < d->s->count.interfaces; i++) {
+    for (int32_t i = 0; i < d->s->count.joints; i++) {
         sp_joint_motion m;
         if (sp_joint_moves(d->s, dq, i, &m) != SP_OK) continue;
         if (m.kind == SP_JOINT_HINGE) {
@@ -49,6 +49,6 @@ void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges,
         if (m.kind != SP_JOINT_SLIDING) continue;
         ++*slides;
         fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2\" d=\"", INK_SLIDE, INK_SLIDE);
-        put_polygon(d, &d->s->interface[i]);
+        put_polygon(d, &d->s->joint[i]);
     }
 }

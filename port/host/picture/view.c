@@ -41,8 +41,8 @@ static double joints_seen(const sp_scene *s, const double toward[3])
 {
     const double best = 0.35;           /* sine of the angle between joint and view */
     double sum = 0, area = 0;
-    for (int32_t i = 0; i < s->count.interfaces; i++) {
-        const sp_interface *c = &s->interface[i];
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        const sp_joint *c = &s->joint[i];
         double t = 0;
         for (int k = 0; k < 3; k++) t += toward[k] * (double)c->n[k];
         sum += fabs((c->n[2] < 0 ? -t : t) - best) * (double)c->area;

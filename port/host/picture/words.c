@@ -21,9 +21,9 @@ static const char *file_name(const char *path)
 static void put_friction(const words *w)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
-    for (int32_t i = 0; i < w->d->s->count.interfaces; i++) {
-        low = fmin(low, (double)w->d->s->interface[i].strength.mu);
-        high = fmax(high, (double)w->d->s->interface[i].strength.mu);
+    for (int32_t i = 0; i < w->d->s->count.joints; i++) {
+        low = fmin(low, (double)w->d->s->joint[i].strength.mu);
+        high = fmax(high, (double)w->d->s->joint[i].strength.mu);
     }
     if (!(low <= high)) return;
     fprintf(w->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);
@@ -38,7 +38,7 @@ static void title_of_limit(const words *w)
     fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", w->out);
     page_text(w->out, file_name(w->of->scene->path), 50);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints",
-            PAGE_MARGIN, (long)w->d->s->count.blocks, (long)w->d->s->count.interfaces);
+            PAGE_MARGIN, (long)w->d->s->count.blocks, (long)w->d->s->count.joints);
     put_friction(w);
     fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
@@ -72,7 +72,7 @@ static void title_of_check(const words *w)
     page_text(w->out, file_name(w->of->scene->path), 60);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s", (long)x->free_blocks,
-            (long)x->interfaces, x->interfaces == 1 ? "" : "s");
+            (long)x->joints, x->joints == 1 ? "" : "s");
     put_friction(w);
     fputs("; largest compression ", w->out);
     page_quantity(w->out, (double)x->max_compression, "N");
@@ -106,19 +106,19 @@ static void legend_weakest(const words *w, double x, double y)
 {
     const int32_t i = w->of->result->weakest;
     const sp_demand *help = &w->of->result->demand[i];
-    sp_interface_force f;
+    sp_joint_force f;
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
             "stroke-width=\"2\"/>\n", x, y - 11, INK_WEAK, INK_WEAK);
     page_label(w->out, x + 36, y);
     fputs("weakest joint ", w->out);
-    page_text(w->out, w->of->scene->name[w->d->s->interface[i].a], 20);
+    page_text(w->out, w->of->scene->name[w->d->s->joint[i].a], 20);
     fputs(" | ", w->out);
-    page_text(w->out, w->of->scene->name[w->d->s->interface[i].b], 20);
+    page_text(w->out, w->of->scene->name[w->d->s->joint[i].b], 20);
     if (help->tension > 0 || help->friction > 0) {
         fputs(", lacks ", w->out);
         page_quantity(w->out, fmax((double)help->tension, (double)help->friction), "N");
         fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
-    } else if (sp_interface_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
+    } else if (sp_joint_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
         fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
     fputs("</text>\n", w->out);
 }

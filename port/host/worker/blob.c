@@ -199,7 +199,7 @@ static void io_counts(io *s, sp_capacity *n)
     io_int(s, &n->vertices, 0, INT32_MAX);
     io_int(s, &n->faces, 0, INT32_MAX);
     io_int(s, &n->corners, 0, INT32_MAX);
-    io_int(s, &n->interfaces, 0, INT32_MAX);
+    io_int(s, &n->joints, 0, INT32_MAX);
     io_int(s, &n->points, 0, INT32_MAX);
     io_int(s, &n->loads, 0, INT32_MAX);
 }
@@ -250,7 +250,7 @@ static void io_block(io *s, sp_block *b)
     io_reals(s, b->centroid, 3);
 }
 
-static void io_interface(io *s, sp_interface *f)
+static void io_joint(io *s, sp_joint *f)
 {
     int32_t polygon = f->area > 0;
     io_int(s, &f->a, 0, INT32_MAX);
@@ -281,7 +281,7 @@ static void io_load(io *s, sp_load *l)
 static uint64_t scene_bytes(const sp_capacity *n)
 {
     return (uint64_t)n->blocks * (12 + 5 * REAL) + (uint64_t)n->vertices * 3 * REAL + (uint64_t)n->faces * 4
-         + (uint64_t)n->corners * 4 + (uint64_t)n->interfaces * (16 + 13 * REAL) + (uint64_t)n->points * 3 * REAL
+         + (uint64_t)n->corners * 4 + (uint64_t)n->joints * (16 + 13 * REAL) + (uint64_t)n->points * 3 * REAL
          + (uint64_t)n->loads * (8 + 10 * REAL);
 }
 
@@ -302,7 +302,7 @@ sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *
             const sp_face f = s.face[s.block[k].face + i];
             for (int32_t c = 0; c < f.corners; c++) io_bits(&o, (uint32_t)(s.corner[f.corner + c] - s.block[k].vertex), 4);
         }
-    for (int32_t k = 0; k < s.count.interfaces; k++) { sp_interface x = s.interface[k]; io_interface(&o, &x); }
+    for (int32_t k = 0; k < s.count.joints; k++) { sp_joint x = s.joint[k]; io_joint(&o, &x); }
     io_reals(&o, (sp_real *)s.point, 3 * (size_t)s.count.points);
     for (int32_t k = 0; k < s.count.loads; k++) { sp_load x = s.load[k]; io_load(&o, &x); }
     return finish(&o);
@@ -359,12 +359,12 @@ static int near(const sp_real *a, const sp_real *b)
     return 1;
 }
 
-static sp_status add_interface(const raw *r, const sp_interface *x, sp_scene *scene)
+static sp_status add_interface(const raw *r, const sp_joint *x, sp_scene *scene)
 {
     const sp_real *xyz = r->point + 3 * (size_t)scene->count.points;
-    sp_interface *made = scene->interface + scene->count.interfaces;
+    sp_joint *made = scene->joint + scene->count.joints;
     const sp_status status = x->points > scene->cap.points - scene->count.points ? SP_E_CAPACITY
-        : x->area > 0 ? sp_scene_interface(scene, x->a, x->b, x->points, xyz, &x->strength, NULL)
+        : x->area > 0 ? sp_scene_joint(scene, x->a, x->b, x->points, xyz, &x->strength, NULL)
                       : sp_scene_points(scene, x->a, x->b, x->n, x->points, xyz, &x->strength, NULL);
     if (status) return status;
     if (!near(x->n, made->n) || !near(x->t1, made->t1) || !near(x->t2, made->t2)) return SP_E_RANGE;
@@ -387,12 +387,12 @@ static sp_status read_scene(io *s, raw *r, const sp_capacity *n, sp_scene *scene
     if (s->bad || scene->count.vertices != n->vertices || scene->count.faces != n->faces || scene->count.corners != n->corners)
         return SP_E_RANGE;
 
-    const size_t interfaces = (size_t)n->interfaces * (16 + 13 * REAL);
-    io points = { NULL, s->p + interfaces, s->left - interfaces, 0 };       /* they come after the interfaces */
+    const size_t joints = (size_t)n->joints * (16 + 13 * REAL);
+    io points = { NULL, s->p + joints, s->left - joints, 0 };       /* they come after the joints */
     io_reals(&points, r->point, 3 * (size_t)n->points);
-    for (int32_t k = 0; !status && k < n->interfaces; k++) {
-        sp_interface x = { 0 };
-        io_interface(s, &x);
+    for (int32_t k = 0; !status && k < n->joints; k++) {
+        sp_joint x = { 0 };
+        io_joint(s, &x);
         status = s->bad ? SP_E_RANGE : add_interface(r, &x, scene);
     }
     for (int32_t k = 0; !status && k < n->loads; k++) {
@@ -489,13 +489,13 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, run_cost *cost, 
     io_real(s, &r->omega);
     io_real(s, &r->least_imbalance);
     io_int(s, &r->free_blocks, 0, scene->count.blocks);
-    io_int(s, &r->interfaces, 0, scene->count.interfaces);
+    io_int(s, &r->joints, 0, scene->count.joints);
     io_int(s, &r->points, 0, scene->count.points);
     io_real(s, &r->max_compression);
     io_real(s, &r->max_tension);
     io_real(s, &r->max_utilisation);
     io_real(s, &r->tension_ratio);
-    io_int(s, &r->weakest, -1, scene->count.interfaces - 1);
+    io_int(s, &r->weakest, -1, scene->count.joints - 1);
     io_cost(s, &r->cost);
     for (int k = 0; k < SP_STAGES_MAX; k++) io_cost(s, &r->by_stage[k]);
     io_coupled(s, &r->coupled);
@@ -528,7 +528,7 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     io_reals(s, r->f, 3 * (size_t)scene->count.points);
     io_reals(s, r->dq, 6 * (size_t)scene->count.blocks);
     io_reals(s, r->y0, 12 * (size_t)r->free_blocks);
-    for (int32_t k = 0; k < scene->count.interfaces; k++) {
+    for (int32_t k = 0; k < scene->count.joints; k++) {
         io_real(s, &r->demand[k].tension);
         io_real(s, &r->demand[k].friction);
     }
@@ -561,7 +561,7 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     r->dq = r->f + 3 * (size_t)scene->count.points;
     r->y0 = r->dq + 6 * (size_t)scene->count.blocks;
     r->demand = (sp_demand *)(r->y0 + 12 * (size_t)r->free_blocks);
-    r->coupled.dq = (sp_real *)(r->demand + scene->count.interfaces);
+    r->coupled.dq = (sp_real *)(r->demand + scene->count.joints);
     r->coupled.alpha = r->coupled.dq + (x->motion ? 6 * (size_t)scene->count.blocks : 0);
     r->coupled.penalty = r->coupled.alpha + (x->alpha ? (size_t)scene->count.points : 0);
     p->y = r->coupled.penalty + (x->penalty ? 4 * (size_t)scene->count.points : 0);
@@ -591,7 +591,7 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
     io_head(&s, scene, &r, &c, &x);
     if (s.bad || (!r.coupled.proof.nodes && r.coupled.proof.entries)) return SP_E_RANGE;
     need = REAL * (3 * (uint64_t)scene->count.points + 6 * (uint64_t)scene->count.blocks + 12 * (uint64_t)r.free_blocks
-                   + 2 * (uint64_t)scene->count.interfaces + (x.motion ? 6 * (uint64_t)scene->count.blocks : 0)
+                   + 2 * (uint64_t)scene->count.joints + (x.motion ? 6 * (uint64_t)scene->count.blocks : 0)
                    + (x.alpha ? (uint64_t)scene->count.points : 0) + (x.penalty ? 4 * (uint64_t)scene->count.points : 0)
                    + (uint64_t)r.coupled.proof.entries)
          + 4 * (uint64_t)r.coupled.proof.nodes + 2 * (uint64_t)r.coupled.proof.entries

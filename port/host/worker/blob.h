@@ -12,7 +12,7 @@
  *     4      CRC-32 (IEEE 802.3) of all before it
  *
  *     request body, sizes by the counts alone; i: int32
- *     7 i    count of blocks, vertices, faces, corners, interfaces, points, loads
+ *     7 i    count of blocks, vertices, faces, corners, joints, points, loads
  *     7 r    gravity[3], live, body[3]
  *     5 i    settings: faces inscribed net localise iterations
  *     1 l    budget, 8 bytes
@@ -23,7 +23,7 @@
  *     vertex     3 r
  *     face       i         corners
  *     corner     i         vertex, 0-based within its block
- *     interface  4 i 13 r  a b points polygon; joint mu cohesion tension cap, n[3] t1[3] t2[3]
+ *     joint  4 i 13 r  a b points polygon; joint mu cohesion tension cap, n[3] t1[3] t2[3]
  *     point      3 r
  *     load       2 i 10 r  block live; point[3] force[3] couple[3] mass
  *
@@ -36,7 +36,7 @@
  *
  * Whoever reads trusts nothing: the length is checked before a byte of the body is kept, the counts against the length before
  * anything is allocated, and scenes are built by the library's own calls, which refuse what they would refuse of anyone.
- * Names don't travel: blocks and interfaces go by number. Nor do pointers: custom stages, qp_solver, a seed other than
+ * Names don't travel: blocks and joints go by number. Nor do pointers: custom stages, qp_solver, a seed other than
  * sp_seed_table() are SP_E_UNSUPPORTED. */
 #ifndef STONEPACK_HOST_BLOB_H
 #define STONEPACK_HOST_BLOB_H

@@ -77,7 +77,7 @@ static int same_block(const sp_block *a, const sp_block *b)
         && a->vertex == b->vertex && a->vertices == b->vertices && a->face == b->face && a->faces == b->faces;
 }
 
-static int same_interface(const sp_interface *a, const sp_interface *b)
+static int same_joint(const sp_joint *a, const sp_joint *b)
 {
     return a->a == b->a && a->b == b->b && a->point == b->point && a->points == b->points
         && memcmp(a->n, b->n, sizeof a->n) == 0 && memcmp(a->t1, b->t1, sizeof a->t1) == 0
@@ -98,7 +98,7 @@ int worker_same_scene(const sp_scene *a, const sp_scene *b)
     int same = memcmp(n, &b->count, sizeof *n) == 0 && memcmp(a->gravity, b->gravity, sizeof a->gravity) == 0
         && memcmp(&a->live, &b->live, sizeof a->live) == 0 && memcmp(a->body, b->body, sizeof a->body) == 0;
     for (int32_t k = 0; same && k < n->blocks; k++) same = same_block(&a->block[k], &b->block[k]);
-    for (int32_t k = 0; same && k < n->interfaces; k++) same = same_interface(&a->interface[k], &b->interface[k]);
+    for (int32_t k = 0; same && k < n->joints; k++) same = same_joint(&a->joint[k], &b->joint[k]);
     for (int32_t k = 0; same && k < n->loads; k++) same = same_load(&a->load[k], &b->load[k]);
     return same && memcmp(a->vertex, b->vertex, (size_t)n->vertices * sizeof *a->vertex) == 0
         && memcmp(a->face, b->face, (size_t)n->faces * sizeof *a->face) == 0

@@ -14,7 +14,7 @@ static sp_verdict ask(sp_real offset)
     sp_result result;
     if (sp_arena_init(&arena, memory, sizeof memory) || sp_scene_create(&scene, &room, &arena) ||
         sp_scene_body(&scene, 0, slab, SP_FIXED, NULL) || sp_scene_body(&scene, 1, block, 0, NULL) ||
-        sp_scene_interface(&scene, 0, 1, 4, joint, &friction, NULL) || sp_check(&scene, NULL, &arena, &result))
+        sp_scene_joint(&scene, 0, 1, 4, joint, &friction, NULL) || sp_check(&scene, NULL, &arena, &result))
         return SP_UNDECIDED;
     return result.verdict;
 }
