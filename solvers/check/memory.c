@@ -242,7 +242,7 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
 typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
-                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real) && SP__DUAL_H <= 102 && SP_ALIGN == 16) ? 1 : -1];
+                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real) && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
 typedef char sp__memory_bytes_holds_flat[sizeof(sp_real) > 8 || SP__FLAT_G <= 20 ? 1 : -1];
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 

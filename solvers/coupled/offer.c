@@ -17,7 +17,7 @@ SP__NOINLINE static int sp__cra_lay(sp__cra *c)
         sp__dual_solve(w, w->r, w->d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
-            sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6;
+            sp_real *V = sp__visit_of(w)->twist[0], *W = V + 3, *u = sp__visit_of(w)->u[0];
             sp__dual_twist(w, t, w->d, V, W);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *D = c->D + 6 * (size_t)v;

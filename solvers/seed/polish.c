@@ -42,7 +42,7 @@ SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real
 /* A round and its omega. keep (NULL: not on a budget) gets the forces whose omega, as forces are judged, is the best so far. */
 SP__NOINLINE static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
 {
-    if (keep) w->carried = w->L.t;
+    if (keep) sp__carry_begin(w);
     sp__polish_round(w, w->y, f, w->r);
     const sp_real strict = w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
     w->carried = NULL;

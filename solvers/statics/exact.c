@@ -19,9 +19,10 @@ SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
     int each = 1;
     sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
     if (w->spent || sp__dual_norm(w, w->r) > little * w->load) return 0;
-    sp__dual_load(w, w->L.t);
+    sp_real *load = w->L.t;                             /* nothing is solved meanwhile */
+    sp__dual_load(w, load);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k += 6)
-        each &= SP_SQRT(sp__dot(w->r + k, w->r + k, 6)) <= little * SP_SQRT(sp__dot(w->L.t + k, w->L.t + k, 6));
+        each &= SP_SQRT(sp__dot(w->r + k, w->r + k, 6)) <= little * SP_SQRT(sp__dot(load + k, load + k, 6));
     if (!each) sp__dual_sizes(w, w->y);
     return each || (!w->spent && sp__dual_omega(w, w->r) <= little);
 }

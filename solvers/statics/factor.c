@@ -110,30 +110,30 @@ SP__NOINLINE static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9]
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *T = sp__flat_frame(w, t) + 6;
-    sp_real *X = w->h + 36;
+    sp_real (*X)[9] = w->scratch->of.HT;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        sp__flat_right(H, T + 7 * side, X + 9 * side);
+        sp__flat_right(H, T + 7 * side, X[side]);
         sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
         for (int q = 0; q < 3; q++)
-            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__flat_left(T + 7 * side, r, X + 9 * side + 3 * q);
+            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__flat_left(T + 7 * side, r, X[side] + 3 * q);
     }
     if (w->slot[c] == INT32_MIN) return;
     const int turn = w->slot[c] < 0;
     sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
-    for (int k = 0; k < 9; k++) x[k] += sp__flat_left(T + 7 * turn, k % 3, X + 9 * !turn + k / 3 * 3);
+    for (int k = 0; k < 9; k++) x[k] += sp__flat_left(T + 7 * turn, k % 3, X[!turn] + k / 3 * 3);
 }
 
 /* sp__dual_assemble in 3 rows a block. */
 SP__NOINLINE static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
-    sp_real *H = w->h + 27;
+    sp_real *H = w->scratch->H3;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
         if (law < SP__GIVEN && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
-        else if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->h, H);
+        else if (sp__dual_contact_hessian(w, law, c, y)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->scratch->H, H);
         else continue;
         sp__flat_add(w, c, H);
     }

@@ -17,6 +17,9 @@ static int sp__dual_assembly(sp__dual *w, int plain)
 /* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
 typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
+/* From now on gradients tell what the blocks bear, in the place of solutions: none is asked for meanwhile. */
+static void sp__carry_begin(sp__dual *w) { w->carried = w->L.t; }
+
 /* Force g at l, in the contact's frame, into what the blocks bear. */
 SP__NOINLINE static void sp__dual_bear(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3])
 {
@@ -117,7 +120,8 @@ SP__NOINLINE static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, 
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
-    sp_real *X = w->h, *Y = X + 3, *q = X + 6, *u = X + 8, *h = X + 10;
+    sp__visit *s = sp__visit_of(w);
+    sp_real *X = s->twist[0], *Y = s->F, *q = s->m, *u = s->u[0], *h = s->f;
     Y[0] = Y[1] = Y[2] = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -130,10 +134,10 @@ SP__NOINLINE static void sp__flat_gradient(sp__dual *w, sp__law law, int32_t c, 
             f[3 * (size_t)v + 1] = plane ? h[1] * g[2] : 0;
             f[3 * (size_t)v + 2] = plane ? h[1] * g[3] : 0;
         }
-        const sp_real n = times * h[0], s = times * h[1];
+        const sp_real n = times * h[0], slip = times * h[1];
         Y[0] += n;
-        Y[1] += plane ? s : q[0] * n;
-        Y[2] += plane ? q[0] * n + q[1] * s : q[1] * n;
+        Y[1] += plane ? slip : q[0] * n;
+        Y[2] += plane ? q[0] * n + q[1] * slip : q[1] * n;
     }
     sp__flat_back(w, t, g, Y, r);
 }
@@ -143,7 +147,8 @@ SP__NOINLINE static sp_real sp__flat_resist(const sp__dual *w, int32_t c, const 
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
-    sp_real *X = w->h, *q = X + 3, *u = X + 5, *h = X + 7, sum = 0;
+    sp__visit *at = sp__visit_of(w);
+    sp_real *X = at->twist[0], *q = at->m, *u = at->u[0], *h = at->f, sum = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real times = sp__flat_rate(w, g, v, X, q, u);
@@ -159,7 +164,8 @@ SP__NOINLINE static sp_real sp__flat_slope(sp__dual *w, int32_t c, const sp_real
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
-    sp_real *X = w->h, *dX = X + 3, *q = X + 6, *u = X + 8, *du = X + 10, *h = X + 12, sum = 0;
+    sp__visit *at = sp__visit_of(w);
+    sp_real *X = at->twist[0], *dX = at->twist[1], *q = at->m, *u = at->u[0], *du = at->u[1], *h = at->f, sum = 0;
     sp__flat_there(w, t, g, y, X);
     sp__flat_there(w, t, g, d, dX);
     for (int k = 0; k < 3; k++) X[k] += s * dX[k];
@@ -179,7 +185,8 @@ SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, c
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *g = sp__flat_frame(w, t);
     const int plane = w->flat->mode == SP__PLANE;
-    sp_real *X = w->h, *h = X + 3, *q = X + 9, *u = X + 11, *D = X + 13;
+    sp__visit *at = sp__visit_of(w);
+    sp_real *X = at->twist[0], *h = at->twist[1], *q = at->m, *u = at->u[0], *D = at->D;
     for (int k = 0; k < 6; k++) h[k] = 0;
     sp__flat_there(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -203,8 +210,9 @@ SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, c
 SP__NOINLINE static void sp__space_gradient(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *V = w->h, *W = V + 3, *u = V + 6, *g = V + 9, *F = V + 12, *M = V + 15;
-    for (int k = 0; k < 6; k++) F[k] = 0;
+    sp__visit *s = sp__visit_of(w);
+    sp_real *V = s->twist[0], *W = V + 3, *u = s->u[0], *g = s->f, *F = s->F, *M = s->M;
+    for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
@@ -242,8 +250,8 @@ static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_rea
 SP__NOINLINE static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *at = w->h, *move = at + 6, *u = at + 12, *du = at + 15, *f = at + 18, *part = at + 21;
-    *part = 0;
+    sp__visit *o = sp__visit_of(w);
+    sp_real *at = o->twist[0], *move = o->twist[1], *u = o->u[0], *du = o->u[1], *f = o->f, sum = 0;
     sp__dual_twist(w, t, y, at, at + 3);
     sp__dual_twist(w, t, d, move, move + 3);
     for (int k = 0; k < 6; k++) at[k] += s * move[k];
@@ -252,9 +260,9 @@ SP__NOINLINE static sp_real sp__space_slope(sp__dual *w, int32_t c, const sp_rea
         sp__dual_rate(w, at, at + 3, w->pb->local[v], u);
         sp__dual_rate(w, move, move + 3, w->pb->local[v], du);
         sp__dual_force(w, c, w->yield, u, f);
-        *part += sp__dual_counts(w, v) * (f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide);
+        sum += sp__dual_counts(w, v) * (f[0] * du[0] + (f[1] * du[1] + f[2] * du[2]) / w->slide);
     }
-    return *part;
+    return sum;
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */

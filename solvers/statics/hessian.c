@@ -21,7 +21,7 @@ static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
 SP__NOINLINE static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + (size_t)w->cone.faces * (size_t)v, times = sp__dual_counts(w, v);
-    sp_real *e = w->h + 57;
+    sp_real *e = sp__visit_of(w)->edge;
     for (int32_t k = 0; k < w->cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
@@ -38,7 +38,7 @@ SP__NOINLINE static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, cons
 {
     const sp_real *x = w->inner->x + 3 * (size_t)v;
     const sp_real S = w->inner->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
-    sp_real *z = w->h + 60;
+    sp_real *z = sp__visit_of(w)->z;
     z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
@@ -80,19 +80,20 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
     return 1;
 }
 
-/* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame: vv, vw, ww, 9 numbers each.
+/* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame, into w->scratch->H.
  *     returns 0 when all of it is zero: the contact is open */
-SP__NOINLINE static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real *h)
+SP__NOINLINE static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *twist = h + 87, *u = h + 93, *D = h + 96;
+    sp__visit *s = sp__visit_of(w);
+    sp_real *h = w->scratch->H, *twist = s->twist[0];
     int carries = 0;
     sp__dual_twist(w, t, y, twist, twist + 3);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        if (!(sp__dual_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, u, D)) continue;
-        for (int k = 0; k < 6; k++) D[k] *= sp__dual_counts(w, v);
-        sp__vertex_hessian(D, w->pb->local[v], h);
+        if (!(sp__dual_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, s->u[0], s->D)) continue;
+        for (int k = 0; k < 6; k++) s->D[k] *= sp__dual_counts(w, v);
+        sp__vertex_hessian(s->D, w->pb->local[v], h);
         carries = 1;
     }
     return carries;
@@ -199,32 +200,33 @@ static void sp__dual_hold(sp__dual *w)
         }
 }
 
-/* Contact c's H, in w->h, moved to the centroids of its blocks,
+/* Contact c's H, in w->scratch, moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
 SP__NOINLINE static void sp__dual_add(sp__dual *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
-    sp_real *h = w->h, *vv = h + 27, *vw = h + 36, *ww = h + 45, *qa = h + 54, *qb = h + 63, *nb = h + 72, *k = h + 81;
-    sp__rotate(t, h, vv);
-    sp__rotate(t, h + 9, vw);
-    sp__rotate(t, h + 18, ww);
+    sp__moved *m = &w->scratch->of.moved;
+    const sp_real *H = w->scratch->H;
+    sp__rotate(t, H, m->vv);
+    sp__rotate(t, H + 9, m->vw);
+    sp__rotate(t, H + 18, m->ww);
     if (t->a >= 0) {
-        sp__cross_right(t->ra, vv, 0, vw, qa);                              /* K_vw = vw - vv [arm]x */
-        sp__cross_right(t->ra, vw, 1, ww, nb);                              /* ww - vw' [arm]x */
-        sp__cross_left(t->ra, qa, nb, k);                                   /* K_ww */
-        sp__add_diagonal(sp__dual_diagonal(w, t->a), za, vv, qa, k);
+        sp__cross_right(t->ra, m->vv, 0, m->vw, m->vwa);                    /* K_vw = vw - vv [arm]x */
+        sp__cross_right(t->ra, m->vw, 1, m->ww, m->part);                   /* ww - vw' [arm]x */
+        sp__cross_left(t->ra, m->vwa, m->part, m->sum);                     /* K_ww */
+        sp__add_diagonal(sp__dual_diagonal(w, t->a), za, m->vv, m->vwa, m->sum);
     }
     if (t->b >= 0) {
-        sp__cross_right(t->rb, vv, 0, vw, qb);
-        sp__cross_right(t->rb, vw, 1, ww, nb);
-        sp__cross_left(t->rb, qb, nb, k);
-        sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, vv, qb, k);
+        sp__cross_right(t->rb, m->vv, 0, m->vw, m->vwb);
+        sp__cross_right(t->rb, m->vw, 1, m->ww, m->part);
+        sp__cross_left(t->rb, m->vwb, m->part, m->sum);
+        sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, m->vv, m->vwb, m->sum);
     }
     if (w->slot[c] != INT32_MIN) {
-        sp__cross_left(t->ra, qb, nb, k);
-        sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, vv, qa, qb, k);
+        sp__cross_left(t->ra, m->vwb, m->part, m->sum);
+        sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, m->vv, m->vwa, m->vwb, m->sum);
     }
 }
 
@@ -239,7 +241,7 @@ SP__NOINLINE static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_re
 #else
     sp__bchol_zero(&w->L);
 #endif
-    for (int32_t c = 0; c < pb->contacts; c++) if (sp__dual_contact_hessian(w, law, c, y, w->h)) sp__dual_add(w, c);
+    for (int32_t c = 0; c < pb->contacts; c++) if (sp__dual_contact_hessian(w, law, c, y)) sp__dual_add(w, c);
     for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
     if (held) sp__dual_hold(w);
     for (int32_t i = 0; i < pb->blocks; i++)

@@ -20,11 +20,11 @@
 
 /* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
  * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
-SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp_real t[9])
+SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp__visit *s)
 {
     sp__nt W;
     const sp_real keep = 1 - m->sigma;
-    sp_real *h = t, *z = t + 3, *dz = t + 6;
+    sp_real *h = s->h, *z = s->z, *dz = s->dz;
     sp__scale3(-1, u[0], z);
     z[0] += m->theta;
     if (!sp__soc_scaling(x, z, &W)) { m->outside = 1; return; }
@@ -67,7 +67,7 @@ static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
 /* The edges of a vertex's pyramid. */
 SP__NOINLINE static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
-    sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = w->h + 42, *rate = w->h + 45;
+    sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = sp__visit_of(w)->edge, *rate = sp__visit_of(w)->rate;
     for (int32_t k = 0; k < w->cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
@@ -83,7 +83,7 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c
     if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
-    sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, w->h + 42);
+    sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, sp__visit_of(w));
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
@@ -98,20 +98,20 @@ SP__NOINLINE static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, s
     if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real *twist = w->h, *g = w->h + 27, *a = w->h + 30, *F = w->h + 33, *M = w->h + 36;
-        sp_real (*u)[3] = (sp_real (*)[3])(w->h + 18);
+        sp__visit *s = sp__visit_of(w);
+        sp_real (*u)[3] = s->u, *g = s->f, *F = s->F, *M = s->M;
         for (int k = 0; k < 3; k++) {
             F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
-            if (counts[k]) sp__dual_twist(w, t, m->along[k], twist + 6 * k, twist + 6 * k + 3);
+            if (counts[k]) sp__dual_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
         }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             if (!(sp__dual_counts(w, v) > 0)) continue;
             for (int k = 0; k < 3; k++)
-                if (counts[k]) sp__dual_rate(w, twist + 6 * k, twist + 6 * k + 3, pb->local[v], u[k]);
+                if (counts[k]) sp__dual_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
             sp__scale3(sp__dual_counts(w, v), g, g);
-            sp__cross3(pb->local[v], g, a);
-            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += a[k]; }
+            sp__cross3(pb->local[v], g, s->m);
+            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
         }
         if (pass == SP__AIM) sp__dual_scatter(w, t, F, M, r);
     }
@@ -149,26 +149,27 @@ SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int firs
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
-        sp_real *twist = w->h, *u = w->h + 18, *D = w->h + 21, *g = w->h + 27, *F = w->h + 30, *M = w->h + 33;
-        sp__dual_twist(w, t, w->y, twist, twist + 3);
-        sp__dual_twist(w, t, d, twist + 6, twist + 9);
-        sp__dual_twist(w, t, e, twist + 12, twist + 15);
+        sp__visit *s = sp__visit_of(w);
+        sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->F, *M = s->M;
+        sp__dual_twist(w, t, w->y, twist[0], twist[0] + 3);
+        sp__dual_twist(w, t, d, twist[1], twist[1] + 3);
+        sp__dual_twist(w, t, e, twist[2], twist[2] + 3);
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
             const sp_real times = sp__dual_counts(w, v);
             if (!(times > 0)) continue;
-            sp__dual_rate(w, twist, twist + 3, pb->local[v], u);
+            sp__dual_rate(w, twist[0], twist[0] + 3, pb->local[v], u);
             if (m) sp__ipm_derivative(w, c, v, u, D, g);
             else {
                 sp__dual_force(w, c, yield, u, g);
-                if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist, u, D)) memset(D, 0, 6 * sizeof *D);
+                if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist[0], u, D)) memset(D, 0, 6 * sizeof *D);
             }
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
-            sp__dual_rate(w, twist + 6, twist + 9, pb->local[v], u);
+            sp__dual_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, f);
-            sp__dual_rate(w, twist + 12, twist + 15, pb->local[v], u);
+            sp__dual_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, g);
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
@@ -190,7 +191,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newto
     memset(state->dq, 0, size * sizeof *w->d);
     memset(w->d, 0, size * sizeof *w->d);
     for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
-        w->carried = w->L.t;
+        sp__carry_begin(w);
         sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
         const sp_real now = sp__dual_omega(w, w->r);
         w->carried = NULL;

@@ -73,7 +73,8 @@ typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 SP__NOINLINE static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
 {
     const sp_contact *t = &w->pb->contact[c];
-    sp_real *V = w->h, *W = w->h + 3, *u = w->h + 6, sum = 0;
+    sp__visit *s = sp__visit_of(w);
+    sp_real *V = s->twist[0], *W = V + 3, *u = s->u[0], sum = 0;
     sp__dual_twist(w, t, y, V, W);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real times = sp__dual_counts(w, v);

@@ -33,19 +33,19 @@ SP__NOINLINE static void sp__line_open(const sp__dual *w, const sp__newton *n, s
     l->noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
 }
 
-/* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. L.t keeps y meanwhile. */
+/* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. */
 SP__NOINLINE static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__line l;
-    sp_real s = 1;
+    sp_real s = 1, *start = w->L.t;                     /* keeps y: nothing is solved meanwhile */
     sp__line_open(w, n, &l);
-    memcpy(w->L.t, w->y, size * sizeof *w->y);
+    memcpy(start, w->y, size * sizeof *w->y);
     sp__dual_axpy(w, 1, w->d, w->y);
     sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
     const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
     if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
-        memcpy(w->y, w->L.t, size * sizeof *w->y);
+        memcpy(w->y, start, size * sizeof *w->y);
         s = sp__newton_search(w, &l, f);
         sp__dual_axpy(w, s, w->d, w->y);
         sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
@@ -70,10 +70,11 @@ static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *
 SP__NOINLINE static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, sp_state *state)
 {
     if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
-    sp__rigid_groups(w, w->d, play, w->xadj);
-    if (sp__rigid_sharpen(w, w->xadj, state)) {
+    int32_t *group = sp__rigid_room(w);
+    sp__rigid_groups(w, w->d, play, group);
+    if (sp__rigid_sharpen(w, group, state)) {
         memcpy(w->r, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->r);
-        sp__rigid_open(w, w->d, (sp_real (*)[3])state->dq);
+        sp__rigid_open(w, w->d, sp__rigid_offsets(state));
         sp__newton_try(w, n, w->d, state);
         sp__newton_try(w, n, w->r, state);
     }
@@ -125,7 +126,7 @@ SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state 
         if (n->omega > last / 10) break;
     }
     memcpy(w->y, state->y, size * sizeof *w->y);
-    w->carried = w->L.t;
+    sp__carry_begin(w);
     n->omega = SP__HUGE;
     for (int it = 0; it < 12 && !n->found; it++) {
         const sp_real last = n->omega;
@@ -166,13 +167,14 @@ SP__NOINLINE static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     const sp_real y = sp__dual_norm(w, w->y);
+    sp_real *load = w->L.t;                             /* until the next solution */
     if (!(y > 0)) return;
     for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
     for (int it = 0; it < 3 && sp__newton_left(w, n) && !n->proved; it++, n->left--) {
         sp__dual_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
         sp__dual_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
-        sp__dual_load(w, w->L.t);
-        for (size_t k = 0; k < size; k++) w->r[k] -= w->L.t[k];
+        sp__dual_load(w, load);
+        for (size_t k = 0; k < size; k++) w->r[k] -= load[k];
         sp__dual_solve(w, w->r, w->r);
         sp__dual_axpy(w, -(sp_real)1.1, w->r, w->d);
         sp__newton_try(w, n, w->d, state);
@@ -227,6 +229,7 @@ static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
 SP__NOINLINE static void sp__newton_settle(sp__dual *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
+    int32_t *group = sp__rigid_room(w);
     for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];
     sp__proof best, now;
     sp__newton_weigh(w, w->d, &best);
@@ -234,11 +237,11 @@ SP__NOINLINE static void sp__newton_settle(sp__dual *w, sp_state *state)
         memcpy(w->d, state->y, n * sizeof *w->d);
         if (pass) sp__dual_solve(w, w->d, w->d);
         if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
-        sp__rigid_groups(w, w->d, SP__PLAY, w->xadj);
-        if (!sp__rigid_sharpen(w, w->xadj, state)) {
+        sp__rigid_groups(w, w->d, SP__PLAY, group);
+        if (!sp__rigid_sharpen(w, group, state)) {
             memcpy(w->d, state->y, n * sizeof *w->d);
-            sp__rigid_groups(w, w->d, -1, w->xadj);
-            if (!sp__rigid_sharpen(w, w->xadj, state)) continue;
+            sp__rigid_groups(w, w->d, -1, group);
+            if (!sp__rigid_sharpen(w, group, state)) continue;
         }
         sp__newton_weigh(w, w->d, &now);
         if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;

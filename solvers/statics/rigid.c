@@ -38,6 +38,10 @@ SP__NOINLINE static void sp__rigid_groups(const sp__dual *w, const sp_real *x, s
     }
 }
 
+/* Groups take the place of the graph's row starts, whose pattern is in L by then; offsets that of a motion in state->dq. */
+static int32_t *sp__rigid_room(const sp__dual *w) { return w->xadj; }
+static sp_real (*sp__rigid_offsets(const sp_state *state))[3] { return (sp_real (*)[3])state->dq; }
+
 /* The root of i's group and the arm from it; -1: the ground. */
 static int32_t sp__rigid_root(const sp__dual *w, int32_t *up, int32_t i, sp_real arm[3])
 {
@@ -80,22 +84,22 @@ static void sp__rigid_restrict(const sp__dual *w, int32_t *up, sp_real *r)
     }
 }
 
-/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du from two twists V, W; h from 18 on is used up. */
-SP__NOINLINE static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, sp_real twist[4][3], sp_real F[3], sp_real M[3])
+/* F += g, M += l x g for g = S DP_K(u) du, the rates u and du of two twists. */
+SP__NOINLINE static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t v, sp__visit *s)
 {
     const sp__yield *yield = sp__dual_yield(w, c);
     const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
-    sp_real *D = w->h + 18, *u = w->h + 24, *g = w->h + 27, *m = w->h + 30;
+    sp_real *D = s->D, *u = s->u[0], *g = s->f, *m = s->m;
     if (!(times > 0)) return;
-    sp__dual_rate(w, twist[0], twist[1], l, u);
+    sp__dual_rate(w, s->twist[0], s->twist[0] + 3, l, u);
     if (sp__cone_derivative(&w->cone, yield, u, D) == SP__APEX) return;
-    sp__dual_rate(w, twist[2], twist[3], l, u);
+    sp__dual_rate(w, s->twist[1], s->twist[1] + 3, l, u);
     const sp_real S = times * sp__dual_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     g[0] = D[0] * x + D[1] * y + D[2] * z;
     g[1] = D[1] * x + D[3] * y + D[4] * z;
     g[2] = D[2] * x + D[4] * y + D[5] * z;
     sp__cross3(l, g, m);
-    for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
+    for (int k = 0; k < 3; k++) { s->F[k] += g[k]; s->M[k] += m[k]; }
 }
 
 /* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
@@ -106,12 +110,12 @@ SP__NOINLINE static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_
     if (!sp__dual_count(w, 2 * SP__FLOPS_SWEEP, 2 * SP__FLOPS_TWIST)) return;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        sp_real (*twist)[3] = (sp_real (*)[3])w->h, *F = w->h + 12, *M = w->h + 15;
-        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
-        sp__dual_twist(w, t, y, twist[0], twist[1]);
-        sp__dual_twist(w, t, x, twist[2], twist[3]);
-        for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, v, twist, F, M);
-        sp__dual_scatter(w, t, F, M, out);
+        sp__visit *s = sp__visit_of(w);
+        for (int k = 0; k < 3; k++) s->F[k] = s->M[k] = 0;
+        sp__dual_twist(w, t, y, s->twist[0], s->twist[0] + 3);
+        sp__dual_twist(w, t, x, s->twist[1], s->twist[1] + 3);
+        for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, v, s);
+        sp__dual_scatter(w, t, s->F, s->M, out);
     }
     sp__dual_release(w, out);
 }

@@ -59,7 +59,7 @@ SP__NOINLINE static void sp__dual_size(const sp__dual *w, const sp_contact *t, c
 }
 
 /* The same of a contact in 3 rows, both blocks. */
-SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y)
+SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y, sp_real *longest)
 {
     const sp_real *g = sp__flat_frame(w, t);
     sp_real X[3] = { 0, 0, 0 }, dX[3];
@@ -77,36 +77,37 @@ SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const s
             const sp_real far = sp__flat_moment(w, t, side, v, u, one);
             w->size[2 * (size_t)i] += times * one[0];
             w->size[2 * (size_t)i + 1] += times * one[1];
-            w->L.t[i] = sp__max(w->L.t[i], far);
+            longest[i] = sp__max(longest[i], far);
         }
     }
 }
 
 /* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
- * correction; L.t is used up. */
+ * correction. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
+    sp_real *longest = w->L.t;                          /* arm of each block: nothing is solved meanwhile */
     if (!sp__dual_sweep(w, sp__dual_whole(w), 2 * sp__dual_whole(w)) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *p = pb->p + 6 * (size_t)i;
         w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
         w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
-        w->L.t[i] = 0;                                                  /* longest arm */
+        longest[i] = 0;
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        if (sp__reduced(w) && w->flat->plain) { sp__flat_size(w, t, y); continue; }
+        if (sp__reduced(w) && w->flat->plain) { sp__flat_size(w, t, y, longest); continue; }
         sp_real twist[4][3];
         sp__dual_twist(w, t, y, twist[0], twist[1]);
         sp__dual_twist(w, t, w->d, twist[2], twist[3]);
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
-            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &w->L.t[i]);
+            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &longest[i]);
         }
     }
     for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * w->L.t[i] / w->set->tol;
+        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * longest[i] / w->set->tol;
 }
 
 /* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */

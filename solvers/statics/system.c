@@ -35,6 +35,36 @@ typedef struct sp__ipm {
     int ray;                            /* forces are asked for the live loads alone */
 } sp__ipm;
 
+/* What a pass over the vertices of a contact works with. Twists are V and W of sp__dual_twist. */
+typedef struct sp__visit {
+    sp_real twist[3][6];                /* motions, of B seen from A: one, or a point, its change and that one's change */
+    sp_real u[3][3];                    /* rates of the vertex at hand in them */
+    sp_real D[6];                       /* derivative of its force: nn, n1, n2, 11, 12, 22 */
+    sp_real f[3], m[3];                 /* its force and the moment of that */
+    sp_real F[3], M[3];                 /* their sums over the vertices */
+    sp_real h[3], z[3], dz[3];          /* interior points: a cone's target, its slack, that one's change */
+    sp_real edge[3], rate[3];           /* an edge of its pyramid, u along it */
+    sp_real origin[2][3];               /* of the contact, seen from the centroid of a, of b, in its frame */
+} sp__visit;
+
+/* A contact's Hessian on its way to the centroids of its blocks: 3 x 3 matrices in the world's axes. */
+typedef struct sp__moved {
+    sp_real vv[9], vw[9], ww[9];        /* about the contact's origin */
+    sp_real vwa[9], vwb[9];             /* vw about the centroid of a, of b */
+    sp_real part[9], sum[9];            /* of ww */
+} sp__moved;
+
+/* Temporaries, here because frames are small. Passes and moves take turns: H is all that is handed from one to the other. */
+typedef struct sp__scratch {
+    sp_real H[27];                      /* Hessian of a contact in its frame: vv, vw, ww, 9 numbers each */
+    sp_real H3[9];                      /* in 3 rows */
+    union {
+        sp__visit visit;
+        sp__moved moved;
+        sp_real HT[2][9];               /* H3 times the map of a, of b */
+    } of;
+} sp__scratch;
+
 typedef struct sp__dual {
     const sp_problem *pb;
     const sp_settings *set;
@@ -60,7 +90,7 @@ typedef struct sp__dual {
     sp_real *size;                      /* 2b: sbar and Sbar of the certificate check, in units */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
     sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
-    sp_real *h;                         /* temporaries of the assembly */
+    sp__scratch *scratch;
     const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     int32_t *xadj, *adj, *parent, *mark;/* graph of touching free blocks */
     sp_cost *cost;
@@ -68,7 +98,6 @@ typedef struct sp__dual {
     int spent;                          /* a piece of work did not fit; from then on none is done */
 } sp__dual;
 
-#define SP__DUAL_H 102
 #ifdef SP_REAL_MIXED
 #define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
 #endif
@@ -76,6 +105,8 @@ typedef struct sp__dual {
 /* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_PLAN the compiler knows that, and all
  * that stands under it is gone. */
 static const sp__flat *sp__reduced(const sp__dual *w) { return SP__WITH_PLAN ? w->flat : NULL; }
+
+static sp__visit *sp__visit_of(const sp__dual *w) { return &w->scratch->of.visit; }
 
 static void sp__dual_carve_graph(sp__dual *w, const sp_problem *pb, sp_arena *a)
 {
@@ -100,7 +131,7 @@ static void sp__dual_carve(sp__dual *w, const sp_problem *pb, int32_t faces, int
     w->y = sp__take(a, b, 6 * sizeof *w->y);
     w->r = sp__take(a, b, 6 * sizeof *w->r);
     w->d = sp__take(a, b, 6 * sizeof *w->d);
-    w->h = sp__take(a, SP__DUAL_H, sizeof *w->h);
+    w->scratch = sp__take(a, 1, sizeof *w->scratch);
     if (sp__reduced(w)) {
         w->L.rows = 3;
         w->flat->mate = sp__take(a, (size_t)pb->points, sizeof *w->flat->mate);
