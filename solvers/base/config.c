@@ -43,10 +43,10 @@
 #else
 #define SP__WITH_LARGE 1                                /* the search in all its forms, and what stands on it */
 #endif
-#if !SP__WITH_LARGE || !SP__WITH_QP || defined SP_NO_ADMM
+#if !SP__WITH_STONES || !SP__WITH_QP || defined SP_NO_ADMM
 #define SP__WITH_ADMM 0
 #else
-#define SP__WITH_ADMM 1                                 /* the penalty form as a quadratic program, a stage */
+#define SP__WITH_ADMM 1                                 /* the seed's preset; of the large build a stage, too */
 #endif
 #if !SP__WITH_LARGE || defined SP_NO_PLAN
 #define SP__WITH_PLAN 0

@@ -31,20 +31,11 @@ SP_API sp_settings sp_settings_default(void)
     return s;
 }
 
-#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+#if SP__WITH_ADMM
 SP_API sp_settings sp_settings_seed(void)
 {
     sp_settings s = sp_settings_default();
-#ifndef SP_SMALL
-    s.tol = sp__seed.tension;
-    s.faces = sp__seed.faces;
-    s.inscribed = sp__seed.inscribed;
-    s.net = sp__seed.net;
-    s.gamma = sp__seed.gamma;
-    s.tau = sp__seed.tau;
-    s.seed = &sp__seed;
-    s.coupled.rounds = sp__seed.turns;
-#endif
+    sp__seed_settings(&s);
     s.stage_count = 4;
     s.stage[1] = SP_STAGE_LEAST_SQUARES;
     s.stage[2] = SP_STAGE_POLISH;
@@ -86,9 +77,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 {
     *out = in ? *in : sp_settings_default();
     if (!(out->tol >= 4 * (sp_real)SP_EPSILON && out->tol <= (sp_real)0.1)) return SP_E_RANGE;
-#ifndef SP_NO_CRA
     if (out->coupled.asked && out->tol > SP__COUPLED_TOL) out->tol = SP__COUPLED_TOL;
-#endif
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->faces && (out->faces < 3 || out->faces > 64)) return SP_E_RANGE;
     if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
@@ -96,29 +85,21 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     for (int32_t k = 0; k < out->stage_count; k++) {
         const sp_stage_id id = out->stage[k];
         if (id <= SP_STAGE_NONE || id > SP_STAGE_CUSTOM) return SP_E_ARGUMENT;
-#if defined(SP_NO_QP) || defined(SP_NO_ADMM)
-        if (id == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
-#endif
+        if (!SP__WITH_ADMM && id == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
         if (id == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
     const sp_coupled_settings *cs = &out->coupled;
     if (!(cs->eps < SP__HUGE) || !sp__finite(cs->eps) || !(cs->eta < SP__HUGE) || cs->eta < 0) return SP_E_RANGE;
     if (cs->rounds < 0 || (cs->eps > 0 && !(cs->eta / cs->eps < SP__HUGE))) return SP_E_RANGE;
-#ifdef SP_NO_CRA
-    if (out->coupled.asked) return SP_E_UNSUPPORTED;
-#endif
-#if defined(SP_NO_QP) || defined(SP_NO_ADMM)
-    if (out->coupled.asked && out->coupled.rounds) return SP_E_UNSUPPORTED;
-#endif
+    if (!SP__WITH_COUPLED && out->coupled.asked) return SP_E_UNSUPPORTED;
+    if (!SP__WITH_ADMM && out->coupled.asked && out->coupled.rounds) return SP_E_UNSUPPORTED;
     if (out->seed && !sp__seed_fits(out->seed)) return SP_E_RANGE;
     for (int k = 0; k < SP_EFFECTS_FORCED; k++) {
         const int32_t choice = (int32_t)out->effect[k];
         if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
     }
-#ifdef SP_NO_PLAN
-    if (out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
-#endif
+    if (!SP__WITH_PLAN && out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
     if (out->coupled.asked && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     sp__settings_fit(scene, out);
     return SP_OK;
@@ -131,9 +112,7 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
     if (id == SP_STAGE_LEAST_SQUARES) { s.run = sp__least_squares_run; s.need = sp__sparse_need; }
     if (id == SP_STAGE_DENSE) { s.run = sp__dense_run; s.need = sp__dense_need; }
     if (id == SP_STAGE_POLISH) { s.run = sp__polish_run; s.need = sp__polish_need; }
-#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
-    if (id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
-#endif
+    if (SP__WITH_ADMM && id == SP_STAGE_ADMM) { s.run = sp__admm_run; s.need = sp__admm_need; }
     if (id == SP_STAGE_CUSTOM) s = *set->custom;
     return s;
 }
@@ -155,6 +134,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 }
 #endif
 
+#if SP__WITH_LARGE || !defined SP_NO_PLAN
 /* What of an effect is in the scene. */
 static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
 {
@@ -169,6 +149,7 @@ static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int
          : effect == SP_EFFECT_LIVE ? sp__scene_live(scene)
          : effect == SP_EFFECT_COUPLED && set->coupled.asked;
 }
+#endif
 
 #if SP__WITH_LARGE
 /* Why an effect is on or off. */

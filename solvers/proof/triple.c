@@ -4,6 +4,10 @@
 
 #include "statics.c"
 
+/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
+ * and no proof would reach as far. */
+#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
+
 #if SP__WITH_COUPLED
 
 /* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
@@ -21,10 +25,6 @@
 #define SP__SLIP_ROUNDING (4000000 * (sp_real)SP_EPSILON)
 #endif
 #define SP__GIVE_ROUNDING (16 * (sp_real)SP_EPSILON)
-
-/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
- * and no proof would reach as far. */
-#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
 
 /* Lengths of the coupled check; eps and eta are counted in L: (1, eta / eps), or (0, 1) where eps is 0. */
 typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;

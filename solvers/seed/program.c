@@ -17,7 +17,7 @@
  * Forces are counted in the largest load, moments in forces at the block's longest arm, so residuals don't depend on units.
  * Its forces fp - fm, ft are put into the cones and judged; the multipliers of Aeq are a motion: dq of a certificate that there
  * are no forces. Where the true cone is asked for the seed's pyramid takes its place, whose forces the true cone admits.  */
-#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+#if SP__WITH_ADMM
 
 typedef struct sp__program_arrays {
     int32_t *Pp, *Ap, *Ai;              /* Pp: 0, 1, ...: column starts and rows of the diagonal P */
@@ -70,11 +70,7 @@ static sp_qp_backend sp__program_backend(const sp_problem *pb, const sp_settings
     if (!set->seed || seed->dense_cells <= 0) return seed->admm.backend;
     const int64_t n = qp->n, cells = n * (n + qp->m - 2 * pb->points);
     if (cells <= seed->dense_cells) return SP_QP_DENSE;
-#ifdef SP_QP_NO_CG
-    return SP_QP_SPARSE;
-#else
-    return SP_QP_CG;
-#endif
+    return SP__WITH_QP_CG ? SP_QP_CG : SP_QP_SPARSE;
 }
 
 /* Without the preset the accuracy is that of the check, and the active rows are solved for exactly. */
@@ -83,9 +79,7 @@ static void sp__program_tighten(sp_qp_settings *s, sp_real tol)
     const sp_real eps = sp__max(tol / 4, 1000 * (sp_real)SP_EPSILON);
     if (eps < s->eps_abs) s->eps_abs = eps;
     if (eps < s->eps_rel) s->eps_rel = eps;
-#ifndef SP_QP_NO_POLISH
-    s->polish = 1;
-#endif
+    s->polish = SP__WITH_QP_POLISH;
 }
 
 /* Sizes, pyramid and who solves it.     returns 0: too large */
@@ -279,6 +273,17 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
     sp__program_carve(&at, &qp, pb->blocks, entries, &dry);
     sp__take(&dry, 1, solver);
     return sp__failed(&dry) ? 0 : dry.peak + SP_ALIGN;
+}
+
+#else
+
+static sp_status sp__admm_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+{
+    return (void)pb, (void)set, (void)state, (void)arena, (void)claim, SP_E_UNSUPPORTED;
+}
+static size_t sp__admm_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return (void)pb, (void)set, (void)scratch, 0;
 }
 
 #endif

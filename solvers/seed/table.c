@@ -42,9 +42,28 @@ static const sp_seed sp__seed = {
 
 SP_API const sp_seed *sp_seed_table(void) { return &sp__seed; }
 
+#if SP__WITH_ADMM
+/* Settings of a check as the table has them. */
+static void sp__seed_settings(sp_settings *s)
+{
+    s->tol = sp__seed.tension;
+    s->faces = sp__seed.faces;
+    s->inscribed = sp__seed.inscribed;
+    s->net = sp__seed.net;
+    s->gamma = sp__seed.gamma;
+    s->tau = sp__seed.tau;
+    s->seed = &sp__seed;
+    s->coupled.rounds = sp__seed.turns;
+}
+#endif
+
 #elif SP__WITH_SMALL
 
 SP_API const sp_seed *sp_seed_table(void) { return NULL; }
+
+#if SP__WITH_ADMM
+static void sp__seed_settings(sp_settings *s) { (void)s; }
+#endif
 
 #endif
 

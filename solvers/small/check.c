@@ -387,6 +387,8 @@ SP__NOINLINE static void sp__small_sharpen(sp__small *w)
         return;
     }
 }
+#else
+static void sp__small_sharpen(sp__small *w) { (void)w; }
 #endif
 
 /* The search on a built problem, its arrays carved; those of the certificate check behind them. */
@@ -407,9 +409,7 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
     sp__small_plain(w);
     sp__small_path(w);
     sp__small_plain(w);
-#ifndef SP_EXACT_ONLY
     sp__small_sharpen(w);
-#endif
     if (r->verdict != SP_STABLE) {
         sp__small_sweep(w, w->best, SP__GRADIENT);
         sp__small_look(w);

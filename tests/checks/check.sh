@@ -108,7 +108,7 @@ check_switches() {
     count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
     for sw_real in '' -DSP_REAL_FLOAT; do
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
-        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small envelope scene contacts matrices closed verify near gen' \
+        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene contacts matrices closed verify near gen' \
             tests/scenes/gen.c -DSP_EXACT_ONLY $sw_real
         count "tests, SP_SMALL $sw_real" tests_without "$small" tests/scenes/gen.c -DSP_SMALL $sw_real
         count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
