@@ -161,7 +161,7 @@ static const struct {
 
 enum { COMMANDS = sizeof command / sizeof *command };
 
-static void help(void)
+static void print_help(void)
 {
     puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
     for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", command[k].name, command[k].summary);
@@ -179,7 +179,7 @@ static int wants_help(int argc, char **argv)
 }
 
 /* What was printed has to arrive.      returns status, or EXIT_INTERNAL */
-static int arrived(int status)
+static int flush_output(int status)
 {
     if ((!fflush(stdout) && !ferror(stdout)) || status == EXIT_INTERNAL) return status;
     fputs("stonepack: can't write\n", stderr);
@@ -194,14 +194,14 @@ int main(int argc, char **argv)
         return 0;
     }
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0)) {
-        help();
+        print_help();
         return 0;
     }
     for (int k = 0; argc > 1 && k < COMMANDS; k++) {
         if (strcmp(argv[1], command[k].name)) continue;
-        if (!wants_help(argc, argv)) return arrived(command[k].run(argc, argv));
+        if (!wants_help(argc, argv)) return flush_output(command[k].run(argc, argv));
         fputs(command[k].help, stdout);
-        return arrived(0);
+        return flush_output(0);
     }
     if (argc > 1) fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", argv[1]);
     else fputs("stonepack: a command is missing, see stonepack --help\n", stderr);

@@ -67,7 +67,7 @@ static void times_At(const sp_qp *qp, const double *v, double *out)
     }
 }
 
-static void scales(judge *g)
+static void find_scales(judge *g)
 {
     const sp_qp *qp = g->qp;
     for (int32_t i = 0; i < qp->m; i++) g->E[i] = 0;
@@ -284,7 +284,7 @@ static void into_kernel(const kernel *k, double *v)
 }
 
 /* v to its largest entry 1, rounded as it will be told; 0: it is nothing */
-static int direction(double *v, int32_t n)
+static int scale_to_one(double *v, int32_t n)
 {
     const double most = largest(v, n);
     if (!(most > 0) || !isfinite(most)) return 0;
@@ -328,10 +328,10 @@ static double proof_primal(judge *g, const sp_qp_settings *set)
     const double enough = larger(far_primal(g, set), 1 / (double)set->eps_pinf);
     double radius;
     drop_unbounded(g->qp, g->y);
-    radius = direction(g->y, g->qp->m) ? radius_primal(g) : 0;
+    radius = scale_to_one(g->y, g->qp->m) ? radius_primal(g) : 0;
     if (radius > 1 && radius <= enough) {
         sharpen_y(g);
-        radius = direction(g->y, g->qp->m) ? radius_primal(g) : 0;
+        radius = scale_to_one(g->y, g->qp->m) ? radius_primal(g) : 0;
     }
     return radius > enough ? radius : 0;
 }
@@ -339,10 +339,10 @@ static double proof_primal(judge *g, const sp_qp_settings *set)
 static double proof_dual(judge *g, const sp_qp_settings *set)
 {
     const double enough = larger(far_dual(g, set), 1 / (double)set->eps_dinf);
-    double radius = direction(g->x, g->qp->n) ? radius_dual(g) : 0;
+    double radius = scale_to_one(g->x, g->qp->n) ? radius_dual(g) : 0;
     if (radius > 1 && radius <= enough) {
         sharpen_x(g);
-        radius = direction(g->x, g->qp->n) ? radius_dual(g) : 0;
+        radius = scale_to_one(g->x, g->qp->n) ? radius_dual(g) : 0;
     }
     return radius > enough ? radius : 0;
 }
@@ -361,22 +361,22 @@ static int judge_make(judge *g, const sp_qp *qp)
     g->E = p; g->y = p + m; g->Ax = p + 2 * m;
     p += 3 * m;
     g->w = p; g->r = p + (n + m); g->s = p + 2 * (n + m); g->d = p + 3 * (n + m); g->t = p + 4 * (n + m);
-    scales(g);
+    find_scales(g);
     return 1;
 }
 
-static void keep(const double *from, sp_real *to, int32_t n, double factor)
+static void write_scaled(const double *from, sp_real *to, int32_t n, double factor)
 {
     for (int32_t k = 0; k < n; k++) to[k] = (sp_real)(factor * from[k]);
 }
 
 /* A certificate that does not hold leaves the origin, judged, and `numerical`. */
-static void no_point(judge *g, sp_real *x, sp_real *y)
+static void leave_no_point(judge *g, sp_real *x, sp_real *y)
 {
     memset(g->x, 0, (size_t)g->qp->n * sizeof *g->x);
     memset(g->y, 0, (size_t)g->qp->m * sizeof *g->y);
-    keep(g->x, x, g->qp->n, 0);
-    keep(g->y, y, g->qp->m, 0);
+    write_scaled(g->x, x, g->qp->n, 0);
+    write_scaled(g->y, y, g->qp->m, 0);
 }
 
 sp_status qp_judge(const sp_qp *qp, const sp_qp_settings *settings, sp_qp_status claim, sp_real *x, sp_real *y,
@@ -393,18 +393,18 @@ sp_status qp_judge(const sp_qp *qp, const sp_qp_settings *settings, sp_qp_status
     result->status = claim;
     if (claim == SP_QP_PRIMAL_INFEASIBLE || claim == SP_QP_DUAL_INFEASIBLE) {
         radius = claim == SP_QP_PRIMAL_INFEASIBLE ? proof_primal(&g, &set) : proof_dual(&g, &set);
-        if (!(radius > 0)) { result->status = SP_QP_NUMERICAL; no_point(&g, x, y); }
+        if (!(radius > 0)) { result->status = SP_QP_NUMERICAL; leave_no_point(&g, x, y); }
         else if (claim == SP_QP_PRIMAL_INFEASIBLE) memset(g.x, 0, (size_t)qp->n * sizeof *g.x);
         else memset(g.y, 0, (size_t)qp->m * sizeof *g.y);
     } else {
         if (!isfinite(largest(g.x, qp->n)) || !isfinite(largest(g.y, qp->m))) {
             result->status = SP_QP_NUMERICAL;
-            no_point(&g, x, y);
+            leave_no_point(&g, x, y);
         }
         drop_unbounded(qp, g.y);
     }
-    keep(g.x, x, qp->n, 1);
-    keep(g.y, y, qp->m, 1);
+    write_scaled(g.x, x, qp->n, 1);
+    write_scaled(g.y, y, qp->m, 1);
     off = residuals(&g, &set, result);
     if (radius <= 0) result->status = point_status(result->status, off);
     result->radius = radius < 1e30 ? (sp_real)radius : (sp_real)1e30;
@@ -413,7 +413,7 @@ sp_status qp_judge(const sp_qp *qp, const sp_qp_settings *settings, sp_qp_status
 }
 
 /* What sp_qp_setup says, which also knows whether P is semidefinite. */
-static sp_status setup(const sp_qp *qp, const sp_qp_settings *set, size_t bytes)
+static sp_status try_setup(const sp_qp *qp, const sp_qp_settings *set, size_t bytes)
 {
     sp_arena a;
     sp_qp_work *work;
@@ -424,7 +424,7 @@ static sp_status setup(const sp_qp *qp, const sp_qp_settings *set, size_t bytes)
     return status;
 }
 
-static sp_status semidefinite(const sp_qp *qp, sp_qp_settings set)
+static sp_status check_semidefinite(const sp_qp *qp, sp_qp_settings set)
 {
     sp_arena a;
     sp_status status = SP_E_MEMORY;
@@ -435,7 +435,7 @@ static sp_status semidefinite(const sp_qp *qp, sp_qp_settings set)
     memory = bytes ? malloc(bytes + SP_ALIGN) : NULL;
     if (memory && sp_arena_init(&a, memory, bytes + SP_ALIGN) == SP_OK) status = sp_qp_memory(qp, &set, a, &bytes);
     free(memory);
-    return status == SP_OK ? setup(qp, &set, bytes) : status;
+    return status == SP_OK ? try_setup(qp, &set, bytes) : status;
 }
 
 sp_status qp_judge_arguments(const sp_qp *qp, const sp_qp_settings *settings, const sp_real *x0, const sp_real *y0)
@@ -449,17 +449,17 @@ sp_status qp_judge_arguments(const sp_qp *qp, const sp_qp_settings *settings, co
     if (status != SP_OK) return status;
     for (int32_t j = 0; x0 && j < qp->n; j++) if (!isfinite((double)x0[j])) return SP_E_NOT_FINITE;
     for (int32_t i = 0; y0 && i < qp->m; i++) if (!isfinite((double)y0[i])) return SP_E_NOT_FINITE;
-    return qp->Pp ? semidefinite(qp, set) : SP_OK;
+    return qp->Pp ? check_semidefinite(qp, set) : SP_OK;
 }
 
-static size_t up(size_t bytes) { return (bytes + (SP_ALIGN - 1)) / SP_ALIGN * SP_ALIGN; }
+static size_t round_up(size_t bytes) { return (bytes + (SP_ALIGN - 1)) / SP_ALIGN * SP_ALIGN; }
 
 /* n numbers at *x, m at *y.     returns bytes taken; NULL arena: only counts; 0: no room */
-static size_t take(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y)
+static size_t carve_point(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real **y)
 {
-    const size_t of_x = up((size_t)qp->n * sizeof(sp_real)), of_y = up((size_t)qp->m * sizeof(sp_real));
+    const size_t of_x = round_up((size_t)qp->n * sizeof(sp_real)), of_y = round_up((size_t)qp->m * sizeof(sp_real));
     if (!arena) return of_x + of_y;
-    const size_t used = up(arena->used);
+    const size_t used = round_up(arena->used);
     unsigned char *at = arena->base + used;
     if (used > arena->cap || arena->cap - used < of_x + of_y) return 0;
     memcpy(x, &at, sizeof at);
@@ -482,7 +482,7 @@ sp_status qp_judge_solve(qp_judge_attempt *attempt, const sp_qp *qp, const sp_qp
 
     if (status != SP_OK || !arena || !result) return status == SP_OK ? SP_E_ARGUMENT : status;
     a = *arena;
-    if (!take(qp, &a, &x, &y)) return SP_E_MEMORY;
+    if (!carve_point(qp, &a, &x, &y)) return SP_E_MEMORY;
     memset(&r, 0, sizeof r);
     status = attempt(qp, &set, x0, y0, x, y, &claim, &r);
     if (status == SP_OK) status = qp_judge(qp, &set, claim, x, y, &r);
@@ -497,6 +497,6 @@ sp_status qp_judge_need(void *self, const sp_qp *qp, const sp_qp_settings *setti
     const sp_status status = qp_judge_arguments(qp, settings, NULL, NULL);
     (void)self;
     (void)scratch;
-    if (status == SP_OK) *bytes = take(qp, NULL, NULL, NULL);
+    if (status == SP_OK) *bytes = carve_point(qp, NULL, NULL, NULL);
     return status;
 }

@@ -12,16 +12,16 @@
 #define LONG_WORK 5000                  /* [blocks] from here on a terminal is told what goes on */
 
 /* One line on a terminal's stderr that the next one replaces; "" wipes it. */
-static void progress(const char *what, const char *path)
+static void show_progress(const char *what, const char *path)
 {
     if (isatty(STDERR_FILENO)) fprintf(stderr, *what ? "\r\033[K%s %s ..." : "\r\033[K", what, path);
 }
 
 /* The coupled question once more, as the program its authors publish. */
-static int publish(report *r, solvers_published *p, failure *error)
+static int ask_published(report *r, solvers_published *p, failure *error)
 {
     sp_status status;
-    progress("asking Ipopt about", r->scene->path);
+    show_progress("asking Ipopt about", r->scene->path);
     status = solvers_publish(&r->scene->scene, &r->options->settings, &r->result, p);
     r->published = p;
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
@@ -39,14 +39,14 @@ static int check_one(const char *path, const options *o, failure *error)
     memset(&r, 0, sizeof r);
     r.scene = &s;
     r.options = o;
-    progress("reading", path);
+    show_progress("reading", path);
     status = scene_read(path, o->mu, SCENE_GIVEN, &s, error);
     if (!status) tilt_turn(o->tilt, o->azimuth, s.scene.gravity);
-    if (!status && s.scene.count.blocks >= LONG_WORK) progress("checking", path);
+    if (!status && s.scene.count.blocks >= LONG_WORK) show_progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
-    if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = publish(&r, &p, error);
+    if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status && o->svg) status = report_draw(&r, error);
-    progress("", "");
+    show_progress("", "");
     if (!status) {
         if (o->json) report_json(stdout, &r);
         else report_text(stdout, &r);
@@ -58,7 +58,7 @@ static int check_one(const char *path, const options *o, failure *error)
 }
 
 /* A bad scene hides nothing worse than a verdict; a failure of ours tells before it. */
-static int worse(int a, int b)
+static int worse_status(int a, int b)
 {
     static const int order[] = { EXIT_STABLE, EXIT_UNSTABLE, EXIT_UNDECIDED, EXIT_NO_INPUT, EXIT_SCENE, EXIT_USAGE,
                                  EXIT_UNAVAILABLE, EXIT_MEMORY, EXIT_INTERNAL };
@@ -98,7 +98,7 @@ int command_check(int argc, char **argv)
         if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
         if (!o.json && i + 1 < o.files && before < 0) fputc('\n', stdout);
         fflush(stdout);
-        worst = worse(worst, status);
+        worst = worse_status(worst, status);
     }
     done_free(&done);
     return worst;

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Write to a file or, for "-" or NULL, to standard output. */
-static int write_to(const char *path, const sp_scene *scene, const char *const *name, failure *error)
+static int write_scene_to(const char *path, const sp_scene *scene, const char *const *name, failure *error)
 {
     FILE *out = file_create(path, error);
     return out ? file_finish(out, path, scene_write(out, scene, name, path ? path : "-", error), error) : error->status;
@@ -27,7 +27,7 @@ int command_convert(int argc, char **argv)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
     if (!error.status) {
         if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0)
-            write_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error);
+            write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error);
         scene_free(&s);
     }
     if (error.status) fprintf(stderr, "%s\n", error.line);
@@ -78,7 +78,7 @@ static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
     return 0;
 }
 
-static int generate(const gen_scene *g, failure *error)
+static int write_generated(const gen_scene *g, failure *error)
 {
     sp_capacity cap;
     sp_scene scene;
@@ -90,7 +90,7 @@ static int generate(const gen_scene *g, failure *error)
     if (status == SP_OK) status = run_arena(sp_scene_memory(&cap), &arena, &memory);
     if (status == SP_OK) status = gen_build(g, &arena, &scene);
     if (status != SP_OK) failed = fail_status(error, status, g->entry->name, 0, "");
-    else failed = write_to(NULL, &scene, NULL, error);
+    else failed = write_scene_to(NULL, &scene, NULL, error);
     free(memory);
     return failed;
 }
@@ -106,7 +106,7 @@ int command_gen(int argc, char **argv)
     }
     if (!gen_open(&g, argv[2]))
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: no scene '%.60s'; see stonepack gen", argv[2]);
-    else if (read_numbers(argc, argv, &g, &error) == 0) generate(&g, &error);
+    else if (read_numbers(argc, argv, &g, &error) == 0) write_generated(&g, &error);
     if (error.status) fprintf(stderr, "%s\n", error.line);
     return error.status;
 }

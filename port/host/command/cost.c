@@ -22,7 +22,7 @@ static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5 };
 static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12 };
 #endif
 
-static void progress(int k, const cost_row *r)
+static void show_progress(int k, const cost_row *r)
 {
     if (!isatty(STDERR_FILENO)) return;
     fputs("\r\033[K", stderr);
@@ -31,7 +31,7 @@ static void progress(int k, const cost_row *r)
 }
 
 /* One check, three times where that is quick; the best time counts. */
-static sp_status measure(const host_scene *s, const sp_settings *set, cost_row *row)
+static sp_status check_timed(const host_scene *s, const sp_settings *set, cost_row *row)
 {
     double spent = 0;
     for (int k = 0; k < 3 && spent < 0.03; k++) {
@@ -54,13 +54,13 @@ static sp_status measure(const host_scene *s, const sp_settings *set, cost_row *
 }
 
 /* The verdict others are compared with: the exact stage, the true cone, the least tol that decides. */
-static sp_status refer(const host_scene *s, const sp_settings *base, cost_table *t)
+static sp_status find_reference(const host_scene *s, const sp_settings *base, cost_table *t)
 {
     for (int k = COST_TOLS - 1; k >= 0; k--) {
         sp_settings set = *base;
         cost_row row;
         set.tol = (sp_real)tol_of[k];
-        const sp_status status = measure(s, &set, &row);
+        const sp_status status = check_timed(s, &set, &row);
         if (status) return status;
         t->truth = row.verdict;
         t->truth_tol = tol_of[k];
@@ -76,28 +76,28 @@ static sp_status cost_measure(const host_scene *s, const sp_settings *base, cost
     sp_settings set = *base;
     memset(t, 0, sizeof *t);
     set.localise = 0;
-    sp_status status = refer(s, &set, t);
+    sp_status status = find_reference(s, &set, t);
     t->budget = base->budget ? base->budget : t->truth_flops > 1000000 ? 100 * t->truth_flops : 100000000;
     for (int k = 0; k < COST_ROWS && !status; k++) {
         cost_row *row = &t->row[k];
         row->cone = cone_name[k / COST_TOLS % COST_CONES];
         row->stage = stage_id[k / COST_TOLS / COST_CONES];
         row->tol = tol_of[k % COST_TOLS];
-        progress(k, row);
+        show_progress(k, row);
         options_cone(row->cone, &set);
         set.tol = (sp_real)row->tol;
         set.budget = t->budget;
         set.stage_count = 2;
         set.stage[1] = row->stage;
-        status = measure(s, &set, row);
+        status = check_timed(s, &set, row);
     }
-    progress(0, NULL);
+    show_progress(0, NULL);
     return status;
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- table */
 
-static int wrong(const cost_table *t, const cost_row *r) { return r->verdict && t->truth && r->verdict != t->truth; }
+static int is_wrong(const cost_table *t, const cost_row *r) { return r->verdict && t->truth && r->verdict != t->truth; }
 
 static const char *scaled(double x, char *text, size_t size)
 {
@@ -113,18 +113,18 @@ static void table_cell(FILE *out, const cost_table *t, const cost_row *r)
 {
     char flops[16];
     scaled((double)r->cost.flops, flops, sizeof flops);
-    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], wrong(t, r) ? '!' : ' ', flops, r->omega);
+    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], is_wrong(t, r) ? '!' : ' ', flops, r->omega);
 }
 
 /* Share of the friction that a pyramid takes away or adds. */
-static double capacity(const char *cone)
+static double friction_gained(const char *cone)
 {
     const int faces = atoi(cone);
     const double c = faces ? cos(3.14159265358979323846 / faces) : 1;
     return cone[strlen(cone) - 1] == 'i' ? c - 1 : 1 / c - 1;
 }
 
-static const cost_row *find(const cost_table *t, sp_stage_id stage, const char *cone, int tol)
+static const cost_row *find_row(const cost_table *t, sp_stage_id stage, const char *cone, int tol)
 {
     for (int k = 0; k < COST_ROWS; k++)
         if (t->row[k].stage == stage && strcmp(t->row[k].cone, cone) == 0 && k % COST_TOLS == tol) return &t->row[k];
@@ -136,13 +136,13 @@ static void table_words(FILE *out, const cost_table *t)
 {
     int k = 0;
     while (k + 1 < COST_TOLS && tol_of[k] > t->truth_tol * 1.01) k++;
-    const cost_row *exact = find(t, SP_STAGE_EXACT, "true", k);
+    const cost_row *exact = find_row(t, SP_STAGE_EXACT, "true", k);
     fputs("\npyramids against the true cone, exact stage:\n", out);
     for (int c = 1; c < COST_CONES; c++) {
-        const cost_row *r = find(t, SP_STAGE_EXACT, cone_name[c], k);
+        const cost_row *r = find_row(t, SP_STAGE_EXACT, cone_name[c], k);
         const double work = exact->cost.flops ? (double)r->cost.flops / (double)exact->cost.flops : 1;
-        const double share = 100 * capacity(cone_name[c]);
-        const char *verdict = wrong(t, r) ? "another verdict" : r->verdict ? "same verdict" : "undecided";
+        const double share = 100 * friction_gained(cone_name[c]);
+        const char *verdict = is_wrong(t, r) ? "another verdict" : r->verdict ? "same verdict" : "undecided";
         fprintf(out, "  %-4s %s %.1f %% of the friction at its worst direction, costs %.2f times the work: %s\n", cone_name[c],
                 share < 0 ? "takes" : "adds up to", fabs(share), work, verdict);
     }
@@ -191,7 +191,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
         json_real(&j, "tol", r->tol);
         json_string(&j, "verdict", sp_verdict_text(r->verdict));
         json_string(&j, "reason", sp_reason_text(r->reason));
-        json_bool(&j, "wrong", wrong(t, r));
+        json_bool(&j, "wrong", is_wrong(t, r));
         json_real(&j, "omega", r->omega);
         json_real(&j, "least_imbalance", r->least);
         json_int(&j, "flops", r->cost.flops);
@@ -208,7 +208,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
 
 /* -------------------------------------------------------------------------------------------------------------- command */
 
-static int draw(const char *path, const host_scene *s, const cost_table *t, failure *error)
+static int draw_table(const char *path, const host_scene *s, const cost_table *t, failure *error)
 {
     FILE *out = file_create(path, error);
     if (!out) return error->status;
@@ -231,7 +231,7 @@ int command_cost(int argc, char **argv)
     if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);
-    if (!code && o.svg) code = draw(o.svg, &s, &table, &error);
+    if (!code && o.svg) code = draw_table(o.svg, &s, &table, &error);
     if (!code) {
         if (o.json) cost_json(stdout, &s, &table);
         else cost_text(stdout, &s, &table);

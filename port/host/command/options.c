@@ -237,7 +237,7 @@ static const struct {
 };
 
 /* Where an option goes whose value is taken as it is; NULL: another. */
-static const char **text_of(options *o, const char *name)
+static const char **place_of_text(options *o, const char *name)
 {
     return strcmp(name, "--svg") == 0 ? &o->svg : strcmp(name, "-o") == 0 ? &o->out : strcmp(name, "--frames") == 0 ? &o->frames
          : strcmp(name, "--set") == 0 ? &o->set : strcmp(name, "--order") == 0 ? &o->order
@@ -245,9 +245,9 @@ static const char **text_of(options *o, const char *name)
 }
 
 /* One option with its value. */
-static int take(options *o, const char *name, const char *value, failure *error)
+static int take_value(options *o, const char *name, const char *value, failure *error)
 {
-    const char **text = text_of(o, name);
+    const char **text = place_of_text(o, name);
     if (text) *text = value;
     for (size_t k = 0; !text && k < sizeof with_value / sizeof *with_value; k++)
         if (strcmp(name, with_value[k].name) == 0) return with_value[k].take(o, name, value, error);
@@ -257,7 +257,7 @@ static int take(options *o, const char *name, const char *value, failure *error)
 /* -------------------------------------------------------------------------------------------------------------- others */
 
 /* Whole sets of settings, which other options then change, wherever they stand.    returns 0: unknown */
-static int preset(const char *value, options *o)
+static int set_preset(const char *value, options *o)
 {
     if (strcmp(value, "default") == 0) {
         o->settings = sp_settings_default();
@@ -280,7 +280,7 @@ static int preset(const char *value, options *o)
 }
 
 /* Options without a value. */
-static int flag(options *o, const char *name)
+static int set_flag(options *o, const char *name)
 {
     if (strcmp(name, "--json") == 0) return o->json = 1;
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
@@ -295,7 +295,7 @@ static int flag(options *o, const char *name)
     return 0;
 }
 
-static int known(const char *allowed, const char *name)
+static int is_allowed(const char *allowed, const char *name)
 {
     char key[40];
     if (strlen(name) > 32 || strchr(name, ' ')) return 0;
@@ -314,7 +314,7 @@ static void set_defaults(options *o, char **argv)
     o->solver = sp_qp_admm();
     o->program = argv[0];
     o->file = argv + 2;
-    preset("default", o);
+    set_preset("default", o);
 }
 
 /* Every --preset of the line: it comes before all other options, wherever it stands. */
@@ -323,7 +323,7 @@ static int read_presets(int argc, char **argv, options *o, failure *error)
     for (int i = 2; i < argc && strcmp(argv[i], "--"); i++) {
         const char *value = strcmp(argv[i], "--preset") == 0 ? argv[i + 1] : NULL;
         if (strncmp(argv[i], "--preset=", 9) == 0) value = argv[i] + 9;
-        if (value && !preset(value, o)) return usage(error, "--preset", "needs default, quick, standard, precise or seed");
+        if (value && !set_preset(value, o)) return usage(error, "--preset", "needs default, quick, standard, precise or seed");
     }
     return 0;
 }
@@ -333,12 +333,12 @@ static int read_option(int argc, char **argv, int *i, const char *allowed, optio
 {
     char *name = argv[*i], *value = strchr(name, '=');
     if (value) *value++ = 0;
-    if (!known(allowed, name))
+    if (!is_allowed(allowed, name))
         return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: unknown option '%.60s', see stonepack %.20s --help", name,
                          argv[1]);
-    if (flag(o, name)) return value ? usage(error, name, "takes no value") : 0;
+    if (set_flag(o, name)) return value ? usage(error, name, "takes no value") : 0;
     if (!value && *i + 1 == argc) return usage(error, name, "needs a value");
-    return take(o, name, value ? value : argv[++*i], error);
+    return take_value(o, name, value ? value : argv[++*i], error);
 }
 
 /* What --effects says of coupled must agree with --coupled; `only` is an option that belongs to it, or NULL. */
@@ -356,7 +356,7 @@ int options_read(int argc, char **argv, const char *allowed, options *o, failure
     int only_files = 0, status = 0;
 
     set_defaults(o, argv);
-    if (known(allowed, "--preset")) status = read_presets(argc, argv, o, error);
+    if (is_allowed(allowed, "--preset")) status = read_presets(argc, argv, o, error);
     for (int i = 2; i < argc && !status; i++) {
         char *word = argv[i];
         if (only_files || word[0] != '-' || word[1] == 0) o->file[o->files++] = word;          /* at or before i */

@@ -83,7 +83,7 @@ static void print_json(const run *r, const char *path)
 }
 
 /* 0 solved, 1 proved to have no solution, 2 not decided. */
-static int exit_of(sp_qp_status status)
+static int exit_status(sp_qp_status status)
 {
     if (status == SP_QP_SOLVED) return 0;
     return status == SP_QP_PRIMAL_INFEASIBLE || status == SP_QP_DUAL_INFEASIBLE ? 1 : 2;
@@ -114,7 +114,7 @@ int command_qp(int argc, char **argv)
     if (!status) {
         if (o.json) print_json(&r, o.file[0]);
         else print_text(&r);
-        status = exit_of(r.result.status);
+        status = exit_status(r.result.status);
     }
     if (error.status) fprintf(stderr, "%s\n", error.line);
     free(r.memory);

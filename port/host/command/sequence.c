@@ -20,20 +20,20 @@
 enum { STRIP = 24 };                    /* pictures in a strip, at most */
 
 /* What became of one step. */
-typedef struct told {
+typedef struct outcome {
     int32_t block;
     sp_step step;                       /* its arrays are the sequence's: not read later */
     sp_held held;                       /* its lists lie in `list` */
     int32_t *list;
     sp_suggestion next;
     unsigned char *mark;                /* of each block: an block_mark; NULL: no picture wanted */
-} told;
+} outcome;
 
 typedef struct run {
     const options *options;
     host_scene scene;
     int32_t *order, steps;
-    told *told;
+    outcome *outcome;                   /* of each step */
     void *memory;
     sp_sequence *sequence;
     int32_t first;                      /* step that fails first, from 1; 0: none */
@@ -43,14 +43,14 @@ typedef struct run {
     double seconds;
 } run;
 
-static void progress(const run *r, int32_t k)
+static void show_progress(const run *r, int32_t k)
 {
     if (!isatty(STDERR_FILENO)) return;
     fputs("\r\033[K", stderr);
     if (k < r->steps) fprintf(stderr, "step %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
 }
 
-static void *get(size_t count, size_t size)
+static void *zeroed(size_t count, size_t size)
 {
     void *p = count < SIZE_MAX / size - SP_ALIGN ? calloc(count * size + SP_ALIGN, 1) : NULL;
     return p;
@@ -59,7 +59,7 @@ static void *get(size_t count, size_t size)
 /* --------------------------------------------------------------------------------------------------------------- order */
 
 /* A stone of the order, by its name. `path` NULL: from the command line.                    returns 0 or an exit status */
-static int add(run *r, text_word name, const char *path, int32_t line, failure *error)
+static int add_to_order(run *r, text_word name, const char *path, int32_t line, failure *error)
 {
     const sp_scene *s = &r->scene.scene;
     const int status = path ? EXIT_SCENE : EXIT_USAGE, n = name.n > 60 ? 60 : (int)name.n;
@@ -79,7 +79,7 @@ static int read_list(run *r, const char *list, failure *error)
 {
     for (;;) {
         const text_word name = { list, strcspn(list, ",") };
-        const int status = add(r, name, NULL, 0, error);
+        const int status = add_to_order(r, name, NULL, 0, error);
         if (status || !list[name.n]) return status;
         list += name.n + 1;
     }
@@ -97,7 +97,7 @@ static int read_file(run *r, const char *path, int32_t *line, failure *error)
     do {
         while (!status && text_next_word(&c, &name) && name.s[0] != '#') {
             *line = c.line;
-            status = add(r, name, path, c.line, error);
+            status = add_to_order(r, name, path, c.line, error);
         }
     } while (!status && text_next_line(&c));
     free(text);
@@ -105,7 +105,7 @@ static int read_file(run *r, const char *path, int32_t *line, failure *error)
 }
 
 /* A stone to be built must be in the order; one that need not go may be left out of it. */
-static int complete(const run *r, const char *path, int32_t line, failure *error)
+static int check_complete(const run *r, const char *path, int32_t line, failure *error)
 {
     const sp_scene *s = &r->scene.scene;
     for (int32_t b = 0; b < s->count.blocks; b++) {
@@ -124,7 +124,7 @@ static int read_order(run *r, failure *error)
     const sp_scene *s = &r->scene.scene;
     int32_t line = 0;
     int status = 0;
-    r->order = get((size_t)s->count.blocks, sizeof *r->order);
+    r->order = zeroed((size_t)s->count.blocks, sizeof *r->order);
     if (!r->order) return fail_with(error, EXIT_MEMORY, r->scene.path, 0, "out of memory");
     if (o->order && o->order_file)
         return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --order and --order-file exclude each other");
@@ -135,16 +135,16 @@ static int read_order(run *r, failure *error)
             const int32_t b = o->remove ? s->count.blocks - 1 - k : k;
             if (s->block[b].fixed != SP_FIXED) r->order[r->steps++] = b;
         }
-    return status || o->remove ? status : complete(r, o->order_file, line, error);
+    return status || o->remove ? status : check_complete(r, o->order_file, line, error);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- run */
 
 /* To be taken down: all is there. */
-static sp_status fill(run *r)
+static sp_status place_all(run *r)
 {
     const int32_t n = r->scene.scene.count.blocks;
-    sp_presence *presence = get((size_t)n, sizeof *presence);
+    sp_presence *presence = zeroed((size_t)n, sizeof *presence);
     sp_step step;
     sp_status status = presence ? SP_OK : SP_E_MEMORY;
     for (int32_t b = 0; b < n && presence; b++) presence[b] = SP_PRESENT;
@@ -154,11 +154,11 @@ static sp_status fill(run *r)
 }
 
 /* What the strip shows of a step: who is there is told by the order. */
-static sp_status mark(run *r, int32_t k)
+static sp_status mark_blocks(run *r, int32_t k)
 {
-    told *t = &r->told[k];
+    outcome *t = &r->outcome[k];
     const int32_t n = r->scene.scene.count.blocks;
-    t->mark = get((size_t)n, 1);
+    t->mark = zeroed((size_t)n, 1);
     if (!t->mark) return SP_E_MEMORY;
     for (int32_t b = 0; b < n; b++) {
         const sp_real *dq = t->step.dq + 6 * (size_t)b;
@@ -175,9 +175,9 @@ static sp_status mark(run *r, int32_t k)
     return SP_OK;
 }
 
-static sp_status step(run *r, int32_t k)
+static sp_status take_step(run *r, int32_t k)
 {
-    told *t = &r->told[k];
+    outcome *t = &r->outcome[k];
     const options *o = r->options;
     const double start = now();
     t->block = r->order[k];
@@ -185,7 +185,7 @@ static sp_status step(run *r, int32_t k)
     r->seconds += now() - start;
     if (!status && t->step.verdict != SP_STABLE) status = sp_sequence_hold(r->sequence, o->settings.budget, &t->held);
     if (status) return status;
-    t->list = get(2 * (size_t)t->held.count, sizeof *t->list);
+    t->list = zeroed(2 * (size_t)t->held.count, sizeof *t->list);
     if (!t->list) return SP_E_MEMORY;
     if (t->held.count) {
         memcpy(t->list, t->held.block, (size_t)t->held.count * sizeof *t->list);
@@ -193,7 +193,7 @@ static sp_status step(run *r, int32_t k)
     }
     t->held.block = t->list;
     t->held.must = t->list + t->held.count;
-    if (o->svg) status = mark(r, k);
+    if (o->svg) status = mark_blocks(r, k);
     if (!status && o->suggest) status = sp_sequence_suggest(r->sequence, !o->remove, o->settings.budget, &t->next);
     return status;
 }
@@ -202,16 +202,16 @@ static sp_status all_steps(run *r)
 {
     sp_status status;
     const double begin = now();
-    r->told = get((size_t)r->steps, sizeof *r->told);
-    if (!r->told) return SP_E_MEMORY;
+    r->outcome = zeroed((size_t)r->steps, sizeof *r->outcome);
+    if (!r->outcome) return SP_E_MEMORY;
     status = run_sequence(&r->scene.scene, &r->options->settings, &r->sequence, &r->bytes, &r->memory);
-    if (!status && r->options->remove) status = fill(r);
+    if (!status && r->options->remove) status = place_all(r);
     r->seconds = now() - begin;
     r->worst = SP_STABLE;
     for (int32_t k = 0; k < r->steps && !status; k++) {
-        const sp_step *s = &r->told[k].step;
-        progress(r, k);
-        status = step(r, k);
+        const sp_step *s = &r->outcome[k].step;
+        show_progress(r, k);
+        status = take_step(r, k);
         if (status) break;
         if (s->verdict != SP_STABLE && !r->first) r->first = k + 1;
         if (s->verdict == SP_UNSTABLE || r->worst == SP_STABLE) r->worst = s->verdict;
@@ -220,7 +220,7 @@ static sp_status all_steps(run *r)
         r->cost.iterations += s->cost.iterations;
         r->cost.interior += s->cost.interior;
     }
-    progress(r, r->steps);
+    show_progress(r, r->steps);
     return status;
 }
 
@@ -228,7 +228,7 @@ static sp_status all_steps(run *r)
 
 static const char *name_of(const run *r, int32_t block) { return block < 0 ? "none" : r->scene.name[block]; }
 
-static void print_held(const run *r, const told *t)
+static void print_held(const run *r, const outcome *t)
 {
     for (int32_t k = 0; k < t->held.count && k < 12; k++)
         printf("%s%s%s", k ? ", " : "  hold ", name_of(r, t->held.block[k]), t->held.must[k] ? "!" : "");
@@ -243,15 +243,15 @@ static void print_text(const run *r)
     for (int32_t k = 0; k < r->steps; k++) {
         const size_t n = strlen(name_of(r, r->order[k]));
         if (n > wide) wide = n;
-        if ((size_t)r->told[k].held.count > most) most = (size_t)r->told[k].held.count;
+        if ((size_t)r->outcome[k].held.count > most) most = (size_t)r->outcome[k].held.count;
     }
     if (wide > 24) wide = 24;
     printf("%s: %ld steps, ", r->scene.path, (long)r->steps);
     if (!r->first) printf("every one stands\n");
     else printf("step %ld is the first that %s (%s)\n", (long)r->first,
-                r->told[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
+                r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
     for (int32_t k = 0; k < r->steps; k++) {
-        const told *t = &r->told[k];
+        const outcome *t = &r->outcome[k];
         static const char *const word[] = { "undecided", "stable", "UNSTABLE" };
         const int more = t->step.verdict != SP_STABLE || o->suggest;
         printf("  %5ld %s %-*s  %-*s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), more ? 9 : 0,
@@ -281,7 +281,7 @@ static void json_name(json_out *j, const run *r, const char *key, int32_t block)
     else json_string(j, key, r->scene.name[block]);
 }
 
-static void json_held(json_out *j, const run *r, const told *t)
+static void json_held(json_out *j, const run *r, const outcome *t)
 {
     json_open(j, "hold", '{');
     json_open(j, "blocks", '[');
@@ -298,7 +298,7 @@ static void json_held(json_out *j, const run *r, const told *t)
 
 static void json_step(json_out *j, const run *r, int32_t k)
 {
-    const told *t = &r->told[k];
+    const outcome *t = &r->outcome[k];
     json_open(j, NULL, '{');
     json_int(j, "step", k + 1);
     json_name(j, r, r->options->remove ? "remove" : "add", t->block);
@@ -338,7 +338,7 @@ static void print_json(const run *r)
 }
 
 /* Which steps the strip shows: all, or some evenly between the first and the last, and the first that fails. */
-static int shown(const run *r, int32_t step[STRIP])
+static int choose_steps(const run *r, int32_t step[STRIP])
 {
     const int n = r->steps < STRIP ? (int)r->steps : STRIP;
     for (int i = 0; i < n; i++) step[i] = n < 2 ? 0 : (int32_t)((int64_t)i * (r->steps - 1) / (n - 1));
@@ -350,7 +350,7 @@ static int shown(const run *r, int32_t step[STRIP])
     return n;
 }
 
-static void caption(const run *r, const told *t, int32_t k, char text[SHEET_CAPTION])
+static void write_caption(const run *r, const outcome *t, int32_t k, char text[SHEET_CAPTION])
 {
     static const char *const word[] = { "undecided", "stands", "falls" };
     snprintf(text, SHEET_CAPTION, "%ld: %s%.12s %s", (long)k + 1, r->options->remove ? "without " : "", name_of(r, t->block),
@@ -358,21 +358,21 @@ static void caption(const run *r, const told *t, int32_t k, char text[SHEET_CAPT
     if (t->held.count) snprintf(text + strlen(text), SHEET_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
 }
 
-static int draw(const run *r, failure *error)
+static int draw_strip(const run *r, failure *error)
 {
     const char *path = r->options->svg;
     FILE *out = file_create(path, error);
     sheet_frame frame[STRIP];
     int32_t step[STRIP];
     char title[96];
-    const int n = shown(r, step);
+    const int n = choose_steps(r, step);
     if (!out) return error->status;
     for (int i = 0; i < n; i++) {
-        const told *t = &r->told[step[i]];
+        const outcome *t = &r->outcome[step[i]];
         frame[i].vertex = r->scene.scene.vertex;
         frame[i].mark = t->mark;
         frame[i].bad = t->step.verdict != SP_STABLE;
-        caption(r, t, step[i], frame[i].caption);
+        write_caption(r, t, step[i], frame[i].caption);
     }
     if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
     else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
@@ -380,13 +380,13 @@ static int draw(const run *r, failure *error)
     return file_finish(out, path, drawn ? 0 : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
-static void forget(run *r)
+static void free_run(run *r)
 {
-    for (int32_t k = 0; r->told && k < r->steps; k++) {
-        free(r->told[k].list);
-        free(r->told[k].mark);
+    for (int32_t k = 0; r->outcome && k < r->steps; k++) {
+        free(r->outcome[k].list);
+        free(r->outcome[k].mark);
     }
-    free(r->told);
+    free(r->outcome);
     free(r->order);
     free(r->memory);
     scene_free(&r->scene);
@@ -414,13 +414,13 @@ int command_sequence(int argc, char **argv)
         const sp_status s = all_steps(&r);
         if (s) status = scene_refused(&r.scene, &o.settings, s, &error);
     }
-    if (!status && o.svg && r.steps) status = draw(&r, &error);
+    if (!status && o.svg && r.steps) status = draw_strip(&r, &error);
     if (!status) {
         if (o.json) print_json(&r);
         else print_text(&r);
     }
     if (status) fprintf(stderr, "%s\n", error.line);
     else status = report_exit(r.worst);
-    forget(&r);
+    free_run(&r);
     return status;
 }

@@ -114,7 +114,7 @@ static int32_t fixed_blocks(const sp_scene *s)
 }
 
 /* x' = R (x - c) + t, with lengths of the simulation. */
-static void place(const settle_pose *p, double scale, const sp_real x[3], sp_real out[3])
+static void place_point(const settle_pose *p, double scale, const sp_real x[3], sp_real out[3])
 {
     double d[3];
     for (int c = 0; c < 3; c++) d[c] = scale * (double)x[c] - p->c[c];
@@ -130,7 +130,7 @@ static sp_real (*moved_vertices(const session *s, const settle_pose *pose))[3]
     for (int32_t b = 0; x && b < scene->count.blocks; b++)
         for (int32_t k = scene->block[b].vertex; k < scene->block[b].vertex + scene->block[b].vertices; k++) {
             if (scene->block[b].fixed) memcpy(x[k], scene->vertex[k], sizeof *x);
-            else place(&pose[b], s->assembly.scale, scene->vertex[k], x[k]);
+            else place_point(&pose[b], s->assembly.scale, scene->vertex[k], x[k]);
         }
     return x;
 }
@@ -156,7 +156,7 @@ static int keep_moment(session *s, int32_t step, double energy, const settle_pos
 }
 
 /* A bar on a terminal, and the moments that are drawn. */
-static int32_t watch(void *user, int32_t step, int32_t steps, double energy, const settle_pose *pose)
+static int32_t watch_step(void *user, int32_t step, int32_t steps, double energy, const settle_pose *pose)
 {
     session *s = user;
     const int percent = steps ? (int)(100.0 * step / steps) : 100;
@@ -171,7 +171,7 @@ static int32_t watch(void *user, int32_t step, int32_t steps, double energy, con
 }
 
 /* Friction of given contacts where it is not the scene's. */
-static int own_friction(session *s)
+static int gather_friction(session *s)
 {
     const sp_scene *scene = &s->in.scene;
     s->set.mu = (double)s->in.mu;
@@ -200,7 +200,7 @@ static void put_container(session *s)
     for (int c = 0; c < 2 && low[0] <= high[0]; c++) s->set.floor[c] = s->assembly.scale * 0.5 * (low[c] + high[c]);
 }
 
-static int failed(settle_status status, const session *s, failure *error)
+static int fail_settle(settle_status status, const session *s, failure *error)
 {
     const int32_t b = s->assembly.block;
     const int code = status == SETTLE_E_MEMORY || status == SETTLE_E_STOPPED ? EXIT_MEMORY
@@ -213,7 +213,7 @@ static int failed(settle_status status, const session *s, failure *error)
 }
 
 /* Which stone is no body: the first that is refused alone. */
-static int32_t refused_alone(const session *s)
+static int32_t find_refused(const session *s)
 {
     settle_settings still = s->set;
     still.ramp_steps = still.steps = still.tamps = still.pairs = 0;
@@ -231,19 +231,19 @@ static int simulate(session *s, failure *error)
     settle_status status = settle_from_scene(&s->in.scene, s->o->confirm, &s->assembly);
     double size = 0;
 
-    if (status) return failed(status, s, error);
+    if (status) return fail_settle(status, s, error);
     for (int c = 0; c < 3; c++) size += (double)s->in.scene.gravity[c] * (double)s->in.scene.gravity[c];
     for (int c = 0; c < 3; c++)                         /* lengths and masses of --confirm are scaled, and so is gravity */
         s->set.gravity[c] = (double)s->in.scene.gravity[c] * (s->o->confirm && size > 0 ? 9.81 / sqrt(size) : 1);
-    if (!own_friction(s)) return failed(SETTLE_E_MEMORY, s, error);
+    if (!gather_friction(s)) return fail_settle(SETTLE_E_MEMORY, s, error);
     put_container(s);
-    s->set.watch = watch;
+    s->set.watch = watch_step;
     s->set.user = s;
     s->bar = -1;
     status = settle_run(s->assembly.stones, s->assembly.stone, &s->set, &s->result);
     if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
-    if (status == SETTLE_E_MESH) s->assembly.block = refused_alone(s);
-    return status ? failed(status, s, error) : 0;
+    if (status == SETTLE_E_MESH) s->assembly.block = find_refused(s);
+    return status ? fail_settle(status, s, error) : 0;
 }
 
 /* -------------------------------------------------------------------------------------------------------------- written */
@@ -337,7 +337,7 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
 }
 
 /* The scene as it came to rest. */
-static int build(session *s, void **memory, sp_scene *out, failure *error)
+static int build_settled(session *s, void **memory, sp_scene *out, failure *error)
 {
     const sp_strength strength = sp_strength_friction(s->in.mu);
     sp_capacity cap = s->in.scene.count;
@@ -362,7 +362,7 @@ static int write_scene(session *s, failure *error)
     sp_scene out;
     void *memory = NULL;
     const char **name = malloc(((size_t)s->in.scene.count.blocks + 1) * sizeof *name);
-    int status = name ? build(s, &memory, &out, error) : fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
+    int status = name ? build_settled(s, &memory, &out, error) : fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     FILE *file = status ? NULL : file_create(s->o->out, error);
     if (file) {
         memcpy(name, s->in.name, (size_t)s->in.scene.count.blocks * sizeof *name);
@@ -410,7 +410,7 @@ static double mean_diameter(const sp_scene *s)
     return n ? sum / n : 1;
 }
 
-static void tell(const session *s)
+static void print_text(const session *s)
 {
     const settle_result *r = &s->result;
     const int32_t fixed = fixed_blocks(&s->in.scene);
@@ -426,7 +426,7 @@ static void tell(const session *s)
     if (s->o->out) printf("  written        %s\n", s->o->out);
 }
 
-static void tell_json(const session *s, const sp_result *statics, const char *agree)
+static void print_json(const session *s, const sp_result *statics, const char *agree)
 {
     const settle_result *r = &s->result;
     const double scale = s->assembly.scale;
@@ -452,7 +452,7 @@ static void tell_json(const session *s, const sp_result *statics, const char *ag
 }
 
 /* The static verdict beside what the simulation did. */
-static int compare(session *s, failure *error)
+static int compare_with_statics(session *s, failure *error)
 {
     report r;
     void *memory = NULL;
@@ -467,7 +467,7 @@ static int compare(session *s, failure *error)
         status = r.result.verdict == SP_UNDECIDED || (r.result.verdict == SP_STABLE) != s->result.held ? EXIT_UNDECIDED
                : s->result.held ? EXIT_STABLE : EXIT_UNSTABLE;
         agree = r.result.verdict == SP_UNDECIDED ? "undecided" : status == EXIT_UNDECIDED ? "differ" : "agree";
-        if (s->o->json) tell_json(s, &r.result, agree);
+        if (s->o->json) print_json(s, &r.result, agree);
         else {
             printf("%s: statics says %s, settle %s: they %s\n", s->in.path, sp_verdict_text(r.result.verdict),
                    s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
@@ -479,16 +479,16 @@ static int compare(session *s, failure *error)
     return status;
 }
 
-static int work(session *s, failure *error)
+static int settle_and_tell(session *s, failure *error)
 {
     int status = scene_read(s->o->file[0], s->o->mu, SCENE_GIVEN, &s->in, error);
     if (!status) status = simulate(s, error);
     if (!status && s->o->frames) status = write_frames(s, error);
     if (!status && s->o->out) status = write_scene(s, error);
     if (status) return status;
-    if (s->o->confirm) return compare(s, error);
-    if (s->o->json) tell_json(s, NULL, NULL);
-    else tell(s);
+    if (s->o->confirm) return compare_with_statics(s, error);
+    if (s->o->json) print_json(s, NULL, NULL);
+    else print_text(s);
     return s->result.settled == s->result.stones ? EXIT_STABLE : EXIT_UNSTABLE;
 }
 
@@ -512,7 +512,7 @@ int command_settle(int argc, char **argv)
     if (!status && (o.files != 1 || (!o.out && !o.confirm && !o.frames)))
         status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
     if (!status) status = read_settings(o.set, &s.set, &error);
-    if (!status) status = work(&s, &error);
+    if (!status) status = settle_and_tell(&s, &error);
     if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
     for (int k = 0; k < MOMENTS; k++) free(s.frame[k].vertex);
     settle_result_free(&s.result);

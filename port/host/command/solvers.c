@@ -43,8 +43,8 @@ int solvers_find(const char *name, sp_qp_solver *out, failure *error)
 #ifdef WITH_IPOPT
 
 /* What sp_verify says of this triple. */
-static sp_status judge(const sp_scene *scene, const sp_settings *settings, const sp_result *result, sp_real *f, sp_real *dq,
-                       sp_real *alpha, sp_evidence *evidence)
+static sp_status verify_triple(const sp_scene *scene, const sp_settings *settings, const sp_result *result, sp_real *f,
+                               sp_real *dq, sp_real *alpha, sp_evidence *evidence)
 {
     sp_result claim = *result;
     claim.f = f;
@@ -60,7 +60,7 @@ sp_status solvers_publish(const sp_scene *scene, const sp_settings *settings, co
     sp_real *f = calloc(4 * v + 6 * b + 1, sizeof *f);
     sp_status status = f ? ipopt_cra_solve(scene, settings, &q, f, f + 4 * v, f + 3 * v, &out->answer) : SP_E_MEMORY;
     out->residual = status == SP_OK ? ipopt_cra_residual(&out->answer) : 0;
-    if (status == SP_OK) status = judge(scene, settings, result, f, f + 4 * v, f + 3 * v, &out->evidence);
+    if (status == SP_OK) status = verify_triple(scene, settings, result, f, f + 4 * v, f + 3 * v, &out->evidence);
     free(f);
     return status;
 }

@@ -26,7 +26,7 @@ static int refuse_others(const host_scene *s, failure *error)
     return 0;
 }
 
-static int draw(const report *r, const tilt_margin *m, failure *error)
+static int draw_margin(const report *r, const tilt_margin *m, failure *error)
 {
     const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone };
     const char *path = r->options->svg;
@@ -92,7 +92,7 @@ int tilt_report(report *r, failure *error)
     if (status) return status;
     measured = tilt_measure(&r->scene->scene, settings, &m, &memory);
     if (measured != SP_OK) status = scene_refused(r->scene, settings, measured, error);
-    if (!status && r->options->svg) status = draw(r, &m, error);
+    if (!status && r->options->svg) status = draw_margin(r, &m, error);
     r->result.tol = m.worst.tol;
     if (!status && r->options->json) print_json(r, &m);
     if (!status && !r->options->json) print_text(r, &m);

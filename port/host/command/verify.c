@@ -23,7 +23,7 @@ static int fail(const reading *r, const json_value *at, const char *message)
 }
 
 /* n numbers of an array; 0 if it is not so. */
-static int reals(const reading *r, const json_value *array, int32_t n, sp_real *x)
+static int read_reals(const reading *r, const json_value *array, int32_t n, sp_real *x)
 {
     int32_t k = 0;
     if (!array || array->kind != JSON_ARRAY) return 0;
@@ -45,7 +45,7 @@ static int read_asked(const reading *r, options *o, sp_real gravity[3])
     snprintf(o->cone, sizeof o->cone, "%s", cone->as.string);
     if (!mu || (mu->kind != JSON_NULL && (mu->kind != JSON_NUMBER || mu->as.number < 0))) return fail(r, asked, "bad mu");
     if (mu->kind == JSON_NUMBER) o->mu = (sp_real)mu->as.number;
-    return reals(r, json_member(&r->tree, asked, "gravity"), 3, gravity) ? 0 : fail(r, asked, "bad gravity");
+    return read_reals(r, json_member(&r->tree, asked, "gravity"), 3, gravity) ? 0 : fail(r, asked, "bad gravity");
 }
 
 static int read_number(const reading *r, const char *key, sp_real *x)
@@ -76,7 +76,7 @@ static int read_forces(const reading *r, sp_real *f)
     if (!forces || forces->kind != JSON_ARRAY)
         return fail(r, r->all, "no forces in this result: make it with check --json --forces");
     for (i = forces->first; i >= 0; i = r->tree.value[i].next, k++)
-        if (k == points || !reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
+        if (k == points || !read_reals(r, &r->tree.value[i], 3, f + 3 * (size_t)k)) break;
     if (k == points && i < 0) return 0;
     return fail_with(r->error, EXIT_SCENE, r->path, forces->line, "the forces are not those of this scene's %ld contact "
                      "vertices", (long)points);
@@ -128,14 +128,14 @@ static int read_triple(const reading *r, sp_real *dq, sp_real *alpha)
     if (!motion || motion->kind != JSON_ARRAY)
         return fail(r, c, "no motion in the coupled check: make it with check --json --forces");
     for (int32_t i = motion->first; i >= 0; i = r->tree.value[i].next, k++)
-        if (k == blocks || !reals(r, &r->tree.value[i], 6, dq + 6 * (size_t)k))
+        if (k == blocks || !read_reals(r, &r->tree.value[i], 6, dq + 6 * (size_t)k))
             return fail(r, motion, "bad motion of the coupled check");
-    if (k != blocks || !reals(r, json_member(&r->tree, c, "alpha"), r->scene->scene.count.points, alpha))
+    if (k != blocks || !read_reals(r, json_member(&r->tree, c, "alpha"), r->scene->scene.count.points, alpha))
         return fail(r, motion, "motion or alpha of the coupled check are not of this scene");
     return 0;
 }
 
-static int32_t length(const reading *r, const json_value *array)
+static int32_t count_of(const reading *r, const json_value *array)
 {
     int32_t n = 0;
     if (array && array->kind == JSON_ARRAY) for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next) n++;
@@ -143,7 +143,7 @@ static int32_t length(const reading *r, const json_value *array)
 }
 
 /* Whole numbers from low to high of an array; 0 if it is not so. */
-static int wholes(const reading *r, const json_value *array, double low, double high, int32_t *node, uint16_t *row)
+static int read_wholes(const reading *r, const json_value *array, double low, double high, int32_t *node, uint16_t *row)
 {
     int32_t k = 0;
     for (int32_t i = array->first; i >= 0; i = r->tree.value[i].next, k++) {
@@ -169,16 +169,16 @@ static int read_proof(const reading *r, sp_proof *p)
             return fail(r, proof, "bad island of the coupled check's proof");
         p->island = (int32_t)island->as.number;
     }
-    p->nodes = length(r, node);
-    p->entries = length(r, row);
-    if (!p->nodes || !p->entries || length(r, y) != p->entries)
+    p->nodes = count_of(r, node);
+    p->entries = count_of(r, row);
+    if (!p->nodes || !p->entries || count_of(r, y) != p->entries)
         return fail(r, proof, "no proof in the coupled check: make it with check --json --forces");
     p->y = malloc((size_t)p->entries * (sizeof *p->y + sizeof *p->row) + (size_t)p->nodes * sizeof *p->node);
     if (!p->y) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     p->node = (int32_t *)(p->y + p->entries);
     p->row = (uint16_t *)(p->node + p->nodes);
-    if (!reals(r, y, p->entries, p->y) || !wholes(r, node, -INT32_MAX, INT32_MAX, p->node, NULL) ||
-        !wholes(r, row, 0, UINT16_MAX, NULL, p->row)) return fail(r, proof, "bad proof of the coupled check");
+    if (!read_reals(r, y, p->entries, p->y) || !read_wholes(r, node, -INT32_MAX, INT32_MAX, p->node, NULL) ||
+        !read_wholes(r, row, 0, UINT16_MAX, NULL, p->row)) return fail(r, proof, "bad proof of the coupled check");
     return 0;
 }
 
@@ -196,7 +196,7 @@ static int read_mechanism(const reading *r, sp_real *dq)
         if (b == r->scene->scene.count.blocks)
             return fail_with(r->error, EXIT_SCENE, r->path, entry->line, "block '%.60s' of the mechanism is not in the scene, "
                              "or out of order", name->as.string);
-        if (!reals(r, json_member(&r->tree, entry, "dq"), 6, dq + 6 * (size_t)b)) return fail(r, entry, "bad dq");
+        if (!read_reals(r, json_member(&r->tree, entry, "dq"), 6, dq + 6 * (size_t)b)) return fail(r, entry, "bad dq");
         b++;
     }
     return 0;
@@ -216,7 +216,7 @@ static int read_claim(const reading *r, options *o, sp_result *claim)
 }
 
 /* Read what the result claims, and have it verified. */
-static int judge(const reading *r, options *o, sp_evidence *evidence)
+static int judge_claim(const reading *r, options *o, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
@@ -267,7 +267,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
     if (!status) {
         v->turned = memcmp(s.scene.gravity, v->gravity, sizeof s.scene.gravity) != 0;
         memcpy(s.scene.gravity, v->gravity, sizeof s.scene.gravity);
-        status = judge(&r, &v->o, &v->evidence);
+        status = judge_claim(&r, &v->o, &v->evidence);
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
@@ -275,7 +275,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
     return status;
 }
 
-static void print(const char *scene_path, const char *path, const verified *v)
+static void print_evidence(const char *scene_path, const char *path, const verified *v)
 {
     const sp_evidence *e = &v->evidence;
     const options *o = &v->o;
@@ -309,6 +309,6 @@ int command_verify(int argc, char **argv)
         return error.status;
     }
     if (v.o.settings.coupled.asked && e->verdict == SP_STABLE && e->level != SP_COUPLED) e->verdict = SP_UNDECIDED;
-    print(v.o.file[0], v.o.file[1], &v);
+    print_evidence(v.o.file[0], v.o.file[1], &v);
     return report_exit(e->verdict);
 }

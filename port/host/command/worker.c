@@ -61,7 +61,7 @@ static int session_agrees(const sp_scene *scene, const sp_settings *settings)
     return same;
 }
 
-static int agrees(const char *name, int coupled)
+static int scene_agrees(const char *name, int coupled)
 {
     sp_settings settings = sp_settings_default();
     sp_capacity cap;
@@ -81,7 +81,7 @@ static int agrees(const char *name, int coupled)
 /* A few scenes by formula, here and as messages. */
 static int self_test(void)
 {
-    const int same = agrees("arch", 0) & agrees("wall", 1) & agrees("h-model", 1);
+    const int same = scene_agrees("arch", 0) & scene_agrees("wall", 1) & scene_agrees("h-model", 1);
     if (same) puts("worker: 3 scenes, same bits as in-process");
     return same ? 0 : EXIT_INTERNAL;
 }

@@ -13,13 +13,13 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const done_entry *)a)->scene, ((const done_entry *)b)->scene);
 }
 
-static int status_of(const char *verdict)
+static int status_of_verdict(const char *verdict)
 {
     return strcmp(verdict, "stable") == 0 ? EXIT_STABLE : strcmp(verdict, "unstable") == 0 ? EXIT_UNSTABLE
          : strcmp(verdict, "undecided") == 0 ? EXIT_UNDECIDED : -1;
 }
 
-static int add(done_list *d, const char *scene, int status)
+static int add_scene(done_list *d, const char *scene, int status)
 {
     char *copy = malloc(strlen(scene) + 1);
     if (d->count == d->room) {
@@ -41,7 +41,7 @@ static int add(done_list *d, const char *scene, int status)
 }
 
 /* One line: {"scene": ..., "verdict": ...}.       returns 0: no memory */
-static int take(done_list *d, const char *line, size_t length)
+static int take_line(done_list *d, const char *line, size_t length)
 {
     json_tree tree;
     failure ignored;
@@ -52,8 +52,8 @@ static int take(done_list *d, const char *line, size_t length)
     text[length] = 0;
     if (json_parse("", text, length, &tree, &ignored) == 0 && tree.value[0].kind == JSON_OBJECT) {
         const json_value *scene = json_member(&tree, tree.value, "scene"), *verdict = json_member(&tree, tree.value, "verdict");
-        status = verdict && verdict->kind == JSON_STRING ? status_of(verdict->as.string) : -1;
-        if (status >= 0 && scene && scene->kind == JSON_STRING) ok = add(d, scene->as.string, status);
+        status = verdict && verdict->kind == JSON_STRING ? status_of_verdict(verdict->as.string) : -1;
+        if (status >= 0 && scene && scene->kind == JSON_STRING) ok = add_scene(d, scene->as.string, status);
     }
     json_free(&tree);
     return ok;
@@ -72,7 +72,7 @@ int done_read(const char *path, done_list *d, failure *error)
     for (size_t k = 0; !status && ok && k < length;) {
         const char *end = memchr(text + k, '\n', length - k);
         const size_t n = end ? (size_t)(end - (text + k)) : length - k;
-        ok = take(d, text + k, n);              /* a torn line is no object and says nothing */
+        ok = take_line(d, text + k, n);              /* a torn line is no object and says nothing */
         if (!end) d->torn = 1;
         k += n + 1;
     }

@@ -25,7 +25,7 @@ static void skip_space(reader *r)
         if (*r->p == '\n') r->line++;
 }
 
-static int take(reader *r, char c)
+static int skip_char(reader *r, char c)
 {
     skip_space(r);
     if (r->p == r->end || *r->p != c) return 0;
@@ -167,22 +167,22 @@ static int members(reader *r, int depth, int32_t id, char close)
 {
     int32_t last = -1;
     if (depth == DEPTH_MAX) return fail(r, "nested too deep");
-    if (take(r, close)) return 0;
+    if (skip_char(r, close)) return 0;
     do {
         const char *key = NULL;
         int32_t member;
         if (close == '}') {
-            if (!take(r, '"')) return fail(r, "a key in quotes was expected");
+            if (!skip_char(r, '"')) return fail(r, "a key in quotes was expected");
             if (string(r, &key)) return r->error->status;
-            if (!take(r, ':')) return fail(r, "':' was expected");
+            if (!skip_char(r, ':')) return fail(r, "':' was expected");
         }
         if (value(r, depth + 1, &member)) return r->error->status;
         r->t->value[member].key = key;
         if (last < 0) r->t->value[id].first = member;
         else r->t->value[last].next = member;
         last = member;
-    } while (take(r, ','));
-    return take(r, close) ? 0 : fail(r, close == '}' ? "',' or '}' was expected" : "',' or ']' was expected");
+    } while (skip_char(r, ','));
+    return skip_char(r, close) ? 0 : fail(r, close == '}' ? "',' or '}' was expected" : "',' or ']' was expected");
 }
 
 /* Recursion is at most DEPTH_MAX deep. */

@@ -21,7 +21,7 @@ int json_utf8(const char *s)
     return 0;
 }
 
-static void quoted(FILE *out, const char *s)
+static void write_quoted(FILE *out, const char *s)
 {
     fputc('"', out);
     while (*s) {
@@ -35,19 +35,19 @@ static void quoted(FILE *out, const char *s)
     fputc('"', out);
 }
 
-static void key_of(json_out *j, const char *key)
+static void write_key(json_out *j, const char *key)
 {
     if (j->comma) fputs(", ", j->out);
     j->comma = 1;
     if (key) {
-        quoted(j->out, key);
+        write_quoted(j->out, key);
         fputs(": ", j->out);
     }
 }
 
 void json_open(json_out *j, const char *key, char bracket)
 {
-    key_of(j, key);
+    write_key(j, key);
     fputc(bracket, j->out);
     j->comma = 0;
 }
@@ -60,32 +60,32 @@ void json_close(json_out *j, char bracket)
 
 void json_string(json_out *j, const char *key, const char *s)
 {
-    key_of(j, key);
-    quoted(j->out, s);
+    write_key(j, key);
+    write_quoted(j->out, s);
 }
 
 void json_real(json_out *j, const char *key, double x)
 {
     char text[32];
-    key_of(j, key);
+    write_key(j, key);
     fputs(x >= -DBL_MAX && x <= DBL_MAX ? text_shortest((sp_real)x, text) : "null", j->out);
 }
 
 void json_int(json_out *j, const char *key, int64_t x)
 {
-    key_of(j, key);
+    write_key(j, key);
     fprintf(j->out, "%lld", (long long)x);
 }
 
 void json_bool(json_out *j, const char *key, int x)
 {
-    key_of(j, key);
+    write_key(j, key);
     fputs(x ? "true" : "false", j->out);
 }
 
 void json_null(json_out *j, const char *key)
 {
-    key_of(j, key);
+    write_key(j, key);
     fputs("null", j->out);
 }
 

@@ -42,7 +42,7 @@ typedef struct reader {
 #define WORD_FORMAT "'%.*s%s'"
 
 /* " in block 'X'" or " of 'A' and 'B'", or nothing: what the line being read is about. */
-static const char *where(const reader *r, char text[160])
+static const char *describe_place(const reader *r, char text[160])
 {
     text[0] = 0;
     if (r->in_contact)
@@ -60,13 +60,14 @@ static int fail(reader *r, const char *message)
 static int fail_in_line(reader *r, const char *message)
 {
     char text[160];
-    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, where(r, text));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s%s", message, describe_place(r, text));
 }
 
 static int fail_word(reader *r, const char *message, text_word w)
 {
     char text[160];
-    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w), where(r, text));
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "%s " WORD_FORMAT "%s", message, WORD(w),
+                     describe_place(r, text));
 }
 
 static int out_of_memory(reader *r)
@@ -77,7 +78,7 @@ static int out_of_memory(reader *r)
 /* -------------------------------------------------------------------------------------------------------------- tables */
 
 /* Make room for one more entry: twice as many as there are. Counts stay below 2^30, the longest file's bytes. */
-static void *grown(void *table, int32_t count, int32_t *room, size_t size)
+static void *grow_table(void *table, int32_t count, int32_t *room, size_t size)
 {
     const int32_t more = *room ? 2 * *room : 64;
     void *bigger;
@@ -91,7 +92,7 @@ static void *grown(void *table, int32_t count, int32_t *room, size_t size)
 /* Append an entry to a table of the file; on failure the old table stays to be freed. */
 #define APPEND(r, table, count, room, entry)                                                                              \
     do {                                                                                                                  \
-        void *bigger_ = grown((r)->f->table, (r)->f->count, &(r)->f->room, sizeof *(r)->f->table);                       \
+        void *bigger_ = grow_table((r)->f->table, (r)->f->count, &(r)->f->room, sizeof *(r)->f->table);                   \
         if (!bigger_) return out_of_memory(r);                                                                            \
         (r)->f->table = bigger_;                                                                                          \
         (r)->f->table[(r)->f->count++] = (entry);                                                                         \
@@ -99,7 +100,7 @@ static void *grown(void *table, int32_t count, int32_t *room, size_t size)
 
 static int append_triple(reader *r, sp_real (**table)[3], int32_t *count, int32_t *room, const sp_real x[3])
 {
-    void *bigger = grown(*table, *count, room, sizeof **table);
+    void *bigger = grow_table(*table, *count, room, sizeof **table);
     if (!bigger) return out_of_memory(r);
     *table = bigger;
     memcpy((*table)[(*count)++], x, 3 * sizeof x[0]);
@@ -108,7 +109,7 @@ static int append_triple(reader *r, sp_real (**table)[3], int32_t *count, int32_
 
 /* ------------------------------------------------------------------------------------------------------------- numbers */
 
-static int as_real(reader *r, text_word w, sp_real *x)
+static int read_real(reader *r, text_word w, sp_real *x)
 {
     switch (text_real(w, x)) {
     case TEXT_NUMBER:    return 0;
@@ -119,13 +120,13 @@ static int as_real(reader *r, text_word w, sp_real *x)
 }
 
 /* Exactly or at least n numbers; what is missing is told by `what`. */
-static int reals(reader *r, int n, sp_real *x, const char *what)
+static int read_reals(reader *r, int n, sp_real *x, const char *what)
 {
     for (int i = 0; i < n; i++) {
         text_word w;
         int status;
         if (!text_next_word(&r->at, &w)) return fail_in_line(r, what);
-        status = as_real(r, w, x + i);
+        status = read_real(r, w, x + i);
         if (status) return status;
     }
     return 0;
@@ -148,8 +149,8 @@ static int read_vertex(reader *r)
     int status;
 
     r->in_block = 1;
-    status = reals(r, 3, x, "a vertex needs three numbers");
-    while (!status && text_next_word(&r->at, &w) && w.s[0] != '#') status = as_real(r, w, &ignored);   /* weight, colour */
+    status = read_reals(r, 3, x, "a vertex needs three numbers");
+    while (!status && text_next_word(&r->at, &w) && w.s[0] != '#') status = read_real(r, w, &ignored);   /* weight, colour */
     if (status) return status;
     return append_triple(r, &r->f->vertex, &r->f->vertices, &r->f->room.vertex, x);
 }
@@ -220,7 +221,7 @@ static int read_block(reader *r)
 static int read_mu(reader *r)
 {
     sp_real mu;
-    int status = reals(r, 1, &mu, "mu needs a number");
+    int status = read_reals(r, 1, &mu, "mu needs a number");
     if (status) return status;
     if (mu < 0) return fail(r, "mu must not be negative");
     if (r->f->contacts > 0) r->f->contact[r->f->contacts - 1].mu = mu;
@@ -241,7 +242,7 @@ static int strength_word(text_word w)
 static int read_strength(reader *r, int k, text_word w)
 {
     sp_real x;
-    int status = reals(r, 1, &x, "strength of a joint needs a number");
+    int status = read_reals(r, 1, &x, "strength of a joint needs a number");
     if (status) return status;
     if (x < 0) return fail_word(r, "must not be negative:", w);
     obj_contact *c = r->f->contacts > 0 ? &r->f->contact[r->f->contacts - 1] : NULL;
@@ -252,7 +253,7 @@ static int read_strength(reader *r, int k, text_word w)
 
 static int read_gravity(reader *r)
 {
-    int status = reals(r, 3, r->f->gravity, "gravity needs three numbers");
+    int status = read_reals(r, 3, r->f->gravity, "gravity needs three numbers");
     r->f->gravity_line = r->at.line;
     return status ? status : line_is_over(r);
 }
@@ -264,7 +265,7 @@ static int read_density(reader *r)
     int status;
 
     r->in_block = 1;
-    status = reals(r, 1, &density, "density needs a number");
+    status = read_reals(r, 1, &density, "density needs a number");
     if (status) return status;
     if (!(density > 0)) return fail_in_line(r, "density must be positive");
     if (r->f->blocks > 0) r->f->block[r->f->blocks - 1].density = density;
@@ -299,8 +300,8 @@ static int read_load(reader *r, int live)
     int status;
 
     if (!text_next_word(&r->at, &load.name)) return fail(r, "a load needs the name of a block");
-    status = reals(r, 3, load.f, "a load needs a force of three numbers");
-    if (!status) status = reals(r, 3, load.x, "a load needs a point, or a moment and the word 'couple'");
+    status = read_reals(r, 3, load.f, "a load needs a force of three numbers");
+    if (!status) status = read_reals(r, 3, load.x, "a load needs a point, or a moment and the word 'couple'");
     if (status) return status;
     if (text_next_word(&r->at, &w) && w.s[0] != '#') {
         if (!text_is(w, "couple")) return fail_word(r, "unexpected", w);
@@ -328,8 +329,8 @@ static int read_weight(reader *r, obj_load_kind kind)
         if (text_int(w, &load.face) != TEXT_NUMBER || load.face < 1) return fail_word(r, "faces are counted from 1, not by", w);
         load.face--;
     }
-    status = reals(r, 1, load.f, what);
-    if (!status && kind == OBJ_MASS) status = reals(r, 3, load.x, what);
+    status = read_reals(r, 1, load.f, what);
+    if (!status && kind == OBJ_MASS) status = read_reals(r, 3, load.x, what);
     if (status) return status;
     if (kind == OBJ_MASS && load.f[0] < 0) return fail(r, "a mass must not be negative");
     if (text_next_word(&r->at, &w) && w.s[0] != '#') {
@@ -356,13 +357,13 @@ static int read_contact(reader *r, int polygon)
     r->pair[0] = c.name[0];
     r->pair[1] = c.name[1];
     if (!polygon) {
-        status = reals(r, 3, c.n, "points need a normal of three numbers");
+        status = read_reals(r, 3, c.n, "points need a normal of three numbers");
         if (status) return status;
     }
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
         sp_real x[3];
-        status = as_real(r, w, x);
-        if (!status) status = reals(r, 2, x + 1, "coordinates come in threes: the last point is not complete");
+        status = read_real(r, w, x);
+        if (!status) status = read_reals(r, 2, x + 1, "coordinates come in threes: the last point is not complete");
         if (!status) status = append_triple(r, &r->f->point, &r->f->points, &r->f->room.point, x);
         if (status) return status;
         c.points++;

@@ -91,7 +91,7 @@ static void write_load(FILE *out, const sp_load *load, const char *const *name)
     fputs(load->live ? " live\n" : "\n", out);
 }
 
-static int same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
+static int is_same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 
 int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
 {
@@ -103,10 +103,10 @@ int scene_write(FILE *out, const sp_scene *s, const char *const *name, const cha
         if (block->faces == 0 && block->fixed != SP_FIXED)
             return fail_with(error, EXIT_SCENE, path, 0, "block %ld has no mesh, which a scene file can't say", (long)b);
         if (!(density > 0)) density = block->density;
-        if (block->density > 0) one_density = one_density && same(block->density, density);
+        if (block->density > 0) one_density = one_density && is_same(block->density, density);
     }
     for (int32_t i = 1; i < s->count.joints; i++)
-        one_mu = one_mu && same(s->joint[i].strength.mu, s->joint[0].strength.mu);
+        one_mu = one_mu && is_same(s->joint[i].strength.mu, s->joint[0].strength.mu);
     if (one_mu) write_setting(out, "mu", s->joint[0].strength.mu);
     if (one_density && density > 0) write_setting(out, "density", density);
     write_triple(out, "#@ gravity", s->gravity);

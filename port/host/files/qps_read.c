@@ -73,21 +73,21 @@ static int grow(void *p, int32_t count, int32_t *room, size_t size)
 
 /* ---------------------------------------------------------------------------------------------------------------- names */
 
-static uint32_t hash(text_word w)                       /* FNV-1a */
+static uint32_t hash_of(text_word w)                       /* FNV-1a */
 {
     uint32_t h = 2166136261u;
     for (size_t k = 0; k < w.n; k++) h = (h ^ (unsigned char)w.s[k]) * 16777619u;
     return h;
 }
 
-static int same(text_word a, text_word b) { return a.n == b.n && memcmp(a.s, b.s, a.n) == 0; }
+static int is_same(text_word a, text_word b) { return a.n == b.n && memcmp(a.s, b.s, a.n) == 0; }
 
 /* Where the name is, or the free slot where it would be. */
 static int32_t *find_slot(const names *t, text_word w)
 {
     const uint32_t mask = 2 * (uint32_t)t->room - 1;
-    uint32_t k = hash(w) & mask;
-    while (t->slot[k] >= 0 && !same(t->word[t->slot[k]], w)) k = (k + 1) & mask;
+    uint32_t k = hash_of(w) & mask;
+    while (t->slot[k] >= 0 && !is_same(t->word[t->slot[k]], w)) k = (k + 1) & mask;
     return t->slot + k;
 }
 
@@ -128,7 +128,7 @@ static int names_find(const names *t, text_word w, int32_t *value)
 
 /* --------------------------------------------------------------------------------------------------------------- fields */
 
-static int blank(char c) { return c == ' ' || c == '\t'; }
+static int is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /* The non-empty fields of the line: columns 2-3, 5-12, 15-22, 25-36, 40-47, 50-61. */
 static void fixed_fields(reader *r)
@@ -139,8 +139,8 @@ static void fixed_fields(reader *r)
     r->words = 0;
     for (int k = 0; k < FIELDS; k++) {
         const char *a = end - p > from[k] ? p + from[k] : end, *b = end - p > to[k] ? p + to[k] : end;
-        while (a < b && blank(*a)) a++;
-        while (b > a && blank(b[-1])) b--;
+        while (a < b && is_blank(*a)) a++;
+        while (b > a && is_blank(b[-1])) b--;
         if (b == a) continue;
         r->w[r->words].s = a;
         r->w[r->words++].n = (size_t)(b - a);
@@ -181,7 +181,7 @@ static int finite_number(reader *r, text_word w, double *x)
     return status || fabs(*x) < 1e20 ? status : fail(r, "too large:", w);
 }
 
-static int put(reader *r, entries *e, int32_t i, int32_t j, double x)
+static int add_entry(reader *r, entries *e, int32_t i, int32_t j, double x)
 {
     if (!grow(&e->at, e->count, &e->room, sizeof *e->at)) return no_memory(r);
     e->at[e->count].i = i;
@@ -241,7 +241,7 @@ static int read_column(reader *r)
     }
     if (r->words != 3 && r->words != 5)
         return fail(r, "a column entry is: column, row, value, and perhaps one more row and value", none);
-    if (last < 0 || !same(r->columns.word[last], r->w[0])) {
+    if (last < 0 || !is_same(r->columns.word[last], r->w[0])) {
         const int status = add_column(r, r->w[0]);
         if (status) return status;
     }
@@ -254,7 +254,7 @@ static int read_column(reader *r)
         if (status) return status;
         if (i >= 0 ? r->filled[i] == j : i == OBJECTIVE && !isnan(r->cost[j]))
             return fail(r, "a second entry of the column in row", r->w[k]);
-        if (i >= 0 && put(r, &r->A, i, j, x)) return no_memory(r);
+        if (i >= 0 && add_entry(r, &r->A, i, j, x)) return no_memory(r);
         if (i >= 0) r->filled[i] = j;
         if (i == OBJECTIVE) r->cost[j] = x;
     }
@@ -262,15 +262,15 @@ static int read_column(reader *r)
 }
 
 /* The section's first set names it; another one is refused. */
-static int same_set(reader *r, text_word name)
+static int check_same_set(reader *r, text_word name)
 {
     text_word *set = &r->set[r->section];
     if (!set->n) *set = name;
-    return same(*set, name) ? 0 : fail(r, "a second set:", name);
+    return is_same(*set, name) ? 0 : fail(r, "a second set:", name);
 }
 
 /* *to <- x, the first value there. */
-static int once(reader *r, double *to, double x, text_word what)
+static int set_once(reader *r, double *to, double x, text_word what)
 {
     if (!isnan(*to)) return fail(r, "a second value for", what);
     *to = x;
@@ -283,7 +283,7 @@ static int read_rhs(reader *r)
     const text_word none = { "", 0 };
     int status = 0;
     if (r->words < 2) return fail(r, "expected a row and a value", none);
-    if (r->words % 2) status = same_set(r, r->w[0]);
+    if (r->words % 2) status = check_same_set(r, r->w[0]);
     for (int k = r->words % 2; k + 1 < r->words && !status; k += 2) {
         int32_t i;
         double x;
@@ -291,8 +291,8 @@ static int read_rhs(reader *r)
         status = finite_number(r, r->w[k + 1], &x);
         if (status || i == DROPPED) continue;
         if (r->section == RANGES && i < 0) return fail(r, "a range of the objective", none);
-        if (r->section == RANGES) status = once(r, &r->range[i], x, r->w[k]);
-        else status = once(r, i >= 0 ? &r->rhs[i] : &r->constant, x, r->w[k]);
+        if (r->section == RANGES) status = set_once(r, &r->range[i], x, r->w[k]);
+        else status = set_once(r, i >= 0 ? &r->rhs[i] : &r->constant, x, r->w[k]);
     }
     return status;
 }
@@ -330,7 +330,7 @@ static int read_bound(reader *r)
     if (!bare && r->words < 3) return fail(r, "the bound has no value", none);
     if (!names_find(&r->columns, r->w[k], &j)) return fail(r, "no such column:", r->w[k]);
     status = bare ? 0 : number(r, r->w[r->words - 1], &x);
-    if (!status && k == 2) status = same_set(r, r->w[1]);
+    if (!status && k == 2) status = check_same_set(r, r->w[1]);
     return status ? status : set_bound(r, kind, j, x);
 }
 
@@ -345,7 +345,7 @@ static int read_quadratic(reader *r)
         int status;
         if (!names_find(&r->columns, r->w[k], &i)) return fail(r, "no such column:", r->w[k]);
         status = finite_number(r, r->w[k + 1], &x);
-        if (!status) status = put(r, r->section == QMATRIX && i > j ? &r->Q : &r->P, i < j ? i : j, i < j ? j : i, x);
+        if (!status) status = add_entry(r, r->section == QMATRIX && i > j ? &r->Q : &r->P, i < j ? i : j, i < j ? j : i, x);
         if (status) return status;
     }
     return 0;
@@ -403,7 +403,7 @@ static int read_lines(reader *r)
     do {
         int status = 0;
         const char *p = r->at.p;
-        while (p < r->at.end && blank(*p)) p++;
+        while (p < r->at.end && is_blank(*p)) p++;
         if (p == r->at.end || *p == '\n' || *p == '\r' || *p == '*') continue;
         if (p == r->at.p) status = read_header(r);
         else {
@@ -420,7 +420,7 @@ static int read_lines(reader *r)
 
 /* ---------------------------------------------------------------------------------------------------------- the problem */
 
-static int bounded(const reader *r, int32_t j) { return r->lower[j] > -1e20 || r->upper[j] < 1e20; }
+static int is_bounded(const reader *r, int32_t j) { return r->lower[j] > -1e20 || r->upper[j] < 1e20; }
 
 /* [l, u] of row i. */
 static void row_bounds(const reader *r, int32_t i, double *l, double *u)
@@ -434,7 +434,7 @@ static void row_bounds(const reader *r, int32_t i, double *l, double *u)
 }
 
 /* Entries to columns in the arena; sign turns a problem of the largest. */
-static sp_status columns_of(const entries *e, int32_t rows, int32_t cols, double sign, sp_arena *arena, sp_csc *out)
+static sp_status make_columns(const entries *e, int32_t rows, int32_t cols, double sign, sp_arena *arena, sp_csc *out)
 {
     sp_triplets t = { rows, cols, e->count, NULL, NULL, NULL };
     const size_t room = (size_t)e->count + 1;
@@ -457,7 +457,7 @@ static sp_status columns_of(const entries *e, int32_t rows, int32_t cols, double
 }
 
 /* Has Q the entries of P above its diagonal, and no others? */
-static int symmetric(const sp_csc *P, const sp_csc *Q)
+static int is_symmetric(const sp_csc *P, const sp_csc *Q)
 {
     int32_t q = 0;
     for (int32_t j = 0; j < P->cols; j++)
@@ -469,7 +469,7 @@ static int symmetric(const sp_csc *P, const sp_csc *Q)
     return q == Q->p[Q->cols];
 }
 
-static int refuse(reader *r, const char *what) { return fail_with(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
+static int fail_whole(reader *r, const char *what) { return fail_with(r->error, EXIT_SCENE, r->path, 0, "%s", what); }
 
 /* Rows of the file, then one row for each bounded column: count them, refuse bounds that leave nothing.    *m: of all rows */
 static int add_bound_rows(reader *r, int32_t *m)
@@ -481,14 +481,14 @@ static int add_bound_rows(reader *r, int32_t *m)
         if (!(r->lower[j] <= r->upper[j] && r->lower[j] < 1e20 && r->upper[j] > -1e20))
             return fail_with(r->error, EXIT_SCENE, r->path, 0, "the bounds of column '%.*s' leave nothing",
                              (int)(name.n < 60 ? name.n : 60), name.s);
-        bounds += bounded(r, j);
+        bounds += is_bounded(r, j);
     }
     *m = r->m;
     if (bounds > INT32_MAX / 2 - *m) return no_memory(r);
     r->out->rows = r->m;
     r->out->entries = r->A.count;
     for (int32_t j = 0; j < n; j++)
-        if (bounded(r, j) && put(r, &r->A, (*m)++, j, 1)) return no_memory(r);
+        if (is_bounded(r, j) && add_entry(r, &r->A, (*m)++, j, 1)) return no_memory(r);
     return 0;
 }
 
@@ -497,7 +497,7 @@ static void write_vectors(const reader *r, double sign, sp_real *q, sp_real *l, 
 {
     for (int32_t j = 0, i = r->m; j < r->columns.count; j++) {
         q[j] = isnan(r->cost[j]) ? 0 : (sp_real)(sign * r->cost[j]);
-        if (!bounded(r, j)) continue;
+        if (!is_bounded(r, j)) continue;
         l[i] = (sp_real)r->lower[j];
         u[i++] = (sp_real)r->upper[j];
     }
@@ -517,7 +517,7 @@ static size_t bytes_of(const reader *r, int32_t n, int32_t m)
     return 1024 + numbers * sizeof(sp_real) + (count * 2 + 5 * ((size_t)n + (size_t)m)) * each;
 }
 
-static int build(reader *r)
+static int build_problem(reader *r)
 {
     const int32_t n = r->columns.count;
     const double sign = r->out->maximise ? -1 : 1;
@@ -533,11 +533,11 @@ static int build(reader *r)
     sp_real *q = (sp_real *)(void *)arena.base, *l = q + n, *u = l + m;
     arena.used = ((size_t)n + 2 * (size_t)m) * sizeof(sp_real);
     write_vectors(r, sign, q, l, u);
-    if (columns_of(&r->A, m, n, 1, &arena, &A) != SP_OK || columns_of(&r->P, n, n, sign, &arena, &P) != SP_OK
-        || columns_of(&r->Q, n, n, sign, &arena, &Q) != SP_OK) return no_memory(r);
+    if (make_columns(&r->A, m, n, 1, &arena, &A) != SP_OK || make_columns(&r->P, n, n, sign, &arena, &P) != SP_OK
+        || make_columns(&r->Q, n, n, sign, &arena, &Q) != SP_OK) return no_memory(r);
     if (P.p[n] + Q.p[n] < r->P.count + r->Q.count)
-        return refuse(r, "an entry of P is given twice (of QUADOBJ, either triangle)");
-    if (r->whole && !symmetric(&P, &Q)) return refuse(r, "QMATRIX is not symmetric");
+        return fail_whole(r, "an entry of P is given twice (of QUADOBJ, either triangle)");
+    if (r->whole && !is_symmetric(&P, &Q)) return fail_whole(r, "QMATRIX is not symmetric");
     const sp_qp qp = { n, m, P.p, P.i, P.x, q, A.p, A.i, A.x, l, u };
     r->out->qp = qp;
     return 0;
@@ -570,7 +570,7 @@ static int read_as(int fixed, const char *path, size_t length, host_qp *qp, fail
     r.constant = NAN;
     status = read_lines(&r);
     if (!status && !isnan(r.constant)) qp->constant = -r.constant;
-    if (!status) status = build(&r);
+    if (!status) status = build_problem(&r);
     if (status) {
         free(qp->memory);
         qp->memory = NULL;

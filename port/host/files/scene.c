@@ -69,7 +69,7 @@ static int ascending(const void *a, const void *b)
 }
 
 /* The mesh of block b with the vertices it uses, in the order of the file. */
-static sp_mesh gather(const obj_file *f, int32_t b, mesh_room *m)
+static sp_mesh gather_mesh(const obj_file *f, int32_t b, mesh_room *m)
 {
     const int32_t faces = faces_of(f, b), corners = corners_of(f, b);
     const int32_t *c = faces ? f->corner + f->face[f->block[b].face].corner : f->corner;
@@ -102,7 +102,7 @@ static sp_status add_mesh(const obj_file *f, const obj_block *block, const sp_me
 static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, failure *error)
 {
     const obj_block *block = &f->block[b];
-    const sp_mesh mesh = gather(f, b, m);
+    const sp_mesh mesh = gather_mesh(f, b, m);
     const sp_status status = add_mesh(f, block, &mesh, scene);
     char what[96];
 
@@ -112,13 +112,13 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
     return fail_status(error, status, f->path, block->line, what);
 }
 
-static void contact_words(const obj_contact *c, char what[192])
+static void name_contact(const obj_contact *c, char what[192])
 {
     snprintf(what, 192, "contact '%.*s%s' '%.*s%s'", NAME(c->name[0]), NAME(c->name[1]));
 }
 
 /* A joint with this friction and strength; of strength the scene's where a number is below 0 (points have none: no area). */
-static sp_strength joint_of(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
+static sp_strength make_strength(const obj_file *f, sp_real mu, const sp_real own[3], int polygon)
 {
     sp_real k[3];
     for (int i = 0; i < 3; i++) k[i] = own[i] >= 0 ? own[i] : polygon ? f->strength[i] : 0;
@@ -128,12 +128,12 @@ static sp_strength joint_of(const obj_file *f, sp_real mu, const sp_real own[3],
 
 /* Tension ends where the cone does, at cohesion / mu: with friction and no cohesion it would be nothing. c: of this contact,
  * NULL: of those that are found.     returns 0, or fails */
-static int joint_counts(const obj_file *f, const sp_strength *j, const obj_contact *c, failure *error)
+static int refuse_vain_tension(const obj_file *f, const sp_strength *j, const obj_contact *c, failure *error)
 {
     const int32_t line = c && c->strength_line[1] ? c->strength_line[1] : f->strength_line[1];
     char what[192] = "contacts";
     if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
-    if (c) contact_words(c, what);
+    if (c) name_contact(c, what);
     return fail_with(error, EXIT_SCENE, f->path, line, "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
                      what);
 }
@@ -141,15 +141,15 @@ static int joint_counts(const obj_file *f, const sp_strength *j, const obj_conta
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, failure *error)
 {
     const obj_contact *c = &f->contact[i];
-    const sp_strength strength = joint_of(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
+    const sp_strength strength = make_strength(f, mu >= 0 ? mu : c->mu >= 0 ? c->mu : f->mu, c->strength, c->polygon);
     const sp_real *xyz = f->point[c->point];
-    if (joint_counts(f, &strength, c, error)) return error->status;
+    if (refuse_vain_tension(f, &strength, c, error)) return error->status;
     const sp_status status = c->polygon ? sp_scene_joint(scene, c->a, c->b, c->points, xyz, &strength, NULL)
                                         : sp_scene_points(scene, c->a, c->b, c->n, c->points, xyz, &strength, NULL);
     char what[192];
 
     if (status == SP_OK) return 0;
-    contact_words(c, what);
+    name_contact(c, what);
     return fail_status(error, status, f->path, c->line, what);
 }
 
@@ -186,7 +186,7 @@ static int count_meshes(const obj_file *f, sp_capacity *cap, mesh_room *m)
     cap->loads = f->loads;
     cap->vertices = 0;
     for (int32_t b = 0; b < f->blocks; b++) {
-        const int32_t more = gather(f, b, m).vertices;
+        const int32_t more = gather_mesh(f, b, m).vertices;
         if (more > INT32_MAX - cap->vertices) return 0;
         cap->vertices += more;
     }
@@ -194,7 +194,7 @@ static int count_meshes(const obj_file *f, sp_capacity *cap, mesh_room *m)
 }
 
 /* An empty scene in new memory. */
-static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, failure *error)
+static int create_scene(const obj_file *f, const sp_capacity *cap, host_scene *s, failure *error)
 {
     sp_arena arena;
     free(s->memory);
@@ -205,9 +205,9 @@ static int create(const obj_file *f, const sp_capacity *cap, host_scene *s, fail
     return 0;
 }
 
-static int build(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_scene *s, failure *error)
+static int build_blocks(const obj_file *f, const sp_capacity *cap, mesh_room *m, host_scene *s, failure *error)
 {
-    int status = create(f, cap, s, error);
+    int status = create_scene(f, cap, s, error);
     for (int32_t b = 0; !status && b < f->blocks; b++) status = add_block(f, b, m, &s->scene, error);
     for (int32_t i = 0; !status && i < f->loads; i++) status = add_load(f, i, &s->scene, error);
     return status;
@@ -220,8 +220,8 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
     void *memory;
     sp_arena scratch;
 
-    settings.strength = joint_of(f, mu >= 0 ? mu : f->mu, f->strength, 1);
-    if (joint_counts(f, &settings.strength, NULL, error)) return error->status;
+    settings.strength = make_strength(f, mu >= 0 ? mu : f->mu, f->strength, 1);
+    if (refuse_vain_tension(f, &settings.strength, NULL, error)) return error->status;
     if (run_arena(sp_contacts_memory(&s->scene), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
     *status = sp_contacts_find(&s->scene, &settings, scratch, report);
     free(memory);
@@ -248,7 +248,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     cap->points = report.points;
     report.overlap = s->overlap;
     report.overlap_cap = report.overlaps;
-    failed = build(f, cap, m, s, error);
+    failed = build_blocks(f, cap, m, s, error);
     if (!failed) failed = find_once(f, mu, s, &report, &status, error);
     if (failed) return failed;
     if (status != SP_OK) return fail_status(error, status, f->path, f->lines, "contacts");
@@ -257,7 +257,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
 }
 
 /* *line: the first where something above 0 is told. */
-static void first_line(sp_real x, int32_t told, int32_t *line)
+static void keep_first_line(sp_real x, int32_t told, int32_t *line)
 {
     if (x > 0 && told && (!*line || told < *line)) *line = told;
 }
@@ -273,9 +273,10 @@ static int keep_lines(const obj_file *f, int given, host_scene *s, failure *erro
     for (int32_t b = 0; b < f->blocks; b++) *line++ = f->block[b].line;
     for (int32_t i = 0; i < s->given; i++) *line++ = f->contact[i].line;
     for (int32_t i = 0; i < f->loads; i++) *line++ = f->load[i].line;
-    for (int k = 0; k < 3; k++) first_line(f->strength[k], f->strength_line[k], &s->strength_line);
+    for (int k = 0; k < 3; k++) keep_first_line(f->strength[k], f->strength_line[k], &s->strength_line);
     for (int32_t i = 0; i < s->given; i++)
-        for (int k = 0; k < 3; k++) first_line(f->contact[i].strength[k], f->contact[i].strength_line[k], &s->strength_line);
+        for (int k = 0; k < 3; k++)
+            keep_first_line(f->contact[i].strength[k], f->contact[i].strength_line[k], &s->strength_line);
     return 0;
 }
 
@@ -310,14 +311,14 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
         cap.joints = f->contacts;
         cap.points = f->points;
     }
-    status = build(f, &cap, m, s, error);
+    status = build_blocks(f, &cap, m, s, error);
     if (status || !given) return status ? status : find_contacts(f, &cap, m, mu, s, error);
     for (int32_t i = 0; !status && i < f->contacts; i++) status = add_contact(f, i, mu, &s->scene, error);
     return status;
 }
 
 /* The file's tables are let go as soon as the scene is built. */
-static int finish(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
+static int build_from(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
     if (!status) {
@@ -338,7 +339,7 @@ int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene
     const host_scene empty = { 0 };
     obj_file f;
     *s = empty;
-    return finish(&f, obj_read(path, &f, error), mu, contacts, s, error);
+    return build_from(&f, obj_read(path, &f, error), mu, contacts, s, error);
 }
 
 int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
@@ -347,7 +348,7 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
     const host_scene empty = { 0 };
     obj_file f;
     *s = empty;
-    return finish(&f, obj_parse(path, text, length, &f, error), mu, contacts, s, error);
+    return build_from(&f, obj_parse(path, text, length, &f, error), mu, contacts, s, error);
 }
 
 /* ------------------------------------------------------------------------------------------------- what the library refuses */
@@ -355,7 +356,7 @@ int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_c
 #define LARGEST (sizeof(sp_real) == 8 ? DBL_MAX : (double)FLT_MAX)
 
 /* Is a number of this scene too large? Not where there is no memory to tell. */
-static int too_large(const sp_scene *scene)
+static int is_too_large(const sp_scene *scene)
 {
     void *memory;
     sp_arena a;
@@ -367,18 +368,18 @@ static int too_large(const sp_scene *scene)
 }
 
 /* The first `*count` of something, of which none is too much and all are: one that makes it so.     returns its number */
-static int32_t culprit(const sp_scene *part, int32_t *count)
+static int32_t find_culprit(const sp_scene *part, int32_t *count)
 {
     int32_t low = 0, high = *count;
     while (high - low > 1) {
         *count = low + (high - low) / 2;
-        if (too_large(part)) high = *count; else low = *count;
+        if (is_too_large(part)) high = *count; else low = *count;
     }
     return high - 1;
 }
 
 /* A block whose weight alone is too large, -1: none. */
-static int32_t heavy(const sp_scene *scene)
+static int32_t find_too_heavy(const sp_scene *scene)
 {
     for (int32_t b = 0; b < scene->count.blocks; b++)
         for (int k = 0; k < 3 && scene->block[b].fixed != SP_FIXED; k++) {
@@ -388,26 +389,26 @@ static int32_t heavy(const sp_scene *scene)
     return -1;
 }
 
-static int too_large_where(const host_scene *s, failure *error)
+static int blame_too_large(const host_scene *s, failure *error)
 {
     const char *const why = "a number is too large to be squared";
     sp_scene part = s->scene;
     const int32_t blocks = part.count.blocks, loads = part.count.loads;
     part.count.loads = part.count.joints = 0;
-    if (too_large(&part)) {
-        const int32_t b = heavy(&part);
+    if (is_too_large(&part)) {
+        const int32_t b = find_too_heavy(&part);
         if (b < 0) return fail_with(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
         const int32_t line = s->gravity_line ? s->gravity_line : s->line[b];
         return fail_with(error, EXIT_SCENE, s->path, line, "weight of block '%.60s': %s", s->name[b], why);
     }
     part.count.loads = loads;
-    if (too_large(&part)) {
-        const int32_t k = culprit(&part, &part.count.loads);
+    if (is_too_large(&part)) {
+        const int32_t k = find_culprit(&part, &part.count.loads);
         return fail_with(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
                          s->name[s->scene.load[k].block], why);
     }
     part.count.joints = s->scene.count.joints;
-    const int32_t i = culprit(&part, &part.count.joints);
+    const int32_t i = find_culprit(&part, &part.count.joints);
     const sp_joint *f = &s->scene.joint[i];
     return fail_with(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
                      s->name[f->a], s->name[f->b], why);
@@ -415,7 +416,7 @@ static int too_large_where(const host_scene *s, failure *error)
 
 int scene_refused(const host_scene *s, const sp_settings *settings, sp_status why, failure *error)
 {
-    if (why == SP_E_NOT_FINITE && too_large(&s->scene)) return too_large_where(s, error);
+    if (why == SP_E_NOT_FINITE && is_too_large(&s->scene)) return blame_too_large(s, error);
     if (why == SP_E_UNSUPPORTED && settings->coupled.asked && s->strength_line)
         return fail_with(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a "
                          "coupled check knows friction alone");

@@ -5,16 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-static int line_end(char c) { return c == '\n' || c == '\r'; }
-static int digit(char c) { return c >= '0' && c <= '9'; }
+static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+static int is_line_end(char c) { return c == '\n' || c == '\r'; }
+static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /* --------------------------------------------------------------------------------------------------------------- words */
 
 /* Length of the line end at p: 2 for CR LF, 1 for LF or CR, 0 for none. */
 static size_t line_end_length(const char *p, const char *end)
 {
-    if (p == end || !line_end(*p)) return 0;
+    if (p == end || !is_line_end(*p)) return 0;
     return p[0] == '\r' && end - p > 1 && p[1] == '\n' ? 2 : 1;
 }
 
@@ -22,7 +22,7 @@ int text_next_word(text_cursor *c, text_word *word)
 {
     for (;;) {
         size_t joined;
-        while (c->p < c->end && blank(*c->p)) c->p++;
+        while (c->p < c->end && is_blank(*c->p)) c->p++;
         if (c->p == c->end || *c->p != '\\') break;
         joined = line_end_length(c->p + 1, c->end);
         if (!joined) break;
@@ -30,7 +30,7 @@ int text_next_word(text_cursor *c, text_word *word)
         c->line++;
     }
     word->s = c->p;
-    while (c->p < c->end && !blank(*c->p) && !line_end(*c->p)) {
+    while (c->p < c->end && !is_blank(*c->p) && !is_line_end(*c->p)) {
         if (*c->p == '\\' && line_end_length(c->p + 1, c->end)) break;
         c->p++;
     }
@@ -40,7 +40,7 @@ int text_next_word(text_cursor *c, text_word *word)
 
 int text_next_line(text_cursor *c)
 {
-    while (c->p < c->end && !line_end(*c->p)) c->p++;
+    while (c->p < c->end && !is_line_end(*c->p)) c->p++;
     if (c->p == c->end) return 0;
     c->p += line_end_length(c->p, c->end);
     c->line++;
@@ -55,27 +55,27 @@ int text_is(text_word word, const char *s)
 /* ------------------------------------------------------------------------------------------------------------- numbers */
 
 /* Does all of the word follow [+-] digits [. digits] [e [+-] digits], with a digit before the e? */
-static int decimal(text_word w)
+static int is_decimal(text_word w)
 {
     size_t i = 0, digits = 0, exponent = 0;
 
     if (i < w.n && (w.s[i] == '+' || w.s[i] == '-')) i++;
-    for (; i < w.n && digit(w.s[i]); i++) digits++;
+    for (; i < w.n && is_digit(w.s[i]); i++) digits++;
     if (i < w.n && w.s[i] == '.')
-        for (i++; i < w.n && digit(w.s[i]); i++) digits++;
+        for (i++; i < w.n && is_digit(w.s[i]); i++) digits++;
     if (digits == 0) return 0;
     if (i == w.n) return 1;
     if (w.s[i] != 'e' && w.s[i] != 'E') return 0;
     i++;
     if (i < w.n && (w.s[i] == '+' || w.s[i] == '-')) i++;
-    for (; i < w.n && digit(w.s[i]); i++) exponent++;
+    for (; i < w.n && is_digit(w.s[i]); i++) exponent++;
     return exponent > 0 && i == w.n;
 }
 
 /* A terminated copy for strtod; longer words are no sensible number. */
-static int copy(text_word w, char buffer[128])
+static int copy_decimal(text_word w, char buffer[128])
 {
-    if (w.n > 127 || !decimal(w)) return 0;
+    if (w.n > 127 || !is_decimal(w)) return 0;
     memcpy(buffer, w.s, w.n);
     buffer[w.n] = 0;
     return 1;
@@ -85,7 +85,7 @@ text_number text_double(text_word word, double *x)
 {
     char buffer[128];
     double y;
-    if (!copy(word, buffer)) return TEXT_NO_NUMBER;
+    if (!copy_decimal(word, buffer)) return TEXT_NO_NUMBER;
     y = strtod(buffer, NULL);                           /* the program never leaves the C locale */
     if (!(y >= -DBL_MAX && y <= DBL_MAX)) return TEXT_TOO_LARGE;
     *x = y;
@@ -97,7 +97,7 @@ text_number text_real(text_word word, sp_real *x)
 #ifdef SP_REAL_FLOAT
     char buffer[128];
     float y;
-    if (!copy(word, buffer)) return TEXT_NO_NUMBER;
+    if (!copy_decimal(word, buffer)) return TEXT_NO_NUMBER;
     y = strtof(buffer, NULL);                           /* rounded once */
     if (!(y >= -FLT_MAX && y <= FLT_MAX)) return TEXT_TOO_LARGE;
     *x = y;
@@ -119,7 +119,7 @@ text_number text_int(text_word word, int32_t *i)
     if (word.n && (word.s[0] == '+' || word.s[0] == '-')) minus = word.s[k++] == '-';
     if (k == word.n) return TEXT_NO_NUMBER;
     for (; k < word.n; k++) {
-        if (!digit(word.s[k])) return TEXT_NO_NUMBER;
+        if (!is_digit(word.s[k])) return TEXT_NO_NUMBER;
         if (x <= INT32_MAX) x = 10 * x + (word.s[k] - '0');
     }
     if (x > INT32_MAX) return TEXT_TOO_LARGE;

@@ -15,19 +15,19 @@ typedef struct axes { double left, low[2], high[2]; int time; } axes;      /* lo
 static const char *const color[COST_STAGES] = { "#b8860b", "#4d9221", "#8e44ad", "#1d5fa6" };
 static const char *const word[COST_STAGES] = { "least squares", "polish", "ADMM", "exact" };
 
-static double work(const cost_row *r, int time)
+static double log_work(const cost_row *r, int time)
 {
     return log10(time ? fmax(r->seconds, 1e-7) * 1e3 : fmax((double)r->cost.flops, 1));
 }
 
-static double error_of(const cost_row *r) { return log10(fmin(fmax(r->omega, 1e-17), 1)); }
+static double log_imbalance(const cost_row *r) { return log10(fmin(fmax(r->omega, 1e-17), 1)); }
 
-static axes measure(const cost_table *t, double left, int time)
+static axes choose_axes(const cost_table *t, double left, int time)
 {
     axes a = { left, { 1e9, -17 }, { -1e9, 0 }, time };
     for (int k = 0; k < COST_ROWS; k++) {
-        a.low[0] = fmin(a.low[0], work(&t->row[k], time));
-        a.high[0] = fmax(a.high[0], work(&t->row[k], time));
+        a.low[0] = fmin(a.low[0], log_work(&t->row[k], time));
+        a.high[0] = fmax(a.high[0], log_work(&t->row[k], time));
     }
     a.low[0] = floor(a.low[0]);
     a.high[0] = fmax(ceil(a.high[0]), a.low[0] + 1);
@@ -37,7 +37,7 @@ static axes measure(const cost_table *t, double left, int time)
 static double px(const axes *a, double x) { return a->left + PANEL_W * (x - a->low[0]) / (a->high[0] - a->low[0]); }
 static double py(const axes *a, double y) { return TOP + PANEL_H * (a->high[1] - y) / (a->high[1] - a->low[1]); }
 
-static void grid(FILE *out, const axes *a)
+static void draw_grid(FILE *out, const axes *a)
 {
     for (double x = a->low[0]; x <= a->high[0] + 0.5; x++) {
         fprintf(out, "<path d=\"M%.1f %.1fv%.1f\" stroke=\"#e4e4e4\"/>\n", px(a, x), TOP, PANEL_H);
@@ -52,7 +52,7 @@ static void grid(FILE *out, const axes *a)
 }
 
 /* True cone: a disc; inscribed: a square; circumscribed: a diamond. */
-static void mark(FILE *out, double x, double y, const cost_row *r, const char *ink, int wrong)
+static void draw_mark(FILE *out, double x, double y, const cost_row *r, const char *ink, int wrong)
 {
     const char kind = r->cone[strlen(r->cone) - 1];
     const char *fill = r->verdict ? ink : "none";
@@ -66,14 +66,14 @@ static void mark(FILE *out, double x, double y, const cost_row *r, const char *i
     else fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\" stroke=\"%s\"/>\n", x, y, fill, ink);
 }
 
-static void panel(FILE *out, const cost_table *t, double left, int time)
+static void draw_panel(FILE *out, const cost_table *t, double left, int time)
 {
-    const axes a = measure(t, left, time);
-    grid(out, &a);
+    const axes a = choose_axes(t, left, time);
+    draw_grid(out, &a);
     for (int k = 0; k < COST_ROWS; k++) {
         const cost_row *r = &t->row[k];
         const int wrong = r->verdict && t->truth && r->verdict != t->truth;
-        mark(out, px(&a, work(r, time)), py(&a, error_of(r)), r, color[k / COST_TOLS / COST_CONES], wrong);
+        draw_mark(out, px(&a, log_work(r, time)), py(&a, log_imbalance(r)), r, color[k / COST_TOLS / COST_CONES], wrong);
     }
 }
 
@@ -87,8 +87,8 @@ void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
     page_text(out, s->path, SIZE_MAX);
     fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage "
             "says %s</text>\n", COST_REAL, sp_verdict_text(t->truth));
-    panel(out, t, 60, 0);
-    panel(out, t, PANEL_W + 150, 1);
+    draw_panel(out, t, 60, 0);
+    draw_panel(out, t, PANEL_W + 150, 1);
     for (int k = 0; k < COST_STAGES; k++)
         fprintf(out, "<circle cx=\"%d\" cy=\"%.0f\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%.0f\">%s</text>\n", 66 + 110 * k,
                 height - 42, color[k], 76 + 110 * k, height - 38, word[k]);

@@ -45,7 +45,7 @@ static int nearer(const void *pa, const void *pb)
 }
 
 /* Those long enough to be seen, from the farthest to the nearest.     returns their number */
-static int32_t gather(const forces *f, const drawing *d, arrow *drawn)
+static int32_t gather_arrows(const forces *f, const drawing *d, arrow *drawn)
 {
     int32_t n = 0;
     for (int32_t i = 0; f->largest > 0 && i < d->s->count.joints; i++) {
@@ -71,7 +71,7 @@ int forces_draw(const forces *f, const drawing *d, int fade)
     double range;
 
     if (!drawn) return 0;
-    n = gather(f, d, drawn);
+    n = gather_arrows(f, d, drawn);
     range = n ? drawn[n - 1].depth - drawn[0].depth : 0;
     for (int32_t i = 0; i < n; i++) {
         const arrow *a = &drawn[i];

@@ -38,7 +38,7 @@ static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a
 /* -------------------------------------------------------------------------------------------------------------- pieces */
 
 /* Twice the area of the triangle a b c, positive anticlockwise. */
-static double turn(const double a[2], const double b[2], const double c[2])
+static double area_twice(const double a[2], const double b[2], const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -56,25 +56,25 @@ static void add_piece(paint *p, int32_t sheet_id, int32_t first, int32_t corners
             q->low[c] = fmin(q->low[c], p->at[first + k][c]);
             q->high[c] = fmax(q->high[c], p->at[first + k][c]);
         }
-    for (int32_t k = 1; k + 1 < corners; k++) q->area += turn(p->at[first], p->at[first + k], p->at[first + k + 1]) / 2;
+    for (int32_t k = 1; k + 1 < corners; k++) q->area += area_twice(p->at[first], p->at[first + k], p->at[first + k + 1]) / 2;
     if (q->area > 1e-12 * p->size * p->size) p->pieces++;
 }
 
-static int convex(const double (*at)[2], int32_t n, double tiny)
+static int is_convex(const double (*at)[2], int32_t n, double tiny)
 {
     for (int32_t k = 0; k < n; k++)
-        if (turn(at[k], at[(k + 1) % n], at[(k + 2) % n]) < -tiny) return 0;
+        if (area_twice(at[k], at[(k + 1) % n], at[(k + 2) % n]) < -tiny) return 0;
     return 1;
 }
 
 /* Is corner k of the polygon left[0..n) an ear: turning left, with no other corner inside? */
-static int ear(const double (*at)[2], const int32_t *left, int32_t n, int32_t k)
+static int is_ear(const double (*at)[2], const int32_t *left, int32_t n, int32_t k)
 {
     const double *a = at[left[(k + n - 1) % n]], *b = at[left[k]], *c = at[left[(k + 1) % n]];
-    if (turn(a, b, c) <= 0) return 0;
+    if (area_twice(a, b, c) <= 0) return 0;
     for (int32_t i = 0; i < n - 3; i++) {
         const double *x = at[left[(k + 2 + i) % n]];
-        if (turn(a, b, x) > 0 && turn(b, c, x) > 0 && turn(c, a, x) > 0) return 0;
+        if (area_twice(a, b, x) > 0 && area_twice(b, c, x) > 0 && area_twice(c, a, x) > 0) return 0;
     }
     return 1;
 }
@@ -87,7 +87,7 @@ static int add_ears(paint *p, int32_t sheet_id, int32_t first, int32_t n)
     for (int32_t k = 0; k < n; k++) left[k] = first + k;
     while (n >= 3) {
         int32_t k = 0;
-        while (k < n && !ear((const double (*)[2])p->at, left, n, k)) k++;
+        while (k < n && !is_ear((const double (*)[2])p->at, left, n, k)) k++;
         if (k == n) k = 0;
         for (int i = 0; i < 3; i++) {
             const double *x = p->at[left[(k + n - 1 + i) % n]];
@@ -103,7 +103,7 @@ static int add_ears(paint *p, int32_t sheet_id, int32_t first, int32_t n)
 }
 
 /* Depth over paper of the face's mean plane: n . x = n . m, x = X right + Y up + Z toward. */
-static void plane(sheet *h, const view *v, const double n[3], const double mean[3])
+static void find_plane(sheet *h, const view *v, const double n[3], const double mean[3])
 {
     const double t = dot(n, v->toward);
     h->d[0] = -dot(n, v->right) / t;
@@ -126,9 +126,9 @@ static int add_face(paint *p, const sp_scene *s, const view *v, int32_t face)
         for (int c = 0; c < 3; c++) mean[c] += (double)x[c] / n;
     }
     p->sheet[p->sheets].face = face;
-    plane(&p->sheet[p->sheets], v, normal, mean);
+    find_plane(&p->sheet[p->sheets], v, normal, mean);
     p->sheets++;
-    if (n <= CLIP_MAX / 2 && convex((const double (*)[2])p->at + first, n, 1e-9 * p->size * p->size))
+    if (n <= CLIP_MAX / 2 && is_convex((const double (*)[2])p->at + first, n, 1e-9 * p->size * p->size))
         add_piece(p, p->sheets - 1, first, n);
     else return add_ears(p, p->sheets - 1, first, n);
     return 1;
@@ -142,7 +142,7 @@ static int clip_line(double (*a)[2], int n, const double p[2], const double q[2]
     double out[CLIP_MAX][2];
     int m = 0;
     for (int k = 0; k < n && m + 2 < CLIP_MAX; k++) {
-        const double *x = a[k], *y = a[(k + 1) % n], dx = turn(p, q, x), dy = turn(p, q, y);
+        const double *x = a[k], *y = a[(k + 1) % n], dx = area_twice(p, q, x), dy = area_twice(p, q, y);
         if (dx >= 0) { out[m][0] = x[0]; out[m++][1] = x[1]; }
         if ((dx > 0 && dy < 0) || (dx < 0 && dy > 0)) {
             const double t = dx / (dx - dy);
@@ -155,7 +155,7 @@ static int clip_line(double (*a)[2], int n, const double p[2], const double q[2]
 }
 
 /* Centroid of what two pieces have in common; its area. */
-static double common(const paint *p, const piece *a, const piece *b, double c[2])
+static double overlap_of(const paint *p, const piece *a, const piece *b, double c[2])
 {
     double x[CLIP_MAX][2], area = 0;
     int n = (int)a->corners;
@@ -164,7 +164,7 @@ static double common(const paint *p, const piece *a, const piece *b, double c[2]
         n = clip_line(x, n, p->at[b->first + k], p->at[b->first + (k + 1) % b->corners]);
     c[0] = c[1] = 0;
     for (int k = 1; k + 1 < n; k++) {
-        const double t = turn(x[0], x[k], x[k + 1]) / 2;
+        const double t = area_twice(x[0], x[k], x[k + 1]) / 2;
         area += t;
         for (int i = 0; i < 2; i++) c[i] += t * (x[0][i] + x[k][i] + x[k + 1][i]) / 3;
     }
@@ -186,7 +186,7 @@ static int add_rule(paint *p, int32_t first, int32_t then)
     return 1;
 }
 
-static double depth(const sheet *h, const double c[2]) { return h->d[0] * c[0] + h->d[1] * c[1] + h->d[2]; }
+static double depth_at(const sheet *h, const double c[2]) { return h->d[0] * c[0] + h->d[1] * c[1] + h->d[2]; }
 
 static int compare_pieces(paint *p, const piece *a, const piece *b)
 {
@@ -194,8 +194,8 @@ static int compare_pieces(paint *p, const piece *a, const piece *b)
     if (a->sheet == b->sheet || a->low[0] >= b->high[0] || b->low[0] >= a->high[0] || a->low[1] >= b->high[1]
         || b->low[1] >= a->high[1])
         return 1;
-    if (common(p, a, b, c) < 1e-6 * fmin(a->area, b->area)) return 1;       /* they only share an edge */
-    d = depth(&p->sheet[a->sheet], c) - depth(&p->sheet[b->sheet], c);
+    if (overlap_of(p, a, b, c) < 1e-6 * fmin(a->area, b->area)) return 1;       /* they only share an edge */
+    d = depth_at(&p->sheet[a->sheet], c) - depth_at(&p->sheet[b->sheet], c);
     if (fabs(d) < 1e-7 * p->size) return 1;                                 /* one plane */
     return d < 0 ? add_rule(p, a->sheet, b->sheet) : add_rule(p, b->sheet, a->sheet);
 }
@@ -213,7 +213,7 @@ static int32_t cell_of(const grid *g, double x, int axis)
 }
 
 /* For each cell a piece touches: count it, or put it there. */
-static void each_cell(grid *g, const piece *q, int32_t id)
+static void touch_cells(grid *g, const piece *q, int32_t id)
 {
     const int32_t x1 = cell_of(g, q->high[0], 0), y1 = cell_of(g, q->high[1], 1);
     for (int32_t y = cell_of(g, q->low[1], 1); y <= y1; y++)
@@ -224,7 +224,7 @@ static void each_cell(grid *g, const piece *q, int32_t id)
 }
 
 /* Cells that all pieces touch together. */
-static double touched(const paint *p, const grid *g)
+static double count_touched(const paint *p, const grid *g)
 {
     double sum = 0;
     for (int32_t k = 0; k < p->pieces; k++) {
@@ -249,7 +249,7 @@ static void grid_choose(const paint *p, grid *g)
     do {
         g->n /= 2;
         for (int c = 0; c < 2; c++) g->cell[c] = high[c] > g->low[c] ? (high[c] - g->low[c]) / g->n : 1;
-    } while (g->n > 1 && touched(p, g) > 64.0 * p->pieces);
+    } while (g->n > 1 && count_touched(p, g) > 64.0 * p->pieces);
 }
 
 static int grid_make(const paint *p, grid *g)
@@ -260,11 +260,11 @@ static int grid_make(const paint *p, grid *g)
     cells = g->n * g->n;
     g->start = calloc((size_t)cells + 2, sizeof *g->start);
     if (!g->start) return 0;
-    for (k = 0; k < p->pieces; k++) each_cell(g, &p->piece[k], -1);
+    for (k = 0; k < p->pieces; k++) touch_cells(g, &p->piece[k], -1);
     for (k = 0; k < cells; k++) g->start[k + 1] += g->start[k];
     g->item = malloc(((size_t)g->start[cells] + 1) * sizeof *g->item);
     if (!g->item) return 0;
-    for (k = 0; k < p->pieces; k++) each_cell(g, &p->piece[k], k);         /* start[k] moves to the end of cell k */
+    for (k = 0; k < p->pieces; k++) touch_cells(g, &p->piece[k], k);         /* start[k] moves to the end of cell k */
     for (k = cells; k > 0; k--) g->start[k] = g->start[k - 1];
     g->start[0] = 0;
     return 1;

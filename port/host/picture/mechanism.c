@@ -8,7 +8,7 @@
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* Where a corner of block b goes: x -> c + R (x - c) + shift v, R the rotation by shift w.                  [Rodrigues] */
-static void moved(const mechanism *m, const sp_scene *s, int32_t b, const sp_real x[3], double shift, sp_real out[3])
+static void move_point(const mechanism *m, const sp_scene *s, int32_t b, const sp_real x[3], double shift, sp_real out[3])
 {
     const sp_real *dq = motion_shown(m->result) + 6 * (size_t)b, *o = s->block[b].centroid;
     const double rate = view_length(dq + 3), angle = shift * rate, k = rate > 0 ? 1 / rate : 0;
@@ -32,7 +32,7 @@ static int is_seen_moved(const mechanism *m, const drawing *d, int32_t b, int32_
     for (int32_t k = 0; k < f->corners; k++) {
         sp_real x[3];
         double at[2];
-        moved(m, d->s, b, d->s->vertex[d->s->corner[f->corner + k]], m->shift, x);
+        move_point(m, d->s, b, d->s->vertex[d->s->corner[f->corner + k]], m->shift, x);
         view_point(&d->v, x, at);
         if (k == 0) { first[0] = at[0]; first[1] = at[1]; }
         if (k > 1) area += (before[0] - first[0]) * (at[1] - first[1]) - (before[1] - first[1]) * (at[0] - first[0]);
@@ -51,8 +51,8 @@ static void put_moved_outline(const mechanism *m, const drawing *d, const faces 
         sp_real x[3], y[3];
         double from[2], to[2];
         if (other >= 0 && is_seen_moved(m, d, b, other) && (other < face || !f->bend[of->corner + k])) continue;
-        moved(m, d->s, b, d->s->vertex[d->s->corner[of->corner + k]], m->shift, x);
-        moved(m, d->s, b, d->s->vertex[d->s->corner[of->corner + (k + 1) % of->corners]], m->shift, y);
+        move_point(m, d->s, b, d->s->vertex[d->s->corner[of->corner + k]], m->shift, x);
+        move_point(m, d->s, b, d->s->vertex[d->s->corner[of->corner + (k + 1) % of->corners]], m->shift, y);
         drawing_point(d, x, from);
         drawing_point(d, y, to);
         fprintf(d->out, "M%.1f %.1fL%.1f %.1f", from[0], from[1], to[0], to[1]);
@@ -83,7 +83,7 @@ static double farthest(const mechanism *m, const sp_scene *s, double shift)
         for (int32_t k = 0; k < s->block[b].vertices && motion_speed(s, m->result, b) > 0; k++) {
             const sp_real *x = s->vertex[s->block[b].vertex + k];
             sp_real y[3], d[3];
-            moved(m, s, b, x, shift, y);
+            move_point(m, s, b, x, shift, y);
             for (int c = 0; c < 3; c++) d[c] = y[c] - x[c];
             most = fmax(most, view_length(d));
         }
@@ -104,7 +104,7 @@ void mechanism_scale(mechanism *m, drawing *d, const sp_result *result, double s
     for (int32_t b = 0; b < d->s->count.blocks; b++)
         for (int32_t k = 0; k < d->s->block[b].vertices && motion_speed(d->s, result, b) > 1e-3; k++) {
             sp_real y[3];
-            moved(m, d->s, b, d->s->vertex[d->s->block[b].vertex + k], m->shift, y);
+            move_point(m, d->s, b, d->s->vertex[d->s->block[b].vertex + k], m->shift, y);
             drawing_cover(d, y);
         }
 }

@@ -102,7 +102,7 @@ static int draw_moments(sheet *t)
 }
 
 /* What the colours say. */
-static void legend(FILE *out)
+static void draw_legend(FILE *out)
 {
     static const char *const word[5] = { NULL, NULL, "new", "to be held", "moves" };
     double x = PAGE_WIDTH - PAGE_MARGIN - 240;
@@ -131,7 +131,7 @@ static int draw_page(sheet *t, FILE *out, const char *title)
     fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN);
     page_text(out, title, 90);
     fputs("</text>\n", out);
-    if (t->frame[0].mark) legend(out);
+    if (t->frame[0].mark) draw_legend(out);
     good = draw_moments(t);
     page_end(out);
     return good;

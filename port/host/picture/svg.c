@@ -46,7 +46,7 @@ static int is_deep(const sp_scene *s, double block)
 }
 
 /* The page's width, or its tallest height, holds all that is covered. */
-static void fit(drawing *d, double size)
+static void fit_page(drawing *d, double size)
 {
     double w, h;
     if (!(d->high[0] >= d->low[0])) d->low[0] = d->low[1] = d->high[0] = d->high[1] = 0;
@@ -70,14 +70,14 @@ static double scale_all(drawing *d, forces *f, mechanism *m, const sp_result *re
     block = median_block(d->s, size);
     forces_scale(f, d, result, fmin(fmax(0.75 * block, 0.05 * size), 0.2 * size));
     mechanism_scale(m, d, result, size, fmin(fmax(block / 3, 0.04 * size), 0.12 * size));
-    fit(d, size);
+    fit_page(d, size);
     return block;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- picture */
 
 /* Blocks, then what lies over them, from the joints to the words.                           returns 0: out of memory */
-static int draw(words *w, const faces *f, int deep, double legend)
+static int draw_all(words *w, const faces *f, int deep, double legend)
 {
     const drawing *d = w->d;
     if (!faces_draw(f, d, NULL)) return 0;
@@ -108,7 +108,7 @@ int svg_write(FILE *out, const subject *of)
     foot = FOOT + (m.shift > 0 ? 26 : 0);
     height = floor(d.top + d.scale * (d.high[1] - d.low[1]) + foot);
     page_begin(out, height);
-    good = faces_find(&seen, &d) && draw(&w, &seen, is_deep(d.s, block), height - foot + 46);
+    good = faces_find(&seen, &d) && draw_all(&w, &seen, is_deep(d.s, block), height - foot + 46);
     page_end(out);
     faces_free(&seen);
     return good;

@@ -37,7 +37,7 @@ void view_normal(const sp_scene *s, int32_t face, double n[3])
 }
 
 /* How badly joints are seen from a direction: best from a little above, which shows how the blocks stand on each other. */
-static double joints_seen(const sp_scene *s, const double toward[3])
+static double joints_hidden(const sp_scene *s, const double toward[3])
 {
     const double best = 0.35;           /* sine of the angle between joint and view */
     double sum = 0, area = 0;
@@ -52,7 +52,7 @@ static double joints_seen(const sp_scene *s, const double toward[3])
 }
 
 /* From `yaw` to the left of the front (0: -y, 1: +x) and `rise` above the horizon. */
-static view look(int front, double yaw, double rise)
+static view view_from(int front, double yaw, double rise)
 {
     const double f[2] = { front ? 1 : 0, front ? 0 : -1 }, side[2] = { front ? 0 : 1, front ? 1 : 0 };
     view v;
@@ -86,10 +86,10 @@ view view_choose(const sp_scene *s)
     ratio = fmin(d[0], d[1]) / fmax(fmax(d[0], d[1]), 1e-300);
     yaw = (18 + 14 * ratio) * rad;
     rise = (d[2] > 2.5 * fmax(d[0], d[1]) ? 14 : 16 + 10 * ratio) * rad;
-    best = look(d[1] > d[0], yaw, rise);
+    best = view_from(d[1] > d[0], yaw, rise);
     for (int k = 1; k < 8 && ratio > 0.5; k++) {
-        const view other = look(k & 1 ? d[1] <= d[0] : d[1] > d[0], (k & 2 ? -yaw : yaw) * (k & 4 ? 0.4 : 1), rise);
-        if (joints_seen(s, other.toward) < 0.9 * joints_seen(s, best.toward)) best = other;
+        const view other = view_from(k & 1 ? d[1] <= d[0] : d[1] > d[0], (k & 2 ? -yaw : yaw) * (k & 4 ? 0.4 : 1), rise);
+        if (joints_hidden(s, other.toward) < 0.9 * joints_hidden(s, best.toward)) best = other;
     }
     return best;
 }

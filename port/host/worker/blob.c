@@ -39,9 +39,13 @@ void blob_free(blob *b)
     *b = none;
 }
 
-static void put(unsigned char *p, uint64_t x, int n) { for (int k = 0; k < n; k++) p[k] = (unsigned char)(x >> 8 * k & 255); }
+/* n bytes of a number, the lowest first. */
+static void put_bytes(unsigned char *p, uint64_t x, int n)
+{
+    for (int k = 0; k < n; k++) p[k] = (unsigned char)(x >> 8 * k & 255);
+}
 
-static uint64_t get(const unsigned char *p, int n)
+static uint64_t get_bytes(const unsigned char *p, int n)
 {
     uint64_t x = 0;
     for (int k = n; k-- > 0;) x = x << 8 | p[k];
@@ -64,9 +68,9 @@ static uint32_t crc32_of(const unsigned char *p, size_t n)
 
 sp_status blob_header(const unsigned char header[BLOB_HEADER], blob_kind *kind, size_t *length)
 {
-    const uint64_t k = get(header + 6, 2), body = get(header + 12, 4);
-    if (get(header, 4) != MAGIC || k < BLOB_REQUEST || k > BLOB_ERROR) return SP_E_ARGUMENT;
-    if (get(header + 4, 2) != VERSION || get(header + 8, 4) != FLAGS) return SP_E_UNSUPPORTED;
+    const uint64_t k = get_bytes(header + 6, 2), body = get_bytes(header + 12, 4);
+    if (get_bytes(header, 4) != MAGIC || k < BLOB_REQUEST || k > BLOB_ERROR) return SP_E_ARGUMENT;
+    if (get_bytes(header + 4, 2) != VERSION || get_bytes(header + 8, 4) != FLAGS) return SP_E_UNSUPPORTED;
     if (body > BLOB_CAP) return SP_E_CAPACITY;
     *kind = (blob_kind)k;
     *length = BLOB_HEADER + (size_t)body + 4;
@@ -82,7 +86,7 @@ sp_status blob_whole(const blob *b, blob_kind kind)
     status = blob_header(b->data, &got, &length);
     if (status) return status;
     if (got != kind || length != b->length) return SP_E_ARGUMENT;
-    return get(b->data + length - 4, 4) == crc32_of(b->data, length - 4) ? SP_OK : SP_E_ARGUMENT;
+    return get_bytes(b->data + length - 4, 4) == crc32_of(b->data, length - 4) ? SP_OK : SP_E_ARGUMENT;
 }
 
 /* --------------------------------------------------------------------------------------------- fields, in either direction */
@@ -99,7 +103,7 @@ static uint64_t io_bits(io *s, uint64_t x, int n)
 {
     if (s->out) {
         if (!blob_grow(s->out, (size_t)n)) return 0;
-        put(s->out->data + s->out->length, x, n);
+        put_bytes(s->out->data + s->out->length, x, n);
         s->out->length += (size_t)n;
         return x;
     }
@@ -107,7 +111,7 @@ static uint64_t io_bits(io *s, uint64_t x, int n)
         s->bad = 1;
         return 0;
     }
-    x = get(s->p, n);
+    x = get_bytes(s->p, n);
     s->p += n;
     s->left -= (size_t)n;
     return x;
@@ -160,7 +164,7 @@ static void io_real(io *s, sp_real *x) { io_reals(s, x, 1); }
         (x) = (type)io_k;                       \
     } while (0)
 
-static io start(blob *b, blob_kind kind)
+static io start_message(blob *b, blob_kind kind)
 {
     io s = { b, NULL, 0, 0 };
     b->length = 0;
@@ -173,17 +177,17 @@ static io start(blob *b, blob_kind kind)
     return s;
 }
 
-static sp_status finish(io *s)
+static sp_status finish_message(io *s)
 {
     blob *b = s->out;
     const int full = b->length > BLOB_CAP;
     if (b->failed || full || !blob_grow(b, 4)) return full ? SP_E_CAPACITY : SP_E_MEMORY;
-    put(b->data + 12, b->length - BLOB_HEADER, 4);
+    put_bytes(b->data + 12, b->length - BLOB_HEADER, 4);
     io_bits(s, crc32_of(b->data, b->length), 4);
     return SP_OK;
 }
 
-static sp_status open_body(const blob *b, blob_kind kind, io *s)
+static sp_status open_message(const blob *b, blob_kind kind, io *s)
 {
     const io body = { NULL, b->data + BLOB_HEADER, b->length - BLOB_HEADER - 4, 0 };
     const sp_status status = blob_whole(b, kind);
@@ -289,7 +293,7 @@ sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *
 {
     sp_settings set = *settings;
     sp_scene s = *scene;
-    io o = start(b, BLOB_REQUEST);
+    io o = start_message(b, BLOB_REQUEST);
     if (set.custom || set.qp_solver || set.work || (set.seed && set.seed != sp_seed_table())) return SP_E_UNSUPPORTED;
     io_counts(&o, &s.count);
     io_world(&o, &s);
@@ -305,7 +309,7 @@ sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *
     for (int32_t k = 0; k < s.count.joints; k++) { sp_joint x = s.joint[k]; io_joint(&o, &x); }
     io_reals(&o, (sp_real *)s.point, 3 * (size_t)s.count.points);
     for (int32_t k = 0; k < s.count.loads; k++) { sp_load x = s.load[k]; io_load(&o, &x); }
-    return finish(&o);
+    return finish_message(&o);
 }
 
 /* Arrays of a request as they are read, before the library has seen them. */
@@ -353,7 +357,7 @@ static sp_status add_block(const raw *r, int32_t b, sp_scene *scene)
 }
 
 /* A frame sent is the one the library made when the scene was built: a normal made unit twice may differ in its last bit. */
-static int near(const sp_real *a, const sp_real *b)
+static int is_near(const sp_real *a, const sp_real *b)
 {
     for (int k = 0; k < 3; k++) if (!(a[k] - b[k] <= 64 * SP_EPSILON && b[k] - a[k] <= 64 * SP_EPSILON)) return 0;
     return 1;
@@ -367,7 +371,7 @@ static sp_status add_interface(const raw *r, const sp_joint *x, sp_scene *scene)
         : x->area > 0 ? sp_scene_joint(scene, x->a, x->b, x->points, xyz, &x->strength, NULL)
                       : sp_scene_points(scene, x->a, x->b, x->n, x->points, xyz, &x->strength, NULL);
     if (status) return status;
-    if (!near(x->n, made->n) || !near(x->t1, made->t1) || !near(x->t2, made->t2)) return SP_E_RANGE;
+    if (!is_near(x->n, made->n) || !is_near(x->t1, made->t1) || !is_near(x->t2, made->t2)) return SP_E_RANGE;
     memcpy(made->n, x->n, sizeof made->n);
     memcpy(made->t1, x->t1, sizeof made->t1);
     memcpy(made->t2, x->t2, sizeof made->t2);
@@ -403,7 +407,7 @@ static sp_status read_scene(io *s, raw *r, const sp_capacity *n, sp_scene *scene
     return !status && scene->count.points != n->points ? SP_E_RANGE : status;
 }
 
-static int finite(const sp_real *x, int n)
+static int is_finite(const sp_real *x, int n)
 {
     for (int k = 0; k < n; k++) if (!(x[k] - x[k] <= 0)) return 0;
     return 1;
@@ -416,9 +420,8 @@ sp_status blob_read_request(const blob *b, sp_scene *scene, sp_settings *setting
     sp_scene made, world;
     sp_arena arena;
     raw r = { NULL, NULL, NULL, NULL, NULL };
-    size_t bytes;
     io s;
-    sp_status status = open_body(b, BLOB_REQUEST, &s);
+    sp_status status = open_message(b, BLOB_REQUEST, &s);
 
     *memory = NULL;
     if (status) return status;
@@ -428,10 +431,9 @@ sp_status blob_read_request(const blob *b, sp_scene *scene, sp_settings *setting
     io_world(&s, &world);
     io_settings(&s, &set);
     if (s.bad || scene_bytes(&n) != s.left) return SP_E_RANGE;
-    if (!finite(world.gravity, 3) || !finite(world.body, 3) || !finite(&world.live, 1)) return SP_E_NOT_FINITE;
-    bytes = sp_scene_memory(&n);
-    *memory = bytes ? malloc(bytes + SP_ALIGN) : NULL;
-    status = *memory && raw_make(&r, &n) ? sp_arena_init(&arena, *memory, bytes + SP_ALIGN) : SP_E_MEMORY;
+    if (!is_finite(world.gravity, 3) || !is_finite(world.body, 3) || !is_finite(&world.live, 1)) return SP_E_NOT_FINITE;
+    status = run_arena(sp_scene_memory(&n), &arena, memory);
+    if (!status && !raw_make(&r, &n)) status = SP_E_MEMORY;
     if (!status) status = sp_scene_create(&made, &n, &arena);
     if (!status) {
         memcpy(made.gravity, world.gravity, sizeof made.gravity);
@@ -547,10 +549,10 @@ sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *res
     sp_result r = *result;
     run_cost c = *cost;
     extra x = { r.coupled.dq != NULL, r.coupled.alpha != NULL, r.coupled.penalty != NULL };
-    io s = start(b, BLOB_RESULT);
+    io s = start_message(b, BLOB_RESULT);
     io_head(&s, scene, &r, &c, &x);
     io_arrays(&s, scene, &r, &x);
-    return finish(&s);
+    return finish_message(&s);
 }
 
 /* Numbers of the arrays in this order, then node, islands, row. */
@@ -583,7 +585,7 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
     extra x = { 0, 0, 0 };
     uint64_t need;
     io s;
-    const sp_status status = open_body(b, BLOB_RESULT, &s);
+    const sp_status status = open_message(b, BLOB_RESULT, &s);
 
     *memory = NULL;
     if (status) return status;
@@ -610,10 +612,10 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
 
 sp_status blob_write_error(blob *b, sp_status status, const char *message)
 {
-    io s = start(b, BLOB_ERROR);
+    io s = start_message(b, BLOB_ERROR);
     io_bits(&s, (uint32_t)(int32_t)status, 4);
     for (const char *c = message; *c; c++) io_bits(&s, (unsigned char)*c, 1);
-    return finish(&s);
+    return finish_message(&s);
 }
 
 sp_status blob_read_error(const blob *b, char message[200])
@@ -622,7 +624,7 @@ sp_status blob_read_error(const blob *b, char message[200])
     size_t k = 0;
     io s;
     message[0] = 0;
-    if (open_body(b, BLOB_ERROR, &s)) return SP_E_ARGUMENT;
+    if (open_message(b, BLOB_ERROR, &s)) return SP_E_ARGUMENT;
     io_int(&s, &status, SP_E_INDEFINITE, -1);
     for (; k < 199 && s.left; k++) {
         const uint64_t c = io_bits(&s, 0, 1);

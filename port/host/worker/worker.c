@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void refuse(blob *answer, sp_status status)
+static void answer_error(blob *answer, sp_status status)
 {
     if (blob_write_error(answer, status, sp_status_text(status))) blob_free(answer);
 }
@@ -21,13 +21,13 @@ void worker_answer_to(const blob *request, blob *answer)
 
     if (!status) status = run_check(&scene, &settings, &result, &cost, &results);
     if (!status) status = blob_write_result(answer, &scene, &result, &cost);
-    if (status) refuse(answer, status);
+    if (status) answer_error(answer, status);
     free(memory);
     free(results);
 }
 
 /* Read until b holds `length` bytes; memory grows as they come, not as they are announced.     returns 0: end of input */
-static int fill(FILE *in, blob *b, size_t length)
+static int read_until(FILE *in, blob *b, size_t length)
 {
     while (b->length < length) {
         const size_t want = length - b->length < 65536 ? length - b->length : 65536;
@@ -41,7 +41,7 @@ static int fill(FILE *in, blob *b, size_t length)
 }
 
 /* One message and its answer.      returns 0: go on; 1: end of input; 2: lost; 3: can't answer */
-static int turn(FILE *in, FILE *out, blob *request, blob *answer)
+static int answer_one(FILE *in, FILE *out, blob *request, blob *answer)
 {
     blob_kind kind;
     size_t length;
@@ -49,12 +49,12 @@ static int turn(FILE *in, FILE *out, blob *request, blob *answer)
     int whole;
 
     request->length = 0;
-    whole = fill(in, request, BLOB_HEADER);
+    whole = read_until(in, request, BLOB_HEADER);
     if (!whole && !request->failed && request->length == 0 && !ferror(in)) return 1;
     if (whole) status = blob_header(request->data, &kind, &length);
-    whole = whole && !status && fill(in, request, length);
+    whole = whole && !status && read_until(in, request, length);
     if (whole) worker_answer_to(request, answer);
-    else refuse(answer, request->failed ? SP_E_MEMORY : status ? status : SP_E_ARGUMENT);
+    else answer_error(answer, request->failed ? SP_E_MEMORY : status ? status : SP_E_ARGUMENT);
     if (!answer->length || fwrite(answer->data, 1, answer->length, out) != answer->length || fflush(out) != 0) return 3;
     return whole ? 0 : 2;
 }
@@ -63,7 +63,7 @@ int worker_session(FILE *in, FILE *out)
 {
     blob request = { NULL, 0, 0, 0 }, answer = { NULL, 0, 0, 0 };
     int end;
-    do end = turn(in, out, &request, &answer); while (end == 0);
+    do end = answer_one(in, out, &request, &answer); while (end == 0);
     blob_free(&request);
     blob_free(&answer);
     return end == 1 ? 0 : end == 2 ? EXIT_SCENE : EXIT_INTERNAL;

@@ -22,7 +22,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static void limit(int what, rlim_t most)
+static void set_limit(int what, rlim_t most)
 {
     struct rlimit r;
     if (getrlimit(what, &r) != 0) return;
@@ -34,7 +34,7 @@ static void limit(int what, rlim_t most)
 
 /* In the new process: only calls that are safe between fork and exec. It leads a group, so that what it starts ends with it,
  * and on Linux ends when the caller does. */
-static void become(const worker_client *c, pid_t caller, int fd)
+static void become_worker(const worker_client *c, pid_t caller, int fd)
 {
     const double seconds = c->seconds < 1e9 ? c->seconds : 1e9;
     setpgid(0, 0);
@@ -44,9 +44,9 @@ static void become(const worker_client *c, pid_t caller, int fd)
 #else
     (void)caller;
 #endif
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, (rlim_t)(seconds > 0 ? seconds : 0) + 1);
-    if (c->memory) limit(RLIMIT_AS, (rlim_t)c->memory);
+    set_limit(RLIMIT_CORE, 0);
+    set_limit(RLIMIT_CPU, (rlim_t)(seconds > 0 ? seconds : 0) + 1);
+    if (c->memory) set_limit(RLIMIT_AS, (rlim_t)c->memory);
     if (dup2(fd, STDIN_FILENO) < 0 || dup2(fd, STDOUT_FILENO) < 0) _exit(127);
     if (fd > STDOUT_FILENO) close(fd);
     execvp(c->command[0], (char *const *)c->command);
@@ -54,7 +54,7 @@ static void become(const worker_client *c, pid_t caller, int fd)
 }
 
 /* A worker with one socket for both directions.       returns its process, fd in *fd; -1: none */
-static pid_t begin(const worker_client *c, int *fd)
+static pid_t start_worker(const worker_client *c, int *fd)
 {
     const pid_t caller = getpid();
     int pair[2];
@@ -65,7 +65,7 @@ static pid_t begin(const worker_client *c, int *fd)
         close(pair[1]);
         return -1;
     }
-    if (pid == 0) become(c, caller, pair[1]);
+    if (pid == 0) become_worker(c, caller, pair[1]);
     setpgid(pid, pid);                  /* whichever of the two comes first */
     close(pair[1]);
     *fd = pair[0];
@@ -73,7 +73,7 @@ static pid_t begin(const worker_client *c, int *fd)
 }
 
 /* Send what the worker takes.     returns bytes sent so far; all of them if it takes no more */
-static size_t push(int fd, const blob *b, size_t sent)
+static size_t send_some(int fd, const blob *b, size_t sent)
 {
     const ssize_t n = send(fd, b->data + sent, b->length - sent, MSG_NOSIGNAL);
     if (n >= 0) return sent + (size_t)n;
@@ -81,7 +81,7 @@ static size_t push(int fd, const blob *b, size_t sent)
 }
 
 /* Take what the worker says, at most up to *want bytes.     returns 1: go on, 0: it is all there, or over */
-static int pull(int fd, blob *b, size_t *want, worker_end *end)
+static int receive_some(int fd, blob *b, size_t *want, worker_end *end)
 {
     blob_kind kind;
     const size_t room = *want - b->length < 65536 ? *want - b->length : 65536;
@@ -102,7 +102,7 @@ static int pull(int fd, blob *b, size_t *want, worker_end *end)
     return 0;
 }
 
-static worker_end talk(int fd, double until, const blob *request, blob *answer)
+static worker_end exchange(int fd, double until, const blob *request, blob *answer)
 {
     worker_end end = WORKER_LATE;
     size_t sent = 0, want = BLOB_HEADER;
@@ -113,16 +113,16 @@ static worker_end talk(int fd, double until, const blob *request, blob *answer)
         if (sent < request->length) p.events |= POLLOUT;
         if (poll(&p, 1, left < 1e6 ? (int)(left * 1000) + 1 : INT_MAX) < 0 && errno != EINTR) return WORKER_DIED;
         if (p.revents & POLLOUT && sent < request->length) {
-            sent = push(fd, request, sent);
+            sent = send_some(fd, request, sent);
             if (sent == request->length) shutdown(fd, SHUT_WR);
         }
-        if (p.revents & (POLLIN | POLLHUP | POLLERR) && !pull(fd, answer, &want, &end)) return end;
+        if (p.revents & (POLLIN | POLLHUP | POLLERR) && !receive_some(fd, answer, &want, &end)) return end;
     }
 }
 
 /* Nothing stays: whatever it is doing, it is killed and waited for. One that ended its output by itself gets a second to end
  * itself, so that its own status is seen.      returns its exit status, or minus the signal */
-static int over(pid_t pid, int fd, worker_end end)
+static int end_worker(pid_t pid, int fd, worker_end end)
 {
     const struct timespec pause = { 0, 1000000 };
     int status = 0;
@@ -139,7 +139,7 @@ static int over(pid_t pid, int fd, worker_end end)
 }
 
 /* What the message says. */
-static void take(const blob *b, const sp_scene *scene, worker_answer *a)
+static void take_answer(const blob *b, const sp_scene *scene, worker_answer *a)
 {
     a->status = blob_read_result(b, scene, &a->result, &a->cost, &a->memory);
     if (a->status == SP_OK) return;
@@ -149,7 +149,7 @@ static void take(const blob *b, const sp_scene *scene, worker_answer *a)
     a->status = blob_read_error(b, a->message);
 }
 
-static void explain(const worker_client *c, worker_answer *a)
+static void explain_end(const worker_client *c, worker_answer *a)
 {
     char *m = a->message;
     const size_t n = sizeof a->message;
@@ -183,13 +183,13 @@ sp_status worker_check(const worker_client *client, const sp_scene *scene, const
         return answer->status;
     }
     answer->status = SP_E_UNSUPPORTED;
-    pid = begin(client, &fd);
-    answer->end = pid < 0 ? WORKER_NOT_STARTED : talk(fd, until, &request, &said);
-    if (pid >= 0) answer->code = over(pid, fd, answer->end);
-    if (answer->end == WORKER_ANSWERED) take(&said, scene, answer);
+    pid = start_worker(client, &fd);
+    answer->end = pid < 0 ? WORKER_NOT_STARTED : exchange(fd, until, &request, &said);
+    if (pid >= 0) answer->code = end_worker(pid, fd, answer->end);
+    if (answer->end == WORKER_ANSWERED) take_answer(&said, scene, answer);
     blob_free(&request);
     blob_free(&said);
-    explain(client, answer);
+    explain_end(client, answer);
     if (client->fallback && (answer->end > WORKER_REFUSED || answer->status == SP_E_MEMORY)) {
         free(answer->memory);
         answer->memory = NULL;
