@@ -59,12 +59,12 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
  * proved or what is left is some tol, and well below 1 where tol is coarse. */
 static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason told)
 {
-    const int near = r->least_imbalance > 0 || (r->omega <= SP__NEAR * r->tol && r->omega * r->omega <= r->tol);
+    const int close = r->least_imbalance > 0 || (r->omega <= SP__NEAR * r->tol && r->omega * r->omega <= r->tol);
     if (r->verdict == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
     if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
     if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;
     if (told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT) return told;
-    return near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    return close ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
 /* The judgement of what a stage left in the state, `most` sweeps for the scales: r->verdict. */

@@ -174,8 +174,8 @@ SP__NOINLINE static sp_real sp__yield_support(const sp__cone *k, const sp__yield
     const sp_real along = y->mu * o.t, across = o.region == SP__EDGE ? along * k->tan_half : o.b;
     const sp_real size = o.region == SP__APEX ? 0 : o.region == SP__INSIDE ? sp__norm3(u)
                        : SP_SQRT(o.t * o.t + along * along + across * across);
-    const sp_real low = sp__max(0, y->C - y->mu * y->T), a = o.a + k->tan_half * o.b, far = SP_SQRT(1 + k->tan_half * k->tan_half);
-    const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low * far) * size;
+    const sp_real low = sp__max(0, y->C - y->mu * y->T), a = o.a + k->tan_half * o.b, corner = SP_SQRT(1 + k->tan_half * k->tan_half);
+    const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low * corner) * size;
     const sp_real crush = y->N * u[0] + (y->C + y->mu * y->N) * a, shut = foot > crush ? foot : crush;
     return shut < open ? shut : open;
 }

@@ -82,10 +82,10 @@ static sp_real sp__soc_step(const sp_real x[3], const sp_real d[3], sp_real most
     sp_real a = sp__soc_det(d), b = x[0] * d[0] - x[1] * d[1] - x[2] * d[2], c = sp__soc_det(x);
     if (a >= 0 && d[0] >= 0) return most;
     if (sp__abs(a) + sp__abs(b) + c > (sp_real)1e15) {
-        const sp_real far = (sp_real)5.4210108624275222e-20;
-        a *= far;
-        b *= far;
-        c *= far;
+        const sp_real down = (sp_real)5.4210108624275222e-20;
+        a *= down;
+        b *= down;
+        c *= down;
     }
     const sp_real root = SP_SQRT(sp__max(0, b * b - a * c)), t = b < 0 ? root - b : b + root;
     if (b < 0) return c < most * t ? c / t : most;

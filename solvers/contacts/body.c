@@ -24,10 +24,10 @@ static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 static void sp__touch_size(sp__touch *t, sp__body *body)
 {
     const sp_real diameter = t->scene->block[t->block].diameter;
-    sp_real far = 0;
+    sp_real reach = 0;
     for (int32_t v = 0; v < t->scene->block[t->block].vertices; v++)
-        for (int c = 0; c < 3; c++) far = sp__max(far, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
-    body->noise = 16 * SP_EPSILON * (far + diameter);
+        for (int c = 0; c < 3; c++) reach = sp__max(reach, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
+    body->noise = 16 * SP_EPSILON * (reach + diameter);
     body->reach = sp__max(body->noise, t->set.absolute ? t->set.distance : t->set.distance * diameter);
 }
 

@@ -197,7 +197,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
 
 SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
 {
-    const sp_real flat = t->near + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
+    const sp_real flat = t->gap + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
     const sp_real depth = sp__pair_depth(t, flat);
     if (!(depth > flat)) return;
     if (t->report.overlap && t->report.overlaps < t->report.overlap_cap) {

@@ -8,13 +8,13 @@
 static void sp__pair_start(sp__touch *t, int32_t b)
 {
     const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
-    const sp_real d = t->scene->block[t->a].diameter, e = t->scene->block[b].diameter, small = d < e ? d : e;
+    const sp_real d = t->scene->block[t->a].diameter, e = t->scene->block[b].diameter, smaller = d < e ? d : e;
     t->b = b;
     t->noise = sp__max(p->noise, q->noise);
-    t->near = sp__max(t->noise, p->reach < q->reach ? p->reach : q->reach);
-    t->snap = (sp_real)1e-6 * small < t->near ? (sp_real)1e-6 * small : t->near;
+    t->gap = sp__max(t->noise, p->reach < q->reach ? p->reach : q->reach);
+    t->snap = (sp_real)1e-6 * smaller < t->gap ? (sp_real)1e-6 * smaller : t->gap;
     t->snap = sp__max(t->noise, t->snap / 8);
-    t->unit = small > 0 ? sp__power_of_two(small) : (sp_real)1;
+    t->unit = smaller > 0 ? sp__power_of_two(smaller) : (sp_real)1;
 }
 
 /* Axes of the plane of patch p, and nothing in the clipper. */
@@ -45,12 +45,12 @@ static void sp__pair_place(const sp__touch *t, const sp__patch *p, const sp_real
 static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__patch *q)
 {
     sp_real x[3], d[3];
-    if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->near)) return 0;
+    if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->gap)) return 0;
     sp__cross3(p->n, q->n, x);
     const sp_real s = sp__norm3(x);
     if (s > t->set.angle) return 0;
     sp__sub3(q->o, p->o, d);
-    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->near + 2 * s * sp__norm3(d);
+    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->gap + 2 * s * sp__norm3(d);
 }
 
 /* Is B's plane near in the middle of a polygon in A's: gap g along n_A, n_B . (o_B - m - g n_A) = 0? */
@@ -62,7 +62,7 @@ static int sp__pair_meets(const sp__touch *t, const sp__patch *p, const sp__patc
         sp__sub3(q->o, point[k], d);
         sp__add3(m, 1 / (sp_real)size, d);
     }
-    return !(sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->near);
+    return !(sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->gap);
 }
 
 /* Append a polygon to the scene; where there is no room, count. */

@@ -69,7 +69,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     sp__pair_plane(t, p);
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->gap / t->unit)) { t->status = SP_E_MEMORY; return; }
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
 
@@ -79,7 +79,7 @@ static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__
     int32_t n = 0;
     for (int32_t k = own->patch; k < own->patch + own->patches; k++) {
         const sp__patch *p = &t->all.patch[k];
-        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->near)) list[n++] = k;
+        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->gap)) list[n++] = k;
     }
     return n;
 }

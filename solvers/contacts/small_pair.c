@@ -18,12 +18,12 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
     }
 }
 
-/* Append what was gathered in the plane of patch p, unless that is all and narrower than `near`. */
+/* Append what was gathered in the plane of patch p, unless that is all and narrower than `gap`. */
 static void sp__pair_close(sp__touch *t, const sp__patch *p)
 {
     const int32_t n = t->pair.corners;
     for (int32_t k = 0; k < n; k++) sp__pair_place(t, p, t->pair.hull.p[k], t->pair.point[k]);
-    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->near / t->unit) > 0)) sp__pair_add(t, n, t->pair.point);
+    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->gap / t->unit) > 0)) sp__pair_add(t, n, t->pair.point);
     t->pair.corners = 0;
 }
 
@@ -60,7 +60,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, 
     sp__pair_plane(t, p);
     sp__pair_region(t, p, u, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->near / t->unit)) { t->status = SP_E_MEMORY; return; }
+    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->gap / t->unit)) { t->status = SP_E_MEMORY; return; }
     if (t->clip.bent) { t->status = SP_E_UNSUPPORTED; return; }
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }

@@ -14,7 +14,7 @@
  *   near       settings' distance of a pair of blocks, at least the noise                                           [m]
  *
  *   distance   of two patches: along A's normal, in the middle of what they share; the angle bounds the rest
- *   in-plane   corners nearer than min(near, 1e-6 diameter)/8 are one; what is narrower than `near` is an edge contact, and
+ *   in-plane   corners nearer than min(gap, 1e-6 diameter)/8 are one; what is narrower than `gap` is an edge contact, and
  *              left out
  *
  * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything
@@ -104,7 +104,7 @@ typedef struct sp__touch {
     int32_t patches, bounds;
     int32_t block, vertex0, face0;              /* of the block whose patches are being made */
     int32_t a, b;                               /* present pair */
-    sp_real near, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
+    sp_real gap, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
     sp_real e1[3], e2[3];                       /* axes of that plane */
 } sp__touch;
 

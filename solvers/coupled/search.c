@@ -17,10 +17,10 @@ SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
         c->out->rounds++;
         if (!sp__cra_descend(c)) return -1;
         if (c->soft > 0 && sp__cra_hold(c)) return 1;
-        c->far = 0;
+        c->too_far = 0;
         if (sp__cra_update(c, damp)) {
-            c->far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
-            if (c->far || c->soft > 0) return 0;
+            c->too_far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
+            if (c->too_far || c->soft > 0) return 0;
             if (sp__cra_polish(c)) return 1;
             memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
             c->goal /= 1000;
@@ -56,7 +56,7 @@ SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
 {
     memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
     sp__cra_close(c, drag);
-    for (c->drag = drag; c->drag < 200 || (c->far && c->drag < 20000); c->drag *= 10) {
+    for (c->drag = drag; c->drag < 200 || (c->too_far && c->drag < 20000); c->drag *= 10) {
         const int found = sp__cra_rounds(c, damp);
         if (found) return found > 0;
     }

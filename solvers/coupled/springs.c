@@ -38,7 +38,7 @@ typedef struct sp__cra {
     sp_real most;                       /* largest sbar of a contact */
     sp_real goal, violation, change;    /* friction beyond its cone, change of fn, relative to sbar */
     int viscous;                        /* friction beyond its cone is lessened by its drag, cap is a factor on it; else cut */
-    int far;                            /* forces and slips agree, but a slip or opening exceeds eta */
+    int too_far;                        /* forces and slips agree, but a slip or opening exceeds eta */
     sp_real grow;                       /* how fast a drag that was lessened may grow again */
     int tiny;                           /* friction had to be dropped because its slip was too short */
     int mirror, spent;                  /* it was searched for in the plane; the budget ended the search */
@@ -262,9 +262,9 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
         if (sp__dual_norm(w, w->r) <= enough * w->load) break;
         sp__dual_factor(w, SP__GIVEN, w->y, shift);
         sp__dual_solve(w, w->r, w->d);
-        const sp_real down = sp__dot(w->r, w->d, n), far = sp__cra_extent(c, w->d);
+        const sp_real down = sp__dot(w->r, w->d, n), reach = sp__cra_extent(c, w->d);
         memcpy(c->kept, w->y, n * sizeof *w->y);
-        sp_real step = far * whole > 20 * room ? 20 * room / far : whole, next = c->energy;
+        sp_real step = reach * whole > 20 * room ? 20 * room / reach : whole, next = c->energy;
         for (int half = 0; half < 30; half++, step /= 2) {
             next = sp__cra_at(c, step);
             if (next <= c->energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(c->energy)) break;

@@ -259,12 +259,12 @@ static int sp__clip_keep(const sp__clip *c, int32_t at)
     const sp_real dx = c->xy[e->to][0] - c->xy[e->from][0], dy = c->xy[e->to][1] - c->xy[e->from][1];
     const int flat = sp__clip_abs(dy) < sp__clip_abs(dx);
     const int far_is_left = flat ? dx > 0 : dy < 0;
-    int32_t far[2];
+    int32_t winding[2];
     if (e->w[0] == 0 && e->w[1] == 0) return 0;
-    sp__clip_wind(c, at, flat, far);
+    sp__clip_wind(c, at, flat, winding);
     const int32_t s = far_is_left ? -1 : 1;
-    const int far_in = far[0] > 0 && far[1] > 0;
-    const int near_in = far[0] + s * e->w[0] > 0 && far[1] + s * e->w[1] > 0;
+    const int far_in = winding[0] > 0 && winding[1] > 0;
+    const int near_in = winding[0] + s * e->w[0] > 0 && winding[1] + s * e->w[1] > 0;
     if (far_in == near_in) return 0;
     return far_in == far_is_left ? 1 : -1;
 }

@@ -36,7 +36,7 @@ static sp_real sp__power_of_two(sp_real x)
 /* Of the `count` >= 1 points pick[0], pick[1] ... (pick NULL: 0, 1 ...). SP_E_NOT_FINITE: they are too far apart. */
 static sp_status sp__local_start(sp__local *l, const sp_real *xyz, const int32_t *pick, int32_t count)
 {
-    sp_real extent[3], far = 0, most = 0;
+    sp_real extent[3], farthest = 0, most = 0;
     l->xyz = xyz;
     l->s = (sp_real)1;
     for (int c = 0; c < 3; c++) {
@@ -50,13 +50,13 @@ static sp_status sp__local_start(sp__local *l, const sp_real *xyz, const int32_t
         }
         extent[c] = hi - lo;
         most = sp__max(most, extent[c]);
-        far = sp__max(far, sp__max(sp__abs(lo), sp__abs(hi)));
+        farthest = sp__max(farthest, sp__max(sp__abs(lo), sp__abs(hi)));
     }
     if (!sp__finite(2 * most)) return SP_E_NOT_FINITE;
     if (most > 0) l->s = sp__power_of_two(most);
     for (int c = 0; c < 3; c++) extent[c] /= l->s;
     l->d = sp__norm3(extent);
-    l->coarse = SP_EPSILON * (far / l->s);
+    l->coarse = SP_EPSILON * (farthest / l->s);
     return SP_OK;
 }
 

@@ -217,17 +217,17 @@ SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_
 
 /* Where the interior points are done but for so much, do the forces at hand, balanced, carry their multiple? The largest stays.
  *     returns 1: and it is as near to the best motion's power balance */
-static int sp__interior_lower(sp__limit *L, sp_real near)
+static int sp__interior_lower(sp__limit *L, sp_real share)
 {
     sp__engine *g = &L->engine;
-    const sp_real l = g->h.l / g->h.m.tau, a = l < L->best ? l : sp__max(0, L->best), far = near * (1 + sp__abs(a));
-    if (!L->none && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= far) return 1;
-    if (L->none || (g->h.m.theta > near * g->h.m.tau && sp__abs(L->best - l) > far) || a * L->ref <= L->r.lower) return 0;
+    const sp_real l = g->h.l / g->h.m.tau, a = l < L->best ? l : sp__max(0, L->best), width = share * (1 + sp__abs(a));
+    if (!L->none && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= width) return 1;
+    if (L->none || (g->h.m.theta > share * g->h.m.tau && sp__abs(L->best - l) > width) || a * L->ref <= L->r.lower) return 0;
     if (!sp__limit_forces(L, 1, a, g->h.m.tau, L->r.ray)) return 0;
     L->r.lower = a * L->ref;
     L->r.omega = L->bracket.omega;
     memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
-    return sp__abs(L->best - a) <= far;
+    return sp__abs(L->best - a) <= width;
 }
 
 /* Do the forces at hand balance the live loads alone, so that there is no limit? If so, forces for the current multiple too. */

@@ -116,12 +116,12 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
-    const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), far = (sp_real)0.01 * size;
+    const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), farthest = (sp_real)0.01 * size;
     sp_real step = SP__LIMIT_STEP * L->bracket.set.tol * size;
     L->least = -SP__HUGE;
     memcpy(L->upper, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
-    for (int it = 0; it < 24 && sp__engine_left(&L->engine, &L->bracket) && step < far; it++) {
+    for (int it = 0; it < 24 && sp__engine_left(&L->engine, &L->bracket) && step < farthest; it++) {
         const sp_verdict claim = sp__limit_ask(L, 1, a, f, room);
         if (claim == SP_STABLE && sp__bracket_stands(&L->bracket, 1, a * L->ref, f, f, L->room)) {
             if (!(a > 0)) L->r.dead = SP_STABLE;

@@ -46,8 +46,8 @@ SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
     return sp__newton_move(w, &g->n, &g->state);
 }
 
-/* y for that c: by Newton, and where that stalls and `far` by the proximal path.     returns 1: it is found */
-SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int far)
+/* y for that c: by Newton, and where that stalls and `thorough` by the proximal path.     returns 1: it is found */
+SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
 {
     sp__engine *g = &L->engine;
     const sp__dual *w = g->w;
@@ -57,7 +57,7 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int far)
     n->shift = SP__SHIFT;
     for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && tiny < 2; it++)
         tiny += sp__newton_damp(n, sp__strong_step(L, c));
-    if (n->omega <= SP__STRONG_SOLVED || !far) return n->omega <= SP__STRONG_SOLVED;
+    if (n->omega <= SP__STRONG_SOLVED || !thorough) return n->omega <= SP__STRONG_SOLVED;
     n->shift = 0;
     n->level = SP__HUGE;
     n->prox = (sp_real)0.1;

@@ -23,7 +23,7 @@ typedef struct sp__refute {
     int32_t *contact, *at, *state;      /* V */
     int32_t *stack;                     /* 2 x SP__PROOF_DEPTH x V: vertex, state before */
     sp_real *most, total;               /* V: F; bound of sum fn */
-    sp_real *small;                     /* V: friction of any direction */
+    sp_real *any_friction;              /* V: friction of any direction */
     sp_real (*f)[3], (*d)[3];           /* V: c on f and on d, contact frame */
     sp_real *fsize, *dsize;             /* V: sizes of what was added up there */
     sp_real *motion;                    /* 6b: multipliers of the balance; then c on dq */
@@ -45,7 +45,7 @@ static void sp__refute_carve(sp__refute *w, int32_t points, int32_t blocks, sp_a
     w->state = sp__take(a, n, sizeof *w->state);
     w->stack = sp__take(a, n, 2 * SP__PROOF_DEPTH * sizeof *w->stack);
     w->most = sp__take(a, n, sizeof *w->most);
-    w->small = sp__take(a, n, sizeof *w->small);
+    w->any_friction = sp__take(a, n, sizeof *w->any_friction);
     w->f = sp__take(a, n, sizeof *w->f);
     w->d = sp__take(a, n, sizeof *w->d);
     w->fsize = sp__take(a, n, sizeof *w->fsize);
@@ -67,13 +67,13 @@ SP__NOINLINE static size_t sp__refute_need(int32_t points, int32_t blocks)
 static sp_real sp__refute_stretch(const sp__refute *w)
 {
     const sp_problem *pb = w->j->pb;
-    const sp_real far = w->k->eta + w->k->eps;          /* >= |dn|, |dt1|, |dt2| */
+    const sp_real largest = w->k->eta + w->k->eps;          /* >= |dn|, |dt1|, |dt2| */
     sp_real sum = 0;
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
         sp_real u[3];
         sp__vertex_velocity(pb, w->j->scale, t, w->at[v], w->j->x, u);
-        sum += sp__norm3(u) * 2 * far;                  /* 2 > sqrt 3 */
+        sum += sp__norm3(u) * 2 * largest;                  /* 2 > sqrt 3 */
     }
     return sum;
 }
@@ -133,8 +133,8 @@ static void sp__refute_forces(sp__refute *w)
         const sp_contact *t = &pb->contact[w->contact[v]];
         w->most[v] = sp__certificate_cap(j, t);
         w->total += w->most[v];
-        w->small[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
-        w->loose += 2 * w->small[v] * w->k->eta;
+        w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        w->loose += 2 * w->any_friction[v] * w->k->eta;
     }
     if (w->k->eps > 0) {
         const sp_real bound = (sp_real)1.01 * (work + w->loose);
@@ -208,7 +208,7 @@ SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row,
         const sp_real most = SP__SLIP * mu * SP_SQRT(1 + j->tan_half * j->tan_half);
         if (force) sp__refute_on_force(w, v, y, second ? most : -most, -d[1], d[0]);
         else sp__refute_on_motion(w, v, y, 0, -d[1], d[0]);
-        if (force) w->slack += sp__abs(y) * w->small[v];
+        if (force) w->slack += sp__abs(y) * w->any_friction[v];
     } else {                                            /* friction opposite to a, m, b, or on the three faces there */
         if (y < 0 || (faces && faces <= 8)) return 0;
         if (faces) {

@@ -189,14 +189,14 @@ static void sp__certificate_normal(sp__certificate *j, const sp_real *in, sp_rea
 SP__NOINLINE static void sp__certificate_solve(sp__certificate *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
-    const sp_real small = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
+    const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
     sp__certificate_normal(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
     sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (rr <= small * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
+        if (rr <= solved * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
         if (it % (100 + j->pb->blocks / 2) == 0) {
             if (rr > (sp_real)0.9 * last_r && gg > last_g / 2) return;
             last_r = rr;

@@ -73,7 +73,7 @@ static void sp__certificate_rate(const sp__certificate *j, const sp_contact *t, 
 SP__NOINLINE static int sp__certificate_spin(const sp__certificate *j, int32_t i, sp_real k[6])
 {
     const sp_problem *pb = j->pb;
-    sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, far = 0;
+    sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, longest = 0;
     int32_t seen = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (int32_t c = 0; c < pb->contacts; c++) {
@@ -85,13 +85,13 @@ SP__NOINLINE static int sp__certificate_spin(const sp__certificate *j, int32_t i
                 sp__sub3(r, first, r);
                 sp__cross3(line, r, off);
                 if (pass && sp__norm3(off) > 64 * (sp_real)SP_EPSILON * j->scale[i].arm) return 0;
-                if (pass || !(sp__norm3(r) > far)) continue;
-                far = sp__norm3(r);
+                if (pass || !(sp__norm3(r) > longest)) continue;
+                longest = sp__norm3(r);
                 memcpy(line, r, sizeof line);
             }
         }
-        if (!(far > 0)) return 0;
-        if (!pass) sp__scale3(1 / far, line, line);
+        if (!(longest > 0)) return 0;
+        if (!pass) sp__scale3(1 / longest, line, line);
     }
     sp__cross3(first, line, k);                         /* of the centroid */
     sp_real size = 0;

@@ -100,8 +100,8 @@ SP__NOINLINE static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
     for (int32_t k = 0; k < size; k++) v[k] = to[k] - from[k];
     sp__qp_scale(v, primal ? w->E : w->D, v, size);
     if (!sp__proof_direction(v, size)) return 0;
-    const sp_real far = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
-    const sp_real least = sp__max(far, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
+    const sp_real multiple = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
+    const sp_real least = sp__max(multiple, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
     sp_real radius = sp__proof_measure(w, primal);
     if (SP__WITH_QP_POLISH && hard && radius > (sp_real)1 && !(radius > least)) {
         if (primal) sp__sharpen_y(w);

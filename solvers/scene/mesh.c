@@ -81,15 +81,15 @@ static void sp__local_mean(const sp__local *l, const int32_t *pick, int32_t coun
 static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t count, const sp_real m[3], const sp_real n[3],
                               sp_real *reach)
 {
-    sp_real most = 0, far = 0;
+    sp_real most = 0, farthest = 0;
     for (int32_t k = 0; k < count; k++) {
         sp_real p[3];
         sp__local_pick(l, pick, k, p);
         sp__sub3(p, m, p);
         most = sp__max(most, sp__abs(sp__dot3(p, n)));
-        far = sp__max(far, sp__dot3(p, p));
+        farthest = sp__max(farthest, sp__dot3(p, p));
     }
-    *reach = SP_SQRT(far);
+    *reach = SP_SQRT(farthest);
     return most;
 }
 

@@ -164,14 +164,14 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
                             const sp_block *block)
 {
-    const sp_real noise = 16 * (sp_real)SP_EPSILON, near = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
+    const sp_real noise = 16 * (sp_real)SP_EPSILON, reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
     sp_real F[3];
     for (int k = 0; k < 3; k++) {
         F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * (load->mass + block->mass);
         if (sp__abs(q[k]) > noise * F[k]) return;
     }
     q[0] = q[1] = q[2] = 0;
-    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * near)) q[3] = q[4] = q[5] = 0;
+    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) q[3] = q[4] = q[5] = 0;
 }
 
 /* The same in the sums that a load is part of. The smallest build knows no body force here, nor what live loads leave of each

@@ -107,10 +107,10 @@ static void sp__flat_bear(sp__dual *w, const sp_contact *t, int32_t v, sp_real t
         const int32_t i = side ? t->b : t->a;
         sp_real size[2], *sum = w->carried + 3 * (size_t)i;
         if (i < 0) continue;
-        const sp_real far = sp__flat_moment(w, t, side, v, h, size);
+        const sp_real moment = sp__flat_moment(w, t, side, v, h, size);
         sum[0] += times * size[0];
         sum[1] += times * size[1];
-        sum[2] = sp__max(sum[2], far);
+        sum[2] = sp__max(sum[2], moment);
     }
 }
 

@@ -75,13 +75,13 @@ typedef struct sp__flat {
 static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
 
 /* The mirror image of vertex v of a contact, in its plane along h = (m.t1, m.t2); -1: there is none. */
-static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real small)
+static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real within)
 {
     const sp_real *l = pb->local[v];
     const sp_real out = 2 * (l[1] * h[0] + l[2] * h[1]), x = l[1] - out * h[0], y = l[2] - out * h[1];
     for (int32_t k = t->point; k < t->point + t->points; k++) {
         const sp_real *o = pb->local[k];
-        if (sp__abs(o[1] - x) <= small && sp__abs(o[2] - y) <= small && sp__abs(o[0] - l[0]) <= small) return k;
+        if (sp__abs(o[1] - x) <= within && sp__abs(o[2] - y) <= within && sp__abs(o[0] - l[0]) <= within) return k;
     }
     return -1;
 }

@@ -74,10 +74,10 @@ SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const s
         for (int side = 0; side < 2 && times > 0; side++) {
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
-            const sp_real far = sp__flat_moment(w, t, side, v, u, one);
+            const sp_real moment = sp__flat_moment(w, t, side, v, u, one);
             w->size[2 * (size_t)i] += times * one[0];
             w->size[2 * (size_t)i + 1] += times * one[1];
-            longest[i] = sp__max(longest[i], far);
+            longest[i] = sp__max(longest[i], moment);
         }
     }
 }

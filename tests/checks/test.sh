@@ -24,12 +24,14 @@ for real in double float; do begin "bits_$real" env DIFFER=1 sh tests/corpus/cor
 begin program sh tests/checks/smoke.sh build/stonepack
 if [ -f build/bullet.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
 begin floors sh tests/checks/floors.sh
+begin windows sh tests/checks/windows.sh
 begin bad sh tests/checks/bad.sh build/stonepack
 begin readme sh tests/checks/readme.sh build/stonepack
 
 count "tests, double" end double
 count "tests, float" end float
 count "floors" end floors
+count "after windows.h" end windows
 count "bad scenes" end bad
 for real in double float; do part "same bits without optimisation, $real" end bits_$real; done
 count "program" end program
