@@ -376,7 +376,7 @@ typedef enum sp_choice { SP_PLANNED = 0, SP_WITH, SP_WITHOUT } sp_choice;
  * Only eta / eps matters: p . dq = eps sum fn + sum alpha |dt|^2, so it bounds the forces. eps = 0: dn >= 0, fn dn = 0, and
  * lengths are counted in eta instead of eps.
  *
- * sp_verify calls a triple (f, dq, alpha) coupled if f passes as a force state (omega <= tol) and, in every contact vertex,
+ * sp_verify calls a triple (f, dq, alpha) coupled if f passes as a force state (imbalance <= tol) and, in every contact vertex,
  * with L = eps (eta where eps = 0), the residual is <= 1, the largest of
  *     |dn + eps| / g  where fn > 0, (-eps - dn) / g, (dn - eta) / g, (|dt| - eta) / g      g = 1e-10 L + 16 u |motion|
  *     where |ft| > tol min(sbar_A, sbar_B):   |ft + alpha dt| / (1e-6 |ft|) and (1e-6 L + 4e6 u |motion|) / |dt|
@@ -446,7 +446,7 @@ typedef struct sp_settings {
                                    where not coupled, joined with a motion                                             1 */
     int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
     int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
-                                   is the best evidence so far: a larger budget decides what a smaller one did, and its omega
+                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
                                    is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
                                    at most). A custom stage heeds state.left by itself                        0 */
     int32_t stage_count;                        /*                                                                     2 */
@@ -557,7 +557,7 @@ typedef struct sp_result {
     int32_t verified;           /* the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided */
     sp_real tol, force_bound;   /* in force */
-    sp_real omega;              /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
+    sp_real imbalance;              /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
                                    (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
     sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
     int32_t free_blocks, joints, points;    /* that took part */
@@ -668,7 +668,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
 typedef struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;
-    sp_real omega, least_imbalance;
+    sp_real imbalance, least_imbalance;
     sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
     sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
     sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
@@ -1143,7 +1143,7 @@ typedef struct sp_step {
     int32_t islands, checked;   /* how many there are, and were looked at in this step */
     int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
     int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
-    sp_real omega;              /* largest relative imbalance of a block, or more                                       [1] */
+    sp_real imbalance;              /* largest relative imbalance of a block, or more                                       [1] */
     sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
     const sp_real *f;           /* 3 x scene.count.points: forces, 0 where a block is absent; until the next call       [N] */
     const sp_real *dq;          /* 6 x scene.count.blocks: how islands that fall move, each as sp_result.dq; 0: at rest */
@@ -1246,7 +1246,7 @@ typedef struct sp_limit_result {
                                    at lower in the mechanism; it counts against the loads, not against a small multiplier */
     sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
     sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
-    sp_real omega;              /* largest relative imbalance of f */
+    sp_real imbalance;              /* largest relative imbalance of f */
     sp_real least_imbalance;    /* that dq proves at upper */
     int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
     int32_t verified;           /* sp_limit_verify agrees */

@@ -245,7 +245,7 @@ typedef struct cutter {
 } cutter;
 
 /* Solid angle of the mesh seen from x, 4 pi inside and 0 outside, by triangles (a, b, c) from x:
- * tan(omega/2) = a.(b x c) / (abc + (a.b) c + (b.c) a + (c.a) b)                                 [van Oosterom 1983] */
+ * tan(imbalance/2) = a.(b x c) / (abc + (a.b) c + (b.c) a + (c.a) b)                                 [van Oosterom 1983] */
 static int inside(const cutter *t, const double x[3])
 {
     const double (*q)[3] = (const double (*)[3])t->mesh.xyz;

@@ -55,7 +55,7 @@ SP__NOINLINE static void sp__island_keep(const sp_scene *scene, const sp__island
         if (from->verdict != SP_STABLE) memcpy(r->dq + to, from->dq + at, 6 * sizeof *r->dq);
     }
     c->state.has_y0 |= found->state.has_y0;
-    r->omega = sp__max(r->omega, from->omega);
+    r->imbalance = sp__max(r->imbalance, from->imbalance);
     sp__cost_add(&r->cost, &from->cost);
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
     for (int q = 0; q < SP_EFFECTS; q++)
@@ -109,12 +109,12 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     if (!sp__certificate_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
     for (int32_t i = 0; i < c->pb.blocks; i++)
         memcpy(c->state.y + 6 * (size_t)i, out->dq + 6 * (size_t)c->pb.block[i], 6 * sizeof *c->state.y);
-    r->omega = sp__certify_forces(&j, r->f, r->f);
+    r->imbalance = sp__certify_forces(&j, r->f, r->f);
     out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
     const sp_cost cost = { SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
     sp__cost_add(&out->cost, &cost);
     sp__cost_add(&r->cost, &cost);
-    if (r->omega > r->tol || out->residual > 1) return SP_OK;
+    if (r->imbalance > r->tol || out->residual > 1) return SP_OK;
     out->verdict = SP_COUPLING_COUPLED;
     out->reason = SP_COUPLING_MOTION;
     return SP_OK;
@@ -138,7 +138,7 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     if (!status && !sp__take(a, 1, sp__certificate_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
     r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
-    if (!status && (worst->verdict != SP_STABLE || r->omega > SP__ENOUGH * r->tol))
+    if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ENOUGH * r->tol))
         status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
     sp__cost_add(&r->cost, &c->state.cost);

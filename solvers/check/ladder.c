@@ -29,14 +29,14 @@ SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, sp_state *s
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     const int own = state->f != r->f;                   /* on a budget */
-    sp_real omega = sp__certify_forces(j, state->f, state->f);
-    if (omega > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
+    sp_real imbalance = sp__certify_forces(j, state->f, state->f);
+    if (imbalance > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
         sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
-        omega = sp__certify_forces(j, state->f, state->f);
+        imbalance = sp__certify_forces(j, state->f, state->f);
     }
-    if (own && omega < r->omega) memcpy(r->f, state->f, f * sizeof *r->f);
-    if (!own || omega < r->omega) r->omega = omega;
-    if (claim != SP_UNSTABLE && omega <= r->tol) return SP_STABLE;
+    if (own && imbalance < r->imbalance) memcpy(r->f, state->f, f * sizeof *r->f);
+    if (!own || imbalance < r->imbalance) r->imbalance = imbalance;
+    if (claim != SP_UNSTABLE && imbalance <= r->tol) return SP_STABLE;
     if (claim == SP_STABLE) return SP_UNDECIDED;
     const sp_real least = sp__certify_mechanism(j, state->dq, &final);
     if (own && least < r->least_imbalance) return SP_UNDECIDED;
@@ -59,7 +59,7 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
  * proved or what is left is some tol, and well below 1 where tol is coarse. */
 static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason told)
 {
-    const int close = r->least_imbalance > 0 || (r->omega <= SP__NEAR * r->tol && r->omega * r->omega <= r->tol);
+    const int close = r->least_imbalance > 0 || (r->imbalance <= SP__NEAR * r->tol && r->imbalance * r->imbalance <= r->tol);
     if (r->verdict == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
     if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
     if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;

@@ -92,7 +92,7 @@ static void sp__check_clear(const sp_scene *scene, sp__check *c)
     if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     r->tension_ratio = r->coupled.tension_ratio = -1;
     if (r->coupled.penalty) memset(r->coupled.penalty, 0, 4 * (size_t)scene->count.points * sizeof *r->coupled.penalty);
-    if (c->set.budget > 0 || c->set.effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->omega = b ? 1 : 0;     /* of no forces at all */
+    if (c->set.budget > 0 || c->set.effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;     /* of no forces at all */
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
     r->free_blocks = c->pb.blocks;

@@ -114,9 +114,9 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (sp__failed(&scratch) || !sp__certificate_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
-    e.omega = sp__certify_forces(&j, claim->f, NULL);
+    e.imbalance = sp__certify_forces(&j, claim->f, NULL);
     e.least_imbalance = sp__certify_mechanism(&j, dq, &e.final);
-    if (e.omega <= c->set.tol) e.verdict = SP_STABLE;
+    if (e.imbalance <= c->set.tol) e.verdict = SP_STABLE;
     else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;

@@ -21,12 +21,12 @@ static void sp__cra_spread(const sp__cra *c)
 }
 
 /* The triple on offer is verified: into the result. */
-static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *omega)
+static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *imbalance)
 {
     c->out->verdict = SP_COUPLING_COUPLED;
     c->out->reason = SP_COUPLING_MOTION;
     memcpy(state->f, c->t.f, (size_t)c->pb->points * 3 * sizeof *c->t.f);
-    *omega = c->omega;
+    *imbalance = c->imbalance;
 }
 
 /* Scales of the certificate check once more, from a hint or none. */
@@ -40,7 +40,7 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 /* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
  * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
  * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
-SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *omega, sp_arena *a)
+SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     int frictionless = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->strength.mu > 0) frictionless = 0;
@@ -49,11 +49,11 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, frictionless ? &c->t : NULL, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
-    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
     c->out->residual = c->residual;
-    if (c->omega <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, omega);
+    if (c->imbalance <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, imbalance);
     return SP_OK;
 }
 
@@ -68,7 +68,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
 SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 {
     const size_t mark = a->used;
-    const sp_real omega = c->omega;
+    const sp_real imbalance = c->imbalance;
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
     sp__flat *o = sp__take(a, 1, sizeof *o);
     int found = 0;
@@ -84,12 +84,12 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     a->used = mark;
     if (found || !c->mirror) return found;
     c->offered = c->tiny = 0;
-    sp__cra_rest(c, omega);
+    sp__cra_rest(c, imbalance);
     return 0;
 }
 
 /* In space, by search unless one is found, which `found` tells, then the decision. */
-SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *omega, sp_arena *a)
+SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
     const size_t mark = a->used;
@@ -103,11 +103,11 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
     }
     if (found < 0) return SP_E_MEMORY;
     c->out->residual = c->residual;
-    if (found) sp__cra_found(c, state, omega);
+    if (found) sp__cra_found(c, state, imbalance);
     else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
     c->spent = c->w->spent && limit >= state->left;
     a->used = mark;
-    return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, omega, a);
+    return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
 }
 
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */
@@ -119,22 +119,22 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
     if (plane < 0) return SP_E_MEMORY;
     if (plane) {
         c->out->residual = c->residual;
-        sp__cra_found(c, state, &r->omega);
+        sp__cra_found(c, state, &r->imbalance);
         return SP_OK;
     }
     if (!found && c->set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_OK;
     if (!found && r->effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR) r->effect[SP_EFFECT_DEPTH] = SP_WHY_CALLED;
     if (c->mirror && !c->spent) {
-        const sp_status status = sp__coupled_decide(c, state, &r->omega, a);
+        const sp_status status = sp__coupled_decide(c, state, &r->imbalance, a);
         if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     }
-    return sp__coupled_search(c, found, state, &r->omega, a);
+    return sp__coupled_search(c, found, state, &r->imbalance, a);
 }
 
 /* Is there a triple? Its forces become state->f. Else, where asked, what the joints would have to carry.
- *   in     r->coupled.verdict, reason: statics, if there are no forces (state->f) to begin with; r->omega of the forces
+ *   in     r->coupled.verdict, reason: statics, if there are no forces (state->f) to begin with; r->imbalance of the forces
  *          state->left: flops, ten sweeps or more
- *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->omega of the new forces, r->demand; r->effect: in space after
+ *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->imbalance of the new forces, r->demand; r->effect: in space after
  *          all */
 SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
                                            sp_result *r)
@@ -158,7 +158,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     c->statics = state->f;
     for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
     memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
-    sp__cra_rest(c, r->omega);
+    sp__cra_rest(c, r->imbalance);
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
     else out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * pb->points;

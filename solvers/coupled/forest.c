@@ -195,7 +195,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
 SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
 {
     const sp_problem *pb = c->pb;
-    const sp_real omega = c->omega;
+    const sp_real imbalance = c->imbalance;
     sp__forest g;
     if (!sp__hangs(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
     for (int32_t k = pb->blocks; k-- > 0;) {
@@ -206,10 +206,10 @@ SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
         sp__plate_lay(c, &g, &p, s);
     }
     c->out->cost.flops += 240 * (int64_t)pb->points;
-    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
-    if (c->omega <= c->set->tol && c->residual <= 1) return 1;
-    sp__cra_rest(c, omega);
+    if (c->imbalance <= c->set->tol && c->residual <= 1) return 1;
+    sp__cra_rest(c, imbalance);
     return 0;
 }
 

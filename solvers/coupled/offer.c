@@ -86,10 +86,10 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
     }
     sp__cra_lift(c);
     if (!sp__dual_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
-    c->omega = sp__certify_forces(&c->j, c->t.f, c->t.f);
+    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->offered = 1;
-    return c->omega <= c->set->tol && c->residual <= 1;
+    return c->imbalance <= c->set->tol && c->residual <= 1;
 }
 
 /* Forces and slips agree to some digits: the rest of the digits.     returns 1 when a triple is verified */

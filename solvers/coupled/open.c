@@ -51,12 +51,12 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
 }
 
 /* The forces of statics, all at rest. */
-static void sp__cra_rest(sp__cra *c, sp_real omega)
+static void sp__cra_rest(sp__cra *c, sp_real imbalance)
 {
     memcpy(c->t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->t.f);
     memset(c->t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->t.dq);
     memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
-    c->omega = omega;
+    c->imbalance = imbalance;
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
 }
 

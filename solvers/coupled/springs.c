@@ -26,7 +26,7 @@ typedef struct sp__cra {
     sp__lengths k;
     sp__certificate j;
     sp__triple t;                       /* on offer */
-    sp_real omega, residual;            /* its residuals in the certificate check */
+    sp_real imbalance, residual;            /* its residuals in the certificate check */
     int offered;                        /* there was one */
     sp_coupled *out;
     sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */

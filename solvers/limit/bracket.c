@@ -17,7 +17,7 @@ typedef struct sp__bracket {
     const sp_real *y0;                  /* 24b: hints for both; may be NULL */
     sp_real *hint;                      /* 12b: for the loads at hand */
     sp_real *dq, *whole;                /* 6b: the motion; with what is held in dq */
-    sp_real omega, least, resist;       /* resist: work that joints with strength take of the motion judged last [N m] */
+    sp_real imbalance, least, resist;       /* resist: work that joints with strength take of the motion judged last [N m] */
     int32_t final;
     int64_t limit;                      /* flops in all */
     sp_cost cost;
@@ -86,9 +86,9 @@ SP__NOINLINE_SMALL static void sp__bracket_judge_close(sp__bracket *b)
 SP__NOINLINE static int sp__bracket_stands(sp__bracket *b, sp_real d, sp_real l, const sp_real *f, sp_real *admitted, sp_arena room)
 {
     if (!sp__bracket_judge_open(b, d, l, &room)) return 0;
-    b->omega = sp__certify_forces(&b->certificate, f, admitted);
+    b->imbalance = sp__certify_forces(&b->certificate, f, admitted);
     sp__bracket_judge_close(b);
-    return b->omega <= b->set.tol;
+    return b->imbalance <= b->set.tol;
 }
 
 static sp_real sp__bracket_work(const sp__bracket *b, const sp_real *load)

@@ -225,7 +225,7 @@ static int sp__interior_lower(sp__limit *L, sp_real share)
     if (L->none || (g->h.m.theta > share * g->h.m.tau && sp__abs(L->best - l) > width) || a * L->ref <= L->r.lower) return 0;
     if (!sp__limit_forces(L, 1, a, g->h.m.tau, L->r.ray)) return 0;
     L->r.lower = a * L->ref;
-    L->r.omega = L->bracket.omega;
+    L->r.imbalance = L->bracket.imbalance;
     memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
     return sp__abs(L->best - a) <= width;
 }
@@ -243,7 +243,7 @@ static int sp__interior_unbounded(sp__limit *L)
     L->r.kind = SP_LIMIT_UNBOUNDED;
     if (!sp__limit_forces(L, 1, l, g->h.m.tau, L->r.f)) return 1;
     L->r.lower = l * L->ref;
-    L->r.omega = L->bracket.omega;
+    L->r.imbalance = L->bracket.imbalance;
     return 1;
 }
 

@@ -45,7 +45,7 @@ static void sp__limit_conclude(sp__limit *L)
     const sp_real balance = sp__limit_balance(L) * L->ref;
     if (balance >= 0 && balance < r->lower && sp__bracket_stands(&L->bracket, 1, balance, r->f, NULL, L->room)) {
         r->lower = balance;                             /* within tol the same forces carry less, too */
-        r->omega = L->bracket.omega;
+        r->imbalance = L->bracket.imbalance;
     }
     r->multiplier = balance < r->lower ? r->lower : balance > r->upper ? r->upper : balance;
     r->within = sp__bracket_within(r, balance);
@@ -70,7 +70,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_arena room)
             if (!it) r->dead = SP_STABLE;
             if (r->kind != SP_LIMIT_UNBOUNDED) return;
             r->lower = r->lowest;                       /* every multiple from there on */
-            r->omega = b->omega;
+            r->imbalance = b->imbalance;
             memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
             return;
         }

@@ -127,7 +127,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
             if (!(a > 0)) L->r.dead = SP_STABLE;
             if (a * L->ref > L->r.lower) {
                 L->r.lower = a * L->ref;
-                L->r.omega = L->bracket.omega;
+                L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
             if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__limit_far_unbounded(L))) return 1;

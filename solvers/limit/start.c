@@ -81,7 +81,7 @@ SP__NOINLINE static int sp__strong_starts(sp__limit *L, sp_arena room)
     if (!L->none) memcpy(b->dq, g->Vp, bytes);
     if (claim != SP_STABLE || !sp__bracket_stands(b, 1, 0, L->r.f, L->r.f, L->room)) return 0;
     L->r.lower = 0;
-    L->r.omega = b->omega;
+    L->r.imbalance = b->imbalance;
     L->r.dead = SP_STABLE;
     return 1;
 }

@@ -8,7 +8,7 @@
 
 #define SP__STRONG_MOST 240              /* factorisations of a climb in c, at most */
 #define SP__STRONG_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
-#define SP__STRONG_SOLVED SP__TIE             /* omega from which on y is taken for that of its c */
+#define SP__STRONG_SOLVED SP__TIE             /* imbalance from which on y is taken for that of its c */
 
 /* K that is no cone, and what interior points leave open, by the dual of the exact stage with lambda in it:
  *
@@ -52,21 +52,21 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
     sp__engine *g = &L->engine;
     const sp__dual *w = g->w;
     sp__newton *n = &g->n;
-    n->omega = SP__HUGE;
+    n->imbalance = SP__HUGE;
     n->prox = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && tiny < 2; it++)
+    for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->imbalance > n->goal && tiny < 2; it++)
         tiny += sp__newton_damp(n, sp__strong_step(L, c));
-    if (n->omega <= SP__STRONG_SOLVED || !thorough) return n->omega <= SP__STRONG_SOLVED;
+    if (n->imbalance <= SP__STRONG_SOLVED || !thorough) return n->imbalance <= SP__STRONG_SOLVED;
     n->shift = 0;
     n->level = SP__HUGE;
     n->prox = (sp_real)0.1;
-    for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal; ) {
+    for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->imbalance > n->goal; ) {
         sp__strong_step(L, c);
         if (n->prox <= SP__SHIFT) extra--;
         else if (sp__newton_level(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
-    return n->omega <= SP__STRONG_SOLVED;
+    return n->imbalance <= SP__STRONG_SOLVED;
 }
 
 /* Are both ends found, and no farther apart than so much? */
@@ -108,7 +108,7 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
     g->n.left--;
     if (!w->spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
         L->r.lower = a * L->ref;
-        L->r.omega = L->bracket.omega;
+        L->r.imbalance = L->bracket.imbalance;
         memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
     }
     if (sharpen && L->best < SP__HUGE && !sp__limit_closed(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);

@@ -28,7 +28,7 @@ static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t,
     if (size > j->cap) sp__scale3(j->cap / size, out, out);
 }
 
-/* omega of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
+/* imbalance of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
  * S_i likewise. `admitted` (may be NULL) gets the forces that were judged, 3 x points. */
 SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real *f, sp_real *admitted)
 {
@@ -47,16 +47,16 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real
         }
     }
     j->sweeps++;
-    sp_real omega = 0;
+    sp_real imbalance = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
         const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
         const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0), Si = sp__scale_couple(j, s, m1 < s->m0 ? m1 : s->m0);
         sp_real *row = j->r + 6 * (size_t)i;
         sp__release(pb, i, row);
-        omega = sp__max(omega, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
+        imbalance = sp__max(imbalance, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
     }
-    return omega;
+    return imbalance;
 }
 
 /* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */

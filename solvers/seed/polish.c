@@ -39,18 +39,18 @@ SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real
     sp__dual_release(w, r);
 }
 
-/* A round and its omega. keep (NULL: not on a budget) gets the forces whose omega, as forces are judged, is the best so far. */
+/* A round and its imbalance. keep (NULL: not on a budget) gets the forces whose imbalance, as forces are judged, is the best so far. */
 SP__NOINLINE static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
 {
     if (keep) sp__carry_begin(w);
     sp__polish_round(w, w->y, f, w->r);
-    const sp_real strict = w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
+    const sp_real strict = w->spent ? SP__HUGE : sp__dual_imbalance(w, w->r);
     w->carried = NULL;
     if (keep && strict < *best) {
         *best = strict;
         memcpy(keep, f, 3 * (size_t)w->pb->points * sizeof *f);
     }
-    return w->spent ? SP__HUGE : sp__dual_omega(w, w->r);
+    return w->spent ? SP__HUGE : sp__dual_imbalance(w, w->r);
 }
 
 static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
@@ -76,20 +76,20 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
     if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
     memset(state->f, 0, size * sizeof *state->f);
-    sp_real omega = sp__polish_look(w, state->f, keep, &best), last = omega;
+    sp_real imbalance = sp__polish_look(w, state->f, keep, &best), last = imbalance;
     if (w->spent) return SP_OK;
-    for (int round = 1; omega > goal && round <= seed->rounds; round++) {
+    for (int round = 1; imbalance > goal && round <= seed->rounds; round++) {
         sp__dual_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
         const sp_real now = sp__polish_look(w, state->f, keep, &best);
         if (w->spent) break;
-        omega = now;
+        imbalance = now;
         state->cost.iterations++;
         if (round % seed->window) continue;
-        if (omega > (1 - seed->gain) * last) break;
-        last = omega;
+        if (imbalance > (1 - seed->gain) * last) break;
+        last = imbalance;
     }
-    *claim = omega <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
+    *claim = imbalance <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
     if (keep && !*claim) memcpy(state->f, keep, size * sizeof *keep);
     for (size_t k = 0; k < size; k++) state->f[k] *= w->unit;
     if (!w->spent) state->reason = SP_REASON_STAGES;

@@ -24,7 +24,7 @@ SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
         s->verdict = c->r.verdict;
         s->reason = c->r.reason;
         s->final = c->r.final;
-        s->omega = c->r.omega;
+        s->imbalance = c->r.imbalance;
         s->least = c->r.least_imbalance;
     }
     q->again += q->members;

@@ -122,7 +122,7 @@ static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
     return least;
 }
 
-/* Is block b plain? Its omega, or more. */
+/* Is block b plain? Its imbalance, or more. */
 SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
 {
     sp__stone *s = &q->stone[b];
@@ -144,8 +144,8 @@ SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
         q->cost.flops += 60 * (int64_t)t->points;
     }
     const sp_real arm = m1 < lever ? m1 : lever;
-    s->omega = sp__max(sp__ratio(sp__norm3(r), (sp_real)1.8 * load), sp__ratio(sp__norm3(r + 3), couple + arm));
-    s->plain = s->omega <= SP__PLAIN_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
+    s->imbalance = sp__max(sp__ratio(sp__norm3(r), (sp_real)1.8 * load), sp__ratio(sp__norm3(r + 3), couple + arm));
+    s->plain = s->imbalance <= SP__PLAIN_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
 }
 
 #endif

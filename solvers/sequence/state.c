@@ -28,7 +28,7 @@ typedef struct sp__stone {
     sp_verdict verdict;                 /* of its island */
     sp_reason reason;
     int32_t final, plain, stale;
-    sp_real omega, least;
+    sp_real imbalance, least;
 } sp__stone;
 
 /* A search for what to hold (section 33). */

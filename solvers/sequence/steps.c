@@ -80,7 +80,7 @@ SP__NOINLINE static void sp__sequence_tell(sp_sequence *q, sp_step *step)
         if (!sp__loose(q, b)) continue;
         step->blocks++;
         step->islands += sp__root(q->up, b) == b;
-        step->omega = sp__max(step->omega, s->omega);
+        step->imbalance = sp__max(step->imbalance, s->imbalance);
         if (step->blocks == 1 || sp__worse(s->verdict, step->verdict)
             || (s->verdict == SP_STABLE && step->verdict == SP_STABLE && s->reason == SP_REASON_FORCES)) {
             if (s->verdict != step->verdict) step->block = b;

@@ -25,11 +25,11 @@ typedef struct sp__small {
     int32_t *row;                       /* 6b: of it */
     sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
     sp_real *y, *r, *d, *x, *base;      /* 6b each: potential, gradient, step, motion -z y, y before a step */
-    sp_real *best;                      /* 6b: y of the least omega */
+    sp_real *best;                      /* 6b: y of the least imbalance */
     sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of -Aeq': of its blocks of the lower, the higher number */
     int32_t side[2];                    /* these blocks, -1: a support */
     sp_real metric, S;                  /* 1 / largest cap, or 0: S = 1; S of the contact at hand */
-    sp_real prox, omega;                /* weight of |y|^2 / 2; the least imbalance so far */
+    sp_real prox, imbalance;                /* weight of |y|^2 / 2; the least imbalance so far */
     int64_t flops;                      /* of a factor */
     int32_t sweeps, left;               /* passes over the vertices so far; factorisations that may follow */
     int32_t stalled;                    /* the imbalance no longer falls with prox: something moves */
@@ -216,10 +216,10 @@ static void sp__small_look(sp__small *w)
 {
     sp_result *r = w->to;
     for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
-    r->omega = sp__certify_forces(&w->j, r->f, r->f);
-    if (r->omega <= w->set->tol) r->verdict = SP_STABLE;
-    if (!(r->omega < w->omega)) return;
-    w->omega = r->omega;
+    r->imbalance = sp__certify_forces(&w->j, r->f, r->f);
+    if (r->imbalance <= w->set->tol) r->verdict = SP_STABLE;
+    if (!(r->imbalance < w->imbalance)) return;
+    w->imbalance = r->imbalance;
     memcpy(w->best, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
 }
 
@@ -395,7 +395,7 @@ static void sp__small_sharpen(sp__small *w) { (void)w; }
 SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 {
     sp_result *r = w->to;
-    w->omega = SP__HUGE;
+    w->imbalance = SP__HUGE;
     w->left = w->set->iterations;
     w->j.pb = w->pb;
     w->j.unit = sp__load_unit(w->pb);

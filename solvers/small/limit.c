@@ -76,7 +76,7 @@ SP__NOINLINE static void sp__limit_search(sp__limit *L, sp_arena room)
         if (!(a > 0)) L->dead = verdict;
         if (verdict == SP_STABLE) {
             r->lower = a;
-            r->omega = L->at.omega;
+            r->imbalance = L->at.imbalance;
             memmove(r->f, L->at.f, 3 * (size_t)b->pb.points * sizeof *r->f);
             if (r->kind == SP_LIMIT_UNBOUNDED || L->best < SP__HUGE) return;
         }

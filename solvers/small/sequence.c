@@ -131,7 +131,7 @@ static void sp__sequence_step(sp_sequence *q, sp_step *step)
     }
     step->islands = step->checked = r->islands;
     step->blocks = step->again = r->free_blocks;
-    step->omega = r->omega;
+    step->imbalance = r->imbalance;
     step->least_imbalance = r->least_imbalance;
     step->f = r->f;
     step->dq = r->dq;

@@ -24,7 +24,7 @@ SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k += 6)
         each &= SP_SQRT(sp__dot(w->r + k, w->r + k, 6)) <= little * SP_SQRT(sp__dot(load + k, load + k, 6));
     if (!each) sp__dual_sizes(w, w->y);
-    return each || (!w->spent && sp__dual_omega(w, w->r) <= little);
+    return each || (!w->spent && sp__dual_imbalance(w, w->r) <= little);
 }
 
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.

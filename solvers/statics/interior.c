@@ -193,18 +193,18 @@ SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newto
     for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
         sp__carry_begin(w);
         sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
-        const sp_real now = sp__dual_omega(w, w->r);
+        const sp_real now = sp__dual_imbalance(w, w->r);
         w->carried = NULL;
         if (w->spent) return;
-        n->omega = sp__dual_omega(w, w->r);
-        const int slow = n->omega > SP__GAIN * last && now > SP__GAIN * strict;
+        n->imbalance = sp__dual_imbalance(w, w->r);
+        const int slow = n->imbalance > SP__GAIN * last && now > SP__GAIN * strict;
         if (it == 60 || (slow && (last > n->goal || now >= strict || !more--))) break;
-        last = n->omega;
+        last = n->imbalance;
         strict = now;
         memcpy(state->dq, w->d, size * sizeof *w->d);
         sp__dual_solve(w, w->r, w->d);
     }
-    n->omega = strict;
+    n->imbalance = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
     for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->unit;
     n->best = strict;

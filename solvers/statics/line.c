@@ -11,20 +11,20 @@
  * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
 
 #ifdef SP_REAL_FLOAT
-#define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own omega that will do */
+#define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own imbalance that will do */
 #define SP__MORE ((sp_real)1.1)         /* of tol: the search's own value of a proof that will do */
 #else
 #define SP__ENOUGH ((sp_real)0.999)
 #define SP__MORE ((sp_real)1.001)
 #endif
-#define SP__FINE ((sp_real)(sizeof(sp_real) == 4 ? 1 : 1e-12))  /* omega from which forces are taken as they come */
+#define SP__FINE ((sp_real)(sizeof(sp_real) == 4 ? 1 : 1e-12))  /* imbalance from which forces are taken as they come */
 #define SP__NEAR 1000                   /* an undecided search that came within so many tol is at the limit, else it gave up */
 
 typedef struct sp__newton {
     sp_real prox;                       /* weight of |y|^2 / 2 */
     sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
-    sp_real omega, best;                /* of the current y, of the best (kept in state->y) */
-    sp_real goal;                       /* omega to reach */
+    sp_real imbalance, best;                /* of the current y, of the best (kept in state->y) */
+    sp_real goal;                       /* imbalance to reach */
     int32_t left;                       /* factorisations */
     int proved;                         /* state->dq holds a proof */
     sp_real level;                      /* imbalance at the end of the last piece of the path */
@@ -35,7 +35,7 @@ typedef struct sp__newton {
 /* Is there work left to spend? */
 static int sp__newton_left(const sp__dual *w, const sp__newton *n) { return n->left > 0 && !w->spent; }
 
-static int sp__newton_open(const sp__newton *n) { return n->omega > n->goal && !n->proved && !n->found; }
+static int sp__newton_open(const sp__newton *n) { return n->imbalance > n->goal && !n->proved && !n->found; }
 
 /* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
 typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;

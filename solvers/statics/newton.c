@@ -11,9 +11,9 @@
 static void sp__newton_keep(const sp__dual *w, sp__newton *n, sp_state *state)
 {
     if (w->spent) return;                               /* w->r is not of this y */
-    n->omega = sp__dual_omega(w, w->r);
-    if (n->omega < n->best) {
-        n->best = n->omega;
+    n->imbalance = sp__dual_imbalance(w, w->r);
+    if (n->imbalance < n->best) {
+        n->best = n->imbalance;
         memcpy(state->y, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     }
 }
@@ -98,7 +98,7 @@ SP__NOINLINE static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state
     sp__dual_solve(w, w->d, w->d);
     sp__newton_try(w, n, w->d, state);
     const sp_real s = sp__newton_move(w, n, state);
-    if (n->omega > n->goal && !n->proved) {
+    if (n->imbalance > n->goal && !n->proved) {
         sp__newton_try(w, n, w->y, state);
         if (s > 10) sp__newton_purify(w, n, w->d, state);
     }
@@ -113,29 +113,29 @@ static void sp__newton_correct(sp__dual *w)
     sp__dual_axpy(w, 1, w->d, w->y);
 }
 
-/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then omega as forces are judged, and
+/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then imbalance as forces are judged, and
  * more steps where that asks for them. What is good enough goes to state->f. */
 SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    if (n->found || n->proved || n->omega > n->goal) return;
+    if (n->found || n->proved || n->imbalance > n->goal) return;
     for (int it = 0; it < 4; it++) {
-        const sp_real last = n->omega;
+        const sp_real last = n->imbalance;
         sp__newton_correct(w);
         sp__newton_look(w, n, state);
-        if (n->omega > last / 10) break;
+        if (n->imbalance > last / 10) break;
     }
     memcpy(w->y, state->y, size * sizeof *w->y);
     sp__carry_begin(w);
-    n->omega = SP__HUGE;
+    n->imbalance = SP__HUGE;
     for (int it = 0; it < 12 && !n->found; it++) {
-        const sp_real last = n->omega;
+        const sp_real last = n->imbalance;
         if (it) sp__newton_correct(w);
         sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
         if (w->spent) break;
-        n->best = n->omega = sp__dual_omega(w, w->r);
-        n->found = n->omega <= SP__ENOUGH * w->set->tol;
-        if (n->omega > last / 2) break;
+        n->best = n->imbalance = sp__dual_imbalance(w, w->r);
+        n->found = n->imbalance <= SP__ENOUGH * w->set->tol;
+        if (n->imbalance > last / 2) break;
     }
     w->carried = NULL;
 }
@@ -156,7 +156,7 @@ SP__NOINLINE static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *
     n->prox = 0;
     n->stalled = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved && tiny < 2; it++)
+    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++)
         tiny += sp__newton_damp(n, sp__newton_step(w, n, state));
 }
 
@@ -202,7 +202,7 @@ SP__NOINLINE static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *s
     n->shift = 0;
     n->level = SP__HUGE;
     sp__newton_look(w, n, state);
-    for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->omega > n->goal && !n->proved; ) {
+    for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->imbalance > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
         if (n->prox <= SP__SHIFT) {
             if (extra-- == 8) sp__newton_restore(w, n, state);

@@ -17,18 +17,18 @@ SP__NOINLINE static void sp__dual_strict(const sp__dual *w, int32_t i, sp_real s
 }
 
 /* Weighted imbalance relative to sbar and Sbar, or to what forces are judged by: the largest over the blocks. */
-static sp_real sp__dual_omega(const sp__dual *w, const sp_real *r)
+static sp_real sp__dual_imbalance(const sp__dual *w, const sp_real *r)
 {
-    sp_real omega = 0;
+    sp_real imbalance = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) {
         const sp_real *ri = r + 6 * (size_t)i, *z = w->weight + 2 * (size_t)i;
         sp_real s[2] = { w->size[2 * (size_t)i], w->size[2 * (size_t)i + 1] };
         if (w->carried) sp__dual_strict(w, i, s);
         const sp_real f = sp__ratio(sp__norm3(ri), z[0] * s[0]), m = sp__ratio(sp__norm3(ri + 3), z[1] * s[1]);
-        if (f > omega) omega = f;
-        if (m > omega) omega = m;
+        if (f > imbalance) imbalance = f;
+        if (m > imbalance) imbalance = m;
     }
-    return omega;
+    return imbalance;
 }
 
 /* Are forces and motions of the rows at hand all of the scene's? Else sizes are the loads alone, which are less. */

@@ -240,9 +240,9 @@ static void print(bench *b, job *j)
            (long)n->blocks, (long)n->joints, (long)n->points);
     if (j->what == CHECK) {
         const sp_result *r = &j->result;
-        printf("%s,%d,%.2e,%ld,%ld,%lld", sp_verdict_text(r->verdict), (int)r->verified, (double)r->omega,
+        printf("%s,%d,%.2e,%ld,%ld,%lld", sp_verdict_text(r->verdict), (int)r->verified, (double)r->imbalance,
                (long)r->cost.factorisations, (long)r->cost.iterations, (long long)r->cost.flops);
-    } else if (j->what == VERIFY) printf("%s,,%.2e,,,", sp_verdict_text(j->evidence.verdict), (double)j->evidence.omega);
+    } else if (j->what == VERIFY) printf("%s,,%.2e,,,", sp_verdict_text(j->evidence.verdict), (double)j->evidence.imbalance);
     else printf(",,,,,");
     printf(",%lu,%.0f,%d,%.4g,%.4g\n", (unsigned long)j->bytes, (double)j->bytes / n->points, b->runs, 1e3 * j->seconds[0], ms);
     fflush(stdout);

@@ -66,7 +66,7 @@ static void sweep(const budget_case *c, int steps, sp_choice choice)
     const size_t mark = test_arena.used;
     sp_result last = all;
     last.verdict = SP_UNDECIDED;
-    last.omega = 1;
+    last.imbalance = 1;
     last.final = 0;
     int better = 0;
     for (int k = 1; k <= steps + 8; k++) {
@@ -77,16 +77,16 @@ static void sweep(const budget_case *c, int steps, sp_choice choice)
         CHECK(stages_flops(&r) <= r.cost.flops);
         if (last.verdict) CHECK_INT(r.verdict, last.verdict);
         if (r.verdict == SP_STABLE || !r.verdict) {
-            if (!CHECK(r.omega <= R(SLACK) * last.omega + 16 * (sp_real)SP_EPSILON))
-                TEST_PRINT("    %s %s at %d: %.9g after %.9g\n", c->scene, c->stages, k, (double)r.omega, (double)last.omega);
-            better += r.omega < last.omega;
+            if (!CHECK(r.imbalance <= R(SLACK) * last.imbalance + 16 * (sp_real)SP_EPSILON))
+                TEST_PRINT("    %s %s at %d: %.9g after %.9g\n", c->scene, c->stages, k, (double)r.imbalance, (double)last.imbalance);
+            better += r.imbalance < last.imbalance;
         }
         CHECK(r.final >= last.final);
         if (!r.verdict) CHECK(r.reason == SP_REASON_BUDGET || r.cost.flops == all.cost.flops || r.reason == all.reason);
         last = r;
     }
     CHECK(better > 0 || all.verdict == SP_UNSTABLE);
-    if (!CHECK_INT(last.verdict, all.verdict)) TEST_PRINT("    %s %s: %g, reason %d\n", c->scene, c->stages, (double)last.omega, (int)last.reason);
+    if (!CHECK_INT(last.verdict, all.verdict)) TEST_PRINT("    %s %s: %g, reason %d\n", c->scene, c->stages, (double)last.imbalance, (int)last.reason);
     if (all.verdict == SP_STABLE)
         CHECK(memcmp(last.f, all.f, 3 * (size_t)s.count.points * sizeof *all.f) == 0);
 }
@@ -143,7 +143,7 @@ TEST(a_budget_of_next_to_nothing_is_no_verdict)
         CHECK_INT(r.verdict, SP_UNDECIDED);
         CHECK_INT(r.reason, SP_REASON_BUDGET);
         CHECK(r.cost.flops <= budget);
-        CHECK_NEAR(r.omega, 1, 1e-12);
+        CHECK_NEAR(r.imbalance, 1, 1e-12);
     }
 }
 

@@ -60,7 +60,7 @@ TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
         const int held = CHECK(hard_right(c, &r) || c->flags & HARD_LIMIT || (c->flags & OPEN && !r.verdict));
         if (r.verdict) CHECK(r.verified);
         if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.cost.factorisations, (double)r.cost.flops);
-        if (!held) TEST_PRINT("    %s: %s, omega %.2g, proved %.2g\n", c->name, sp_verdict_text(r.verdict), (double)r.omega, (double)r.least_imbalance);
+        if (!held) TEST_PRINT("    %s: %s, omega %.2g, proved %.2g\n", c->name, sp_verdict_text(r.verdict), (double)r.imbalance, (double)r.least_imbalance);
     }
 }
 
@@ -72,7 +72,7 @@ TEST(forces_of_hard_scenes_balance_to_a_few_roundings)
         const sp_settings set = hard_settings(c->flags);
         sp_result r;
         if (c->truth != SP_STABLE || c->flags & (SKIP | CAPPED | OPEN | HARD_LONG) || !hard_check(c, &set, &r)) continue;
-        if (!CHECK(r.omega <= HARD_OMEGA)) TEST_PRINT("    %s: omega %.2g\n", c->name, (double)r.omega);
+        if (!CHECK(r.imbalance <= HARD_OMEGA)) TEST_PRINT("    %s: omega %.2g\n", c->name, (double)r.imbalance);
     }
 }
 

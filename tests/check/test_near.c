@@ -57,7 +57,7 @@ TEST(nothing_is_wrong_inside_the_band)
             const double tol = TIGHTEST;
             const sp_result below = check_at(&near_cases[k], -d, tol), beyond = check_at(&near_cases[k], d, tol);
             const int held = CHECK(below.verdict != SP_UNSTABLE) &
-                             CHECK(beyond.verdict != SP_STABLE || (d < 200 * tol && beyond.omega <= R(tol)));
+                             CHECK(beyond.verdict != SP_STABLE || (d < 200 * tol && beyond.imbalance <= R(tol)));
             if (!held) TEST_PRINT("    %s: %g from its limit\n", near_cases[k].name, d);
         }
 }

@@ -501,7 +501,7 @@ TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
             CHECK_INT(all.effect[SP_EFFECT_DEPTH], SP_WHY_ASKED);
             if (!CHECK(R(2.2) * (sp_real)r.cost.flops <= (sp_real)all.cost.flops))
                 TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.cost.flops, (long)all.cost.flops);
-            CHECK(scene[k].verdict == SP_UNSTABLE || r.omega <= r.tol / 2);
+            CHECK(scene[k].verdict == SP_UNSTABLE || r.imbalance <= r.tol / 2);
             planned += (sp_real)r.cost.flops;
             whole += (sp_real)all.cost.flops;
         }

@@ -479,7 +479,7 @@ TEST(two_runs_give_the_same_bits)
         CHECK(same_bytes(a.dq, b.dq, 6 * (size_t)s.count.blocks * sizeof *a.dq));
         CHECK(same_bytes(a.y0, b.y0, 6 * (size_t)a.free_blocks * sizeof *a.y0));
         CHECK(same_bytes(a.demand, b.demand, (size_t)s.count.joints * sizeof *a.demand));
-        CHECK(same_bytes(&a.omega, &b.omega, sizeof a.omega) && same_bytes(&a.least_imbalance, &b.least_imbalance, sizeof a.omega));
+        CHECK(same_bytes(&a.imbalance, &b.imbalance, sizeof a.imbalance) && same_bytes(&a.least_imbalance, &b.least_imbalance, sizeof a.imbalance));
         CHECK_INT(a.cost.flops, b.cost.flops);
         CHECK_INT(a.cost.iterations, b.cost.iterations);
         CHECK_INT(a.cost.factorisations, b.cost.factorisations);

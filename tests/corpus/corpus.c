@@ -103,7 +103,7 @@ static sp_status judge(const sp_scene *scene, int32_t faces, sp_arena *arena, ui
     set.faces = faces;
     const sp_status status = sp_check(scene, &set, arena, &r);
     if (status) return status;
-    const sp_real number[5] = { r.omega, r.least_imbalance, r.max_compression, r.max_tension, r.max_utilisation };
+    const sp_real number[5] = { r.imbalance, r.least_imbalance, r.max_compression, r.max_tension, r.max_utilisation };
     uint64_t h = 14695981039346656037u;
     h = mix(h, (uint64_t)r.verdict);
     h = mix(h, (uint64_t)r.reason);

@@ -36,7 +36,7 @@ static void mix_cost(hashes *h, const sp_cost *cost)
 
 static void mix_result(hashes *h, const sp_scene *scene, const sp_result *r)
 {
-    const sp_real number[6] = { r->omega, r->least_imbalance, r->max_compression, r->max_tension, r->max_utilisation, r->coupled.residual };
+    const sp_real number[6] = { r->imbalance, r->least_imbalance, r->max_compression, r->max_tension, r->max_utilisation, r->coupled.residual };
     h->evidence = mix(mix(h->evidence, (uint64_t)r->verdict), (uint64_t)r->reason);
     h->evidence = mix(mix(h->evidence, (uint64_t)(r->final + 2 * r->verified)), (uint64_t)r->weakest);
     h->evidence = mix(mix(h->evidence, (uint64_t)r->level), (uint64_t)r->stage);
@@ -84,7 +84,7 @@ static sp_status ask_limit(sp_scene *scene, sp_arena *arena, hashes *h)
     const sp_status status = sp_limit(scene, NULL, arena, &r);
     scene->body[0] = 0;
     if (status) return status;
-    const sp_real number[7] = { r.multiplier, r.lower, r.upper, r.within, r.lowest, r.omega, r.least_imbalance };
+    const sp_real number[7] = { r.multiplier, r.lower, r.upper, r.within, r.lowest, r.imbalance, r.least_imbalance };
     h->evidence = mix(mix(h->evidence, (uint64_t)r.kind), (uint64_t)r.reason);
     h->evidence = mix(mix(h->evidence, (uint64_t)r.dead), (uint64_t)(r.final + 2 * r.verified));
     h->evidence = mix_reals(h->evidence, number, 7);

@@ -362,7 +362,7 @@ static sp_coupling answer(const sp_scene *s, const sp_settings *set, sp_result *
     CHECK((r->level == SP_COUPLED) == (r->coupled.verdict == SP_COUPLING_COUPLED));
     if (r->coupled.verdict == SP_COUPLING_COUPLED) {
         CHECK_INT(r->verdict, SP_STABLE);
-        CHECK(r->omega <= r->tol && r->coupled.residual <= 1);
+        CHECK(r->imbalance <= r->tol && r->coupled.residual <= 1);
         CHECK_INT(sp_verify(s, set, r, test_arena, &e), SP_OK);
         CHECK_INT(e.level, SP_COUPLED);
         sp_settings statics = *set;

@@ -140,9 +140,9 @@ static int same_cost(const sp_cost *a, const sp_cost *b)
 static int same_words(const sp_result *a, const sp_result *b)
 {
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
-    const sp_real x[] = { a->tol, a->force_bound, a->omega, a->least_imbalance, a->max_compression, a->max_tension,
+    const sp_real x[] = { a->tol, a->force_bound, a->imbalance, a->least_imbalance, a->max_compression, a->max_tension,
                           a->max_utilisation, a->tension_ratio, c->residual, c->eps, c->eta, c->margin, c->tension_ratio };
-    const sp_real y[] = { b->tol, b->force_bound, b->omega, b->least_imbalance, b->max_compression, b->max_tension,
+    const sp_real y[] = { b->tol, b->force_bound, b->imbalance, b->least_imbalance, b->max_compression, b->max_tension,
                           b->max_utilisation, b->tension_ratio, d->residual, d->eps, d->eta, d->margin, d->tension_ratio };
     int same = memcmp(x, y, sizeof x) == 0 && same_cost(&a->cost, &b->cost) && same_cost(&c->cost, &d->cost);
     for (int k = 0; k < SP_STAGES_MAX; k++) same = same && same_cost(&a->by_stage[k], &b->by_stage[k]);

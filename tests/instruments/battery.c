@@ -1,6 +1,6 @@
 /* battery: the hard scenes and the corpus, or the scenes of files, in another arithmetic, one line each:
  *
- *     name | verdict | how | omega | largest force | ms | proved | final | far | truth
+ *     name | verdict | how | imbalance | largest force | ms | proved | final | far | truth
  *
  *     how       wrong, open, refused, capped (hard.h), short, or as it is
  *     proved    least imbalance there is, of what falls;   far, truth: of the hard scenes;   short: the last digit of a weight
@@ -71,7 +71,7 @@ static clock_t started;
 
 static void say(const char *name, sp_verdict verdict, const char *is, const sp_result *r, const hard_case *c)
 {
-    printf("%-38s| %-9s | %-5s | %7.1e | %.17g | %.3g | %.1e | %d | %g | %s\n", name, sp_verdict_text(verdict), is, (double)r->omega,
+    printf("%-38s| %-9s | %-5s | %7.1e | %.17g | %.3g | %.1e | %d | %g | %s\n", name, sp_verdict_text(verdict), is, (double)r->imbalance,
            (double)r->max_compression, 1e3 * (double)(clock() - started) / CLOCKS_PER_SEC, (double)r->least_imbalance,
            (int)r->final, c ? c->far : 0, c && (c->far > 0 || !(c->flags & HARD_LIMIT)) ? sp_verdict_text(c->truth) : "");
     fflush(stdout);
@@ -225,7 +225,7 @@ static void file(const char *path)
     started = clock();
     if (far) { printf("%s|%.3g\n", name, status ? 1 : distance(&s.scene, &set, arena)); scene_free(&s); return; }
     if (!status) status = sp_check(&s.scene, &set, &arena, &r);
-    const int coarse = fine && r.verdict == SP_STABLE && r.omega > (sp_real)1e-12;
+    const int coarse = fine && r.verdict == SP_STABLE && r.imbalance > (sp_real)1e-12;
     bad |= status || coarse;
     battery_shadow(&r);
     say(name, r.verdict, status ? "WRONG" : coarse ? "OPEN" : "", &r, NULL);

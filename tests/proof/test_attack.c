@@ -85,7 +85,7 @@ static sp_verdict judged(const sp_scene *s, const sp_result *claim, const sp_set
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     const sp_status status = sp_verify(s, settings, claim, test_arena, &e);
     if (status != SP_E_NOT_FINITE) CHECK_INT(status, SP_OK);
-    CHECK(number(e.omega) && number(e.least_imbalance));
+    CHECK(number(e.imbalance) && number(e.least_imbalance));
     return e.verdict;
 }
 
@@ -96,7 +96,7 @@ static sp_status checked(const sp_scene *s, const sp_settings *settings, sp_resu
     const sp_status status = sp_check(s, settings, &test_arena, r);
     if (status) return status;
     CHECK(numbers(r->f, 3 * s->count.points) && numbers(r->dq, 6 * s->count.blocks) && numbers(r->y0, 6 * r->free_blocks));
-    CHECK(number(r->omega) && number(r->least_imbalance) && number(r->max_compression) && number(r->max_tension) &&
+    CHECK(number(r->imbalance) && number(r->least_imbalance) && number(r->max_compression) && number(r->max_tension) &&
           number(r->max_utilisation));
     for (int32_t k = 0; k < s->count.joints; k++) {
         sp_joint_force f;

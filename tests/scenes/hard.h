@@ -16,7 +16,7 @@ enum {
     HARD_CAPPED_FLOAT = 256,    /* takes more than float's force_bound: UNSTABLE that far, never final */
     HARD_FORCES_FLOAT = 512,    /* in float it takes balancing in forces, which goes with the interior points */
     HARD_LIMIT = 4,             /* at its limit, or at the end of its numbers: undecided is honest everywhere */
-    HARD_LONG = 16,             /* height 1e3 x base and more: rounding grows by its square, so omega may pass 1e-12 */
+    HARD_LONG = 16,             /* height 1e3 x base and more: rounding grows by its square, so imbalance may pass 1e-12 */
     HARD_HEAVY = 32,            /* most of the battery's work */
     HARD_INTERIOR = 64,         /* takes interior points: undecided is honest where they are left out */
     HARD_DENORMAL = 8           /* weights below the normal range: undecided or refused where they are flushed to zero */

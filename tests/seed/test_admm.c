@@ -274,7 +274,7 @@ TEST(the_seeds_gates_are_kept)
     const sp_result r = check(&scene, &set);
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK_INT(r.stage, SP_STAGE_POLISH);
-    CHECK(r.omega <= 2 * sp_seed_table()->balance);
+    CHECK(r.imbalance <= 2 * sp_seed_table()->balance);
     CHECK(r.by_stage[1].factorisations == 1 && r.by_stage[1].iterations == 0);
     sp_seed loose = *sp_seed_table();
     loose.balance = loose.cone = loose.tension = R(10);
@@ -283,7 +283,7 @@ TEST(the_seeds_gates_are_kept)
     CHECK_INT(check(&scene, &set).stage, SP_STAGE_LEAST_SQUARES);
     set.seed = NULL;
     set.tol = R(1e-3);
-    CHECK(check(&scene, &set).omega > 10 * sp_seed_table()->balance);
+    CHECK(check(&scene, &set).imbalance > 10 * sp_seed_table()->balance);
 }
 
 /* Below the gate a dense factor, above none at all: less memory, no cheaper. */

@@ -121,7 +121,7 @@ TEST(nothing_to_carry_stands)
         CHECK_TEXT(sp_reason_text(r.reason), "nothing to carry");
         CHECK_INT(r.free_blocks, k ? 1 + k : 0);
         CHECK_INT(r.stage, k ? SP_STAGE_GATES : SP_STAGE_NONE);
-        CHECK_WITHIN(r.omega, 0, 0);
+        CHECK_WITHIN(r.imbalance, 0, 0);
         for (int32_t v = 0; v < 3 * s.count.points; v++) CHECK_WITHIN(r.f[v], 0, 0);
     }
 }
@@ -193,7 +193,7 @@ TEST(least_squares_accept_a_regular_wall_sparse_and_dense_alike)
         CHECK_TEXT(sp_reason_text(r[k].reason), "forces");
         CHECK_INT(r[k].stage, bilateral[k]);
         CHECK_INT(r[k].cost.factorisations, 1);
-        CHECK_WITHIN(r[k].omega, 0, TOL(1e-13, 1e-5));
+        CHECK_WITHIN(r[k].imbalance, 0, TOL(1e-13, 1e-5));
     }
     const double most = (double)r[0].max_compression;
     for (int32_t k = 0; k < 3 * s.count.points; k++)
@@ -210,7 +210,7 @@ TEST(least_squares_decline_a_wall_that_needs_more)
         wall(6, 5, 0.35, &s);
         const sp_result r = check(&s, &set);
         undecided(&s, &r, SP_REASON_STAGES);
-        CHECK(r.omega > r.tol);
+        CHECK(r.imbalance > r.tol);
         for (int32_t v = 0; v < s.count.points; v++) CHECK(r.f[3 * v] >= 0);
     }
 }
@@ -248,7 +248,7 @@ TEST(polish_accepts_what_least_squares_cannot)
         CHECK_INT(r.by_stage[1].factorisations, 1);
         CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
         CHECK_INT(e.verdict, SP_STABLE);
-        CHECK(e.omega <= r.tol);
+        CHECK(e.imbalance <= r.tol);
         const sp_result again = check(&s, NULL);
         CHECK_INT(again.verdict, SP_STABLE);
     }
@@ -387,7 +387,7 @@ TEST(an_empty_budget_is_the_reason_not_a_verdict)
         undecided(&s, &r, SP_REASON_BUDGET);
         CHECK(r.cost.iterations <= set.iterations);
         CHECK(r.cost.factorisations <= set.iterations + 2);     /* the bilateral force is found before anything is counted */
-        CHECK(r.omega > r.tol);
+        CHECK(r.imbalance > r.tol);
     }
 }
 

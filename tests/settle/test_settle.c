@@ -482,7 +482,7 @@ TEST(undecided_heaps_in_mid_motion_are_not_said_to_be_at_a_limit)
         NEED(at_rest(&scene, &r, &still) == SP_OK);
         set.tol = R(0.01);
         NEED(sp_check(&still, &set, &test_arena, &result) == SP_OK);
-        if (result.verdict == SP_UNDECIDED && result.omega > R(0.5) && !(result.least_imbalance > 0)) {
+        if (result.verdict == SP_UNDECIDED && result.imbalance > R(0.5) && !(result.least_imbalance > 0)) {
             undecided++;
             CHECK_INT(result.reason, SP_REASON_BUDGET);
         }

@@ -192,7 +192,7 @@ static void fits(const sp_scene *s, sp_verdict want, int tight)
     test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;
     NEED(sp_verify(s, NULL, &r, test_arena, &e) == SP_OK);
     CHECK_INT(e.verdict, want);
-    CHECK_NEAR(e.omega, r.omega, 1e-6);
+    CHECK_NEAR(e.imbalance, r.imbalance, 1e-6);
     test_arena.used = mark;
 }
 

@@ -45,7 +45,7 @@ static sp_status check_timed(const host_scene *s, const sp_settings *set, cost_r
         row->seconds = k && row->seconds < cost.seconds ? row->seconds : cost.seconds;
         row->verdict = r.verdict;
         row->reason = r.reason;
-        row->omega = (double)r.omega;
+        row->imbalance = (double)r.imbalance;
         row->least = (double)r.least_imbalance;
         row->cost = r.cost;
         row->bytes = r.peak_bytes;
@@ -113,7 +113,7 @@ static void table_cell(FILE *out, const cost_table *t, const cost_row *r)
 {
     char flops[16];
     scaled((double)r->cost.flops, flops, sizeof flops);
-    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], is_wrong(t, r) ? '!' : ' ', flops, r->omega);
+    fprintf(out, "  %c%c%5s %7.0e", "?SU"[r->verdict], is_wrong(t, r) ? '!' : ' ', flops, r->imbalance);
 }
 
 /* Share of the friction that a pyramid takes away or adds. */
@@ -192,7 +192,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
         json_string(&j, "verdict", sp_verdict_text(r->verdict));
         json_string(&j, "reason", sp_reason_text(r->reason));
         json_bool(&j, "wrong", is_wrong(t, r));
-        json_real(&j, "omega", r->omega);
+        json_real(&j, "omega", r->imbalance);
         json_real(&j, "least_imbalance", r->least);
         json_int(&j, "flops", r->cost.flops);
         json_int(&j, "factorisations", r->cost.factorisations);

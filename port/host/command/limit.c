@@ -121,7 +121,7 @@ static void print_json(const report *r)
     json_real(&j, "tol", (double)x->tol);
     json_string(&j, "tol_by", report_tol_by(r));
     json_real(&j, "force_bound", (double)x->force_bound);
-    json_real(&j, "omega", (double)x->omega);
+    json_real(&j, "omega", (double)x->imbalance);
     json_real(&j, "least_imbalance", (double)x->least_imbalance);
     json_mechanism(&j, r->scene, x->dq);
     json_joints(&j, r->scene, x->dq);
@@ -160,7 +160,7 @@ static void print_multiplier(const report *r)
                                                                                     : "the ends stay apart at this tol");
     }
     report_row(stdout, "how sure");
-    if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->omega);
+    if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
     if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
     puts(x->verified ? "; verified" : "; NOT verified");

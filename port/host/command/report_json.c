@@ -222,7 +222,7 @@ static void json_question(json_out *j, const report *r)
 static void json_evidence(json_out *j, const sp_result *x)
 {
     json_string(j, "stage", sp_stage_text(x->stage));
-    json_real(j, "omega", (double)x->omega);
+    json_real(j, "omega", (double)x->imbalance);
     json_real(j, "least_imbalance", (double)x->least_imbalance);
     json_real(j, "max_compression", (double)x->max_compression);
     json_real(j, "max_tension", (double)x->max_tension);

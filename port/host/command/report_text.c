@@ -50,14 +50,14 @@ static void text_certainty(FILE *out, const report *r)
     const sp_result *x = &r->result;
     report_row(out, "how sure");
     if (x->verdict == SP_STABLE)
-        fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->omega, (double)x->tol);
+        fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->imbalance, (double)x->tol);
     else if (x->verdict == SP_UNSTABLE && x->final) fprintf(out, "no forces of any size would do");
     else if (x->reason == SP_REASON_NO_MOTION)
         fprintf(out, "no motion in any of %ld cases, margin %.2g", (long)x->coupled.proof.leaves, (double)x->coupled.margin);
     else if (x->verdict == SP_UNSTABLE)
         fprintf(out, "at least %.2g of a block's forces stays unbalanced, tol %.2g", (double)x->least_imbalance,
                 (double)x->tol);
-    else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->omega, (double)x->tol);
+    else fprintf(out, "best forces leave %.2g of a block's forces unbalanced, tol %.2g", (double)x->imbalance, (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fprintf(out, x->verified ? "; verified" : "; NOT verified");
     fputc('\n', out);
 }

@@ -306,7 +306,7 @@ static void json_step(json_out *j, const run *r, int32_t k)
     json_string(j, "reason", sp_reason_text(t->step.reason));
     json_bool(j, "final", t->step.final);
     json_name(j, r, "falls", t->step.block);
-    json_real(j, "omega", (double)t->step.omega);
+    json_real(j, "omega", (double)t->step.imbalance);
     json_real(j, "least_imbalance", (double)t->step.least_imbalance);
     json_int(j, "blocks", t->step.blocks);
     json_int(j, "islands", t->step.islands);

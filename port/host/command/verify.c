@@ -279,7 +279,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
 {
     const sp_evidence *e = &v->evidence;
     const options *o = &v->o;
-    char omega[32], least[32];
+    char imbalance[32], least[32];
     printf("%s: %s by %s, cone %s, tol %.2g", scene_path, sp_verdict_text(e->verdict), path, o->cone, (double)o->settings.tol);
     if (o->mu >= 0) printf(", asked with friction %g", (double)o->mu);
     if (v->turned)
@@ -287,7 +287,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     printf(": ");
     if (e->verdict == SP_UNSTABLE && !(e->margin > 0))
         printf("least imbalance %s%s, ", text_shortest(e->least_imbalance, least), e->final ? ", final" : "");
-    printf("omega %s", text_shortest(e->omega, omega));
+    printf("omega %s", text_shortest(e->imbalance, imbalance));
     if (e->margin > 0) printf(", refuted, margin %.2g", (double)e->margin);
     else if (v->proof) printf(", not refuted: the proof in it fails");
     else if (o->settings.coupled.asked)

@@ -20,7 +20,7 @@ static double log_work(const cost_row *r, int time)
     return log10(time ? fmax(r->seconds, 1e-7) * 1e3 : fmax((double)r->cost.flops, 1));
 }
 
-static double log_imbalance(const cost_row *r) { return log10(fmin(fmax(r->omega, 1e-17), 1)); }
+static double log_imbalance(const cost_row *r) { return log10(fmin(fmax(r->imbalance, 1e-17), 1)); }
 
 static axes choose_axes(const cost_table *t, double left, int time)
 {

@@ -20,7 +20,7 @@ typedef struct cost_row {
     double tol;
     sp_verdict verdict;
     sp_reason reason;
-    double omega, least;        /* least imbalance proved */
+    double imbalance, least;        /* least imbalance proved */
     sp_cost cost;
     size_t bytes;               /* peak of the arena */
     double seconds;

@@ -51,12 +51,12 @@ static void put_certainty(const words *w)
 {
     const sp_result *x = w->of->result;
     if (x->verdict == SP_STABLE)
-        fprintf(w->out, "largest imbalance of a block %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+        fprintf(w->out, "largest imbalance of a block %.2g, tolerance %.2g", (double)x->imbalance, (double)x->tol);
     else if (x->verdict == SP_UNSTABLE && x->final) fputs("no joint forces of any size balance it", w->out);
     else if (x->reason == SP_REASON_NO_MOTION) fputs("forces exist, but no virtual motion explains any of them", w->out);
     else if (x->verdict == SP_UNSTABLE)
         fprintf(w->out, "at best a block stays unbalanced by %.2g of its forces", (double)x->least_imbalance);
-    else fprintf(w->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->omega, (double)x->tol);
+    else fprintf(w->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->imbalance, (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fputs(x->verified ? ", verified" : ", not verified", w->out);
 }
 

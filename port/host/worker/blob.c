@@ -488,7 +488,7 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, run_cost *cost, 
     IO_ENUM(s, r->stage, sp_stage_id, SP_STAGE_CUSTOM);
     io_real(s, &r->tol);
     io_real(s, &r->force_bound);
-    io_real(s, &r->omega);
+    io_real(s, &r->imbalance);
     io_real(s, &r->least_imbalance);
     io_int(s, &r->free_blocks, 0, scene->count.blocks);
     io_int(s, &r->joints, 0, scene->count.joints);
