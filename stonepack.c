@@ -50,7 +50,7 @@
 #include "solvers/base/vec3.c"                  /* vectors of three */
 #include "solvers/base/sort.c"                  /* heap sort of numbers 0..n-1 by a rule of the caller's */
 #include "solvers/base/groups.c"                /* groups by union-find */
-#include "solvers/base/words.c"                 /* texts of a status; words one after the other without a table of pointers */
+#include "solvers/base/words.c"                 /* what enumerators are called */
 
 #include "solvers/linear/order.c"               /* a fill-reducing elimination order of an undirected graph */
 #include "solvers/linear/csc.c"                 /* a sparse matrix by columns from its entries in any order */
@@ -61,7 +61,6 @@
 #include "solvers/linear/cg.c"                  /* conjugate gradients, preconditioned by the diagonal */
 #include "solvers/linear/lp.c"                  /* is there an x within bounds of its rows and its own? */
 
-#include "solvers/qp/words.c"                   /* text of a status of a quadratic program */
 #include "solvers/qp/ruiz.c"                    /* scales that bring every row and column of the KKT matrix near 1 */
 #include "solvers/qp/qp.c"                      /* a quadratic program, a point of it, and how good that point is */
 #include "solvers/qp/kkt_cg.c"                  /* the matrix-free back end: conjugate gradients */
@@ -83,7 +82,6 @@
 #include "solvers/cone/cone.c"                  /* nearest point of a friction cone, and the derivative of that map */
 #include "solvers/cone/ipm.c"                   /* what interior points need of a cone: scaling, steps to the boundary */
 
-#include "solvers/scene/words.c"                /* texts of verdicts, reasons, effects and the rest */
 #include "solvers/scene/scene.c"                /* room for blocks, joints and loads in an arena */
 #include "solvers/scene/mesh.c"                 /* volume and centroid; is it closed, does it look outward? */
 #include "solvers/scene/block.c"                /* adding stones and supports */

@@ -124,8 +124,19 @@ typedef enum sp_status {
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
-/* One sentence on a status, for a message. Never NULL; static storage. */
-SP_API const char *sp_status_text(sp_status status);
+/* Words for enumerators. */
+typedef enum sp_words {
+    SP_WORDS_STATUS = 0, SP_WORDS_QP_STATUS, SP_WORDS_VERDICT, SP_WORDS_LEVEL, SP_WORDS_REASON, SP_WORDS_STAGE, SP_WORDS_EFFECT,
+    SP_WORDS_EFFECT_WHY, SP_WORDS_COUPLING, SP_WORDS_COUPLING_REASON, SP_WORDS_PRESENCE, SP_WORDS_HELD_PROOF, SP_WORDS_LIMIT,
+    SP_WORDS_JOINT, SP_WORDS_NBO
+} sp_words;
+
+/* What a value of that enumeration is called, lower case; an unknown one "unknown". Never NULL; static storage. C and C++ call
+ * sp_verdict_text and its kin, which look after the type. */
+SP_API const char *sp_text(sp_words of, int32_t value);
+
+/* One sentence on a status, for a message. */
+static inline const char *sp_status_text(sp_status status) { return sp_text(SP_WORDS_STATUS, (int32_t)status); }
 
 /* 3 -------------------------------------------------------------------------------------------------------------- arena */
 
@@ -729,15 +740,16 @@ SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *resu
                                     sp_real moment[3]);
 
 /* Words for enumerators, lower case, static storage. */
-SP_API const char *sp_verdict_text(sp_verdict verdict);
-SP_API const char *sp_level_text(sp_level level);
-SP_API const char *sp_reason_text(sp_reason reason);
-SP_API const char *sp_stage_text(sp_stage_id stage);
-SP_API int sp_effect_on(sp_effect_why why);             /* 1: simulated, 0: left out */
-SP_API const char *sp_effect_text(sp_effect effect);
-SP_API const char *sp_effect_why_text(sp_effect_why why);
-SP_API const char *sp_coupling_text(sp_coupling coupling);
-SP_API const char *sp_coupling_reason_text(sp_coupling_reason reason);
+static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(SP_WORDS_VERDICT, (int32_t)verdict); }
+static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
+static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
+static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
+/* 1: simulated, 0: left out */
+static inline int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
+static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
+static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
+static inline const char *sp_coupling_text(sp_coupling coupling) { return sp_text(SP_WORDS_COUPLING, (int32_t)coupling); }
+static inline const char *sp_coupling_reason_text(sp_coupling_reason reason) { return sp_text(SP_WORDS_COUPLING_REASON, (int32_t)reason); }
 
 /* 8 ----------------------------------------------------------------------------------------------------------- matrices */
 
@@ -959,7 +971,7 @@ SP_API sp_status sp_qp_rho(sp_qp_work *work, sp_real rho);
  *         SP_E_NOT_FINITE (guess) */
 SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y0, sp_qp_result *result);
 
-SP_API const char *sp_qp_status_text(sp_qp_status status);
+static inline const char *sp_qp_status_text(sp_qp_status status) { return sp_text(SP_WORDS_QP_STATUS, (int32_t)status); }
 
 #endif /* SP_NO_QP */
 
@@ -1065,7 +1077,7 @@ SP_API sp_nbo_settings sp_nbo_settings_default(void);
 SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], const sp_nbo_settings *settings, sp_arena scratch,
                              sp_nbo *reason, sp_real *margin);
 
-SP_API const char *sp_nbo_text(sp_nbo reason);
+static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_NBO, (int32_t)reason); }
 
 /* 12 ---------------------------------------------------------------------------------------------- the seed's constants
  *
@@ -1210,8 +1222,8 @@ typedef struct sp_suggestion {
  *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
 SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion);
 
-SP_API const char *sp_presence_text(sp_presence presence);
-SP_API const char *sp_held_proof_text(sp_held_proof proof);
+static inline const char *sp_presence_text(sp_presence presence) { return sp_text(SP_WORDS_PRESENCE, (int32_t)presence); }
+static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_text(SP_WORDS_HELD_PROOF, (int32_t)proof); }
 
 #endif
 
@@ -1284,7 +1296,7 @@ SP_API size_t sp_limit_verify_memory(const sp_scene *scene);
 SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
                                  sp_arena scratch, int32_t *held);
 
-SP_API const char *sp_limit_text(sp_limit_kind kind);
+static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
 
 /* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what opens
  * more is open. */
@@ -1304,7 +1316,7 @@ typedef struct sp_joint_motion {
 /* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
 SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion);
 
-SP_API const char *sp_joint_text(sp_joint_kind kind);
+static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_WORDS_JOINT, (int32_t)kind); }
 
 #endif
 

@@ -2,17 +2,10 @@
 #ifndef SP__LIMIT_JOINTS_C
 #define SP__LIMIT_JOINTS_C
 
-#include "../base/words.c"
 #include "../scene/problem.c"
 #include "../statics/constants.c"
 
 #if SP__WITH_LIMIT
-
-SP_API const char *sp_limit_text(sp_limit_kind kind)
-{
-    const int k = (int)kind;
-    return sp__word("undecided\0" "found\0" "none\0" "unbounded\0" "unknown", k >= 0 && k <= 3 ? k : 4);
-}
 
 /* How far vertex v moves with a block in motion dq; returns what that is small against: the most the block's motion can come to
  * there, and its distance from the centroid, which a mechanism's motion is scaled to. */
@@ -65,12 +58,6 @@ SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_
     else if (count[1]) m.kind = SP_JOINT_SLIDING;
     *motion = m;
     return SP_OK;
-}
-
-SP_API const char *sp_joint_text(sp_joint_kind kind)
-{
-    const int k = (int)kind;
-    return sp__word("rigid\0" "hinge\0" "sliding\0" "open\0" "unknown", k >= 0 && k <= 3 ? k : 4);
 }
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef SP__SCENE_PLACE_C
 #define SP__SCENE_PLACE_C
 
-#include "../base/words.c"
 #include "../geometry/hull.c"
 #include "joint.c"
 
@@ -237,14 +236,6 @@ SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], cons
             : m < set.margin                            ? SP_NBO_MARGIN : SP_NBO_ACCEPTED;
     if (margin) *margin = m;
     return SP_OK;
-}
-
-SP_API const char *sp_nbo_text(sp_nbo reason)
-{
-    const int k = (int)reason;
-    return sp__word("accepted\0" SP__LONG_TEXT("centre of mass ") "outside its support\0" "too shallow" SP__LONG_TEXT(" for its height") "\0"
-                    "resting face tilted\0" "too near the edge" SP__LONG_TEXT(" of its support") "\0" "unknown",
-                    k >= 0 && k <= 4 ? k : 5);
 }
 
 #endif /* SP__SCENE_PLACE_C */

@@ -2,6 +2,7 @@
  * admissible force can use (Moreau); the derivative is that of the map. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 
 #include <math.h>
 #include "../../solvers/cone/cone.c"

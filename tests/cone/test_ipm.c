@@ -1,6 +1,7 @@
 /* Scaling and steps of the interior-point method, against what defines them. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 
 #include <math.h>
 #include "../../solvers/cone/ipm.c"

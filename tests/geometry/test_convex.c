@@ -2,6 +2,7 @@
 #define SP_API static
 #include <string.h>
 #include "../test.h"
+#include "../../solvers/base/words.c"
 
 #include <math.h>
 

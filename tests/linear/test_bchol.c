@@ -1,6 +1,7 @@
 /* Block-sparse Cholesky: solutions of random systems, against the matrix itself and a plain dense factorisation. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 
 #include <math.h>
 

@@ -1,6 +1,7 @@
 /* Conjugate gradients: exact after as many steps as there are different eigenvalues, warm starts, negative curvature. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/cg.c"
 #include <string.h>
 

@@ -2,6 +2,7 @@
  * carry nothing. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/chol.c"
 
 enum { MOST = 40, ENTRIES = MOST * (MOST + 1) / 2 };

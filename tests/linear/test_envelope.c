@@ -2,6 +2,7 @@
  * envelope is all of the triangle, and pivots that carry nothing. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/chol.c"
 #if !SP__WITH_SMALL                                     /* its body was left out: both are wanted here */
 #undef SP__WITH_SMALL

@@ -1,6 +1,7 @@
 /* Sparse LDL': random quasi-definite matrices solved against the matrix itself, its inertia, pivots that must be bent. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/ldl.c"
 
 enum { MOST = 60 };

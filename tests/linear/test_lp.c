@@ -2,6 +2,7 @@
  * programme before ended. Programmes are made around a known point or around a known proof. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/lp.c"
 
 enum { MOST_N = 40, MOST_M = 160 };

@@ -1,6 +1,7 @@
 /* Elimination orders: every node once, no fill where there need be none, little fill on a grid. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/linear/order.c"
 
 enum { NODES = 400, EDGES = 6000 };

@@ -3,6 +3,7 @@
  * weaker proof than sp_proof says. Rows, states and lengths as in the header at sp_proof. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
 #include "../../solvers/proof/refute.c"

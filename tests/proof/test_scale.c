@@ -2,6 +2,7 @@
  * cone resists of a motion, and the proof a motion gives. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
 #include "../../solvers/proof/statics.c"

@@ -1,6 +1,7 @@
 /* Equilibration: rows and columns of the scaled KKT matrix come near 1, the units of the unknowns and rows drop out. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../../solvers/qp/ruiz.c"
 
 enum { N = 12, M = 15 };

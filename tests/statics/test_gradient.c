@@ -2,6 +2,7 @@
  * inverts, rigid groups against the motions that make them. */
 #define SP_API static
 #include "../test.h"
+#include "../../solvers/base/words.c"
 #include "../scenes/gen.h"
 #include "../../solvers/statics/rigid.c"
 
