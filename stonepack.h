@@ -64,6 +64,11 @@ extern "C" {
  *   SP_QP_ONLY      defined: quadratic programs and nothing else
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
+#if defined SP_QP_ONLY && defined SP_EXACT_ONLY
+#error "SP_QP_ONLY and SP_EXACT_ONLY: one leaves quadratic programs alone, the other leaves them out"
+#elif defined SP_QP_ONLY && defined SP_NO_QP
+#error "SP_QP_ONLY and SP_NO_QP: nothing is left"
+#endif
 #ifdef SP_EXACT_ONLY
 #undef SP_SMALL
 #define SP_SMALL

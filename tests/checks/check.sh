@@ -6,7 +6,7 @@
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
-groups='warnings switches cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
+groups='warnings switches combinations cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
 longest='switches sanitizers pair instruments warnings settle oracle'  # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
@@ -117,6 +117,7 @@ check_switches() {
         count "tests, SP_NO_ADMM, SP_NO_DYKSTRA $sw_real" tests_without "$core" tests/scenes/gen.c -DSP_NO_ADMM -DSP_NO_DYKSTRA $sw_real
     done
 }
+check_combinations() { count "switches, alone and in pairs, three ways" sh tests/checks/switches.sh; }
 check_warnings() {
     # shellcheck disable=SC2086
     part "warnings: gcc, library" warn gcc $gcc_only

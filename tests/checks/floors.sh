@@ -9,6 +9,7 @@
 #   4. every part compiles alone, in double and in float
 #   5. no private name is defined twice, but where a precision or the smallest build takes another way
 #   6. no file is longer than LINES
+#   7. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
 . tests/checks/tally.sh
 most=${1:-700}
 floors='base linear qp geometry cone scene contacts proof statics seed coupled check limit sequence small'
@@ -89,6 +90,16 @@ once() {
 }
 short() { wc -l stonepack.c solvers/*/*.c | awk -v most="$most" '$2 != "total" && $1 > most { print $2 " has " $1 " lines"; bad = 1 } END { exit bad }'; }
 
+# A body opens with a brace at the left edge and closes with one. SP_REAL_*: precision.
+bodies() {
+    awk -v most="$1" '
+        FNR == 1 { body = 0 }
+        /^\{/ { body = 1 }
+        /^\}/ { body = 0 }
+        /^#[ ]*(if|elif)/ && !/SP_REAL_/ && body { print FILENAME ":" FNR ": " $0; n++ }
+        END { print n + 0 " conditionals inside bodies, at most " most; exit n > most }' stonepack.c solvers/*/*.c
+}
+
 part "floors: folders include only what stands below" downward
 part "floors: proof/ is asked through what it offers" through
 part "floors: no include inside a condition" unconditional
@@ -96,4 +107,5 @@ part "floors: every part compiles alone" alone
 part "floors: every part compiles alone, float" alone -DSP_REAL_FLOAT
 part "floors: no private name twice" once
 part "floors: no file over $most lines" short
+part "floors: no switch inside a body" bodies 15
 total
