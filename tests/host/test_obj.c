@@ -2,6 +2,7 @@
 #include "../test.h"
 #include "../../port/host/files/json_in.h"
 #include "../../port/host/files/json_out.h"
+#include "../../port/host/files/obj.h"
 #include "../../port/host/files/scene.h"
 #include "../../port/host/files/text.h"
 
@@ -333,6 +334,29 @@ TEST(json_is_read_strictly)
     CHECK_INT(json_status(deep), EXIT_SCENE);
 }
 
+/* The form is told in one place: each word it tells is read, and each word that is read is told. */
+TEST(help_tells_the_words_that_are_read)
+{
+    static const char *const word[] = { "mu", "gravity", "density", "fixed", "interface", "points", "load", "live", "mass", "pressure",
+                                        "cohesion", "tension", "crushing" };
+    const size_t words = sizeof word / sizeof *word;
+    for (size_t k = 0; k < words; k++) {
+        host_scene s;
+        char line[32];
+        snprintf(line, sizeof line, "#@ %s\n", word[k]);
+        parse(line, -1, SCENE_GIVEN, &s);
+        scene_free(&s);
+        if (!CHECK(!strstr(error.line, "unknown word")) || !CHECK(strstr(obj_format, word[k]))) CHECK_TEXT("", word[k]);
+    }
+    for (const char *at = strstr(obj_format, "#@ "); at; at = strstr(at + 1, "#@ ")) {
+        const size_t n = strcspn(at + 3, " ");
+        size_t k = 0;
+        while (k < words && (strlen(word[k]) != n || memcmp(word[k], at + 3, n))) k++;
+        if (!CHECK(k < words)) CHECK_TEXT("", at);
+    }
+    refuse("#@ bogus\n", "t.obj:1: unknown word 'bogus' after '#@'");
+}
+
 TEST_LIST(obj)
     RUN(a_scene_is_read)
     RUN(defaults_are_those_of_stone_on_earth)
@@ -348,4 +372,5 @@ TEST_LIST(obj)
     RUN(the_shortest_decimal_reads_back)
     RUN(json_strings_are_escaped_and_valid)
     RUN(json_is_read_strictly)
+    RUN(help_tells_the_words_that_are_read)
 TEST_END
