@@ -112,6 +112,8 @@
 #include "solvers/statics/mirror.c"             /* planar and level scenes: which 3 rows a block are enough */
 #include "solvers/statics/system.c"             /* the dual D(y): its unknowns, weights and settings */
 #include "solvers/statics/motion.c"             /* rates at contact vertices of a motion, and forces gathered to blocks */
+#include "solvers/statics/wedge.c"              /* a vertex of a search in 3 rows a block: fn and one slip */
+#include "solvers/statics/map.c"                /* from blocks to a contact's vertices and back, two kernels behind one face */
 #include "solvers/statics/gradient.c"           /* the forces of y, and the gradient of D */
 #include "solvers/statics/hessian.c"            /* the Hessian of D, block by block */
 #include "solvers/statics/factor.c"             /* its factor, and what it solves */

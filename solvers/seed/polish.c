@@ -32,7 +32,7 @@ SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real
             sp__cone_project(&w->cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
-            if (w->carried) sp__dual_bear(w, t, pb->local[v], g);
+            if (w->carried) sp__carry(w, t, pb->local[v], g, sp__norm3(g));
         }
         sp__dual_scatter(w, t, F, M, r);
     }

@@ -3,7 +3,7 @@
 #define SP__STATICS_HESSIAN_C
 
 #include "../cone/ipm.c"
-#include "gradient.c"
+#include "wedge.c"
 
 #if SP__WITH_LARGE
 
@@ -57,6 +57,61 @@ static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real 
     for (int k = 0; f && k < 3; k++) f[k] = 0;
     if (w->cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
     else sp__ipm_by_cone(w, c, v, u, D, f);
+}
+
+/* An assembly. */
+static int sp__dual_assembly(sp__dual *w, int plain)
+{
+    const sp__flat *o = sp__reduced(w);
+    if (o && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN(o) * o->vertices + SP__FLOPS_FLAT_BLOCKS * o->sides);
+    return sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
+}
+
+/* H of a contact, 3 x 3 in X. */
+SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real *g = sp__flat_frame(w, t);
+    const int plane = w->flat->mode == SP__PLANE;
+    sp__visit *at = sp__visit_of(w);
+    sp_real *X = at->twist[0], *h = at->twist[1], *q = at->m, *u = at->u[0], *D = at->D;
+    for (int k = 0; k < 6; k++) h[k] = 0;
+    sp__flat_there(w, t, g, y, X);
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
+        sp__wedge_levers(w, g, l, q);
+        sp__wedge_rates(w, g, l, X, u);
+        sp__wedge_law(w, law, c, g, u, NULL, D);
+        const sp_real nn = times * D[0], ns = times * D[1], ss = times * D[2];
+        const sp_real a = nn * q[0], b = plane ? ns * q[1] : nn * q[1];
+        h[0] += nn;
+        h[1] += plane ? ns : a;
+        h[2] += plane ? a + b : b;
+        h[3] += plane ? ss : a * q[0];
+        h[4] += plane ? ns * q[0] + ss * q[1] : a * q[1];
+        h[5] += plane ? (a + 2 * b) * q[0] + ss * q[1] * q[1] : b * q[1];
+    }
+    H[0] = h[0]; H[1] = H[3] = h[1]; H[2] = H[6] = h[2];
+    H[4] = h[3]; H[5] = H[7] = h[4]; H[8] = h[5];
+}
+
+/* h += (I, -[l]x)' D (I, -[l]x), row by row: x = l x D_i is row i of -D [l]x, and [l]x of those rows makes ww. */
+SP__NOINLINE static void sp__vertex_hessian(const sp_real D[6], const sp_real *l, sp_real *h)
+{
+    static const unsigned char at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+    for (int i = 0; i < 3; i++) {
+        const int up = (i + 2) % 3, down = (i + 1) % 3;
+        const sp_real row[3] = { D[at[i][0]], D[at[i][1]], D[at[i][2]] };
+        sp_real x[3];
+        sp__cross3(l, row, x);
+        for (int j = 0; j < 3; j++) {
+            h[3 * i + j] += row[j];
+            h[9 + 3 * i + j] += x[j];
+            h[18 + 3 * down + j] += l[up] * x[j];
+            h[18 + 3 * up + j] -= l[down] * x[j];
+        }
+    }
 }
 
 /* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */

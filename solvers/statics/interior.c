@@ -99,7 +99,7 @@ SP__NOINLINE static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, s
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp__visit *s = sp__visit_of(w);
-        sp_real (*u)[3] = s->u, *g = s->f, *F = s->F, *M = s->M;
+        sp_real (*u)[3] = s->u, *g = s->f, *F = s->sum, *M = F + 3;
         for (int k = 0; k < 3; k++) {
             F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
             if (counts[k]) sp__dual_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
@@ -150,7 +150,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int firs
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__dual_yield(w, c);
         sp__visit *s = sp__visit_of(w);
-        sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->F, *M = s->M;
+        sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->sum, *M = F + 3;
         sp__dual_twist(w, t, w->y, twist[0], twist[0] + 3);
         sp__dual_twist(w, t, d, twist[1], twist[1] + 3);
         sp__dual_twist(w, t, e, twist[2], twist[2] + 3);
@@ -174,7 +174,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int firs
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
-            sp__dual_bear(w, t, pb->local[v], g);
+            sp__carry(w, t, pb->local[v], g, sp__norm3(g));
         }
         sp__dual_scatter(w, t, F, M, w->r);
     }

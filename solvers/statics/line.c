@@ -69,29 +69,23 @@ SP__NOINLINE static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp
  * sum (sbar |v| + Sbar |w|). */
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 
-/* sp__flat_resist in 6 rows a block. */
-SP__NOINLINE static sp_real sp__space_resist(const sp__dual *w, int32_t c, const sp_real *y, sp_real most)
-{
-    const sp_contact *t = &w->pb->contact[c];
-    sp__visit *s = sp__visit_of(w);
-    sp_real *V = s->twist[0], *W = V + 3, *u = s->u[0], sum = 0;
-    sp__dual_twist(w, t, y, V, W);
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real times = sp__dual_counts(w, v);
-        if (!(times > 0)) continue;
-        sp__dual_rate(w, V, W, w->pb->local[v], u);
-        sum += times * sp__cone_support(&w->cone, w->yield, u, most);
-    }
-    return sum;
-}
-
-/* What the vertices of contact c can resist a motion with. */
+/* What the vertices of contact c can resist motion y with: sum of f.u over the f in K no longer than their cap that does most;
+ * where K is a wedge that is the cap times |P_K(u)|. */
 SP__NOINLINE static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
 {
-    const int plain = sp__dual_yield(w, c)->plain;
-    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(&w->pb->contact[c], w->size, 2) / S;
-    if (sp__reduced(w) && plain) return sp__flat_resist(w, c, y, most);
-    return S * sp__space_resist(w, c, y, most);
+    const sp__view k = sp__view_of(w, c);
+    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(k.t, w->size, 2) / S;
+    sp__visit *s = sp__visit_of(w);
+    sp_real *X = s->twist[0], *u = s->u[0], *f = s->f, sum = 0;
+    sp__view_motion(w, &k, y, X);
+    for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
+        const sp_real times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
+        sp__view_rates(w, &k, w->pb->local[v], X, u);
+        if (k.g) sp__view_force(w, &k, SP__ADMISSIBLE, u, f);
+        sum += times * (k.g ? sp__view_norm(&k, f) : sp__cone_support(&w->cone, w->yield, u, most));
+    }
+    return (k.g ? most : S) * sum;
 }
 
 SP__NOINLINE static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)

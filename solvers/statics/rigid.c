@@ -99,7 +99,7 @@ SP__NOINLINE static void sp__vertex_apply(const sp__dual *w, int32_t c, int32_t 
     g[1] = D[1] * x + D[3] * y + D[4] * z;
     g[2] = D[2] * x + D[4] * y + D[5] * z;
     sp__cross3(l, g, m);
-    for (int k = 0; k < 3; k++) { s->F[k] += g[k]; s->M[k] += m[k]; }
+    for (int k = 0; k < 3; k++) { s->sum[k] += g[k]; s->sum[k + 3] += m[k]; }
 }
 
 /* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
@@ -111,11 +111,11 @@ SP__NOINLINE static void sp__dual_apply(sp__dual *w, const sp_real *y, const sp_
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp__visit *s = sp__visit_of(w);
-        for (int k = 0; k < 3; k++) s->F[k] = s->M[k] = 0;
+        for (int k = 0; k < 6; k++) s->sum[k] = 0;
         sp__dual_twist(w, t, y, s->twist[0], s->twist[0] + 3);
         sp__dual_twist(w, t, x, s->twist[1], s->twist[1] + 3);
         for (int32_t v = t->point; v < t->point + t->points; v++) sp__vertex_apply(w, c, v, s);
-        sp__dual_scatter(w, t, s->F, s->M, out);
+        sp__dual_scatter(w, t, s->sum, s->sum + 3, out);
     }
     sp__dual_release(w, out);
 }

@@ -38,76 +38,46 @@ static int sp__dual_whole(const sp__dual *w)
     return !o || o->mode != SP__LEVEL_JOINTS || o->forest || o->frictionless;
 }
 
-/* A contact's share in the size of a block it touches: sum |f_v| and sum |x_v x f_v|, x_v seen from the centroid. */
-SP__NOINLINE static void sp__dual_size(const sp__dual *w, const sp_contact *t, const sp_real *arm, sp_real twist[4][3], sp_real *size,
-                                    sp_real *longest)
+/* Bilateral forces of contact c, those of potential y less those of d, into what the blocks bear. In 3 rows motions are
+ * subtracted, in 6 rates. */
+SP__NOINLINE static void sp__size_carry(sp__dual *w, int32_t c, const sp_real *y, const sp_real *d)
 {
-    const sp_joint *g = t->joint;
-    const sp_real o[3] = { sp__dot3(arm, g->n), sp__dot3(arm, g->t1), sp__dot3(arm, g->t2) };
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], x[3] = { o[0] + l[0], o[1] + l[1], o[2] + l[2] };
-        const sp_real times = sp__dual_counts(w, v);
-        sp_real u[3], m[3];
-        sp__dual_rate(w, twist[0], twist[1], l, u);
-        sp__dual_rate(w, twist[2], twist[3], l, m);
-        sp__sub3(u, m, u);
-        sp__cross3(x, u, m);
-        size[0] += times * sp__norm3(u);
-        size[1] += times * sp__norm3(m);
-        *longest = sp__max(*longest, sp__norm3(x));
+    const sp__view k = sp__view_of(w, c);
+    sp__visit *s = sp__visit_of(w);
+    sp_real *X = s->twist[0], *dX = s->twist[1], *u = s->u[0], *du = s->u[1];
+    sp__view_motion(w, &k, y, X);
+    sp__view_motion(w, &k, d, dX);
+    for (int q = 0; k.g && q < 3; q++) X[q] = sp__dual_whole(w) ? X[q] - dX[q] : 0;
+    for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
+        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        if (!(times > 0)) continue;
+        sp__view_rates(w, &k, l, X, u);
+        if (!k.g) sp__view_rates(w, &k, l, dX, du);
+        for (int q = 0; q < (k.g ? 2 : 3); q++) u[q] = times * (k.g ? u[q] : u[q] - du[q]);
+        sp__view_widen(w, &k, u, s->f);
+        sp__carry(w, k.t, l, s->f, sp__view_norm(&k, u));
     }
 }
 
-/* The same of a contact in 3 rows, both blocks. */
-SP__NOINLINE static void sp__flat_size(sp__dual *w, const sp_contact *t, const sp_real *y, sp_real *longest)
-{
-    const sp_real *g = sp__flat_frame(w, t);
-    sp_real X[3] = { 0, 0, 0 }, dX[3];
-    if (sp__dual_whole(w)) {
-        sp__flat_there(w, t, g, y, X);
-        sp__flat_there(w, t, g, w->d, dX);
-        sp__sub3(X, dX, X);
-    }
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        sp_real q[2], u[2], one[2];
-        const sp_real times = sp__flat_rate(w, g, v, X, q, u);
-        for (int side = 0; side < 2 && times > 0; side++) {
-            const int32_t i = side ? t->b : t->a;
-            if (i < 0) continue;
-            const sp_real moment = sp__flat_moment(w, t, side, v, u, one);
-            w->size[2 * (size_t)i] += times * one[0];
-            w->size[2 * (size_t)i + 1] += times * one[1];
-            longest[i] = sp__max(longest[i], moment);
-        }
-    }
-}
-
-/* size = sbar and Sbar of the certificate check, from the bilateral force of potential y (metric 1) less that of w->d, its
- * correction. */
+/* size = sbar and Sbar of the certificate check: the load, and what the bilateral force of potential y (metric 1) less that of
+ * w->d, its correction, puts on a block. */
 static void sp__dual_sizes(sp__dual *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    sp_real *longest = w->L.t;                          /* arm of each block: nothing is solved meanwhile */
     if (!sp__dual_sweep(w, sp__dual_whole(w), 2 * sp__dual_whole(w)) || !sp__dual_count(w, SP__FLOPS_SWEEP, 0)) return;
-    for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *p = pb->p + 6 * (size_t)i;
-        w->size[2 * (size_t)i] = sp__norm3(p) / w->unit;
-        w->size[2 * (size_t)i + 1] = sp__norm3(p + 3) / w->unit;
-        longest[i] = 0;
+    sp__carry_begin(w);
+    for (size_t i = 0; i < (size_t)pb->blocks; i++) {
+        w->carried[3 * i] = sp__norm3(pb->p + 6 * i) / w->unit;
+        w->carried[3 * i + 1] = sp__norm3(pb->p + 6 * i + 3) / w->unit;
+        w->carried[3 * i + 2] = 0;
     }
-    for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        if (sp__reduced(w) && w->flat->plain) { sp__flat_size(w, t, y, longest); continue; }
-        sp_real twist[4][3];
-        sp__dual_twist(w, t, y, twist[0], twist[1]);
-        sp__dual_twist(w, t, w->d, twist[2], twist[3]);
-        for (int side = 0; side < 2; side++) {
-            const int32_t i = side ? t->b : t->a;
-            if (i >= 0) sp__dual_size(w, t, side ? t->rb : t->ra, twist, w->size + 2 * (size_t)i, &longest[i]);
-        }
+    for (int32_t c = 0; c < pb->contacts; c++) sp__size_carry(w, c, y, w->d);
+    for (size_t i = 0; i < (size_t)pb->blocks; i++) {
+        const sp_real *sum = w->carried + 3 * i;
+        w->size[2 * i] = sum[0];
+        w->size[2 * i + 1] = sum[1] + 16 * (sp_real)SP_EPSILON * sum[0] * sum[2] / w->set->tol;
     }
-    for (size_t i = 0; i < (size_t)pb->blocks; i++)
-        w->size[2 * i + 1] += 16 * (sp_real)SP_EPSILON * w->size[2 * i] * longest[i] / w->set->tol;
+    w->carried = NULL;
 }
 
 /* Is a metric needed, because contacts of very different load meet?     returns 1 when it is, and sets it */

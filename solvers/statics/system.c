@@ -41,7 +41,7 @@ typedef struct sp__visit {
     sp_real u[3][3];                    /* rates of the vertex at hand in them */
     sp_real D[6];                       /* derivative of its force: nn, n1, n2, 11, 12, 22 */
     sp_real f[3], m[3];                 /* its force and the moment of that */
-    sp_real F[3], M[3];                 /* their sums over the vertices */
+    sp_real sum[6];                     /* their sums over the vertices */
     sp_real h[3], z[3], dz[3];          /* interior points: a cone's target, its slack, that one's change */
     sp_real edge[3], rate[3];           /* an edge of its pyramid, u along it */
     sp_real origin[2][3];               /* of the contact, seen from the centroid of a, of b, in its frame */

@@ -1,0 +1,93 @@
+/* map: from the motion of a contact's two blocks to its vertices, and from forces at the vertices back to the blocks.
+ *
+ *   X = T y        motion of B seen from A at the contact's origin, 6 numbers V, W, or 3 in a search of 3 rows a block
+ *   u = (I, -[l]x) X                  rates of a vertex at l, three, or fn's and one slip's (wedge.c)
+ *   f = S P_K(u)                      its force;  Y += (I, -[l]x)' f;  r += T' Y
+ *
+ * Two kernels behind one face: passes over the vertices (gradient, slope, resistance, sizes) are written once. The wide one works
+ * from lever arms. One matrix of 6 x rows a contact side, made once, would serve both, but costs plain scenes more than it saves:
+ * 1,400 flops for 900 in the assembly of a contact and 216 for 160 there and back; measured, walls of 54 to 2,000 joints take 4 to
+ * 10 % longer, an arch 4 %, a dome 6 % (medians of nine, runs interleaved).
+ */
+#ifndef SP__STATICS_MAP_C
+#define SP__STATICS_MAP_C
+
+#include "wedge.c"
+
+#if SP__WITH_LARGE
+
+/* A contact as a pass over its vertices sees it. */
+typedef struct sp__view {
+    const sp_contact *t;
+    int32_t c;
+    const sp_real *g;                   /* frame of the narrow kernel, 3 numbers a motion, 2 a vertex; NULL: the wide one, 6 and 3 */
+} sp__view;
+
+/* K of its vertices lies in w->yield from now on. */
+static sp__view sp__view_of(const sp__dual *w, int32_t c)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const int narrow = sp__dual_yield(w, c)->plain && sp__reduced(w);
+    const sp__view k = { t, c, narrow ? sp__flat_frame(w, t) : NULL };
+    return k;
+}
+
+/* X = T y */
+static void sp__view_motion(const sp__dual *w, const sp__view *k, const sp_real *y, sp_real X[6])
+{
+    if (k->g) sp__flat_there(w, k->t, k->g, y, X);
+    else sp__dual_twist(w, k->t, y, X, X + 3);
+}
+
+/* r += T' Y */
+static void sp__view_scatter(const sp__dual *w, const sp__view *k, const sp_real Y[6], sp_real *r)
+{
+    if (k->g) sp__flat_back(w, k->t, k->g, Y, r);
+    else sp__dual_scatter(w, k->t, Y, Y + 3, r);
+}
+
+/* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
+static void sp__view_rates(const sp__dual *w, const sp__view *k, const sp_real *l, const sp_real X[6], sp_real u[3])
+{
+    if (k->g) sp__wedge_rates(w, k->g, l, X, u);
+    else sp__dual_rate(w, X, X + 3, l, u);
+}
+
+/* f = S P_K(u), or S u */
+static void sp__view_force(const sp__dual *w, const sp__view *k, sp__law law, const sp_real u[3], sp_real f[3])
+{
+    if (k->g) { sp__wedge_law(w, law, k->c, k->g, u, f, NULL); return; }
+    if (law == SP__ADMISSIBLE) { sp__dual_force(w, k->c, w->yield, u, f); return; }
+    for (int q = 0; q < 3; q++) f[q] = sp__dual_S(w, k->c) * (q ? w->slide * u[q] : u[q]);
+}
+
+/* f as (fn, ft1, ft2) */
+static void sp__view_widen(const sp__dual *w, const sp__view *k, const sp_real f[3], sp_real out[3])
+{
+    if (k->g) sp__wedge_widen(w, k->g, f, out);
+    else memcpy(out, f, 3 * sizeof *f);
+}
+
+/* Y += (I, -[l]x)' f */
+static void sp__view_gather(const sp__dual *w, const sp__view *k, const sp_real *l, const sp_real f[3], sp_real Y[6])
+{
+    if (k->g) { sp__wedge_gather(w, k->g, l, f, Y); return; }
+    Y[0] += f[0]; Y[1] += f[1]; Y[2] += f[2];
+    Y[3] += l[1] * f[2] - l[2] * f[1];
+    Y[4] += l[2] * f[0] - l[0] * f[2];
+    Y[5] += l[0] * f[1] - l[1] * f[0];
+}
+
+/* |f| and f.u, each of as many numbers as there are; u with friction weighed, f without. */
+static sp_real sp__view_norm(const sp__view *k, const sp_real f[3])
+{
+    return k->g ? SP_SQRT(f[0] * f[0] + f[1] * f[1]) : sp__norm3(f);
+}
+static sp_real sp__view_power(const sp__dual *w, const sp__view *k, const sp_real f[3], const sp_real u[3])
+{
+    return f[0] * u[0] + (k->g ? f[1] * u[1] : f[1] * u[1] + f[2] * u[2]) / w->slide;
+}
+
+#endif
+
+#endif /* SP__STATICS_MAP_C */
