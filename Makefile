@@ -164,6 +164,7 @@ regions:
 footprint:
 	@mkdir -p build
 	sh port/board/footprint.sh > build/footprint.csv && mv build/footprint.csv port/board/footprint.csv
+	sh port/board/switches.sh --write
 
 demo: build/stonepack
 	@sh tests/checks/demo.sh

@@ -9,7 +9,7 @@
 out=build/switches
 mkdir -p $out
 features='SP_NO_IPM SP_NO_PLAN SP_NO_CRA SP_NO_ADMM SP_NO_DYKSTRA SP_NO_QP SP_QP_ONLY SP_QP_NO_CG SP_QP_NO_POLISH SP_SMALL SP_EXACT_ONLY SP_REAL_MIXED'
-contradict='SP_NO_QP+SP_QP_ONLY SP_QP_ONLY+SP_EXACT_ONLY SP_REAL_MIXED+SP_REAL_FLOAT'
+contradict='SP_NO_QP+SP_QP_ONLY SP_QP_ONLY+SP_EXACT_ONLY SP_REAL_MIXED+SP_REAL_FLOAT SP_REAL_FLOAT+SP_REAL_QUAD'
 CC=${CC:-gcc}
 TCC=${TCC:-$(command -v tcc || echo "$CC")}
 
@@ -70,6 +70,7 @@ sh port/package/package.sh $out/package || exit 1
 chosen=$(sets "$@")
 count=$(echo "$chosen" | wc -l)
 part "switches: contradictory pairs stop at one #error" all_stop
+part "switches: the header's table is that of footprint.csv" sh port/board/switches.sh --check
 part "switches: $count sets from the tree, no warning" all_of tree
 part "switches: $count sets from the pair" all_of copy $out/pair
 part "switches: $count sets from the package" all_of copy $out/package/src
