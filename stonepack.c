@@ -173,8 +173,10 @@
 #include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */
 #include "solvers/sequence/next.c"              /* a next stone after which everything stands */
 
-#include "solvers/small/check.c"                /* sp_check, sp_memory, sp_plan by the smallest search */
+#include "solvers/small/check.c"                /* sp_check, sp_plan by the smallest search */
 #include "solvers/small/limit.c"                /* sp_limit by the smallest search */
 #include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
+
+#include "solvers/memory/memory.c"               /* sp_memory: what a call takes */
 
 #endif /* SP_QP_ONLY */

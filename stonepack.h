@@ -312,15 +312,12 @@ typedef struct sp_contact_report {
 
 SP_API sp_contact_settings sp_contact_settings_default(void);
 
-/* Bytes of scratch that sp_contacts_find needs for this scene; 0 if that overflows. Enough unless two faces cross each other
- * like combs, in more places than eight a corner: then it returns SP_E_MEMORY and wants more. */
-SP_API size_t sp_contacts_memory(const sp_scene *scene);
-
 /* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
  * exact common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
  * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
  * SP_SMALL the convex hull of what faces share in one plane).
- *   scratch   by value: all of it may be overwritten
+ *   scratch   by value: all of it may be overwritten; sp_memory tells how much. That is enough unless two faces cross each other
+ *             like combs, in more places than eight a corner: then it returns SP_E_MEMORY and wants more
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   settings  NULL: the default ones
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY;
@@ -602,18 +599,30 @@ typedef struct sp_result {
     size_t peak_bytes;          /* of the arena */
 } sp_result;
 
-/* Bytes sp_check takes from an arena for this scene, exact; with coupled.asked and not localise at most, because what statics
- * refuse is not asked. Runs the symbolic step in `scratch`, which it may overwrite.
- *   returns SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much); else what sp_check returns */
-SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+/* What memory is asked for. Told before the call, exact unless said otherwise. */
+typedef enum sp_memory_for {
+    SP_FOR_CHECK = 0,           /* sp_check, from its arena; with coupled.asked and not localise at most, because what statics refuse is
+                                   not asked. With settings.work: without what that arena takes */
+    SP_FOR_WORK,                /* sp_check, of the arena settings.work (whatever that is now) */
+    SP_FOR_VERIFY,              /* sp_verify's scratch, at most (for 64 faces) */
+    SP_FOR_CONTACTS,            /* sp_contacts_find's scratch, at most */
+    SP_FOR_PLAN,                /* sp_plan's scratch, at most */
+    SP_FOR_LIMIT,               /* sp_limit, at most; exact where the interior points are asked */
+    SP_FOR_LIMIT_VERIFY,        /* sp_limit_verify's scratch, at most */
+    SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
+    SP_FOR_PROBLEM              /* sp_problem_build */
+} sp_memory_for;
 
-/* The two parts of it where settings.work is to be used: what sp_memory tells of settings with a work, and what that arena has
- * to have, exact (whatever settings.work is). Status and scratch as there. */
-SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+/* Bytes that a call with this scene and these settings (NULL: the default ones) takes.
+ *   scratch   check, work, limit, sequence run their symbolic step in it and may overwrite it; the others follow from counts alone
+ *             and leave it alone: an empty one will do
+ *   returns   SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much), or more bytes than can be counted; what this
+ *             build leaves out: SP_E_UNSUPPORTED; else what the call returns. On failure *bytes is untouched */
+SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
-/* Bytes of scratch that sp_memory needs for the chosen stages, an upper bound from counts alone; 0: too large to count, or
- * unusable settings. A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
-SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings);
+/* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
+ * A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
+SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
 
 /* The same as constant expressions, for static arrays:
  *
@@ -692,8 +701,6 @@ typedef struct sp_evidence {
     sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
 } sp_evidence;
 
-SP_API size_t sp_verify_memory(const sp_scene *scene);
-
 /* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
  * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (as sp_check),
@@ -718,10 +725,7 @@ typedef struct sp_outlook {
     size_t bytes, full_bytes;
 } sp_outlook;
 
-/* Bytes of scratch that sp_plan needs, an upper bound from counts alone; 0 as sp_memory_scratch. */
-SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings);
-
-/* What will sp_check simulate, what not, and why?            returns what sp_memory returns */
+/* What will sp_check simulate, what not, and why?            returns what sp_check returns */
 SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
 
 #endif
@@ -784,7 +788,6 @@ typedef struct sp_problem {
 } sp_problem;
 
 /* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
-SP_API size_t sp_problem_memory(const sp_scene *scene);
 SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_problem *problem);
 
 /* A sparse matrix by entries, in any order, and by columns (row numbers ascending). */
@@ -1042,12 +1045,10 @@ typedef struct sp_rest {
     sp_support support;         /* clearance > 0 */
 } sp_rest;
 
-/* Bytes of scratch for this mesh; 0 if a count is negative or the size overflows. */
-SP_API size_t sp_rest_memory(const sp_mesh *mesh);
-
 /* Stable resting faces of a stone of uniform density, in the order of its faces.                [Goldberg, Mirtich 1999]
  * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
  * is told to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
+ *   scratch  sp_support_memory(mesh->vertices)
  *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
  *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
 SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
@@ -1134,7 +1135,7 @@ SP_API sp_settings sp_settings_seed(void);
  * is told step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
  * again, an island being free blocks that touch each other; all others keep their verdict and forces.
  *
- *     sp_sequence_memory(&scene, NULL, scratch, &bytes);
+ *     sp_memory(&scene, SP_FOR_SEQUENCE, NULL, scratch, &bytes);
  *     sp_sequence_open(&scene, NULL, &arena, &sequence);               the supports are there, nothing else
  *     for each stone k: sp_sequence_set(sequence, k, SP_PRESENT, &step);
  *         if (step.verdict != SP_STABLE) sp_sequence_hold(sequence, 0, &held);
@@ -1169,18 +1170,11 @@ typedef struct sp_step {
     sp_cost cost;               /* of this step */
 } sp_step;
 
-/* Bytes sp_sequence_open takes from an arena, exact, and all that is ever needed. The symbolic step runs in `scratch`.
+/* Begin: of the blocks only supports (SP_FIXED) are there.
  *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
  *             taken as 0; budget is that of each try at an island, of which a step makes three at most
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled),
- *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: scratch too small */
-SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
-
-/* Bytes of scratch that sp_sequence_memory needs; 0: too large to count, or unusable settings. */
-SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings);
-
-/* Begin: of the blocks only supports (SP_FIXED) are there.
- *   returns   as sp_sequence_memory; SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
+ *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
 SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
 
 /* One block comes, goes, is held or let go; a support is there or absent. What it touched is looked at again.
@@ -1278,11 +1272,6 @@ typedef struct sp_limit_result {
     size_t peak_bytes;          /* of the arena */
 } sp_limit_result;
 
-/* Bytes sp_limit takes from an arena for this scene, at most and exact where the interior points are asked. `scratch`:
- * sp_limit_memory_scratch bytes, overwritten.                                     returns as sp_memory */
-SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes);
-SP_API size_t sp_limit_memory_scratch(const sp_scene *scene);
-
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
  * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction, of a
  * capped one nothing) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
@@ -1299,7 +1288,6 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
  * of the claim are read. Scratch as for sp_verify and 48 numbers a block.
  *   out       held: 1 if every end the claim has is proved; a FOUND and an UNBOUNDED have a lower one, a FOUND an upper one
  *   returns   as sp_verify */
-SP_API size_t sp_limit_verify_memory(const sp_scene *scene);
 SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
                                  sp_arena scratch, int32_t *held);
 

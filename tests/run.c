@@ -36,6 +36,15 @@ static const char *const left_out[] = {
 
 sp_arena test_arena;
 
+#ifndef SP_QP_ONLY
+size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
+{
+    const sp_arena none = { NULL, 0, 0, 0 };
+    size_t bytes = 0;
+    return sp_memory(scene, what, settings, none, &bytes) == SP_OK ? bytes : 0;
+}
+#endif
+
 static uint64_t memory[TEST_ARENA_BYTES / 8];
 static uint64_t seed = 20260101u, state;
 static int failures;                                    /* of the running test */

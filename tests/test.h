@@ -56,6 +56,11 @@ enum { TEST_SMALL = 0 };
 #define TEST_TOO_MUCH() 0                               /* 0, later 1 where a test is stopped for taking too many */
 #endif
 
+/* sp_memory of what follows from counts alone; 0 where it is refused. */
+#ifndef SP_QP_ONLY
+size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
+#endif
+
 /* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */
 extern sp_arena test_arena;
 

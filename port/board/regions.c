@@ -1,7 +1,7 @@
 /* regions: scene and answer in one memory, all that a check works on, the factor above all, in another.
  *
- * Linker scripts put `.fast` into a RAM region of its own where the board has one (FAST in the memory maps). sp_memory_work tells
- * how much goes there, sp_memory how much stays; SP_MEMORY_BYTES bounds either. The same check in one memory finds the same bits.
+ * Linker scripts put `.fast` into a RAM region of its own where the board has one (FAST in the memory maps). sp_memory tells
+ * how much goes there (SP_FOR_WORK), and how much stays (SP_FOR_CHECK); SP_MEMORY_BYTES bounds either. The same check in one memory finds the same bits.
  */
 #include "../../tests/scenes/gen.h"
 #include "board.h"
@@ -28,8 +28,8 @@ static sp_status stands(void *memory, sp_arena *work, sp_result *r, size_t *stay
     if (!status) status = gen_build(&g, &arena, &scene);
     set.work = work;
     const size_t before = arena.used;
-    if (!status) status = sp_memory(&scene, &set, arena, stays);
-    if (!status) status = sp_memory_work(&scene, &set, arena, goes);
+    if (!status) status = sp_memory(&scene, SP_FOR_CHECK, &set, arena, stays);
+    if (!status) status = sp_memory(&scene, SP_FOR_WORK, &set, arena, goes);
     if (!status) status = sp_check(&scene, &set, &arena, r);
     return !status && r->peak_bytes - before != *stays ? SP_E_MEMORY : status;
 }

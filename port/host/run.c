@@ -9,14 +9,27 @@ sp_status run_arena(size_t bytes, sp_arena *arena, void **memory)
     return *memory ? sp_arena_init(arena, *memory, bytes + SP_ALIGN) : SP_E_MEMORY;
 }
 
-sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+size_t run_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
+{
+    const sp_arena none = { NULL, 0, 0, 0 };
+    size_t bytes = 0;
+    return sp_memory(scene, what, settings, none, &bytes) == SP_OK ? bytes : 0;
+}
+
+/* sp_memory of what runs a symbolic step, in memory of malloc's. */
+static sp_status counted(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, size_t *bytes)
 {
     void *memory;
     sp_arena scratch;
-    sp_status status = run_arena(sp_memory_scratch(scene, settings), &scratch, &memory);
-    if (status == SP_OK) status = sp_memory(scene, settings, scratch, bytes);
+    sp_status status = run_arena(sp_memory_scratch(scene, what, settings), &scratch, &memory);
+    if (status == SP_OK) status = sp_memory(scene, what, settings, scratch, bytes);
     free(memory);
     return status;
+}
+
+sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+{
+    return counted(scene, SP_FOR_CHECK, settings, bytes);
 }
 
 sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_result *result, run_cost *cost, void **memory)
@@ -34,20 +47,10 @@ sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_resul
     return status;
 }
 
-static sp_status limit_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
-{
-    void *memory;
-    sp_arena scratch;
-    sp_status status = run_arena(sp_limit_memory_scratch(scene), &scratch, &memory);
-    if (status == SP_OK) status = sp_limit_memory(scene, settings, scratch, bytes);
-    free(memory);
-    return status;
-}
-
 sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory)
 {
     sp_arena arena;
-    sp_status status = limit_bytes(scene, settings, &cost->bytes);
+    sp_status status = counted(scene, SP_FOR_LIMIT, settings, &cost->bytes);
     double start;
 
     *memory = NULL;
@@ -62,11 +65,8 @@ sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit
 sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
                        void **memory)
 {
-    void *room;
     sp_arena arena;
-    sp_status status = run_arena(sp_sequence_scratch(scene, settings), &arena, &room);
-    if (status == SP_OK) status = sp_sequence_memory(scene, settings, arena, bytes);
-    free(room);
+    sp_status status = counted(scene, SP_FOR_SEQUENCE, settings, bytes);
     *memory = NULL;
     if (status == SP_OK) status = run_arena(*bytes, &arena, memory);
     if (status == SP_OK) status = sp_sequence_open(scene, settings, &arena, sequence);
@@ -77,7 +77,7 @@ sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outloo
 {
     void *memory;
     sp_arena scratch;
-    sp_status status = run_arena(sp_plan_memory(scene, settings), &scratch, &memory);
+    sp_status status = run_arena(run_bytes(scene, SP_FOR_PLAN, settings), &scratch, &memory);
     if (status == SP_OK) status = sp_plan(scene, settings, scratch, outlook);
     free(memory);
     return status;
@@ -87,7 +87,7 @@ sp_status run_verify(const sp_scene *scene, const sp_settings *settings, const s
 {
     void *memory;
     sp_arena scratch;
-    sp_status status = run_arena(sp_verify_memory(scene), &scratch, &memory);
+    sp_status status = run_arena(run_bytes(scene, SP_FOR_VERIFY, NULL), &scratch, &memory);
     if (status == SP_OK) status = sp_verify(scene, settings, claim, scratch, evidence);
     free(memory);
     return status;

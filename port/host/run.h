@@ -16,6 +16,9 @@ typedef struct run_cost {
 /* An arena of so many bytes; of 0 an empty one, in which the library says itself what it refuses. */
 sp_status run_arena(size_t bytes, sp_arena *arena, void **memory);
 
+/* sp_memory of what follows from counts alone; 0 where it is refused. */
+size_t run_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
+
 /* sp_check, and the bytes of its arena alone. */
 sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_result *result, run_cost *cost, void **memory);
 sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes);

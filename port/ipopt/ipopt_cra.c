@@ -438,7 +438,10 @@ static sp_status matrices(nlp *p, sp_arena *a, sp_triplets *aeq, sp_triplets *af
 static size_t matrices_bytes(const sp_scene *s, const sp_settings *set)
 {
     const size_t points = (size_t)s->count.points, entry = 2 * sizeof(int32_t) + sizeof(sp_real);
-    return sp_problem_memory(s) + points * 36 * entry + points * 3 * (size_t)set->faces * entry + 64 * SP_ALIGN;
+    const sp_arena none = { NULL, 0, 0, 0 };
+    size_t problem = 0;
+    if (sp_memory(s, SP_FOR_PROBLEM, NULL, none, &problem)) return 0;
+    return problem + points * 36 * entry + points * 3 * (size_t)set->faces * entry + 64 * SP_ALIGN;
 }
 
 sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, const ipopt_cra_question *q, sp_real *f,

@@ -98,7 +98,7 @@ static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settin
     }
 #endif
 #endif
-    return sp_problem_memory(scene) + SP_ALIGN + most;
+    return sp__problem_memory(scene) + SP_ALIGN + most;
 }
 
 /* Tables of islands and the largest of their scenes, at most. */
@@ -116,7 +116,7 @@ static size_t sp__islands_scratch(const sp_scene *scene)
     return dry.used + 2 * SP_ALIGN;
 }
 
-SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+static size_t sp__check_scratch(const sp_scene *scene, const sp_settings *settings)
 {
     if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
     const size_t whole = sp__whole_scratch(scene, settings);
@@ -135,7 +135,7 @@ SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settin
         if (need > work) work = need;
     }
     if (!set->work) return most > work ? most : work;
-    if (!set->work->base && work > set->work->peak) set->work->peak = work;     /* sp_memory_work asks */
+    if (!set->work->base && work > set->work->peak) set->work->peak = work;     /* SP_FOR_WORK asks */
     return work == SIZE_MAX ? work : most;
 }
 
@@ -144,7 +144,7 @@ static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, siz
 {
     sp_state state;
     sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sp_problem_memory(pb->scene));
+    sp__take(&dry, 1, sp__problem_memory(pb->scene));
     sp__state_carve(&state, pb, set, &dry);
     sp__take(&dry, 1, work);
     return work == SIZE_MAX ? SIZE_MAX : dry.used;
@@ -277,12 +277,12 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
     return SP_OK;
 }
 
-SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     return sp__memory(scene, settings, NULL, scratch, bytes);
 }
 
-SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     sp_arena work = sp__arena_dry();
     const sp_status status = sp__memory(scene, settings, &work, scratch, bytes);

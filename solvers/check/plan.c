@@ -121,9 +121,9 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
     o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__LEVEL_JOINTS];
 }
 
-SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings)
+static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings)
 {
-    const size_t need = sp_memory_scratch(scene, settings);
+    const size_t need = sp__check_scratch(scene, settings);
     return need ? need + sizeof(sp__planner) + sizeof(sp__dual) + 2 * SP_ALIGN : 0;
 }
 

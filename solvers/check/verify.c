@@ -68,7 +68,7 @@ SP__NOINLINE static sp_status sp__verify_part(const sp_scene *scene, const sp_se
 }
 #endif
 
-SP_API size_t sp_verify_memory(const sp_scene *scene)
+static size_t sp__verify_memory(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;
@@ -80,7 +80,7 @@ SP_API size_t sp_verify_memory(const sp_scene *scene)
 #ifndef SP_NO_CRA
     const size_t part = dry.used + sp__verify_part_need(scene, &set);
 #endif
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, 1, sp__certificate_need(&pb, &set));
 #ifndef SP_NO_CRA

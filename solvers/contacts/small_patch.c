@@ -20,7 +20,7 @@ static void sp__touch_carve(sp__contact_arrays *l, sp__clip *clip, sp__pair_buff
     sp__hull_carve(&pair->hull, clip->cap, a);
 }
 
-SP_API size_t sp_contacts_memory(const sp_scene *scene)
+static size_t sp__contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
     struct { sp__contact_arrays all; sp__clip clip; sp__pair_buffer pair; } none;

@@ -190,7 +190,7 @@ SP__NOINLINE static int sp__bracket_holds(sp__bracket *b, const sp_limit_result 
     return sp__bracket_falls(b, r->kind == SP_LIMIT_NONE ? 0 : r->upper, 1, NULL, room);
 }
 
-SP_API size_t sp_limit_verify_memory(const sp_scene *scene)
+static size_t sp__limit_verify_memory(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;
@@ -199,7 +199,7 @@ SP_API size_t sp_limit_verify_memory(const sp_scene *scene)
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &pb);
     sp__take(&dry, 1, sizeof(sp__bracket));
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     sp__bracket_carve(at, pb.blocks, &dry);
     sp_arena certificate = sp__arena_dry();
     sp__certificate_carve(&j, &pb, SP__FACES_MAX, &certificate);

@@ -121,15 +121,15 @@ static void sp__limit_carve(sp__limit *L, const sp_scene *scene, int32_t blocks,
     sp__engine_carve(&L->engine, blocks, a);
 }
 
-SP_API size_t sp_limit_memory_scratch(const sp_scene *scene)
+static size_t sp__limit_scratch(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    return sizeof(sp__limit) + SP_ALIGN + sp_limit_verify_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+    return sizeof(sp__limit) + SP_ALIGN + sp__limit_verify_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
 }
 
-SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -142,7 +142,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     sp_arena dry = sp__arena_dry();
     sp__limit_carve_kept(&kept, scene, pb->blocks, &dry);
     sp__take(&dry, 1, sizeof *L);
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     sp_real *at[5];
     sp__bracket_carve(at, pb->blocks, &dry);
     sp__limit_carve(L, scene, pb->blocks, &dry);

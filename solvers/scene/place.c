@@ -119,11 +119,6 @@ SP_API sp_status sp_support_rank(const sp_seat *seats, int32_t count, sp_real ma
     return SP_OK;
 }
 
-SP_API size_t sp_rest_memory(const sp_mesh *mesh)
-{
-    return mesh ? sp_support_memory(mesh->vertices) : 0;
-}
-
 /* How far x lies outside the plane through o with normal n, seen from o. */
 static sp_real sp__outside(const sp_real n[3], const sp_real o[3], const sp_real x[3])
 {

@@ -71,7 +71,7 @@ static void sp__problem_carve(sp_problem *problem, sp_arena *a)
     if (sp__scene_live(problem->scene)) problem->live = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->live);
 }
 
-SP_API size_t sp_problem_memory(const sp_scene *scene)
+static size_t sp__problem_memory(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem problem;

@@ -118,9 +118,9 @@ static sp_status sp__sequence_settings(const sp_scene *scene, const sp_settings 
     return SP_OK;
 }
 
-SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings)
+static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings)
 {
-    const size_t most = sp_memory_scratch(scene, settings);
+    const size_t most = sp__check_scratch(scene, settings);
     return most ? sizeof(sp_sequence) + SP_ALIGN + most : 0;
 }
 
@@ -132,12 +132,12 @@ SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_
     sp_status status = sp__sequence_settings(scene, settings, &q->set);
     if (!status) status = sp__memory(scene, &q->set, NULL, scratch, work);
     if (status) return status;
-    const size_t symbolic = sp_memory_scratch(scene, &q->set);
+    const size_t symbolic = sp__check_scratch(scene, &q->set);
     if (symbolic > *work) *work = symbolic;
     return symbolic ? SP_OK : SP_E_MEMORY;
 }
 
-SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -148,7 +148,7 @@ SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *se
     sp_arena dry = sp__arena_dry();
     if (!q) return SP_E_MEMORY;
     sp__take(&dry, 1, sizeof *q);
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     sp__problem_count(scene, &q->pb);
     sp__sequence_carve(q, scene, &q->pb, work, &dry);
     if (sp__failed(&dry)) return SP_E_MEMORY;

@@ -510,7 +510,7 @@ static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *sett
     sp__take(&kept, (size_t)scene->count.joints, sizeof(sp_demand));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, sizeof *w);
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     if (!sp__small_need(w, &c->pb, &c->set, scratch, &dry)) return SP_E_MEMORY;
     part[0] = kept.used;
     part[1] = dry.used;
@@ -521,7 +521,7 @@ static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *sett
 /* Both parts in one arena. */
 static size_t sp__small_sum(const size_t part[2]) { return ((part[0] + (SP_ALIGN - 1)) & ~(size_t)(SP_ALIGN - 1)) + part[1]; }
 
-SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     size_t part[2];
     if (!bytes) return SP_E_ARGUMENT;
@@ -530,7 +530,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, const sp_settings *settings, s
     return status;
 }
 
-SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     size_t part[2];
     if (!bytes) return SP_E_ARGUMENT;
@@ -539,16 +539,16 @@ SP_API sp_status sp_memory_work(const sp_scene *scene, const sp_settings *settin
     return status;
 }
 
-SP_API size_t sp_memory_scratch(const sp_scene *scene, const sp_settings *settings)
+static size_t sp__check_scratch(const sp_scene *scene, const sp_settings *settings)
 {
     (void)settings;
     if (!scene) return 0;
-    return sizeof(sp__check) + sizeof(sp__small) + sp_problem_memory(scene) + 24 * (size_t)scene->count.blocks + 5 * SP_ALIGN;
+    return sizeof(sp__check) + sizeof(sp__small) + sp__problem_memory(scene) + 24 * (size_t)scene->count.blocks + 5 * SP_ALIGN;
 }
 
 #ifndef SP_NO_PLAN
 /* A check by this search takes everything there is, all blocks together; its factor is known, its steps are a guess. */
-SP_API size_t sp_plan_memory(const sp_scene *scene, const sp_settings *settings) { return sp_memory_scratch(scene, settings); }
+static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings) { return sp__check_scratch(scene, settings); }
 
 SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out)
 {

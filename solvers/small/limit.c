@@ -143,13 +143,13 @@ static size_t sp__limit_numbers(const sp_scene *scene)
     return 6 * ((size_t)scene->count.points + (size_t)scene->count.blocks);
 }
 
-SP_API size_t sp_limit_memory_scratch(const sp_scene *scene)
+static size_t sp__limit_scratch(const sp_scene *scene)
 {
     if (!scene) return 0;
-    return sizeof(sp__limit) + sp_limit_verify_memory(scene) + 24 * (size_t)scene->count.blocks + 2 * SP_ALIGN;
+    return sizeof(sp__limit) + sp__limit_verify_memory(scene) + 24 * (size_t)scene->count.blocks + 2 * SP_ALIGN;
 }
 
-SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -161,7 +161,7 @@ SP_API sp_status sp_limit_memory(const sp_scene *scene, const sp_settings *setti
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, sp__limit_numbers(scene), sizeof(sp_real));
     sp__take(&dry, 1, sizeof *L);
-    sp__take(&dry, 1, sp_problem_memory(scene));
+    sp__take(&dry, 1, sp__problem_memory(scene));
     sp__bracket_carve(at, L->bracket.pb.blocks, &dry);
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
     if (!sp__small_need(&L->w, &L->bracket.pb, &L->bracket.set, scratch, &dry)) return SP_E_MEMORY;

@@ -39,16 +39,16 @@ static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *set
 {
     *set = settings ? *settings : sp_settings_default();
     set->work = NULL;
-    return sp_memory(scene, set, scratch, work);
+    return sp__check_memory(scene, set, scratch, work);
 }
 
-SP_API size_t sp_sequence_scratch(const sp_scene *scene, const sp_settings *settings)
+static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings)
 {
-    const size_t most = sp_memory_scratch(scene, settings);
+    const size_t most = sp__check_scratch(scene, settings);
     return most ? sizeof(sp_sequence) + SP_ALIGN + most : 0;
 }
 
-SP_API sp_status sp_sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     sp_sequence *q = sp__take(&scratch, 1, sizeof *q);

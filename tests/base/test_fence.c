@@ -133,7 +133,7 @@ TEST(building_and_checking_keep_to_their_pieces)
             sp_settings set = sp_settings_default();
             set.faces = faces;
             prepare(k, &s);
-            CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_OK);
+            CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes), SP_OK);
             CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
             CHECK(r.verdict != SP_UNDECIDED);
             CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
@@ -169,7 +169,7 @@ TEST(refused_checks_keep_to_their_pieces)
     size_t bytes = 0;
     sp_result r;
     build("arch", "t", 0.09, &s);
-    CHECK_INT(sp_memory(&s, NULL, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes), SP_OK);
     for (size_t cap = 1; cap < bytes; cap += 1 + bytes / 397) {
         sp_arena a = { test_arena.base + ((test_arena.used + 63) & ~(size_t)63), cap, 0, 0 };
         const sp_status status = sp_check(&s, NULL, &a, &r);

@@ -158,19 +158,27 @@ static void add_checks(bench *b, int contacts)
     if (contacts && b->scene.count.points <= 700 && !strcmp(b->family, "wall")) add_seed(b);
 }
 
+/* sp_memory of what follows from counts alone. */
+static size_t counted(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
+{
+    const sp_arena none = { NULL, 0, 0, 0 };
+    size_t bytes = 0;
+    return sp_memory(scene, what, settings, none, &bytes) == SP_OK ? bytes : 0;
+}
+
 /* The arena of a job, exact. */
 static void furnish(bench *b, job *j)
 {
     sp_arena scratch;
     if (j->what == BUILD) j->bytes = sp_scene_memory(&b->scene.cap);
-    if (j->what == CONTACTS) j->bytes = sp_contacts_memory(&b->bare);
-    if (j->what == SYMBOLIC) j->bytes = sp_memory_scratch(&b->scene, &j->set);
-    if (j->what == VERIFY) j->bytes = sp_verify_memory(&b->scene);
+    if (j->what == CONTACTS) j->bytes = counted(&b->bare, SP_FOR_CONTACTS, NULL);
+    if (j->what == SYMBOLIC) j->bytes = sp_memory_scratch(&b->scene, SP_FOR_CHECK, &j->set);
+    if (j->what == VERIFY) j->bytes = counted(&b->scene, SP_FOR_VERIFY, NULL);
     if (j->what == CHECK) {
-        const size_t need = sp_memory_scratch(&b->scene, &j->set);
+        const size_t need = sp_memory_scratch(&b->scene, SP_FOR_CHECK, &j->set);
         void *memory = room(need);
         must(sp_arena_init(&scratch, memory, need), "scratch");
-        must(sp_memory(&b->scene, &j->set, scratch, &j->bytes), "sp_memory");
+        must(sp_memory(&b->scene, SP_FOR_CHECK, &j->set, scratch, &j->bytes), "sp_memory");
         free(memory);
     }
     j->memory = room(j->bytes);
@@ -191,7 +199,7 @@ static double run(bench *b, job *j)
     switch (j->what) {
     case BUILD:    must(gen_build(b->gen, &arena, &built), "build"); break;
     case CONTACTS: must(sp_contacts_find(&b->bare, &touch, arena, &j->report), "sp_contacts_find"); break;
-    case SYMBOLIC: must(sp_memory(&b->scene, &j->set, arena, &bytes), "sp_memory"); break;
+    case SYMBOLIC: must(sp_memory(&b->scene, SP_FOR_CHECK, &j->set, arena, &bytes), "sp_memory"); break;
     case CHECK:    must(sp_check(&b->scene, &j->set, &arena, &j->result), "sp_check"); break;
     case VERIFY:   must(sp_verify(&b->scene, &j->set, &claim, arena, &j->evidence), "sp_verify"); break;
     }

@@ -44,10 +44,10 @@ static void *room(size_t bytes)
 static double run(const sp_scene *s, const sp_settings *set, sp_result *r)
 {
     sp_arena a;
-    size_t bytes = sp_memory_scratch(s, set);
+    size_t bytes = sp_memory_scratch(s, SP_FOR_CHECK, set);
     void *scratch = room(bytes), *memory;
     sp_arena_init(&a, scratch, bytes);
-    if (sp_memory(s, set, a, &bytes)) exit(70);
+    if (sp_memory(s, SP_FOR_CHECK, set, a, &bytes)) exit(70);
     free(scratch);
     memory = room(bytes);
     sp_arena_init(&a, memory, bytes);

@@ -212,7 +212,7 @@ static void exact_memory(const budget_case *c)
     test_arena.used = 0;
     NEED(scene_of(c, &s));
     set.budget = 1000000;
-    NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
+    NEED(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
     for (int less = 0; less < 2; less++) {
         sp_result r;
         sp_arena a = test_arena;

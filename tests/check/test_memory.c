@@ -52,7 +52,7 @@ TEST(sp_memory_is_exact)
         size_t bytes = 0;
         test_arena.used = 0;
         build(sample[k].name, sample[k].param, sample[k].value, &scene);
-        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
 
         fenced f = fence(bytes);
         sp_arena a = fenced_arena(&f);
@@ -82,7 +82,7 @@ TEST(stages_can_work_in_another_memory)
         size_t all = 0, bytes = 0, work = 0;
         test_arena.used = 0;
         build(sample[k].name, sample[k].param, sample[k].value, &scene);
-        NEED(sp_memory(&scene, NULL, test_arena, &all) == SP_OK && sp_memory_work(&scene, NULL, test_arena, &work) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &all) == SP_OK && sp_memory(&scene, SP_FOR_WORK, NULL, test_arena, &work) == SP_OK);
         NEED(sp_check(&scene, NULL, &test_arena, &one) == SP_OK);
 
         static unsigned char there[1 << 20];
@@ -90,7 +90,7 @@ TEST(stages_can_work_in_another_memory)
         NEED(work <= sizeof there - SP_ALIGN && sp_arena_init(&far, there, sizeof there) == SP_OK);
         far.cap = work;
         set.work = &far;
-        NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
         CHECK(bytes < all && bytes + work >= all);
         CHECK_INT(far.peak, 0);
 
@@ -122,7 +122,7 @@ TEST(every_smaller_capacity_is_refused_cleanly)
     sp_scene scene;
     size_t bytes = 0;
     build("arch", "n", 3, &scene);
-    NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+    NEED(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
     for (size_t cap = 0; cap < bytes; cap++) {
         sp_result result;
         const fenced f = fence(cap);
@@ -158,17 +158,17 @@ TEST(sp_memory_scratch_is_enough_and_less_is_refused)
         size_t bytes = 0, again = 1;
         test_arena.used = 0;
         build(sample[k].name, sample[k].param, sample[k].value, &scene);
-        const size_t need = sp_memory_scratch(&scene, NULL);
+        const size_t need = sp_memory_scratch(&scene, SP_FOR_CHECK, NULL);
         NEED(need > 0);
         fenced f = fence(need);
-        CHECK_INT(sp_memory(&scene, NULL, fenced_arena(&f), &bytes), SP_OK);
+        CHECK_INT(sp_memory(&scene, SP_FOR_CHECK, NULL, fenced_arena(&f), &bytes), SP_OK);
         CHECK(fence_holds(&f));
-        CHECK_INT(sp_memory(&scene, NULL, test_arena, &again), SP_OK);
+        CHECK_INT(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &again), SP_OK);
         CHECK_INT(bytes, again);
         for (size_t cap = 0; cap < need; cap += 1 + need / 61) {
             f = fence(cap);
             again = 7;
-            const sp_status status = sp_memory(&scene, NULL, fenced_arena(&f), &again);
+            const sp_status status = sp_memory(&scene, SP_FOR_CHECK, NULL, fenced_arena(&f), &again);
             if (status == SP_OK) CHECK_INT(again, bytes);
             else CHECK_INT(status, SP_E_MEMORY), CHECK_INT(again, 7);
             CHECK(fence_holds(&f));
@@ -191,7 +191,7 @@ TEST(scene_memory_is_exact_at_every_capacity)
     }
 }
 
-/* sp_verify_memory knows no settings: it is for 64 faces, where less is refused, and more than enough for the cone. */
+/* SP_FOR_VERIFY heeds no settings: it is for 64 faces, where less is refused, and more than enough for the cone. */
 TEST(verify_memory_is_enough_and_less_is_refused)
 {
     sp_scene scene;
@@ -200,7 +200,7 @@ TEST(verify_memory_is_enough_and_less_is_refused)
     build("arch", "n", 7, &scene);
     settings.faces = 64;
     NEED(sp_check(&scene, &settings, &test_arena, &result) == SP_OK);
-    const size_t need = sp_verify_memory(&scene);
+    const size_t need = test_bytes(&scene, SP_FOR_VERIFY, NULL);
     NEED(need > 0);
     for (size_t cap = 0; cap <= need; cap++) {
         sp_evidence evidence = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
@@ -220,7 +220,7 @@ TEST(problem_memory_is_exact)
     sp_scene scene;
     sp_problem problem;
     build("wall", "size", 54, &scene);
-    const size_t need = sp_problem_memory(&scene);
+    const size_t need = test_bytes(&scene, SP_FOR_PROBLEM, NULL);
     NEED(need > 0);
     fenced f = fence(need);
     sp_arena a = fenced_arena(&f);
@@ -240,7 +240,7 @@ TEST(contacts_memory_is_enough_and_less_is_refused)
     sp_contact_report report = { 0, 0, 0, 0, NULL };
     build("arch", "n", 7, &scene);
     const int32_t given = scene.count.joints, points = scene.count.points;
-    const size_t need = sp_contacts_memory(&scene);
+    const size_t need = test_bytes(&scene, SP_FOR_CONTACTS, NULL);
     NEED(need > 0);
     fenced f = fence(need);
     scene.count.joints = scene.count.points = 0;    /* as if there had been none */
@@ -295,13 +295,13 @@ TEST(memory_by_counts_bounds_what_is_taken)
         sp_scene scene;
         test_arena.used = 0;
         random_scene(&scene, blocks, joints);
-        NEED(sp_memory(&scene, NULL, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
         const size_t loads = (size_t)scene.count.loads * (4 + sizeof(sp_load));
         const size_t bound = SP_MEMORY_BYTES(blocks, joints, scene.count.points, 0) + loads;
         if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)joints,
                                                (unsigned long)bytes, (unsigned long)bound);
         if ((double)bound / (double)bytes < least) least = (double)bound / (double)bytes;
-        NEED(sp_memory(&scene, &dense, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, &dense, test_arena, &bytes) == SP_OK);
         CHECK(bytes <= SP_MEMORY_BYTES(blocks, joints, scene.count.points, ALL_STAGES) + loads);
     }
     CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
@@ -314,7 +314,7 @@ typedef struct spread { const char *what; double least, most; } spread;
 static void within(spread *s, const sp_scene *scene, const sp_settings *set, size_t bound)
 {
     size_t bytes = 0;
-    NEED(sp_memory(scene, set, test_arena, &bytes) == SP_OK);
+    NEED(sp_memory(scene, SP_FOR_CHECK, set, test_arena, &bytes) == SP_OK);
     bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
     if (!CHECK(bytes <= bound))
         TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
@@ -366,7 +366,7 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
             size_t bytes = 0;
             sp_arena a = test_arena;
             sp_result r;
-            NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+            NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
             a.cap = a.used + bytes;
             CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
         }

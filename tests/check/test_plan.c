@@ -194,7 +194,7 @@ TEST(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
             const sp_load load = { s.count.blocks - 1, 0, { 0, 0, 0 }, { R(3), 0, R(-50) }, { 0, 0, 0 }, 0 };
             CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
         }
-        NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
         sp_arena exact = test_arena, all = test_arena;
         exact.base += (exact.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         exact.used = exact.peak = 0;
@@ -270,7 +270,7 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
         CHECK_INT(r.part[k].coupling_reason, SP_COUPLING_NO_MOTION);
     }
     test_arena = a;
-    a = behind(sp_verify_memory(&s));
+    a = behind(test_bytes(&s, SP_FOR_VERIFY, NULL));
     CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
     CHECK_INT(e.verdict, SP_UNSTABLE);
     CHECK(e.margin > 0);
@@ -344,7 +344,7 @@ static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int 
 {
     sp_result r = { 0 };
     size_t bytes = 0;
-    CHECK_INT(sp_memory(s, set, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(s, SP_FOR_CHECK, set, test_arena, &bytes), SP_OK);
     sp_arena a = behind(bytes);
     CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
     if (set->localise) CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
@@ -362,7 +362,7 @@ static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int 
 static void claim_holds(const sp_scene *s, const sp_settings *set, const sp_result *r)
 {
     sp_evidence e;
-    sp_arena scratch = behind(sp_verify_memory(s));
+    sp_arena scratch = behind(test_bytes(s, SP_FOR_VERIFY, NULL));
     CHECK_INT(sp_verify(s, set, r, scratch, &e), SP_OK);
     CHECK(r->verdict == SP_UNDECIDED || e.verdict == r->verdict);
     CHECK(r->verdict != SP_STABLE || (e.level == SP_COUPLED && r->level == SP_COUPLED));
@@ -679,10 +679,10 @@ TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     size_t bytes = 0;
     sp_settings set = sp_settings_default();
     CHECK_INT(sp_plan(&s, NULL, test_arena, &o), SP_OK);
-    CHECK_INT(sp_memory(&s, NULL, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes), SP_OK);
     CHECK_INT(o.bytes, bytes);
     set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
-    CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes), SP_OK);
     CHECK_INT(o.full_bytes, bytes);
     CHECK_INT(o.islands, 2);
     CHECK(o.bytes < o.full_bytes);
@@ -992,7 +992,7 @@ TEST(a_plan_with_unusable_arguments_is_refused)
     a = test_arena;
     a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
     a.used = a.peak = 0;
-    a.cap = sp_plan_memory(&s, NULL);
+    a.cap = test_bytes(&s, SP_FOR_PLAN, NULL);
     CHECK_INT(sp_plan(&s, NULL, a, &o), SP_OK);
 }
 

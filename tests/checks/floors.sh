@@ -12,7 +12,7 @@
 #   7. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
 . tests/checks/tally.sh
 most=${1:-700}
-floors='base linear qp geometry cone scene contacts proof statics seed coupled check limit sequence small'
+floors='base linear qp geometry cone scene contacts proof statics seed coupled check limit sequence small memory'
 
 # What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
 offered='sp__certificate sp__scale sp__certificate_need sp__certificate_carve sp__certificate_open sp__certificate_scales
@@ -67,7 +67,7 @@ through() {
               line = substr(line, RSTART + RLENGTH)
               if (name in hidden) { print FILENAME " uses " name " of " hidden[name] ", which proof/ does not offer"; bad = 1 }
           } }
-        END { exit bad }' - solvers/coupled/*.c solvers/check/*.c solvers/limit/*.c solvers/sequence/*.c solvers/small/*.c
+        END { exit bad }' - solvers/coupled/*.c solvers/check/*.c solvers/limit/*.c solvers/sequence/*.c solvers/small/*.c solvers/memory/*.c
 }
 unconditional() {
     awk '

@@ -98,7 +98,7 @@ static int32_t box(const frame *f, double x0, double y0, double z0, double x1, d
 
 static sp_status find(const sp_contact_settings *set)
 {
-    const size_t need = sp_contacts_memory(&scene);
+    const size_t need = test_bytes(&scene, SP_FOR_CONTACTS, NULL);
     if (!CHECK(need > 0 && need < test_arena.cap - test_arena.used)) return SP_E_MEMORY;
     report.overlap = overlap;
     report.overlap_cap = 16;
@@ -680,7 +680,7 @@ TEST(the_scratch_it_asks_for_is_enough_and_little_is_refused)
     NEED(start(5));
     for (int k = 0; k < 5; k++) box(&f, 0, 0, k, 1, 1, k + 1, k ? 0 : SP_FIXED);
     const sp_capacity before = scene.count;
-    const size_t need = sp_contacts_memory(&scene);
+    const size_t need = test_bytes(&scene, SP_FOR_CONTACTS, NULL);
     unsigned char *memory = test_arena.base + test_arena.used;
     int enough = 0;
     for (size_t bytes = 64; bytes <= need; bytes += bytes < need && bytes + 997 > need ? need - bytes : 997) {

@@ -59,7 +59,7 @@ static sp_status ask_check(sp_scene *scene, sp_arena *arena, hashes *h)
     size_t bytes = 0;
     sp_arena scratch;
     sp_arena_init(&scratch, heap[1], room);
-    sp_status status = sp_memory(scene, NULL, scratch, &bytes);
+    sp_status status = sp_memory(scene, SP_FOR_CHECK, NULL, scratch, &bytes);
     h->bytes = mix(h->bytes, (uint64_t)bytes);
     if (!status) status = sp_check(scene, NULL, arena, &r);
     if (!status) mix_result(h, scene, &r);

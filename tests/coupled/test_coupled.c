@@ -747,7 +747,7 @@ TEST(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
             test_arena.used = 0;
             build("tower", "n", n[k], &s);
             set.coupled.nodes = own ? -1 : 0;
-            CHECK_INT(sp_memory(&s, &set, test_arena, &bytes[own]), SP_OK);
+            CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes[own]), SP_OK);
         }
         const double corners = 4 * n[k], cube = 24 * corners * corners * corners, nodes = cube < 48000 ? cube : 48000;
         CHECK((double)(bytes[1] - bytes[0]) < 300 * nodes + 200000 && bytes[1] - bytes[0] <= (size_t)12 << 20);
@@ -1009,10 +1009,10 @@ TEST(the_coupled_check_takes_exactly_the_memory_it_says)
         test_arena.used = 0;
         set.coupled.asked = k > 0;
         build("arch", "n", 8, &s);
-        NEED(sp_memory_scratch(&s, &set) <= test_arena.cap - test_arena.used);
+        NEED(sp_memory_scratch(&s, SP_FOR_CHECK, &set) <= test_arena.cap - test_arena.used);
         sp_arena scratch = test_arena;
-        scratch.cap = scratch.used + sp_memory_scratch(&s, &set) + SP_ALIGN;
-        NEED(sp_memory(&s, &set, scratch, &bytes) == SP_OK);
+        scratch.cap = scratch.used + sp_memory_scratch(&s, SP_FOR_CHECK, &set) + SP_ALIGN;
+        NEED(sp_memory(&s, SP_FOR_CHECK, &set, scratch, &bytes) == SP_OK);
         const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         NEED(sp_arena_init(&a, test_arena.base + from, test_arena.cap - from) == SP_OK);
         NEED(bytes <= a.cap);

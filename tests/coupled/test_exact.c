@@ -287,7 +287,7 @@ TEST(the_memory_it_asks_for_is_what_it_takes)
         test_arena.used = 0;
         set.coupled.nodes = k % 2 ? -1 : 300;
         squeeze(0.42, k / 2 ? 0.86 : 0.8, &s);
-        NEED(sp_memory(&s, &set, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
         sp_arena a = { test_arena.base + test_arena.used, bytes, 0, 0 };
         a.base += (size_t)(-(uintptr_t)a.base & (SP_ALIGN - 1));
         CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);

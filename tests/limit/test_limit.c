@@ -841,10 +841,10 @@ TEST(memory_is_exact_and_one_byte_less_refused)
         s.body[0] = R(9.80665);
         sp_arena scratch = test_arena;
         scratch.base += scratch.used;
-        scratch.cap = sp_limit_memory_scratch(&s);
+        scratch.cap = sp_memory_scratch(&s, SP_FOR_LIMIT, NULL);
         scratch.used = 0;
         while ((uintptr_t)scratch.base % SP_ALIGN) scratch.base++;
-        CHECK_INT(sp_limit_memory(&s, &set, scratch, &bytes), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, &set, scratch, &bytes), SP_OK);
         scratch.cap = bytes - 1;
         memset(&x, 0, sizeof x);
         CHECK_INT(sp_limit(&s, &set, &scratch, &x), SP_E_MEMORY);
@@ -856,7 +856,7 @@ TEST(memory_is_exact_and_one_byte_less_refused)
         CHECK_INT(x.peak_bytes, bytes);
         CHECK(scratch.used < bytes);
         scratch = test_arena;
-        CHECK(sp_limit_verify_memory(&s) > 0);
+        CHECK(test_bytes(&s, SP_FOR_LIMIT_VERIFY, NULL) > 0);
     }
 }
 
@@ -891,10 +891,10 @@ TEST(what_is_no_question_is_refused)
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     CHECK_INT(sp_limit(NULL, NULL, &test_arena, &x), SP_E_ARGUMENT);
     CHECK_INT(sp_limit(&s, NULL, NULL, &x), SP_E_ARGUMENT);
-    CHECK_INT(sp_limit_memory(&s, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, NULL, test_arena, NULL), SP_E_ARGUMENT);
     none.count.blocks = 0;
     CHECK_INT(sp_limit(&none, NULL, &test_arena, &x), SP_E_EMPTY);
-    CHECK_INT(sp_limit_memory(&none, NULL, test_arena, &bytes), SP_E_EMPTY);
+    CHECK_INT(sp_memory(&none, SP_FOR_LIMIT, NULL, test_arena, &bytes), SP_E_EMPTY);
     set.coupled.asked = 1;
     CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_E_UNSUPPORTED);
     set = sp_settings_default();

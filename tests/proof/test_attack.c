@@ -1029,7 +1029,7 @@ TEST(random_scenes_take_exactly_their_memory)
             settings.stage_count = 4;                   /* polish may decide, and takes what the search in all rows would */
             settings.effect[SP_EFFECT_DEPTH] = settings.effect[SP_EFFECT_FRICTION] = SP_WITH;
         }
-        NEED(sp_memory(&s, &settings, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&s, SP_FOR_CHECK, &settings, test_arena, &bytes) == SP_OK);
         NEED(bytes > 0 && bytes < test_arena.cap - test_arena.used);
         sp_arena a = test_arena;
         a.cap = a.used + bytes;

@@ -236,7 +236,7 @@ TEST(in_a_check_it_decides_nothing_wrongly)
         set.net = k % 2 ? 1 : 0;
         set.stage_count = 1;
         set.stage[0] = SP_STAGE_ADMM;
-        NEED(sp_memory(&scene, &set, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
         sp_arena exact = { test_arena.base + (test_arena.used + SP_ALIGN) / SP_ALIGN * SP_ALIGN, bytes, 0, 0 };
         NEED(sp_check(&scene, &set, &exact, &r) == SP_OK);
         CHECK_INT(r.peak_bytes, bytes);

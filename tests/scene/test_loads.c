@@ -397,7 +397,7 @@ TEST(memory_is_exact_with_live_loads)
     sp_result r;
     size_t bytes = 0;
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
-    CHECK_INT(sp_memory(&s, NULL, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes), SP_OK);
     sp_arena a = test_arena;
     test_arena.used = (test_arena.used + 15) / 16 * 16;
     a.used = test_arena.used;

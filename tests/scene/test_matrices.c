@@ -136,7 +136,7 @@ TEST(axes_are_exact_and_mirrors_equal)
 TEST(a_problem_takes_exactly_what_it_says)
 {
     const sp_scene scene = tangle(4);
-    const size_t bytes = sp_problem_memory(&scene);
+    const size_t bytes = test_bytes(&scene, SP_FOR_PROBLEM, NULL);
     const sp_arena before = test_arena;
     sp_arena a = test_arena;
     sp_problem p, was;
@@ -161,7 +161,7 @@ TEST(problem_refuses_nonsense)
     sp_arena none = { NULL, 1000, 0, 0 };
     CHECK_INT(sp_problem_build(&scene, &test_arena, &p), SP_E_EMPTY);
     body(&scene, 0, 0, 0, 1, 0);
-    CHECK_INT(sp_problem_memory(NULL), 0);
+    CHECK_INT(test_bytes(NULL, SP_FOR_PROBLEM, NULL), 0);
     CHECK_INT(sp_problem_build(NULL, &test_arena, &p), SP_E_ARGUMENT);
     CHECK_INT(sp_problem_build(&scene, NULL, &p), SP_E_ARGUMENT);
     CHECK_INT(sp_problem_build(&scene, &none, &p), SP_E_ARGUMENT);

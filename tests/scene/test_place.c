@@ -377,7 +377,7 @@ TEST(a_box_rests_on_six_faces)
     CHECK_INT(sp_rest_faces(&m, test_arena, r, 4, &count), SP_E_CAPACITY);
     CHECK_INT(count, 6);
     sp_arena exact = test_arena;
-    exact.cap = exact.used + sp_rest_memory(&m);
+    exact.cap = exact.used + sp_support_memory(m.vertices);
     CHECK_INT(sp_rest_faces(&m, exact, r, 6, &count), SP_OK);
     exact.cap--;
     CHECK_INT(sp_rest_faces(&m, exact, r, 6, &count), SP_E_MEMORY);

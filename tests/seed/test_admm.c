@@ -297,13 +297,13 @@ TEST(the_gate_of_cells_chooses_dense_or_none)
     set.seed = &table;
     set.stage_count = 1;
     set.stage[0] = SP_STAGE_ADMM;
-    NEED(sp_memory(&scene, &set, test_arena, &dense) == SP_OK);
+    NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &dense) == SP_OK);
     const sp_result d = check(&scene, &set);
     table.dense_cells = 1;
-    NEED(sp_memory(&scene, &set, test_arena, &none) == SP_OK);
+    NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &none) == SP_OK);
     const sp_result n = check(&scene, &set);
     table.dense_cells = 0;
-    NEED(sp_memory(&scene, &set, test_arena, &sparse) == SP_OK);
+    NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &sparse) == SP_OK);
     const sp_result s = check(&scene, &set);
     CHECK(none < dense && none < sparse);
     CHECK(d.verdict == SP_STABLE && n.verdict == SP_STABLE && s.verdict == SP_STABLE);
@@ -407,10 +407,10 @@ TEST(memory_is_exact_and_scratch_is_enough)
         test_arena.used = 0;
         build(k % 2 ? "arch" : "dome", NULL, 0, &scene);
         if (k == 2) set.qp_solver = NULL;
-        const size_t need = sp_memory_scratch(&scene, &set);
+        const size_t need = sp_memory_scratch(&scene, SP_FOR_CHECK, &set);
         NEED(need > 0 && need < test_arena.cap - test_arena.used);
         sp_arena scratch = { test_arena.base + (test_arena.used + SP_ALIGN) / SP_ALIGN * SP_ALIGN, need, 0, 0 };
-        NEED(sp_memory(&scene, &set, scratch, &bytes) == SP_OK);
+        NEED(sp_memory(&scene, SP_FOR_CHECK, &set, scratch, &bytes) == SP_OK);
         a = scratch;
         a.cap = bytes;
         CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
@@ -422,7 +422,7 @@ TEST(memory_is_exact_and_scratch_is_enough)
         CHECK_INT(sp_check(&scene, &set, &a, &r), SP_E_MEMORY);
         CHECK_INT(a.used, 0);
         scratch.cap = need / 8;
-        CHECK_INT(sp_memory(&scene, &set, scratch, &bytes), SP_E_MEMORY);
+        CHECK_INT(sp_memory(&scene, SP_FOR_CHECK, &set, scratch, &bytes), SP_E_MEMORY);
     }
 }
 

@@ -880,9 +880,9 @@ TEST(a_stage_gets_the_memory_it_needs)
         set.localise = 0;
         plan_for(twice ? NULL : f, NULL, 1, twice ? SP_UNDECIDED : SP_STABLE);
         plan.takes = 100000;
-        CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes), SP_OK);
         plan.takes = 100016;
-        CHECK_INT(sp_memory(&s, &set, test_arena, &more), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &more), SP_OK);
         CHECK_INT(more - bytes, 16);
         plan.takes = 100000;
         NEED(test_arena.cap - test_arena.used > bytes + SP_ALIGN);
@@ -912,7 +912,7 @@ TEST(a_stage_that_cannot_tell_its_need_says_so)
     size_t bytes = 7;
     build("two-cubes", NULL, 0, &s);
     set.custom = &silent;
-    CHECK_INT(sp_memory(&s, &set, test_arena, &bytes), SP_E_MEMORY);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes), SP_E_MEMORY);
     CHECK_INT(bytes, 7);
 }
 
@@ -925,7 +925,7 @@ static void refused(const sp_scene *s, const sp_settings *set, sp_status want, c
     sp_result r;
     memset(&r, 0x5a, sizeof r);
     if (!CHECK_INT(sp_check(s, set, &test_arena, &r), want) || !untouched(&r, &test_arena, &before)) TEST_PRINT("    %s\n", what);
-    CHECK_INT(sp_memory(s, set, test_arena, &bytes), want);
+    CHECK_INT(sp_memory(s, SP_FOR_CHECK, set, test_arena, &bytes), want);
     CHECK_INT(bytes, 7);
     sp_evidence e = { SP_STABLE, 1, 2, 3, SP_NONE, 0, 0 };
     memset(&r, 0, sizeof r);
@@ -1031,10 +1031,10 @@ TEST(arguments_that_are_missing_are_refused)
     CHECK_INT(sp_check(&s, NULL, &empty, &r), SP_E_ARGUMENT);
     CHECK_INT(sp_check(&s, NULL, &test_arena, NULL), SP_E_ARGUMENT);
     CHECK_INT(sp_check(&none, NULL, &test_arena, &r), SP_E_EMPTY);
-    CHECK_INT(sp_memory(NULL, NULL, test_arena, &bytes), SP_E_ARGUMENT);
-    CHECK_INT(sp_memory(&s, NULL, empty, &bytes), SP_E_ARGUMENT);
-    CHECK_INT(sp_memory(&s, NULL, test_arena, NULL), SP_E_ARGUMENT);
-    CHECK_INT(sp_memory(&none, NULL, test_arena, &bytes), SP_E_EMPTY);
+    CHECK_INT(sp_memory(NULL, SP_FOR_CHECK, NULL, test_arena, &bytes), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, empty, &bytes), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&none, SP_FOR_CHECK, NULL, test_arena, &bytes), SP_E_EMPTY);
     CHECK_INT(bytes, 7);
     s.gravity[0] = R(INFINITY);
     CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_E_NOT_FINITE);

@@ -599,11 +599,11 @@ TEST(sequence_memory_is_exact)
             set.stage[1] = SP_STAGE_DENSE;
             set.stage[2] = SP_STAGE_EXACT;
         }
-        const size_t need = sp_sequence_scratch(&s, &set), mark = (test_arena.used + 15) & ~(size_t)15;
+        const size_t need = sp_memory_scratch(&s, SP_FOR_SEQUENCE, &set), mark = (test_arena.used + 15) & ~(size_t)15;
         NEED(need > 0);
         sp_arena scratch = { test_arena.base + mark, need, 0, 0 };
-        NEED(sp_sequence_memory(&s, &set, scratch, &bytes) == SP_OK);
-        CHECK_INT(sp_sequence_memory(&s, &set, test_arena, &again), SP_OK);
+        NEED(sp_memory(&s, SP_FOR_SEQUENCE, &set, scratch, &bytes) == SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_SEQUENCE, &set, test_arena, &again), SP_OK);
         CHECK_INT(bytes, again);
         sp_arena a = { test_arena.base + mark, bytes - 1, 0, 0 };
         CHECK_INT(sp_sequence_open(&s, &set, &a, &q), SP_E_MEMORY);
@@ -657,8 +657,8 @@ TEST(what_makes_no_sense_is_refused)
     sp_settings set = sp_settings_default();
     size_t bytes = 0;
     build("two-cubes", NULL, 0, &s);
-    CHECK_INT(sp_sequence_memory(NULL, NULL, test_arena, &bytes), SP_E_ARGUMENT);
-    CHECK_INT(sp_sequence_memory(&s, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(NULL, SP_FOR_SEQUENCE, NULL, test_arena, &bytes), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_SEQUENCE, NULL, test_arena, NULL), SP_E_ARGUMENT);
     CHECK_INT(sp_sequence_open(&s, NULL, NULL, &q), SP_E_ARGUMENT);
     CHECK_INT(sp_sequence_open(&s, NULL, &test_arena, NULL), SP_E_ARGUMENT);
     set.tol = 1;

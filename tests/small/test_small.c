@@ -28,7 +28,7 @@ static void answered(const sp_scene *s, const sp_settings *set, sp_status want)
     claim.f = &s->point[0][0];
     claim.dq = &s->point[0][0];
     CHECK_INT(sp_check(s, set, &a, &r), want);
-    CHECK_INT(sp_memory(s, set, test_arena, &bytes), want);
+    CHECK_INT(sp_memory(s, SP_FOR_CHECK, set, test_arena, &bytes), want);
     CHECK_INT(sp_verify(s, set, &claim, test_arena, &e), want);
 }
 
@@ -130,8 +130,8 @@ TEST(what_a_check_works_in_may_be_another_arena)
     set.work = &work;
     memset(&work, 0, sizeof work);
     memset(&r, 0, sizeof r);
-    NEED(sp_memory(&s, &set, test_arena, &bytes[0]) == SP_OK);
-    NEED(sp_memory_work(&s, &set, test_arena, &bytes[1]) == SP_OK);
+    NEED(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes[0]) == SP_OK);
+    NEED(sp_memory(&s, SP_FOR_WORK, &set, test_arena, &bytes[1]) == SP_OK);
     kept.base += (test_arena.used + 15) & ~(size_t)15;
     kept.used = kept.peak = 0;
     kept.cap = bytes[0];
@@ -154,11 +154,11 @@ TEST(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
     sp_outlook o;
     size_t bytes = 0;
     arch(&s);
-    NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+    NEED(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
     sp_arena scratch = test_arena;
     scratch.base += (scratch.used + 15) & ~(size_t)15;
     scratch.used = 0;
-    scratch.cap = sp_plan_memory(&s, NULL);
+    scratch.cap = test_bytes(&s, SP_FOR_PLAN, NULL);
     NEED(sp_plan(&s, NULL, scratch, &o) == SP_OK);
     CHECK_INT(o.bytes, bytes);
     CHECK_INT(o.islands, 1);
@@ -177,7 +177,7 @@ static void fits(const sp_scene *s, sp_verdict want, int tight)
     sp_result r;
     sp_evidence e;
     memset(&r, 0, sizeof r);
-    NEED(sp_memory(s, NULL, test_arena, &bytes) == SP_OK);
+    NEED(sp_memory(s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
     sp_arena a = test_arena;
     a.base += (a.used + 15) & ~(size_t)15;
     a.used = a.peak = 0;
@@ -252,7 +252,7 @@ TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
             }
             NEED(sp_scene_points(&s, b == 2, b, up, corners, xyz, &strength, NULL) == SP_OK);
         }
-        NEED(sp_memory(&s, NULL, test_arena, &bytes) == SP_OK);
+        NEED(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
         if (!CHECK(bytes <= SP_MEMORY_BYTES(s.count.blocks, s.count.joints, s.count.points, 0)))
             TEST_PRINT("  %d loose, %d joints each of %d: %lu\n", (int)loose, (int)each, (int)corners, (unsigned long)bytes);
     }

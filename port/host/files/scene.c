@@ -222,7 +222,7 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
 
     settings.strength = make_strength(f, mu >= 0 ? mu : f->mu, f->strength, 1);
     if (refuse_vain_tension(f, &settings.strength, NULL, error)) return error->status;
-    if (run_arena(sp_contacts_memory(&s->scene), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
+    if (run_arena(run_bytes(&s->scene, SP_FOR_CONTACTS, NULL), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
     *status = sp_contacts_find(&s->scene, &settings, scratch, report);
     free(memory);
     return 0;
@@ -361,7 +361,7 @@ static int is_too_large(const sp_scene *scene)
     void *memory;
     sp_arena a;
     sp_problem problem;
-    const int yes = run_arena(sp_problem_memory(scene), &a, &memory) == SP_OK
+    const int yes = run_arena(run_bytes(scene, SP_FOR_PROBLEM, NULL), &a, &memory) == SP_OK
                  && sp_problem_build(scene, &a, &problem) == SP_E_NOT_FINITE;
     free(memory);
     return yes;

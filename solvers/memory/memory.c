@@ -1,0 +1,109 @@
+/* memory: what every call with a scene takes, told before it is made */
+#ifndef SP__MEMORY_MEMORY_C
+#define SP__MEMORY_MEMORY_C
+
+#include "../contacts/small_patch.c"
+#include "../contacts/memory.c"
+#include "../check/verify.c"
+#include "../check/plan.c"
+#include "../limit/limit.c"
+#include "../sequence/state.c"
+
+/* Of a call whose memory follows from counts alone; 0: too large to count. */
+static sp_status sp__memory_counted(size_t need, size_t *bytes)
+{
+    if (need) *bytes = need;
+    return need ? SP_OK : SP_E_MEMORY;
+}
+
+#ifndef SP_NO_PLAN
+static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+{
+    return sp__memory_counted(sp__plan_memory(scene, settings), bytes);
+}
+#else
+static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+{
+    (void)scene, (void)settings, (void)bytes;
+    return SP_E_UNSUPPORTED;
+}
+#endif
+
+#if SP__WITH_LIMIT
+static size_t sp__scratch_of_limit(const sp_scene *scene) { return sp__limit_scratch(scene); }
+
+static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__limit_memory(scene, settings, scratch, bytes);
+}
+
+static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
+{
+    return sp__memory_counted(sp__limit_verify_memory(scene), bytes);
+}
+#else
+static size_t sp__scratch_of_limit(const sp_scene *scene) { return scene ? SP_ALIGN : 0; }
+
+static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    (void)scene, (void)settings, (void)scratch, (void)bytes;
+    return SP_E_UNSUPPORTED;
+}
+
+static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
+{
+    (void)scene, (void)bytes;
+    return SP_E_UNSUPPORTED;
+}
+#endif
+
+#if SP__WITH_SEQUENCE
+static size_t sp__scratch_of_sequence(const sp_scene *scene, const sp_settings *settings)
+{
+    return sp__sequence_scratch(scene, settings);
+}
+
+static sp_status sp__memory_of_sequence(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__sequence_memory(scene, settings, scratch, bytes);
+}
+#else
+static size_t sp__scratch_of_sequence(const sp_scene *scene, const sp_settings *settings)
+{
+    (void)settings;
+    return scene ? SP_ALIGN : 0;
+}
+
+static sp_status sp__memory_of_sequence(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    (void)scene, (void)settings, (void)scratch, (void)bytes;
+    return SP_E_UNSUPPORTED;
+}
+#endif
+
+SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
+{
+    if (what == SP_FOR_CHECK || what == SP_FOR_WORK) return sp__check_scratch(scene, settings);
+    if (what == SP_FOR_LIMIT) return sp__scratch_of_limit(scene);
+    if (what == SP_FOR_SEQUENCE) return sp__scratch_of_sequence(scene, settings);
+    return scene ? SP_ALIGN : 0;
+}
+
+SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes) return SP_E_ARGUMENT;
+    switch (what) {
+    case SP_FOR_CHECK: return sp__check_memory(scene, settings, scratch, bytes);
+    case SP_FOR_WORK: return sp__work_memory(scene, settings, scratch, bytes);
+    case SP_FOR_VERIFY: return sp__memory_counted(sp__verify_memory(scene), bytes);
+    case SP_FOR_CONTACTS: return sp__memory_counted(sp__contacts_memory(scene), bytes);
+    case SP_FOR_PLAN: return sp__memory_of_plan(scene, settings, bytes);
+    case SP_FOR_LIMIT: return sp__memory_of_limit(scene, settings, scratch, bytes);
+    case SP_FOR_LIMIT_VERIFY: return sp__memory_of_limit_verify(scene, bytes);
+    case SP_FOR_SEQUENCE: return sp__memory_of_sequence(scene, settings, scratch, bytes);
+    case SP_FOR_PROBLEM: return sp__memory_counted(sp__problem_memory(scene), bytes);
+    }
+    return SP_E_ARGUMENT;
+}
+
+#endif /* SP__MEMORY_MEMORY_C */
