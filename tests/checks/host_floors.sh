@@ -3,7 +3,8 @@
 #
 # port/host is built bottom-up: the files beside main.c, which know the library only, then files, picture, worker, command, and
 # main.c on top. An #include goes down, or stays in its folder; picture and worker know nothing of each other; and no two rooms
-# include each other, by whatever way round (a room: NAME.h and NAME.c).
+# include each other, by whatever way round (a room: NAME.h and NAME.c). What NAME.h declares is defined in NAME.c or NAME_*.c, or
+# includes would not tell who calls whom; commands.h declares a function of each command. No file is longer than 700 lines, no line than 128.
 root=${1:-port/host}
 find "$root" -name '*.[ch]' | sort | xargs awk -v root="$root" '
     function base(f) { sub(/^.*\//, "", f); return f }
@@ -42,6 +43,14 @@ find "$root" -name '*.[ch]' | sort | xargs awk -v root="$root" '
         files++
         if (!(here in rank)) wrong(file ": no floor has this folder")
     }
+    /^[a-z].*[a-z0-9_]+\(/ && !/^(static|typedef|extern)/ {      # a function that others may call
+        match($0, /[a-z0-9_]+\(/)
+        name = substr($0, RSTART, RLENGTH - 1)
+        if (file ~ /\.h$/) declared[name] = file
+        else defined[name] = file
+    }
+    length($0) > 128 { wrong(file ":" FNR ": " length($0) " columns") }
+    { if (++lines[file] == 701) wrong(file " has more than 700 lines") }
     /^#include "/ {
         split($0, quoted, "\"")
         to = resolve(dir, quoted[2])
@@ -53,6 +62,11 @@ find "$root" -name '*.[ch]' | sort | xargs awk -v root="$root" '
         if (room_of(to) != room_of(file)) below[room_of(file)] = below[room_of(file)] " " room_of(to)
     }
     END {
+        for (name in declared) {
+            room = room_of(declared[name])
+            at = (name in defined) ? defined[name] : "no file"
+            if (room != "command/commands" && index(at, room) != 1) wrong(name " of " declared[name] " is defined in " at)
+        }
         for (room in below) {
             n = split(below[room], to_one, " ")
             for (k = 1; k <= n; k++) if (reaches(to_one[k], room)) wrong(room " and " to_one[k] " include each other")

@@ -3,6 +3,7 @@
 #include "../../port/host/files/json_in.h"
 #include "../../port/host/files/json_out.h"
 #include "../../port/host/files/obj.h"
+#include "../../port/host/files/obj_write.h"
 #include "../../port/host/files/scene.h"
 #include "../../port/host/files/text.h"
 
@@ -36,12 +37,12 @@ static void refuse(const char *text, const char *message)
     scene_free(&s);
 }
 
-/* What scene_write writes, malloc's. */
+/* What obj_write writes, malloc's. */
 static char *written(const host_scene *s)
 {
     FILE *f = tmpfile();
     char *text = NULL;
-    if (!f || scene_write(f, &s->scene, s->name, "t.obj", &error) != 0) return NULL;
+    if (!f || obj_write(f, &s->scene, s->name, "t.obj", &error) != 0) return NULL;
     const long n = ftell(f);
     rewind(f);
     text = calloc((size_t)n + 1, 1);

@@ -1,11 +1,12 @@
 /* convert: read a scene, write it with its contacts.  gen: write a scene made by formula. */
+#include "../../../tests/scenes/gen.h"
 #include "../files/file.h"
+#include "../files/obj_write.h"
+#include "../files/scene.h"
 #include "../files/text.h"
 #include "../run.h"
 #include "commands.h"
 #include "options.h"
-#include "../files/scene.h"
-#include "../../../tests/scenes/gen.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,7 @@
 static int write_scene_to(const char *path, const sp_scene *scene, const char *const *name, failure *error)
 {
     FILE *out = file_create(path, error);
-    return out ? file_finish(out, path, scene_write(out, scene, name, path ? path : "-", error), error) : error->status;
+    return out ? file_finish(out, path, obj_write(out, scene, name, path ? path : "-", error), error) : error->status;
 }
 
 int command_convert(int argc, char **argv)

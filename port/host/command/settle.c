@@ -21,6 +21,7 @@ int command_settle(int argc, char **argv)
 #include "../../../settle/settle.h"
 #include "../files/file.h"
 #include "../files/json_out.h"
+#include "../files/obj_write.h"
 #include "../files/text.h"
 #include "../picture/sheet.h"
 #include "report.h"
@@ -367,7 +368,7 @@ static int write_scene(session *s, failure *error)
     if (file) {
         memcpy(name, s->in.name, (size_t)s->in.scene.count.blocks * sizeof *name);
         name[s->in.scene.count.blocks] = "container";
-        status = scene_write(file, &out, name, s->o->out, error);
+        status = obj_write(file, &out, name, s->o->out, error);
         status = file_finish(file, s->o->out, status, error);
     } else if (!status) status = error->status;
     free(name);

@@ -1,5 +1,4 @@
-/* The writer of scene files. */
-#include "scene.h"
+#include "obj_write.h"
 #include "text.h"
 
 static void write_triple(FILE *out, const char *before, const sp_real x[3])
@@ -93,7 +92,7 @@ static void write_load(FILE *out, const sp_load *load, const char *const *name)
 
 static int is_same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 
-int scene_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
+int obj_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
 {
     sp_real density = 0;                        /* of all blocks that have one */
     int one_density = 1, one_mu = s->count.joints > 0;

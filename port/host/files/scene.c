@@ -4,6 +4,7 @@
 #include "obj.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,7 +2,6 @@
 #ifndef STONEPACK_HOST_SCENE_H
 #define STONEPACK_HOST_SCENE_H
 
-#include <stdio.h>
 #include "failure.h"
 
 typedef struct host_scene {
@@ -31,11 +30,6 @@ int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene
 /* The same from text in memory (malloc's; the scene frees it). */
 int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
                 failure *error);
-
-/* Write a scene as a file that reads back as the same scene, contacts as `#@ joint` and `#@ points`.
- *   name      of each block, or NULL: b0 b1 ...
- *   returns   0; an exit status where a block has no mesh, which the form can't say */
-int scene_write(FILE *out, const sp_scene *scene, const char *const *name, const char *path, failure *error);
 
 /* What the library refuses of a scene that was read, with the line that is to blame: the load, gravity, block or contact whose
  * numbers are too large, the strength that a coupled check does not know.     returns an exit status, never 0 */

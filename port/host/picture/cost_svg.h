@@ -2,6 +2,7 @@
 #ifndef STONEPACK_HOST_COST_SVG_H
 #define STONEPACK_HOST_COST_SVG_H
 
+#include <stdio.h>
 #include "../files/scene.h"
 
 enum { COST_CONES = 9, COST_STAGES = 4, COST_TOLS = 6, COST_ROWS = COST_CONES * COST_STAGES * COST_TOLS };
