@@ -330,7 +330,8 @@ static sp_status find_near(const session *s, sp_capacity *cap, void **memory, sp
         cap->points = found.points;
         status = start_scene(s, cap, memory, out);
         if (status != SP_OK) return status;
-        status = run_arena(4 * run_bytes(out, SP_FOR_CONTACTS, NULL), &scratch, &room);    /* stones inside each other by a hair: combs */
+        /* four times as much: stones inside each other by a hair cross like combs */
+        status = run_arena(4 * run_bytes(out, SP_FOR_CONTACTS, NULL), &scratch, &room);
         if (status == SP_OK) status = sp_contacts_find(out, &near, scratch, &found);
         free(room);
     }
