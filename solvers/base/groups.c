@@ -1,14 +1,10 @@
-/* groups: groups by union-find */
+/* groups: numbers 0..n-1 joined into groups, by union-find with halved paths                        [Tarjan, van Leeuwen 1984] */
 #ifndef SP__BASE_GROUPS_C
 #define SP__BASE_GROUPS_C
 
 #include "config.c"
 
 #if SP__WITH_LARGE
-
-/* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
- * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
- * at all f = 0 is the answer. */
 
 static int32_t sp__root(int32_t *up, int32_t i)
 {

@@ -24,7 +24,7 @@ typedef struct sp__cone {
     sp_real (*direction)[2];            /* faces of them */
 } sp__cone;
 
-/* What one vertex can carry; plain: C = T = 0, N without end. */
+/* Strength of one vertex; plain: friction only, C = T = 0, N without end. */
 typedef struct sp__yield { sp_real mu, C, T, N; int plain; } sp__yield;
 
 typedef enum sp__region { SP__APEX, SP__INSIDE, SP__FACE, SP__EDGE, SP__WALL, SP__RIM,

@@ -92,7 +92,7 @@ static sp_real sp__soc_step(const sp_real x[3], const sp_real d[3], sp_real most
     return t < most * -a ? t / -a : most;
 }
 
-/* The same for the half line x >= 0. */
+/* Largest step from x along d in the half line x >= 0, at most `most`. */
 static sp_real sp__ray_step(sp_real x, sp_real d, sp_real most) { return -d * most > x ? x / -d : most; }
 
 #endif

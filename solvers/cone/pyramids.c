@@ -16,7 +16,7 @@
 #define SP__FACES_MAX 64
 
 #ifdef SP_SMALL
-/* The same numbers by their series, to a rounding or two. */
+/* cos pi/(2K), sin pi/(2K) by their series, to a rounding or two. */
 static void sp__turn_quarter(int32_t K, sp_real d[2])
 {
     const sp_real x = (sp_real)1.5707963267948966192 / (sp_real)K;

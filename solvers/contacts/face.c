@@ -32,7 +32,7 @@ SP__NOINLINE static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_re
     return twice * l.s * l.s;
 }
 
-/* What is that near to a plane lies in it. */
+/* Points nearer to a plane than this lie in it. */
 static sp_real sp__body_flat(const sp__touch *t, const sp__body *body)
 {
     return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);

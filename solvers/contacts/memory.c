@@ -1,4 +1,4 @@
-/* memory: what the search takes from an arena */
+/* memory: arrays of the search for contacts, in an arena; how large they may become */
 #ifndef SP__CONTACTS_MEMORY_C
 #define SP__CONTACTS_MEMORY_C
 

@@ -286,7 +286,7 @@ static int sp__alt_keeps(const sp__alt *m)
     return 1;
 }
 
-/* What is left for a program.     returns 0 when it is too little */
+/* Budget that is left for a program.     returns 0 when it is too little */
 static int sp__alt_left(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
 {
     if (c->set->budget <= 0) return 1;
@@ -295,7 +295,7 @@ static int sp__alt_left(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
     return !c->w->spent;
 }
 
-/* What a program cost.     returns whether it is solved; `close`: nearly will do */
+/* Count the cost of a program.     returns whether it is solved; `close`: nearly will do */
 static int sp__alt_solved(const sp__cra *c, const sp_qp_result *r, int close)
 {
     c->out->cost.flops += r->flops;
@@ -305,7 +305,7 @@ static int sp__alt_solved(const sp__cra *c, const sp_qp_result *r, int close)
     return r->x && (r->status == SP_QP_SOLVED || (close && r->status == SP_QP_INACCURATE));
 }
 
-/* The same under its constraints.     returns 1, 0: no answer */
+/* The motion under its constraints, as a quadratic program.     returns 1, 0: no answer */
 SP__NOINLINE static int sp__alt_explain(sp__alt *m)
 {
     const sp__cra *c = m->c;

@@ -382,7 +382,7 @@ static int32_t sp__branch_number(const sp__branch *s, int32_t i)
     return i < s->lp.m + 3 * s->points ? base + (SP__ROWS + 3) * v + SP__ROWS + (i - s->lp.m) % 3 : -1;
 }
 
-/* What one unit of a constraint's scaled row is in the proof's. */
+/* Factor from a multiplier of the scaled row of a constraint to one of the proof's row. */
 static sp_real sp__branch_weight(const sp__branch *s, int32_t i)
 {
     const int32_t base = 6 * s->pb->blocks + 1, v = i < s->lp.m ? (i - base) / SP__ROWS : (i - s->lp.m) / 3;

@@ -1,4 +1,4 @@
-/* forest: joints that form a forest: the triple without a search */
+/* forest: the triple without a search, where joints close no loop */
 #ifndef SP__COUPLED_FOREST_C
 #define SP__COUPLED_FOREST_C
 

@@ -1,4 +1,4 @@
-/* search: rounds of the search */
+/* search: rounds of springs and drag, each from what the one before found */
 #ifndef SP__COUPLED_SEARCH_C
 #define SP__COUPLED_SEARCH_C
 

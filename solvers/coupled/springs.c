@@ -1,4 +1,4 @@
-/* springs: the search: springs at pressing joints, drag at slipping ones */
+/* springs: forces from a motion: springs at pressing joints, drag at slipping ones */
 #ifndef SP__COUPLED_SPRINGS_C
 #define SP__COUPLED_SPRINGS_C
 

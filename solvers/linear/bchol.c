@@ -219,7 +219,7 @@ static sp_real *sp__bchol_d(const sp__bchol *f) { return f->d; }
 static sp_real *sp__bchol_x(const sp__bchol *f) { return f->x; }
 #endif
 
-/* The same with blocks of 3 x 3: 6 numbers a diagonal block, 9 below. */
+/* Factor of a block of 3 x 3: 6 numbers on the diagonal of the matrix, 9 below it. */
 static void sp__bchol3_block(sp_real *d, sp_real floor)
 {
     for (int c = 0; c < 3; c++) {

@@ -83,7 +83,7 @@ static void sp__refute_unit(const sp__certificate *j, int32_t r, sp_real *e)
 {
     sp_real k[6];
     for (int32_t q = 0; q < 6 * j->pb->blocks; q++) e[q] = q == r;
-    if (!sp__certificate_spin(j, r / 6, k)) return;
+    if (!sp__certificate_free_spin(j, r / 6, k)) return;
     for (int32_t q = 0; q < 6; q++) e[r / 6 * 6 + q] -= k[r % 6] * k[q];
 }
 
@@ -102,8 +102,8 @@ SP__NOINLINE static int sp__refute_reach(sp__refute *w)
             if (sp__held(j->pb, r / 6, r % 6)) continue;
             sp__refute_unit(j, r, j->r);
             for (int32_t q = 0; q < n; q++) j->x[q] = 0;
-            sp__certificate_solve(j, j->x);
-            sp__certificate_normal(j, j->x, j->g);
+            sp__certificate_least_squares(j, j->x);
+            sp__certificate_normal_product(j, j->x, j->g);
             sp__refute_unit(j, r, j->r);
             for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - j->r[q]);
             const sp_real stretch = sp__refute_stretch(w);
@@ -284,7 +284,7 @@ static sp_real sp__refute_least_force(sp__refute *w)
         f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;
         f[1] += sp__dot3(u, t->joint->t1);
         f[2] += sp__dot3(u, t->joint->t2);
-        w->fsize[v] += sp__certificate_moved(j, t->a) + sp__certificate_moved(j, t->b) + w->work * w->k->eps;
+        w->fsize[v] += sp__certificate_displacement(j, t->a) + sp__certificate_displacement(j, t->b) + w->work * w->k->eps;
         least += w->most[v] * ((f[0] < 0 ? f[0] : 0) - mu * (sp__abs(f[1]) + sp__abs(f[2])));
         w->size += (1 + mu) * w->most[v] * w->fsize[v];
     }

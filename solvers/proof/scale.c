@@ -6,8 +6,9 @@
 #include "../scene/joint.c"
 #include "../scene/problem.c"
 
-/* What a force state or a motion proves, from the scene alone. Nothing here is used by the search, nothing of the search here:
- * own projection, own sums, world coordinates instead of contact frames.        [solvers/README.md, what proves a verdict]
+/* proof/ says what a force state or a motion proves, from the scene alone. The search of statics/ uses nothing of it and it uses
+ * nothing of the search: its projection and its sums are its own, in world coordinates instead of contact frames.
+ *                                                                              [solvers/README.md, what proves a verdict]
  *
  *   f0            bilateral least-squares force: least imbalance, then least norm
  *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
@@ -111,7 +112,7 @@ static void sp__certificate_load(const sp__certificate *j, int32_t i, sp_real p[
 }
 
 /* r = p, q = 0: where balances and their sums start. */
-static void sp__certificate_start(sp__certificate *j)
+static void sp__certificate_load_rows(sp__certificate *j)
 {
     for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
         j->r[k] = j->pb->p[k] / j->unit;
@@ -121,7 +122,7 @@ static void sp__certificate_start(sp__certificate *j)
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
  * not depend on units or axes. */
-static void sp__certificate_weights(sp__certificate *j)
+static void sp__certificate_row_weights(sp__certificate *j)
 {
     const sp_problem *pb = j->pb;
     j->total = 0;
@@ -157,7 +158,7 @@ static void sp__certificate_weights(sp__certificate *j)
 }
 
 /* row <- W row, held rows to zero. */
-static void sp__certificate_weigh(const sp__certificate *j, sp_real *row)
+static void sp__certificate_scale_rows(const sp__certificate *j, sp_real *row)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *w = row + 6 * (size_t)i;
@@ -167,7 +168,7 @@ static void sp__certificate_weigh(const sp__certificate *j, sp_real *row)
 }
 
 /* out = W Aeq Aeq' W in; Aeq Aeq' needs no frames because a vertex's three forces are orthonormal. */
-static void sp__certificate_normal(sp__certificate *j, const sp_real *in, sp_real *out)
+static void sp__certificate_normal_product(sp__certificate *j, const sp_real *in, sp_real *out)
 {
     const sp_problem *pb = j->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
@@ -179,18 +180,18 @@ static void sp__certificate_normal(sp__certificate *j, const sp_real *in, sp_rea
             sp__vertex_force(pb, t, v, u, out, NULL);
         }
     }
-    sp__certificate_weigh(j, out);
+    sp__certificate_scale_rows(j, out);
     j->sweeps++;
 }
 
-/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when what is left of r
- * is small, or as small as it can be (G times it vanishes), or without progress: rounding holds both over as many steps as news
- * takes along half the blocks.                                                                                    [Stiefel 1955] */
-SP__NOINLINE static void sp__certificate_solve(sp__certificate *j, sp_real *to)
+/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when r
+ * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: so many does
+ * information need across half the structure.                                                                     [Stiefel 1955] */
+SP__NOINLINE static void sp__certificate_least_squares(sp__certificate *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
-    sp__certificate_normal(j, j->r, j->g);
+    sp__certificate_normal_product(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
     sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
@@ -205,7 +206,7 @@ SP__NOINLINE static void sp__certificate_solve(sp__certificate *j, sp_real *to)
         const sp_real alpha = rg / qq;
         sp__add(to, 1, alpha, j->p, n);
         sp__add(j->r, 1, -alpha, j->q, n);
-        sp__certificate_normal(j, j->r, j->g);
+        sp__certificate_normal_product(j, j->r, j->g);
         const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
         sp__add(j->p, beta, 1, j->r, n);
         sp__add(j->q, beta, 1, j->g, n);
@@ -213,9 +214,9 @@ SP__NOINLINE static void sp__certificate_solve(sp__certificate *j, sp_real *to)
     }
 }
 
-/* Does f0 balance a block, so that it is its scale? Residual r of its rows, to a few digits of its load or to the rounding of
- * what runs through it. */
-static int sp__scale_known(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
+/* Does f0 balance a block, so that it may serve as the block's scale? It does if the residual r of its rows is within a few digits
+ * of the load, or within the rounding of the forces that pass through the block. */
+static int sp__scale_is_balanced(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
 {
     const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * f0;
     return sp__norm3(r) <= enough && sp__norm3(r + 3) <= enough * arm;
@@ -227,7 +228,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
 {
     const sp_problem *pb = j->pb;
     int32_t unknown = 0;
-    sp__certificate_start(j);
+    sp__certificate_load_rows(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -243,7 +244,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
         sp__release(pb, i, j->r + 6 * (size_t)i);
         s->f0 = j->q[2 * (size_t)i];
         s->m0 = j->q[2 * (size_t)i + 1];
-        s->known = (sp_real)sp__scale_known(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
+        s->known = (sp_real)sp__scale_is_balanced(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
         unknown += s->known < 1;
     }
     j->sweeps++;
@@ -251,7 +252,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
 }
 
 /* One of the two parts of a hint y0 = W x into `to`; what is no number counts as none. */
-static void sp__certificate_hint(const sp__certificate *j, const sp_real *y0, sp_real *to)
+static void sp__certificate_read_hint(const sp__certificate *j, const sp_real *y0, sp_real *to)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *x = to + 6 * (size_t)i;
@@ -266,7 +267,7 @@ static void sp__certificate_hint(const sp__certificate *j, const sp_real *y0, sp
 
 /* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
  * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
-static int sp__certificate_optimal(sp__certificate *j, int last)
+static int sp__certificate_is_optimal(sp__certificate *j, int last)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     sp_real sum = 0;
@@ -275,7 +276,7 @@ static int sp__certificate_optimal(sp__certificate *j, int last)
         const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
         sum += f * f + m * m;
     }
-    sp__certificate_normal(j, j->r, j->g);
+    sp__certificate_normal_product(j, j->r, j->g);
     const sp_real gg = sp__dot(j->g, j->g, n);
     return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
         || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
@@ -287,15 +288,15 @@ static int sp__certificate_bilateral(sp__certificate *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     for (int own = !y0; own < 2; own++) {
-        sp__certificate_hint(j, own ? NULL : y0, j->x);
-        sp__certificate_hint(j, own ? NULL : y0 + n, j->e);
+        sp__certificate_read_hint(j, own ? NULL : y0, j->x);
+        sp__certificate_read_hint(j, own ? NULL : y0 + n, j->e);
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
             if (!sp__certificate_sums(j)) return 1;
-            sp__certificate_weigh(j, j->r);
-            if ((round || !own) && sp__certificate_optimal(j, round == 3)) return 1;
+            sp__certificate_scale_rows(j, j->r);
+            if ((round || !own) && sp__certificate_is_optimal(j, round == 3)) return 1;
             if (!own || round == 3 || j->sweeps + 2 > j->most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
-            sp__certificate_solve(j, round ? j->e : j->x);
+            sp__certificate_least_squares(j, round ? j->e : j->x);
         }
     }
     return 0;
@@ -313,7 +314,7 @@ static sp_real sp__scale_couple(const sp__certificate *j, const sp__scale *s, sp
  * larger than the true one, so forces that pass by these pass by those. */
 static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
 {
-    sp__certificate_weights(j);
+    sp__certificate_row_weights(j);
     const int settled = j->most ? sp__certificate_bilateral(j, y0) : 1;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];

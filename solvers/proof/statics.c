@@ -28,12 +28,12 @@ static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t,
     if (size > j->cap) sp__scale3(j->cap / size, out, out);
 }
 
-/* imbalance of a force state: admitted, then the largest of |r_i| / s_i and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|),
- * S_i likewise. `admitted` (may be NULL) gets the forces that were judged, 3 x points. */
+/* Imbalance of a force state. Every force is first made admissible; the imbalance is then the largest of |r_i| / s_i
+ * and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|), S_i likewise. `admitted` (may be NULL) gets the admissible forces, 3 x points. */
 SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
-    sp__certificate_start(j);
+    sp__certificate_load_rows(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         j->cap = sp__certificate_cap(j, t);
@@ -59,8 +59,9 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real
     return imbalance;
 }
 
-/* |P_K(u)| = largest u.g over unit g in K: over the foot on each face that falls inside it, and over each edge. */
-SP__NOINLINE static sp_real sp__certificate_resist(const sp__certificate *j, const sp_contact *t, const sp_real u[3])
+/* |P_K(u)|, the largest u.g over unit g in K. Of a pyramid it is the largest over its edges, and over the feet of u that fall
+ * inside their faces. */
+SP__NOINLINE static sp_real sp__certificate_cone_resistance(const sp__certificate *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -91,8 +92,8 @@ SP__NOINLINE static sp_real sp__certificate_resist(const sp__certificate *j, con
  *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
  *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
-SP__NOINLINE static sp_real sp__certificate_support(const sp__certificate *j, const sp_contact *t, const sp_real u[3], sp_real P, sp_real cap,
-                                           int *capped)
+SP__NOINLINE static sp_real sp__certificate_strength_resistance(const sp__certificate *j, const sp_contact *t, const sp_real u[3],
+                                                               sp_real P, sp_real cap, int *capped)
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
     const sp__strength k = sp__certificate_strength(j, t);
@@ -111,7 +112,7 @@ SP__NOINLINE static sp_real sp__certificate_support(const sp__certificate *j, co
 static sp_real sp__certificate_arm(const sp__certificate *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
 
 /* Largest displacement of a joint of block i. */
-static sp_real sp__certificate_moved(const sp__certificate *j, int32_t i)
+static sp_real sp__certificate_displacement(const sp__certificate *j, int32_t i)
 {
     if (i < 0) return 0;
     const sp_real *m = j->x + 6 * (size_t)i;
@@ -120,7 +121,7 @@ static sp_real sp__certificate_moved(const sp__certificate *j, int32_t i)
 
 /* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
  * held.     returns how many are; -1: nothing moves */
-SP__NOINLINE static int32_t sp__certificate_hold(sp__certificate *j, const sp_real *dq, sp_real rest)
+SP__NOINLINE static int32_t sp__certificate_hold_small(sp__certificate *j, const sp_real *dq, sp_real rest)
 {
     sp_real largest = 0;
     int32_t held = 0;
@@ -129,7 +130,7 @@ SP__NOINLINE static int32_t sp__certificate_hold(sp__certificate *j, const sp_re
             sp_real *m = j->x + 6 * (size_t)i;
             for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
             sp__release(j->pb, i, m);
-            const sp_real size = sp__certificate_moved(j, i);
+            const sp_real size = sp__certificate_displacement(j, i);
             if (!pass) largest = sp__max(largest, size);
             else if (size <= rest) { memset(m, 0, 6 * sizeof *m); held++; }
         }
@@ -138,7 +139,7 @@ SP__NOINLINE static int32_t sp__certificate_hold(sp__certificate *j, const sp_re
     return held;
 }
 
-/* load . x, and the same of the scales. */
+/* Work p . x of the loads; *scale: sum (sbar_i |v_i| + Sbar_i |w_i|). */
 SP__NOINLINE static sp_real sp__certificate_work(const sp__certificate *j, sp_real *scale)
 {
     sp_real work = 0, p[6];
@@ -161,20 +162,22 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certificate *j, const sp_real
     const sp_problem *pb = j->pb;
     *final = 0;
     j->resist = 0;
-    if (sp__certificate_hold(j, dq, rest) < 0) return 0;
+    if (sp__certificate_hold_small(j, dq, rest) < 0) return 0;
     sp_real scale, resist = 0;
     const sp_real work = sp__certificate_work(j, &scale);
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real cap = sp__certificate_cap(j, t), moved = sp__certificate_moved(j, t->a) + sp__certificate_moved(j, t->b);
+        const sp_real cap = sp__certificate_cap(j, t);
+        const sp_real moved = sp__certificate_displacement(j, t->a) + sp__certificate_displacement(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];
             sp__vertex_velocity(pb, NULL, t, v, j->x, w);
             sp__joint_frame(t->joint, w, w);
-            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certificate_resist(j, t, u);
+            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certificate_cone_resistance(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
-            resist += SP__HAS_STRENGTH && sp__contact_strong(pb, t) ? sp__certificate_support(j, t, u, P, cap, &capped) : cap * P;
+            if (!SP__HAS_STRENGTH || !sp__contact_strong(pb, t)) resist += cap * P;
+            else resist += sp__certificate_strength_resistance(j, t, u, P, cap, &capped);
             if (capped) *final = 0;
         }
     }
@@ -193,7 +196,7 @@ static sp_real sp__certify_mechanism(sp__certificate *j, const sp_real *dq, int3
     sp_real best = -1, held = 0, value = -1;
     int32_t sure = 0, last = 0, before = -2;
     for (int k = 0; k < 6; k++) {
-        const int32_t still = sp__certificate_hold(j, dq, sp__certify_rest[k]);
+        const int32_t still = sp__certificate_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
         value = sp__certify_motion(j, dq, sp__certify_rest[k], final);

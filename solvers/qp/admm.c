@@ -122,7 +122,7 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     return solved || last || spent;
 }
 
-/* What left the range of sp_real becomes 0. */
+/* Numbers that left the range of sp_real become 0. */
 static void sp__qp_mend(sp_real *v, int32_t n)
 {
     for (int32_t k = 0; k < n; k++)
@@ -145,7 +145,7 @@ static void sp__qp_tell(const sp__qp *w, sp_qp_result *out)
     out->flops = w->flops;
 }
 
-/* What is left of the result, for a point or a certificate. No NaN leaves. */
+/* Complete the result, of a point or of a certificate. No NaN leaves. */
 static void sp__qp_report(sp__qp *w, sp_qp_result *out)
 {
     if (out->status == SP_QP_PRIMAL_INFEASIBLE) memset(w->X, 0, (size_t)w->qp.n * sizeof *w->X);

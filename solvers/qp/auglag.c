@@ -117,7 +117,7 @@ static void sp__auglag_keep(sp__qp *w)
     for (int32_t i = 0; i < w->qp.m; i++) w->y[i] = w->Y[i];
 }
 
-/* And back: 1 if there is anything kept. */
+/* The point that was kept into X, Y.     returns 1, 0: none was */
 static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
 {
     if (!(g->best < SP__NEVER)) return 0;

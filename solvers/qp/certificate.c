@@ -32,7 +32,7 @@ static sp_real sp__proof_rest(const sp__qp *w)
     return worst;
 }
 
-/* What a proof is worth: `down` beyond its own rounding, over the rest; 0 if it proves nothing. */
+/* Radius of a proof: `down` less its own rounding, over the rest; 0 if it proves nothing. */
 SP__NOINLINE static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
 {
     down -= (sp_real)(count + 4) * SP_EPSILON * terms;

@@ -45,7 +45,7 @@ static void sp__ruiz_norms(const sp_qp *qp, const sp_real *D, const sp_real *E, 
         }
 }
 
-/* What c must be multiplied by: 1 / max(mean column norm of cDPD, |cDq|), 1 where both are nothing. */
+/* Factor for c: 1 / max(mean column norm of cDPD, |cDq|), 1 where both are nothing. */
 static sp_real sp__ruiz_cost(const sp_qp *qp, const sp_real *D, sp_real c, sp_real *col)
 {
     sp_real mean = 0, q = 0;

@@ -1,4 +1,4 @@
-/* joint: adding joints: frames, planarity, strength; forces, couples, weights, pressures */
+/* joint: joints and loads are added here: frame, planarity and strength of a joint; forces, couples, weights, pressures */
 #ifndef SP__SCENE_JOINT_C
 #define SP__SCENE_JOINT_C
 
@@ -31,7 +31,7 @@ static int sp__scene_strong(const sp_scene *scene)
 
 /* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
  *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb]
- * ignore_strength: only its directions without end, forces that may be added as often as one likes: as if it had no area. */
+ * ignore_strength: only friction is kept, as if the joint had no area: forces that may grow without end. */
 typedef struct sp__strength { sp_real C, T, N; } sp__strength;
 
 static sp__strength sp__vertex_strength(const sp_joint *f, int ignore_strength)
@@ -105,7 +105,7 @@ static sp_status sp__polygon_frame(int32_t points, const sp_real *xyz, sp_joint 
     return SP_OK;
 }
 
-/* The same for points that share a given normal of any length. */
+/* Frame of points that share a given normal, which may have any length. */
 static sp_status sp__points_frame(const sp_real n[3], sp_joint *f)
 {
     const sp_real most = sp__max(sp__abs(n[0]), sp__max(sp__abs(n[1]), sp__abs(n[2])));
@@ -120,7 +120,7 @@ static sp_status sp__points_frame(const sp_real n[3], sp_joint *f)
     return SP_OK;
 }
 
-/* What polygons and points have in common. The new joint is made in the scene's next free place, which is nobody's until
+/* The part that polygons and points share. The new joint is made in the scene's next free place, which belongs to nobody until
  * sp__joint_add counts it. */
 static sp_status sp__joint_start(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                      const sp_strength *strength)

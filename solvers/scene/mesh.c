@@ -4,7 +4,7 @@
 
 #include "../geometry/local.c"
 
-/* What is asked of every mesh, supports too: numbers are numbers, faces have corners, corners exist. */
+/* Every mesh is asked this, supports too: are its numbers finite, has each face three corners, does each corner exist? */
 static sp_status sp__mesh_check(const sp_mesh *mesh, int32_t *corners)
 {
     if (!mesh || mesh->vertices < 0 || mesh->faces < 0 || (mesh->vertices > 0 && !mesh->xyz)) return SP_E_ARGUMENT;

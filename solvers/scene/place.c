@@ -1,4 +1,4 @@
-/* place: placing a stone: support, seats, resting faces, next-best-object gate [seed 6.1, 6.2] */
+/* place: where a stone may be placed: support, seats, resting faces, next-best-object gate [seed 6.1, 6.2] */
 #ifndef SP__SCENE_PLACE_C
 #define SP__SCENE_PLACE_C
 
@@ -25,7 +25,7 @@ static void sp__plan(const sp_real up[3], const sp_real o[3], const sp_real x[3]
     xy[1] = sp__dot3(t, d);
 }
 
-/* What a hull whose origin is the centre of mass says of it.     returns SP_E_NOT_FINITE where it is too large to be squared */
+/* Clearance and direction from a hull whose origin is the centre of mass.     returns SP_E_NOT_FINITE where it is too large to be squared */
 static sp_status sp__support_read(sp__hull *h, sp_support *support)
 {
     const sp_real com[2] = { 0, 0 };

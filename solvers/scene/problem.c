@@ -157,8 +157,8 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
     sp__load_add(live, weight, none, load->point, c);
 }
 
-/* What rounding leaves of terms that cancel is no load: q = (F, M) on a block, a sum of its weight, `share` of this load, others.
- * Each component has rounding of its own, for a push sideways hides no weight. A point is known no better than its place.
+/* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
+ * component of the force is compared with its own terms, for a push sideways hides no weight. A point is known no better than its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
 static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
@@ -174,8 +174,8 @@ static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, cons
     if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) q[3] = q[4] = q[5] = 0;
 }
 
-/* The same in the sums that a load is part of. The smallest build knows no body force here, nor what live loads leave of each
- * other. */
+/* Apply sp__load_cancel to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live loads that cancel
+ * each other. */
 static void sp__load_settle(const sp_problem *problem, const sp_load *load, int32_t row)
 {
     const sp_scene *scene = problem->scene;

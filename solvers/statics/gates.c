@@ -7,6 +7,10 @@
 
 #if SP__WITH_LARGE
 
+/* A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
+ * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
+ * at all f = 0 is the answer. */
+
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     (void)set; (void)scratch;

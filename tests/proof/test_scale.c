@@ -139,7 +139,7 @@ TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
         o.j.cap = 1e6f;
         for (int k = 0; k < 60; k++) {
             const sp_real u[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
-            const double got = (double)sp__certificate_resist(&o.j, o.pb.contact, u);
+            const double got = (double)sp__certificate_cone_resistance(&o.j, o.pb.contact, u);
             double best = 0;
             for (int i = 0; i < 4000; i++) {
                 const sp_real wild[3] = { test_random_real(0, 1), test_random_real(-2, 2), test_random_real(-2, 2) };
