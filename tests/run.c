@@ -2,7 +2,8 @@
  *
  *     run [FILTER] [SEED]        tests whose "file/name" contains FILTER; SEED of the random numbers
  *     run -l                     names only
- *     run -m                     names, bytes of memory touched, thousands of steps taken: what a board needs to run them
+ *     LONG=1 run ...             all samples of every claim, not a few [SOME_OF in test.h]
+ *     run -m                     names, bytes of memory touched, and milliseconds; for a board thousands of steps [board.mk]
  *
  * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
  * a board may choose fewer. TEST_LEAVE_OUT is a file of "stem/name", one a line: tests too large for a board; they are named,
@@ -35,6 +36,7 @@ static const char *const left_out[] = {
 };
 
 sp_arena test_arena;
+int test_long;
 
 #ifndef SP_QP_ONLY
 size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
@@ -175,6 +177,7 @@ int main(int argc, char **argv)
     const char *filter = argc > 1 && !list && !measure ? argv[1] : "";
     int passed = 0, failed = 0;
     TEST_START();
+    test_long = TEST_LONG();
     if (measure) touched();
     if (argc > 2) {
         seed = 0;

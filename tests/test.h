@@ -23,10 +23,17 @@
 
 #ifndef TEST_PRINT
 #include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
 #define TEST_PRINT printf
+#define TEST_LONG() (getenv("LONG") && *getenv("LONG") == '1')
+#define TEST_WORK() ((uint64_t)clock() * 1000000u / CLOCKS_PER_SEC)     /* on a host, microseconds of its processor */
 #define TEST_START() setvbuf(stdout, NULL, _IONBF, 0)  /* what was said before a crash is seen */
 #else
 #define TEST_START() ((void)0)
+#endif
+#ifndef TEST_LONG
+#define TEST_LONG() 0
 #endif
 
 #ifndef TEST_ARENA_BYTES
@@ -63,6 +70,10 @@ size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *
 
 /* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */
 extern sp_arena test_arena;
+
+/* How many samples of one claim: a few in daily work and on boards, all of them with LONG=1, as `make check` asks once. */
+extern int test_long;
+#define SOME_OF(all, few) (test_long ? (all) : (few))
 
 /* Numbers without pattern, the same on every machine; seeded anew for every test, the seed is printed on failure. */
 uint32_t test_random(void);                             /* 0 .. 2^32 - 1                                  [xorshift64*] */

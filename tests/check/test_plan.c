@@ -390,7 +390,7 @@ static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const s
 TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
 {
     int32_t coupled = 0, refuted = 0, open = 0, whole = 0, beyond = 0, seen[4] = { 0, 0, 0, 0 };
-    for (int32_t k = 0; k < 24; k++) {
+    for (int32_t k = 0; k < SOME_OF(24, 12); k++) {
         sp_scene piece[5], s;
         const int32_t pieces = test_random_int(2, 5);
         int32_t blocks = 0, joints = 0, points = 0;
@@ -416,7 +416,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         coupled += r.verdict == SP_STABLE;
         refuted += r.reason == SP_REASON_NO_MOTION;
         open += r.verdict == SP_UNDECIDED;
-        if (k > 7) continue;
+        if (k >= SOME_OF(8, 3)) continue;
         sp_arena rest = test_arena;
         set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
         set.coupled.nodes = 1000;
@@ -429,8 +429,8 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
     }
     TEST_PRINT("    %ld coupled, %ld refuted, %ld open; of %ld asked of the whole %ld are decided by islands only\n", (long)coupled,
                (long)refuted, (long)open, (long)whole, (long)beyond);
-    CHECK(coupled > 5 && refuted > 2 && beyond < whole);
-    CHECK(seen[SP_COUPLING_COUPLED] > 20 && seen[SP_COUPLING_REFUTED] > TOL(20, 5));
+    CHECK(coupled > SOME_OF(5, 1) && refuted > SOME_OF(2, 0) && beyond < whole);
+    CHECK(seen[SP_COUPLING_COUPLED] > SOME_OF(20, 9) && seen[SP_COUPLING_REFUTED] > SOME_OF(TOL(20, 5), TOL(5, 1)));
 }
 #endif
 
@@ -566,10 +566,10 @@ TEST(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
 
 /* Random scenes of every kind on both sides of their limits: the verdict as planned is that of the full simulation, and what the
  * plan told of flops is right within a factor of 5 where forces are found without interior points. */
-TEST(planned_and_full_simulation_agree_on_three_hundred_random_scenes)
+TEST(planned_and_full_simulation_agree_on_random_scenes)
 {
     int32_t plane[3] = { 0, 0, 0 }, plumb[3] = { 0, 0, 0 }, verdict[3] = { 0, 0, 0 };
-    for (int k = 0; k < 300; k++) {
+    for (int k = 0; k < SOME_OF(300, 100); k++) {
         sp_scene s;
         sp_settings set;
         sp_outlook o;
@@ -587,9 +587,9 @@ TEST(planned_and_full_simulation_agree_on_three_hundred_random_scenes)
         plumb[r.verdict] += r.effect[SP_EFFECT_FRICTION] == SP_WHY_PRESSURE;
         verdict[r.verdict]++;
     }
-    CHECK(verdict[SP_STABLE] > 80 && verdict[SP_UNSTABLE] > 80);
-    CHECK(plane[SP_STABLE] > 60 && plane[SP_UNSTABLE] > 30);
-    CHECK(plumb[SP_STABLE] > 30 && plumb[SP_UNSTABLE] > 3);
+    CHECK(verdict[SP_STABLE] > SOME_OF(80, 25) && verdict[SP_UNSTABLE] > SOME_OF(80, 25));
+    CHECK(plane[SP_STABLE] > SOME_OF(60, 20) && plane[SP_UNSTABLE] > SOME_OF(30, 10));
+    CHECK(plumb[SP_STABLE] > SOME_OF(30, 10) && plumb[SP_UNSTABLE] > SOME_OF(3, 0));
 }
 
 /* Piles, each block moved along and across on the one below: no friction can hold what falls, whatever mu is. The same piles with
@@ -1012,7 +1012,7 @@ TEST_LIST(plan)
     RUN(a_mirror_is_found_in_any_direction_and_none_where_there_is_none)
     RUN(level_joints_without_a_mirror_stand_by_pressure_alone)
     RUN(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
-    RUN(planned_and_full_simulation_agree_on_three_hundred_random_scenes)
+    RUN(planned_and_full_simulation_agree_on_random_scenes)
     RUN(a_forest_of_level_joints_falls_by_pressure_alone_and_nothing_else_does)
     RUN(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)

@@ -718,7 +718,7 @@ TEST(as_friction_or_eta_grows_the_answer_turns_once)
 {
     for (int what = 0; what < 3; what++) {
         int turned = 0;
-        for (int step = 0; step <= 24; step++) {
+        for (int step = 0; step <= 24; step += SOME_OF(1, 3)) {
             const double by = 0.5 + step * 0.0625 + 1e-3;
             const double mu = what == 2 ? 0 : what == 1 ? 1.6 : 0.8 * by;
             const known k = { what == 2 ? "keystone" : "squeezed", -1, mu, 0, SP_COUPLING_NOT_FOUND };

@@ -466,7 +466,7 @@ TEST(a_load_on_any_stone_has_an_end_or_none)
     static const double force[5][3] = { { 0, 0, -1 }, { 0, 0, -1 }, { 0.2, 0.05, -1 }, { 1, 0, 0 }, { 0, 0, 0 } };
     int several[4] = { 0, 0, 0, 0 };
     for (size_t k = 0; k < sizeof scene / sizeof *scene; k++)
-        for (int32_t i = 1, stones = 2; i < stones; i++) {
+        for (int32_t i = 1, stones = 2; i < stones; i += SOME_OF(1, 3)) {
             for (int q = 0; q < 5; q++) {
                 sp_load load;
                 sp_scene s;
@@ -494,7 +494,7 @@ TEST(a_load_on_any_stone_has_an_end_or_none)
         }
     CHECK_INT(several[SP_LIMIT_UNDECIDED], 0);
     CHECK_INT(several[SP_LIMIT_NONE], 0);
-    CHECK(several[SP_LIMIT_FOUND] > 100 && several[SP_LIMIT_UNBOUNDED] > 100);
+    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(100, 30) && several[SP_LIMIT_UNBOUNDED] > SOME_OF(100, 30));
 }
 
 /* Weight is taken away by the live load and then more: at 1 there is none, beyond that all that rests on something goes up; between
@@ -759,7 +759,7 @@ static sp_scene mirrored_scene(int k)
 
 TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
 {
-    for (int k = 0; k < 3 * MIRRORED; k++) {
+    for (int k = 0; k < 3 * MIRRORED; k += SOME_OF(1, 2)) {         /* every other still meets each cone and each scene */
         const sp_scene s = mirrored_scene(k / 3);
         sp_settings set = sp_settings_default(), space;
         set.faces = k % 3 == 1 ? 4 : k % 3 == 2 ? 8 : 0;
