@@ -52,10 +52,12 @@ PLUG_C  += -DWITH_BULLET
 PLUG_L  += -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -lstdc++
 endif
 
-SUITE_C  = $(wildcard tests/*/test_*.c)
-SUITES   = $(patsubst test_%.c,%,$(notdir $(SUITE_C)))
-TESTS    = tests/run.c $(SUITE_C)
-TEST_C   = -Wno-unused-function
+# Tests: all suites, or `make test ONLY=proof` those of a wing, ONLY=refute that one. tests/small/suites.txt: what SP_SMALL answers.
+# To `make check` and `make test-boards` ONLY means something else.
+THESE   := $(if $(filter test,$(MAKECMDGOALS)),$(ONLY))
+SUITE_C := $(wildcard $(if $(THESE),tests/$(THESE)/test_*.c tests/*/test_$(THESE).c,tests/*/test_*.c))
+SMALL_C  = $(filter $(addsuffix .c,$(addprefix %/test_,$(file < tests/small/suites.txt))),$(SUITE_C))
+OF      := $(if $(THESE),_of_$(THESE))
 
 .PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check help clean
 
@@ -65,8 +67,9 @@ help:
 	@echo "make           the library build/libstonepack.a and the program build/stonepack"
 	@echo "make lib       the library alone"
 	@echo "make demo      checks some scenes, draws them into build/demo/"
-	@echo "make test      tests in seconds; needs gcc and make only"
-	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack)"
+	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
+	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
+	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
 	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/board/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
 	@echo "make regions   a check whose factor lies in another memory than scene and answer, on the same two"
@@ -102,43 +105,71 @@ build/plugins: always
 	@mkdir -p build
 	@echo '$(PLUG_C) $(PLUG_L)' | cmp -s - $@ || echo '$(PLUG_C) $(PLUG_L)' > $@
 
-# Tests: the same files in double and in float. White-box tests include parts, hence -MMD.
+# Tests: the same files in double, in float and with SP_SMALL, optimised little: a minute from nothing, seconds after an edit.
+# White-box tests include parts, hence -MMD. TEST_O is the library's; what stands on it is small. V=1 shows the commands.
+TEST_O  ?= -O1
+Q        = $(if $(V),,@echo "  $@";)
+TEST_CC  = $(Q)$(CC) $(STRICTC) $(if $(filter stonepack.c,$<),$(TEST_O),-O0) $(WARN) $(PLUG_C) -Wno-unused-function -MMD -MP
+
 build/double/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -MMD -MP -c $< -o $@
+	$(TEST_CC) -c $< -o $@
 
 build/float/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_FLOAT -MMD -MP -c $< -o $@
+	$(TEST_CC) -DSP_REAL_FLOAT -c $< -o $@
 
-build/mixed/%.o: %.c
+build/small/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_C) $(PLUG_C) $(TEST_C) -DSP_REAL_MIXED -MMD -MP -c $< -o $@
+	$(TEST_CC) -DSP_SMALL -c $< -o $@
 
-# The list of the suites, new when one comes or goes.
-build/double/tests/run.o build/float/tests/run.o: $(SUITE_C)
-build/double/tests/run.o build/float/tests/run.o: TEST_C += -DTEST_SUITES='$(foreach s,$(SUITES),X($(s)))'
+# The runner knows its suites: made anew when one comes or goes.
+suites   = -DTEST_SUITES='$(patsubst test_%.c,X(%),$(notdir $1))'
+build/double/run$(OF).o build/float/run$(OF).o: tests/run.c $(SUITE_C)
+	@mkdir -p $(@D)
+	$(TEST_CC) $(if $(findstring /float/,$@),-DSP_REAL_FLOAT) $(call suites,$(SUITE_C)) -c $< -o $@
 
-RUN_O = $(patsubst %.c,%.o,$(TESTS) $(HOST) $(PLUG) stonepack.c)
+build/small/run$(OF).o: tests/run.c $(SMALL_C) tests/small/suites.txt
+	@mkdir -p $(@D)
+	$(TEST_CC) -DSP_SMALL $(call suites,$(SMALL_C)) -c $< -o $@
 
-build/run build/run_float: Makefile
-$(foreach p,double float mixed,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
+# The program is linked where a suite looks into it.
+LOOKS   := $(shell grep -lE '"../../(port|settle)/' $(SUITE_C) /dev/null)
+UNDER    = $(if $(LOOKS),$(HOST) $(PLUG),$(GEN)) stonepack.c
+RUN_O    = run$(OF).o $(patsubst %.c,%.o,$(SUITE_C) $(UNDER))
+SMALL_O  = run$(OF).o $(patsubst %.c,%.o,$(SMALL_C) $(GEN) stonepack.c)
+RUN_L    = $(if $(LOOKS),$(PLUG_L)) -lm
+
+build/run$(OF) build/run_float$(OF) build/run_small$(OF): Makefile
+$(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
   build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
-build/run: $(RUN_O:%=build/double/%) $(SETTLE_O)
-	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
+build/run$(OF): $(RUN_O:%=build/double/%) $(if $(LOOKS),$(SETTLE_O))
+	$(Q)$(CC) $(filter %.o,$^) $(RUN_L) -o $@
 
-build/run_float: $(RUN_O:%=build/float/%) $(SETTLE_O)
-	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
+build/run_float$(OF): $(RUN_O:%=build/float/%) $(if $(LOOKS),$(SETTLE_O))
+	$(Q)$(CC) $(filter %.o,$^) $(RUN_L) -o $@
+
+build/run_small$(OF): $(SMALL_O:%=build/small/%)
+	$(Q)$(CC) $(filter %.o,$^) -lm -o $@
+
+-include $(RUN_O:%.o=build/double/%.d) $(RUN_O:%.o=build/float/%.d) $(SMALL_O:%.o=build/small/%.d)
 
 # The program in other precisions, for the pictures of what they cost.
-build/stonepack_float build/stonepack_mixed: build/stonepack_%: \
-  $(patsubst %.c,build/\%/%.o,$(MAIN) $(HOST) $(PLUG) stonepack.c) $(SETTLE_O)
-	$(CC) $(CFLAGS) $(filter %.o,$^) $(PLUG_L) -lm -o $@
+build/stonepack_float: REAL = -DSP_REAL_FLOAT
+build/stonepack_mixed: REAL = -DSP_REAL_MIXED
+build/stonepack_float build/stonepack_mixed: $(MAIN) $(HOST) $(PLUG) $(HOST_H) $(PARTS) $(SETTLE_O) build/plugins
+	$(CC) $(ALL_C) $(REAL) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) stonepack.c $(SETTLE_O) $(PLUG_L) -lm -o $@
 
--include $(patsubst %.o,build/double/%.d,$(RUN_O)) $(patsubst %.o,build/float/%.d,$(RUN_O)) $(patsubst %.o,build/mixed/%.d,$(RUN_O))
-
-test: build/run build/run_float build/stonepack build/corpus-double.txt build/corpus-float.txt
+ifeq ($(THESE),)
+test: build/run build/run_float build/run_small build/stonepack build/corpus-double.txt build/corpus-float.txt
 	@sh tests/checks/test.sh
+else ifeq ($(SUITE_C),)
+test:
+	@echo "no suite and no wing of tests/ is called $(THESE)"; false
+else
+test: build/run$(OF) build/run_float$(OF) $(if $(SMALL_C),build/run_small$(OF))
+	@sh tests/checks/test.sh $^
+endif
 
 # One number over the bundled scenes, verdicts and force bits; every other build must find the same.
 CORPUS = tests/corpus/corpus.c $(GEN)
@@ -147,8 +178,10 @@ build/scenes.h: tests/corpus/scenes.awk $(wildcard tests/scenes/*.obj)
 	@mkdir -p build
 	awk -f tests/corpus/scenes.awk tests/scenes/*.obj > $@
 
-build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) $(PARTS) build/scenes.h
-	sh tests/corpus/corpus.sh $* $(CC) $(CFLAGS) > $@.new && mv $@.new $@
+build/corpus-double.txt: build/stonepack.o
+build/corpus-float.txt: build/float/stonepack.o
+build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) build/scenes.h
+	LIBRARY=$(filter %stonepack.o,$^) sh tests/corpus/corpus.sh $* $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 test-boards: build/corpus-double.txt build/corpus-float.txt
 	+@sh port/board/boards.sh

@@ -98,7 +98,7 @@ check_switches() {
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
-    small='small envelope order chol scene contacts matrices closed verify near gen limit sequence qp dykstra place ruiz'
+    small=$(cat tests/small/suites.txt)
     part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \

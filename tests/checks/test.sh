@@ -1,6 +1,8 @@
 #!/bin/sh
-# test: what `make test` runs: the tests in double and in float, malformed scenes, the corpus, the program, README.
+# test: what `make test` runs: the tests in double, in float and with SP_SMALL, malformed scenes, the corpus, the program, README.
 # All of it starts at once, what takes longest first; answers come in the order below.
+#
+#     test.sh RUN...        these runners alone, as `make test ONLY=...` built them
 . tests/checks/tally.sh
 out=$(mktemp -d)
 trap 'rm -rf "$out" "$tally_log"' EXIT
@@ -18,8 +20,16 @@ end() {                                                 # end NAME > what it pri
     return $end_status
 }
 
+if [ $# -gt 0 ]; then
+    SHOW=1
+    for run; do count "tests, $(basename "$run")" "$run"; done
+    total
+    exit
+fi
+
 begin float build/run_float
 begin double build/run
+begin small build/run_small
 for real in double float; do begin "bits_$real" env DIFFER=1 sh tests/corpus/corpus.sh $real "${CC:-gcc}" -O0; done
 begin program sh tests/checks/smoke.sh build/stonepack
 if [ -f build/bullet.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
@@ -30,6 +40,7 @@ begin readme sh tests/checks/readme.sh build/stonepack
 
 count "tests, double" end double
 count "tests, float" end float
+count "tests, SP_SMALL" end small
 count "floors" end floors
 count "after windows.h" end windows
 count "bad scenes" end bad

@@ -203,7 +203,7 @@ TEST(every_row_holds_for_pyramids_of_3_to_8_faces)
 TEST(every_row_holds_for_pyramids_of_9_to_64_faces)
 {
     static const int32_t faces[] = { 9, 10, 12, 16, 17, 31, 32, 48, 63, 64 };
-    for (int k = 0; k < 10; k++) every_row(faces[k], k % 2, k / 2 % 2);
+    for (int k = 0; k < 10; k += SOME_OF(1, 3)) every_row(faces[k], k % 2, k / 2 % 2);
 }
 
 /* What no state has is refused: rows beyond the last, wrong signs, no number. */
