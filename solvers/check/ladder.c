@@ -81,21 +81,21 @@ SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_set
 }
 
 /* What a search in 3 rows came to. */
-typedef struct sp__sought {
+typedef struct sp__reduced_outcome {
     sp_verdict claim;
     int plane, known;                   /* in the plane; its bilateral force is the scene's */
     int spent;                          /* the budget ended it */
-} sp__sought;
+} sp__reduced_outcome;
 
 /* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
 SP__NOINLINE static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
-                                            sp_arena *a, sp__sought *s)
+                                            sp_arena *a, sp__reduced_outcome *s)
 {
     sp_arena room = sp__work_open(set, a);
-    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    sp__reduction *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
     state->left = sp__budget_left(set, r) - 10 * SP__FLOPS_CERTIFICATE * (int64_t)pb->points;
-    if (state->left < 0 || !sp__flat_choose(pb, set, o)) return SP_OK;
+    if (state->left < 0 || !sp__reduction_choose(pb, set, o)) return SP_OK;
     const sp_status status = sp__exact_search(pb, set, o, state, &room, &s->claim);
     s->plane = o->mode == SP__PLANE;
     s->known = s->plane || o->forest;
@@ -112,7 +112,7 @@ SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_sett
 
 /* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
  * unless there is a budget. What a budget ended is judged, too. */
-SP__NOINLINE static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__sought *s, sp_state *state,
+SP__NOINLINE static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
                                             sp_arena *a, sp_result *r)
 {
     const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
@@ -130,7 +130,7 @@ SP__NOINLINE static sp_status sp__check_sought(const sp_problem *pb, const sp_se
 SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                              sp_arena *a, sp_result *r, int *done)
 {
-    sp__sought s = { SP_UNDECIDED, 0, 0, 0 };
+    sp__reduced_outcome s = { SP_UNDECIDED, 0, 0, 0 };
     memset(&state->cost, 0, sizeof state->cost);
     sp_status status = sp__check_search(pb, set, r, state, a, &s);
     if (!status && (s.claim || s.spent)) {

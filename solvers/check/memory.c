@@ -82,7 +82,7 @@ static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settin
     sp_problem pb;
     (void)settings;
     sp__problem_count(scene, &pb);
-    size_t most = sp__dual_scratch(&pb);
+    size_t most = sp__system_scratch(&pb);
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     for (int32_t k = 0; settings && k < settings->stage_count; k++) {
         if (settings->stage[k] != SP_STAGE_ADMM) continue;
@@ -131,7 +131,7 @@ SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settin
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
         if (k == set->stage_count && !set->localise) break;
         const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
-                                                 : sp__flat_need(pb, set, 0, scratch);
+                                                 : sp__system_need_reduced(pb, set, 0, scratch);
         if (need > work) work = need;
     }
     if (!set->work) return most > work ? most : work;
@@ -241,9 +241,9 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 }
 
 /* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
-typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__dual) <= 400 && sizeof(sp__yield) <= 64
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <= 400 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
-typedef char sp__memory_bytes_holds_flat[sizeof(sp_real) > 8 || SP__FLAT_G <= 20 ? 1 : -1];
+typedef char sp__memory_bytes_holds_reduction[sizeof(sp_real) > 8 || SP__REDUCTION_G <= 20 ? 1 : -1];
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 
 #ifndef SP_NO_CRA

@@ -34,12 +34,12 @@ static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena
 }
 
 /* What a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
-static void sp__plan_flat(const sp_problem *pb, const sp__flat *f, int64_t full, int64_t factor, sp__work *o)
+static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64_t full, int64_t factor, sp__work *o)
 {
     const int plane = f->mode == SP__PLANE;
     const int64_t v = pb->points / (1 + plane), sides = 2 * (int64_t)pb->contacts;
-    const int64_t assembly = SP__FLOPS_FLAT_HESSIAN(f) * v + SP__FLOPS_FLAT_BLOCKS * sides;
-    const int64_t sweep = SP__FLOPS_FLAT_SWEEP(f) * v + SP__FLOPS_FLAT_TWIST * sides;
+    const int64_t assembly = SP__FLOPS_REDUCED_HESSIAN(f) * v + SP__FLOPS_REDUCED_BLOCKS * sides;
+    const int64_t sweep = SP__FLOPS_REDUCED_SWEEP(f) * v + SP__FLOPS_REDUCED_TWIST * sides;
     o->less[f->mode] += full - (plane ? SP__PLAN_STEPS : 2) * (assembly + factor / 8 + SP__PLAN_SWEEPS * sweep);
     o->fewer[f->mode] += 3 * (int64_t)pb->blocks + 2 * (int64_t)pb->points;
     o->reduced[f->mode]++;
@@ -52,20 +52,20 @@ SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_set
     const sp_status status = sp_problem_build(scene, &scratch, &pb);
     if (status) return status;
     const int hangs = sp__plan_hangs(&pb, set, scratch);
-    sp__dual *w = sp__take(&scratch, 1, sizeof *w);
-    const int32_t blocks = w ? sp__dual_analyse(w, &pb, &scratch) : -1;
+    sp__system *w = sp__take(&scratch, 1, sizeof *w);
+    const int32_t blocks = w ? sp__system_analyse(w, &pb, &scratch) : -1;
     if (blocks < 0) return SP_E_MEMORY;
     const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
     const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
     const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
-    sp__flat *flat = sp__take(&scratch, 1, sizeof *flat);
-    if (!flat) return SP_E_MEMORY;
+    sp__reduction *reduction = sp__take(&scratch, 1, sizeof *reduction);
+    if (!reduction) return SP_E_MEMORY;
     o->unknowns += 6 * b + 3 * v;
     o->flops += full;
     o->problems++;
     o->forests += hangs;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
-    if (sp__flat_choose(&pb, set, flat)) sp__plan_flat(&pb, flat, full, w->L.flops, o);
+    if (sp__reduction_choose(&pb, set, reduction)) sp__plan_reduced(&pb, reduction, full, w->L.flops, o);
     return SP_OK;
 }
 
@@ -124,7 +124,7 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
 static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings)
 {
     const size_t need = sp__check_scratch(scene, settings);
-    return need ? need + sizeof(sp__planner) + sizeof(sp__dual) + 2 * SP_ALIGN : 0;
+    return need ? need + sizeof(sp__planner) + sizeof(sp__system) + 2 * SP_ALIGN : 0;
 }
 
 /* Needs and work as planned, then with all blocks together. */

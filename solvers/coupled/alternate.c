@@ -148,7 +148,7 @@ SP__NOINLINE static sp__explain *sp__explain_make(const sp_problem *pb, const sp
     sp__explain_entries(&g->t, pb, NULL);
     sp__explain_carve(g, pb, g->t.count, a);
     if (sp__failed(a)) return NULL;
-    sp__explain_entries(&g->t, pb, m ? m->c->w->weight : NULL);
+    sp__explain_entries(&g->t, pb, m ? m->c->w->measure.weight : NULL);
     if (sp_csc_from(&g->t, a, &g->A)) return NULL;
     sp__explain_cost(g, pb, m);
     sp__explain_bounds(g, pb, m);
@@ -260,9 +260,9 @@ SP__NOINLINE static void sp__alt_squares(sp__alt *m)
         d[1] = -weak * m->slip * x;
         d[2] = -weak * m->slip * y;
     }
-    sp__dual_factor(c->w, SP__GIVEN, c->w->y, m->seed->reg);
+    sp__system_factor(c->w, SP__GIVEN, c->w->y, m->seed->reg);
     sp__cra_balance(c, c->d, 0);
-    sp__dual_solve(c->w, c->w->r, c->w->y);
+    sp__system_solve(c->w, c->w->r, c->w->y);
     sp__cra_rates(c, c->w->y, c->d);
 }
 
@@ -290,9 +290,9 @@ static int sp__alt_keeps(const sp__alt *m)
 static int sp__alt_left(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
 {
     if (c->set->budget <= 0) return 1;
-    set->budget = c->w->limit - c->out->cost.flops;
-    if (set->budget < sp__program_least(qp)) c->w->spent = 1;
-    return !c->w->spent;
+    set->budget = c->w->budget.limit - c->out->cost.flops;
+    if (set->budget < sp__program_least(qp)) c->w->budget.spent = 1;
+    return !c->w->budget.spent;
 }
 
 /* Count the cost of a program.     returns whether it is solved; `close`: nearly will do */
@@ -301,7 +301,7 @@ static int sp__alt_solved(const sp__cra *c, const sp_qp_result *r, int close)
     c->out->cost.flops += r->flops;
     c->out->cost.factorisations += r->factorisations;
     c->out->cost.iterations += r->iterations;
-    if (r->status == SP_QP_BUDGET) c->w->spent = 1;
+    if (r->status == SP_QP_BUDGET) c->w->budget.spent = 1;
     return r->x && (r->status == SP_QP_SOLVED || (close && r->status == SP_QP_INACCURATE));
 }
 
@@ -365,7 +365,7 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
     if (!sp__alt_solved(c, &g->r, 0)) return 0;
     sp_real press = 0, pull = 0;
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
-        const sp_real *x = g->r.x + 4 * v, by = g->unit / c->w->unit;
+        const sp_real *x = g->r.x + 4 * v, by = g->unit / c->w->measure.unit;
         for (int k = 0; k < 3; k++) {
             m->f[v][k] = m->pin[v] > (k == 0) ? 0 : by * (k ? x[k + 1] : x[0] - x[1]);
             if (!sp__finite(m->f[v][k])) return 0;
@@ -410,18 +410,18 @@ SP__NOINLINE static void sp__alt_spread(const sp__alt *m, int first)
 SP__NOINLINE static void sp__alt_step(const sp__alt *m)
 {
     const sp__cra *c = m->c;
-    sp__dual *w = c->w;
+    sp__system *w = c->w;
     sp_real least = -1;
-    sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
-    sp__dual_solve(w, w->r, w->d);
+    sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+    sp__system_solve(w, w->r, w->d);
     for (int pass = 0; pass < 2; pass++)
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
             sp_real V[3], W[3], u[3];
-            sp__dual_twist(w, t, w->d, V, W);
+            sp__system_twist(w, t, w->d, V, W);
             for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
                 const sp_real *f = c->f + 3 * v, b = c->cap[v];
-                sp__dual_rate(w, V, W, c->pb->local[v], u);
+                sp__system_rate(w, V, W, c->pb->local[v], u);
                 const sp_real ge = u[0], gg = u[0] + (b > 0 ? (f[1] * u[1] + f[2] * u[2]) / b : 0), k = 1 / c->most;
                 if (!pass) least = sp__max(least, sp__max(ge, gg) * k);
                 else {
@@ -443,7 +443,7 @@ static int sp__alt_offer(sp__alt *m)
     for (int step = 0; step < SP__ALT_STEPS; step++) {
         sp__alt_spread(m, !step);
         sp__cra_balance(c, c->f, 1);
-        if (sp__dual_norm(c->w, c->w->r) <= 32 * (sp_real)SP_EPSILON * c->w->load) break;
+        if (sp__system_norm(c->w, c->w->r) <= 32 * (sp_real)SP_EPSILON * c->w->measure.load) break;
         sp__alt_step(m);
     }
     sp__alt_spread(m, 0);
@@ -464,7 +464,7 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
     m->slip = c->k.eps > 0 && c->k.eta > 10 ? 1 : c->k.eta / 10;
     m->least = sp__max(m->slip / 1000, 4 * SP__SLIP);
     memset(m->pin, 0, (size_t)c->pb->points * sizeof *m->pin);
-    for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(1 / c->w->unit, c->statics + 3 * v, m->f[v]);
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(1 / c->w->measure.unit, c->statics + 3 * v, m->f[v]);
     while (c->out->rounds < c->set->coupled.rounds) {
         sp_real worst = 0;
         c->out->rounds++;

@@ -70,7 +70,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     const size_t mark = a->used;
     const sp_real imbalance = c->imbalance;
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
-    sp__flat *o = sp__take(a, 1, sizeof *o);
+    sp__reduction *o = sp__take(a, 1, sizeof *o);
     int found = 0;
     if (!o) return -1;
     if (sp__cra_mirror(c->pb, c->set, o)) {
@@ -79,7 +79,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
         sp__cra_begin(c);
         found = sp__cra_search(c);
         c->mirror = 1;
-        c->spent = c->w->spent && limit >= left;
+        c->spent = c->w->budget.spent && limit >= left;
     }
     a->used = mark;
     if (found || !c->mirror) return found;
@@ -105,7 +105,7 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
     c->out->residual = c->residual;
     if (found) sp__cra_found(c, state, imbalance);
     else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
-    c->spent = c->w->spent && limit >= state->left;
+    c->spent = c->w->budget.spent && limit >= state->left;
     a->used = mark;
     return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
 }

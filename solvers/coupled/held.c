@@ -37,21 +37,21 @@ SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
 /* The best answer so far: forces, and the motion with its alpha. */
 SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 {
-    const sp__dual *w = c->w;
+    const sp__system *w = c->w;
     const sp_real soft = 1 / c->set->gamma;
     c->least = -c->energy;
-    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * c->still[k];
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->measure.weight[k / 3] * c->still[k];
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_size(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real fm = s * soft * sp__max(c->d[3 * v], 0), *f = c->f + 3 * v;
             sp_real *to = c->out->penalty + 4 * v;
-            c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->unit / c->k.L) * c->held[v][3];
-            to[0] = c->held[v][0] < 0 ? 0 : w->unit * sp__max(f[0] + fm, 0);
-            to[1] = w->unit * fm;
-            to[2] = w->unit * f[1];
-            to[3] = w->unit * f[2];
+            c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held[v][3];
+            to[0] = c->held[v][0] < 0 ? 0 : w->measure.unit * sp__max(f[0] + fm, 0);
+            to[1] = w->measure.unit * fm;
+            to[2] = w->measure.unit * f[1];
+            to[3] = w->measure.unit * f[2];
         }
     }
 }
@@ -60,13 +60,13 @@ SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 SP__NOINLINE static int sp__cra_hold(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
-    sp__dual *w = c->w;
+    sp__system *w = c->w;
     if (!sp__cra_fasten(c)) return 0;
     memcpy(c->still, w->y, n * sizeof *w->y);
     memset(w->y, 0, n * sizeof *w->y);
     c->holds = 1;
     c->goal = SP__AGREE;
-    const int better = sp__cra_descend(c) && sp__dual_norm(w, w->r) <= SP__AGREE * w->load && -c->energy < c->least;
+    const int better = sp__cra_descend(c) && sp__system_norm(w, w->r) <= SP__AGREE * w->measure.load && -c->energy < c->least;
     if (better) sp__cra_keep(c);
     c->holds = 0;
     memcpy(w->y, c->still, n * sizeof *w->y);

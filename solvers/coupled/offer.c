@@ -10,20 +10,20 @@
  * friction is free in size, of one at the rim of its cone.     returns 0 when a force changes its sign */
 SP__NOINLINE static int sp__cra_lay(sp__cra *c)
 {
-    sp__dual *w = c->w;
+    sp__system *w = c->w;
     for (int round = 0; round < 4; round++) {
         sp__cra_balance(c, c->f, 1);
-        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
-        sp__dual_solve(w, w->r, w->d);
+        if (!round) sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        sp__system_solve(w, w->r, w->d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
             sp_real *V = sp__visit_of(w)->twist[0], *W = V + 3, *u = sp__visit_of(w)->u[0];
-            sp__dual_twist(w, t, w->d, V, W);
+            sp__system_twist(w, t, w->d, V, W);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *D = c->D + 6 * (size_t)v;
                 sp_real *f = c->f + 3 * (size_t)v;
                 if (!(f[0] > 0)) continue;
-                sp__dual_rate(w, V, W, c->pb->local[v], u);
+                sp__system_rate(w, V, W, c->pb->local[v], u);
                 f[0] -= D[0] * u[0] + D[1] * u[1] + D[2] * u[2];
                 f[1] -= D[1] * u[0] + D[3] * u[1] + D[4] * u[2];
                 f[2] -= D[2] * u[0] + D[4] * u[1] + D[5] * u[2];
@@ -61,18 +61,18 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
 /* A triple in the plane as one in space: motions out of the axes e, f and alpha of mirrored corners those of their images. */
 static void sp__cra_lift(const sp__cra *c)
 {
-    const sp__flat *o = sp__reduced(c->w);
+    const sp__reduction *o = sp__reduced(c->w);
     if (!o) return;
-    sp__flat_lift(c->w, c->t.dq);
-    sp__flat_spread(o, c->pb, c->t.f);
-    for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->mate[v] < v ? o->mate[v] : v];
+    sp__reduction_lift(c->w, c->t.dq);
+    sp__reduction_copy_forces(o, c->pb, c->t.f);
+    for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->image[v] < v ? o->image[v] : v];
 }
 
 /* The triple in metres and newtons.     returns 1 when it is verified */
 SP__NOINLINE static int sp__cra_offer(sp__cra *c)
 {
-    const sp__dual *w = c->w;
-    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->weight[k / 3] * w->y[k];
+    const sp__system *w = c->w;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->measure.weight[k / 3] * w->y[k];
     memset(c->t.f, 0, 3 * (size_t)c->pb->points * sizeof *c->t.f);
     memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
@@ -80,12 +80,12 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real *f = c->f + 3 * v, *d = c->d + 3 * v;
             const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
-            sp__scale3(w->unit, f, c->t.f + 3 * v);
-            if (slip > 0) c->t.alpha[v] = ft / slip * (w->unit / c->k.L);
+            sp__scale3(w->measure.unit, f, c->t.f + 3 * v);
+            if (slip > 0) c->t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
         }
     }
     sp__cra_lift(c);
-    if (!sp__dual_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
+    if (!sp__system_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
     c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
     c->offered = 1;

@@ -6,36 +6,36 @@
 
 #if SP__WITH_COUPLED
 
-/* The dual, for work up to `limit`; flat (may be NULL): in 3 rows. */
-static int sp__cra_open(sp__cra *c, int64_t limit, sp__flat *flat, sp_arena *a)
+/* The dual, for work up to `limit`; reduction (may be NULL): in 3 rows. */
+static int sp__cra_open(sp__cra *c, int64_t limit, sp__reduction *reduction, sp_arena *a)
 {
-    c->w = sp__dual_make(c->pb, c->set, SP__MOTION, flat, &c->out->cost, a);
+    c->w = sp__system_make(c->pb, c->set, SP__MOTION, reduction, &c->out->cost, a);
     if (!c->w) return 0;
-    c->w->limit = limit;
-    c->w->given = c->D;
+    c->w->budget.limit = limit;
+    c->w->law.given = c->D;
     return 1;
 }
 
 /* Its scales. */
 static void sp__cra_begin(const sp__cra *c)
 {
-    sp__dual_bilateral(c->w);
-    sp__dual_sizes(c->w, c->w->y);
-    if (sp__dual_metric(c->w)) sp__dual_bilateral(c->w);
+    sp__system_bilateral(c->w);
+    sp__system_sizes(c->w, c->w->y);
+    if (sp__system_metric(c->w)) sp__system_bilateral(c->w);
 }
 
 /* Is there a plane to search in? The seed's search takes the scene as it is. */
-static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__flat *o)
+static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__reduction *o)
 {
-    return !set->coupled.rounds && sp__flat_choose(pb, set, o) && o->mode == SP__PLANE;
+    return !set->coupled.rounds && sp__reduction_choose(pb, set, o) && o->mode == SP__PLANE;
 }
 
 SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
 {
     sp_arena room = scratch;
-    sp__flat *o = sp__take(&room, 1, sizeof *o);
+    sp__reduction *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    const size_t dual = sp__dual_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
+    const size_t dual = sp__system_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();

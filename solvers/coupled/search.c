@@ -43,7 +43,7 @@ static void sp__cra_close(sp__cra *c, sp_real drag)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real press = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            c->lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->unit;
+            c->lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->measure.unit;
     }
     if (!gives) return;
     sp__cra_descend(c);
@@ -75,7 +75,7 @@ static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
         const sp_contact *t = &c->pb->contact[q];
         const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->unit);
+            const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->measure.unit);
             c->cap[v] = c->viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
         }
     }
@@ -94,9 +94,9 @@ static int sp__cra_search(sp__cra *c)
     for (int k = 0; k < 8; k++) {
         sp__cra_start(c, start[k].how, 0);
         if (sp__cra_grow(c, start[k].drag, start[k].damp)) return 1;
-        if (c->w->spent) return 0;
+        if (c->w->budget.spent) return 0;
     }
-    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST && !c->w->spent; q++)
+    for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST && !c->w->budget.spent; q++)
         for (int others = 0; others < 2; others++) {
             sp__cra_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
             if (sp__cra_grow(c, (sp_real)0.01, 0)) return 1;

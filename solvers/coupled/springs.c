@@ -29,7 +29,7 @@ typedef struct sp__cra {
     sp_real imbalance, residual;            /* its residuals in the certificate check */
     int offered;                        /* there was one */
     sp_coupled *out;
-    sp__dual *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
+    sp__system *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
     sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
     sp_real *lam, *cap;                 /* points: multiplier of the normal, bound of the friction */
     sp_real *kept;                      /* 6b */
@@ -101,13 +101,13 @@ static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_rea
 /* u = Aeq' y at every vertex. */
 SP__NOINLINE static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_real *u)
 {
-    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
+    if (!sp__system_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         sp_real V[3], W[3];
-        sp__dual_twist(c->w, t, y, V, W);
+        sp__system_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            if (sp__dual_counts(c->w, v) > 0) sp__dual_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
+            if (sp__system_counts(c->w, v) > 0) sp__system_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
     }
 }
 
@@ -115,21 +115,21 @@ SP__NOINLINE static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_re
 SP__NOINLINE static void sp__cra_balance(const sp__cra *c, const sp_real *f, int load)
 {
     const sp_problem *pb = c->pb;
-    if (load) sp__dual_load(c->w, c->w->r);
+    if (load) sp__system_load(c->w, c->w->r);
     else memset(c->w->r, 0, 6 * (size_t)pb->blocks * sizeof *c->w->r);
-    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
+    if (!sp__system_count(c->w, 15, SP__FLOPS_TWIST / 2)) return;
     for (int32_t q = 0; q < pb->contacts; q++) {
         const sp_contact *t = &pb->contact[q];
         sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *g = f + 3 * (size_t)v, times = sp__dual_counts(c->w, v);
+            const sp_real *g = f + 3 * (size_t)v, times = sp__system_counts(c->w, v);
             if (!(times > 0)) continue;
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += times * g[k]; M[k] += times * m[k]; }
         }
-        sp__dual_scatter(c->w, t, F, M, c->w->r);
+        sp__system_scatter(c->w, t, F, M, c->w->r);
     }
-    sp__dual_release(c->w, c->w->r);
+    sp__system_release(c->w, c->w->r);
 }
 
 /* Force and derivative of one vertex that moves by d; the energy stored in it is added to *energy. */
@@ -182,7 +182,7 @@ static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy
 /* sbar of contact t as the penalty form takes it: no metric unless there must be one. */
 static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
 {
-    return c->w->metric > 0 ? sp__cra_sbar(c, t) : c->most;
+    return c->w->measure.metric > 0 ? sp__cra_sbar(c, t) : c->most;
 }
 
 /* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
@@ -194,7 +194,7 @@ SP__NOINLINE static sp_real sp__cra_springs(sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = c->holds ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real times = sp__dual_counts(c->w, (int32_t)v);
+            const sp_real times = sp__system_counts(c->w, (int32_t)v);
             sp_real part = 0;
             if (!(times > 0)) continue;
             if (c->holds) sp__cra_wedge(c, v, s, &part);
@@ -203,21 +203,21 @@ SP__NOINLINE static sp_real sp__cra_springs(sp__cra *c)
         }
     }
     sp__cra_balance(c, c->f, 1);
-    return energy - sp__dual_work(c->w, c->w->y);
+    return energy - sp__system_work(c->w, c->w->y);
 }
 
 /* Largest component of Aeq' y. */
 SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 {
     sp_real most = 0;
-    if (!sp__dual_count(c->w, 15, SP__FLOPS_TWIST / 2)) return 0;
+    if (!sp__system_count(c->w, 15, SP__FLOPS_TWIST / 2)) return 0;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         sp_real V[3], W[3], u[3];
-        sp__dual_twist(c->w, t, y, V, W);
+        sp__system_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (!(sp__dual_counts(c->w, v) > 0)) continue;
-            sp__dual_rate(c->w, V, W, c->pb->local[v], u);
+            if (!(sp__system_counts(c->w, v) > 0)) continue;
+            sp__system_rate(c->w, V, W, c->pb->local[v], u);
             for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
         }
     }
@@ -228,7 +228,7 @@ SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 static sp_real sp__cra_at(sp__cra *c, sp_real step)
 {
     memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
-    sp__dual_axpy(c->w, step, c->w->d, c->w->y);
+    sp__system_axpy(c->w, step, c->w->d, c->w->y);
     return sp__cra_springs(c);
 }
 
@@ -253,15 +253,15 @@ static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real do
 SP__NOINLINE static int sp__cra_descend(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
-    sp__dual *w = c->w;
+    sp__system *w = c->w;
     const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->goal);
     const sp_real shift = c->holds ? SP__HOLD_SHIFT : SP__SHIFT;
     const sp_real room = 1 + (c->holds ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((c->holds ? 1 : SP__STIFF) * c->most);
     c->energy = sp__cra_springs(c);
-    for (int it = 0; it < (c->holds ? 150 : 15) && !w->spent; it++) {
-        if (sp__dual_norm(w, w->r) <= enough * w->load) break;
-        sp__dual_factor(w, SP__GIVEN, w->y, shift);
-        sp__dual_solve(w, w->r, w->d);
+    for (int it = 0; it < (c->holds ? 150 : 15) && !w->budget.spent; it++) {
+        if (sp__system_norm(w, w->r) <= enough * w->measure.load) break;
+        sp__system_factor(w, SP__GIVEN, w->y, shift);
+        sp__system_solve(w, w->r, w->d);
         const sp_real down = sp__dot(w->r, w->d, n), reach = sp__cra_extent(c, w->d);
         memcpy(c->kept, w->y, n * sizeof *w->y);
         sp_real step = reach * whole > 20 * room ? 20 * room / reach : whole, next = c->energy;
@@ -273,7 +273,7 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
         c->out->cost.iterations++;
         if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
     }
-    return !w->spent;
+    return !w->budget.spent;
 }
 
 /* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
@@ -305,7 +305,7 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
 /* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
 SP__NOINLINE static void sp__cra_press(sp__cra *c)
 {
-    sp__dual *w = c->w;
+    sp__system *w = c->w;
     for (int round = 0; round < 5; round++) {
         sp__cra_rates(c, w->y, c->d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
@@ -321,10 +321,10 @@ SP__NOINLINE static void sp__cra_press(sp__cra *c)
                 c->d[3 * v + 1] = c->d[3 * v + 2] = 0;
             }
         }
-        if (!round) sp__dual_factor(w, SP__GIVEN, w->y, SP__SHIFT);
+        if (!round) sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
         sp__cra_balance(c, c->d, 0);
-        sp__dual_solve(w, w->r, w->d);
-        sp__dual_axpy(w, 1, w->d, w->y);
+        sp__system_solve(w, w->r, w->d);
+        sp__system_axpy(w, 1, w->d, w->y);
     }
     sp__cra_rates(c, w->y, c->d);
 }

@@ -17,8 +17,8 @@ typedef struct sp__homogeneous {        /* interior points [interior.c] */
 typedef struct sp__engine {
     sp_state state;
     sp__newton n;
-    sp__dual *w;
-    sp__flat *flat;                     /* NULL: in 6 rows a block */
+    sp__system *w;
+    sp__reduction *reduction;                     /* NULL: in 6 rows a block */
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
     sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
     sp_real at;                         /* a: the loads at hand are dead + a live, live loads in ref */
@@ -65,9 +65,9 @@ static sp_real sp__engine_reference(sp__bracket *b)
 SP__NOINLINE static sp_status sp__engine_stage(sp__engine *g, sp__bracket *b, sp_arena room, sp_verdict *claim)
 {
     sp_arena again = room;
-    sp__flat *o = sp__take(&again, 1, sizeof *o);
+    sp__reduction *o = sp__take(&again, 1, sizeof *o);
     if (!o) return SP_E_MEMORY;
-    if (sp__flat_choose(&b->pb, &b->wide, o)) {    /* with as many iterations as were asked for */
+    if (sp__reduction_choose(&b->pb, &b->wide, o)) {    /* with as many iterations as were asked for */
         const sp_status status = sp__exact_search(&b->pb, &b->set, o, &g->state, &again, claim);
         if (status || *claim == SP_STABLE || (*claim == SP_UNSTABLE && (o->mode == SP__PLANE || o->forest))) return status;
         *claim = SP_UNDECIDED;

@@ -48,37 +48,37 @@ static void sp__limit_loads_sized(sp__limit *L, sp_real a)
 static void sp__limit_sizes(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    if (w->metric > 0) return;
+    if (w->measure.metric > 0) return;
     for (size_t k = 0; k < n; k++) {
-        const sp_real unit = w->unit * w->weight[k / 3];
+        const sp_real unit = w->measure.unit * w->measure.weight[k / 3];
         g->state.dq[k] = L->bracket.hint[k] / unit;
         w->d[k] = -L->bracket.hint[n + k] / unit;
     }
-    sp__flat_drop(g->flat, w->pb->blocks, g->state.dq);
-    sp__flat_drop(g->flat, w->pb->blocks, w->d);
-    sp__dual_sizes(w, g->state.dq);
+    sp__reduction_drop(g->reduction, w->pb->blocks, g->state.dq);
+    sp__reduction_drop(g->reduction, w->pb->blocks, w->d);
+    sp__system_sizes(w, g->state.dq);
 }
 
 /* Vq, Vp and their products, for the factor at hand. */
 SP__NOINLINE static void sp__interior_columns(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp_real most = 1000 * (1 + g->h.l / g->h.m.tau);
-    sp__dual_solve(w, g->q, g->Vq);
+    sp__system_solve(w, g->q, g->Vq);
     g->G[0] = sp__dot(g->q, g->Vq, n);
     sp__limit_loads(L, 0);
-    const sp_real a = g->G[0] > 0 ? -sp__dual_work(w, g->Vq) / g->G[0] : 0;
+    const sp_real a = g->G[0] > 0 ? -sp__system_work(w, g->Vq) / g->G[0] : 0;
     sp__limit_loads_sized(L, g->h.l / g->h.m.tau);
     sp__limit_sizes(L);
     sp__limit_loads(L, a > most ? most : a < -most ? -most : a);
-    sp__dual_load(w, w->r);
-    sp__dual_solve(w, w->r, g->Vp);
-    g->G[1] = sp__dual_work(w, g->Vq);
-    g->G[2] = sp__dual_work(w, g->Vp);
+    sp__system_load(w, w->r);
+    sp__system_solve(w, w->r, g->Vp);
+    g->G[1] = sp__system_work(w, g->Vq);
+    g->G[2] = sp__system_work(w, g->Vp);
 }
 
 /* lambda <= a + (resistance - work under dead + a live) / work of live, for dq = -y, caps at the sizes at hand. The least
@@ -86,17 +86,17 @@ SP__NOINLINE static void sp__interior_columns(sp__limit *L)
 SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real live = 0, size = 0, resist = 0, scale = 0;
-    const sp_real work = -sp__dual_work(w, y);
+    const sp_real work = -sp__system_work(w, y);
     for (size_t k = 0; k < n; k++) { live -= g->q[k] * y[k]; size += sp__abs(g->q[k] * y[k]); }
     for (int32_t i = 0; i < w->pb->blocks; i++) {
-        const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        const sp_real *yi = y + 6 * (size_t)i, *s = w->measure.size + 2 * (size_t)i, *z = w->measure.weight + 2 * (size_t)i;
         scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
     for (int32_t c = 0; c < w->pb->contacts; c++) resist += sp__newton_resist(w, c, y);
-    sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
+    sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST);
     const int idle = sp__abs(live) <= 64 * (sp_real)SP_EPSILON * size;         /* live loads do not care */
     const int none = (idle || live > 0) && work - g->at * live - resist > (sp_real)1.1 * w->set->tol * scale;
     const sp_real best = idle ? (none ? -1 : SP__HUGE) : live > 0 ? g->at + (resist - work) / live : SP__HUGE;
@@ -105,8 +105,8 @@ SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     L->best = best;
     L->none = none;
     L->slack = slack;
-    for (size_t k = 0; k < n; k++) L->bracket.dq[k] = -w->weight[k / 3] * y[k];
-    sp__flat_lift(w, L->bracket.dq);
+    for (size_t k = 0; k < n; k++) L->bracket.dq[k] = -w->measure.weight[k / 3] * y[k];
+    sp__reduction_lift(w, L->bracket.dq);
 }
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:
@@ -114,23 +114,23 @@ SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
 SP__NOINLINE static void sp__interior_motions(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp_real *G = g->G, det = G[0] * G[2] - G[1] * G[1];
     g->h.m.corrected = 0;
     g->h.m.sigma = 0;
     sp__ipm_sweep(w, &g->h.m, SP__AIM, w->d);
-    sp__dual_solve(w, w->d, w->d);
+    sp__system_solve(w, w->d, w->d);
     sp__limit_candidate(L, w->y);
     if (!(G[0] > 0)) return;
     for (size_t k = 0; k < n; k++) w->r[k] = w->y[k] + w->d[k];
     const sp_real a = -g->h.s - g->h.m.tau - sp__dot(g->q, w->r, n);
-    const sp_real b = g->h.l - g->h.m.kappa - g->at * (g->h.s + g->h.m.tau) - sp__dual_work(w, w->r);
-    sp__dual_axpy(w, a / G[0], g->Vq, w->r);
+    const sp_real b = g->h.l - g->h.m.kappa - g->at * (g->h.s + g->h.m.tau) - sp__system_work(w, w->r);
+    sp__system_axpy(w, a / G[0], g->Vq, w->r);
     sp__limit_candidate(L, w->r);
     if (!(det > 0)) return;
-    sp__dual_axpy(w, (a * G[2] - b * G[1]) / det - a / G[0], g->Vq, w->r);
-    sp__dual_axpy(w, (b * G[0] - a * G[1]) / det, g->Vp, w->r);
+    sp__system_axpy(w, (a * G[2] - b * G[1]) / det - a / G[0], g->Vq, w->r);
+    sp__system_axpy(w, (b * G[0] - a * G[1]) / det, g->Vp, w->r);
     sp__limit_candidate(L, w->r);
 }
 
@@ -147,9 +147,9 @@ static void sp__interior_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl
     const sp_real E = keep * (g->h.l - a * m->tau), T = keep * m->tau;
     const sp_real cl = m->sigma * m->mu - g->h.l * g->h.s - pl, ct = m->sigma * m->mu - m->tau * m->kappa - pt;
     const sp_real r1 = sp__dot(g->q, g->w->y, n) + g->h.s + m->tau;
-    const sp_real r2 = m->kappa + sp__dual_work(g->w, g->w->y) - g->h.l + a * (g->h.s + m->tau);
+    const sp_real r2 = m->kappa + sp__system_work(g->w, g->w->y) - g->h.l + a * (g->h.s + m->tau);
     const sp_real b1 = E * G[0] + T * G[1] - keep * r1 - cl / g->h.l - sp__dot(g->q, dy, n);
-    const sp_real b2 = E * G[1] + T * G[2] - keep * r2 - ct / m->tau - a * cl / g->h.l - sp__dual_work(g->w, dy);
+    const sp_real b2 = E * G[1] + T * G[2] - keep * r2 - ct / m->tau - a * cl / g->h.l - sp__system_work(g->w, dy);
     const sp_real a11 = -(G[0] + t), a12 = 1 - G[1] - a * t, a21 = -(1 + G[1] + a * t);
     const sp_real a22 = -(G[2] + m->kappa / m->tau + a * a * t), det = a11 * a22 - a12 * a21;
     const sp_real d = (b1 * a22 - a12 * b2) / det;
@@ -165,8 +165,8 @@ static void sp__interior_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl
 static void sp__interior_reach(sp__limit *L, sp_real *dy)
 {
     sp__engine *g = &L->engine;
-    sp__dual_axpy(g->w, g->h.along[0], g->Vq, dy);
-    sp__dual_axpy(g->w, g->h.along[1], g->Vp, dy);
+    sp__system_axpy(g->w, g->h.along[0], g->Vq, dy);
+    sp__system_axpy(g->w, g->h.along[1], g->Vp, dy);
     g->h.m.along[2] = dy;
     sp__ipm_reach(g->w, &g->h.m);
     g->h.m.reach = sp__ray_step(g->h.l, g->h.dl, sp__ray_step(g->h.s, g->h.ds, g->h.m.reach));
@@ -176,7 +176,7 @@ static void sp__interior_reach(sp__limit *L, sp_real *dy)
 SP__NOINLINE static void sp__interior_step(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     sp__ipm *m = &g->h.m;
     sp__interior_homogeneous(L, w->d, 0, 0);
     m->along[1] = w->d;
@@ -185,13 +185,13 @@ SP__NOINLINE static void sp__interior_step(sp__limit *L)
     m->corrected = 1;
     m->sigma = left * left * left;
     sp__ipm_sweep(w, m, SP__AIM, w->r);
-    sp__dual_solve(w, w->r, w->r);
+    sp__system_solve(w, w->r, w->r);
     sp__interior_homogeneous(L, w->r, pl, pt);
     sp__interior_reach(L, w->r);
     m->reach *= left < SP__LIMIT_CLOSE ? SP__LIMIT_KEEP : SP__IPM_KEEP;
     if (m->reach > 1) m->reach = 1;
     sp__ipm_sweep(w, m, SP__MOVE, NULL);
-    sp__dual_axpy(w, m->reach, w->r, w->y);
+    sp__system_axpy(w, m->reach, w->r, w->y);
     m->tau += m->reach * m->dtau;
     m->kappa += m->reach * m->dkappa;
     g->h.l += m->reach * g->h.dl;
@@ -211,7 +211,7 @@ SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_
     g->h.m.tau = t;
     sp__ipm_forces(g->w, t > 0 ? &g->h.m : NULL, &g->n, &g->state);
     g->h.m.tau = tau;
-    sp__flat_spread(g->flat, &L->bracket.pb, f);
+    sp__reduction_copy_forces(g->reduction, &L->bracket.pb, f);
     return g->n.found && sp__bracket_stands(&L->bracket, d, l * L->ref, f, f, L->room);
 }
 
@@ -259,18 +259,18 @@ static void sp__interior_start(sp__limit *L)
 SP__NOINLINE static int sp__interior_run(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     sp__ipm *m = &g->h.m;
     sp__bracket *b = &L->bracket;
-    const int32_t faces = w->cone.faces;
+    const int32_t faces = w->law.cone.faces;
     const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
     int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__interior_start(L);
     for (int it = 0; it < SP__LIMIT_MOST && idle < SP__IPM_IDLE && g->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
-        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
-        if (w->spent) return 0;
+        sp__system_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->budget.spent) return 0;
         g->n.left--;
         b->cost.iterations++;
         b->cost.interior++;
@@ -280,10 +280,10 @@ SP__NOINLINE static int sp__interior_run(sp__limit *L)
         if (g->h.l > 1000 * m->tau && sp__interior_unbounded(L)) return 1;
         sp__interior_columns(L);
         sp__interior_motions(L);
-        if (w->spent) return 0;
+        if (w->budget.spent) return 0;
         if (L->none && sp__bracket_falls(b, 0, 1, NULL, L->room)) return 1;
         sp__interior_step(L);
-        if (w->spent) return 0;
+        if (w->budget.spent) return 0;
         idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }
     sp__interior_lower(L, 1000 * SP__LIMIT_NEAR);

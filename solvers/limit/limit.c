@@ -126,7 +126,7 @@ static size_t sp__limit_scratch(const sp_scene *scene)
     if (!scene) return 0;
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    return sizeof(sp__limit) + SP_ALIGN + sp__limit_verify_memory(scene) + SP_ALIGN + sp__dual_scratch(&pb);
+    return sizeof(sp__limit) + SP_ALIGN + sp__limit_verify_memory(scene) + SP_ALIGN + sp__system_scratch(&pb);
 }
 
 static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)

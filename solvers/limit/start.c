@@ -6,21 +6,21 @@
 
 #if SP__WITH_INTERIOR
 
-/* L->flat, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
+/* L->reduction, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
  * about the size both have at work. */
 static void sp__limit_flat(sp__limit *L, sp_arena *a)
 {
     sp__engine *g = &L->engine;
     sp__bracket *b = &L->bracket;
-    g->flat = NULL;
+    g->reduction = NULL;
     const size_t start = a->used;
-    sp__flat *o = SP__WITH_PLAN ? sp__take(a, 1, sizeof *o) : NULL;
+    sp__reduction *o = SP__WITH_PLAN ? sp__take(a, 1, sizeof *o) : NULL;
     int planar = o != NULL;
     for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
         sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
-        planar = k ? sp__flat_loads(&b->pb, &b->set, o->e[2], 0) : sp__flat_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
+        planar = k ? sp__mirror_loads(&b->pb, &b->set, o->e[2], 0) : sp__reduction_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
     }
-    if (planar) g->flat = o;
+    if (planar) g->reduction = o;
     else if (o) a->used = start;
     sp__bracket_load(b, 1, L->ref);
 }
@@ -33,26 +33,26 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     const size_t n = 6 * (size_t)b->pb.blocks;
     sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
     sp__limit_flat(L, a);
-    g->w = sp__dual_make(&b->pb, &b->set, SP__LIMIT, g->flat, &b->cost, a);
+    g->w = sp__system_make(&b->pb, &b->set, SP__LIMIT, g->reduction, &b->cost, a);
     if (!g->w) return SP_E_MEMORY;
-    g->w->limit = sp__engine_flops(b) + b->cost.flops;
+    g->w->budget.limit = sp__engine_flops(b) + b->cost.flops;
     g->h.m.x = sp__take(a, (size_t)b->pb.points, (size_t)(b->set.faces ? b->set.faces : 3) * sizeof *g->h.m.x);
     if (sp__failed(a)) return SP_E_MEMORY;
     for (int k = 0; k < 2; k++) {
         sp__bracket_load(b, k ? 0 : 1, k ? L->ref : 0);
-        if (k) sp__bilateral_solve(g->w); else sp__dual_bilateral(g->w);
-        if (g->w->spent) return SP_OK;
+        if (k) sp__bilateral_solve(g->w); else sp__system_bilateral(g->w);
+        if (g->w->budget.spent) return SP_OK;
         g->state.y0 = y0[k];
-        sp__dual_hint(g->w, &g->state);
+        sp__bilateral_keep(g->w, &g->state);
     }
     for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
     b->y0 = L->r.y0;
-    g->w->metric = 0;
+    g->w->measure.metric = 0;
     sp__limit_loads_sized(L, 1);
     sp__limit_sizes(L);
-    if (sp__dual_metric(g->w)) sp__dual_weights(g->w);
+    if (sp__system_metric(g->w)) sp__system_weights(g->w);
     sp__bracket_load(b, 0, L->ref);
-    sp__dual_load(g->w, g->q);
+    sp__system_load(g->w, g->q);
     return SP_OK;
 }
 
@@ -61,11 +61,11 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
 {
     sp__engine *g = &L->engine;
     sp__bracket *b = &L->bracket;
-    int done = !g->w->spent && sp__interior_run(L);
+    int done = !g->w->budget.spent && sp__interior_run(L);
     if (L->r.kind == SP_LIMIT_UNBOUNDED) return L->r.lower >= 0;
-    if (!g->w->spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
+    if (!g->w->budget.spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
     if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
-    b->spent |= g->w->spent;
+    b->spent |= g->w->budget.spent;
     return done || sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
@@ -114,9 +114,9 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     const int32_t faces = L->bracket.set.faces;
     L->ref = sp__engine_reference(&L->bracket);
     sp__limit_flat(L, &scratch);
-    sp__flat *flat = L->engine.flat;
-    if (SP__WITH_PLAN && !flat) flat = sp__take(&scratch, 1, sizeof *flat);         /* of other loads there may be one */
-    const size_t search = pb->blocks ? sp__dual_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), flat, scratch) : 0;
+    sp__reduction *reduction = L->engine.reduction;
+    if (SP__WITH_PLAN && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);  /* of other loads there may be one */
+    const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);
     return 1;

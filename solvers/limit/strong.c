@@ -20,27 +20,27 @@
 SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
-    sp__dual_factor(w, SP__ADMISSIBLE, w->y, g->n.prox + g->n.shift);
-    if (w->spent) return 0;
+    sp__system_factor(w, SP__ADMISSIBLE, w->y, g->n.prox + g->n.shift);
+    if (w->budget.spent) return 0;
     g->n.left--;
     L->bracket.cost.iterations++;
-    sp__dual_solve(w, g->q, g->Vq);
+    sp__system_solve(w, g->q, g->Vq);
     g->G[0] = sp__dot(g->q, g->Vq, n);
     if (!(g->G[0] > 0)) return 0;
     const sp_real off = (c + sp__dot(g->q, w->y, n)) / g->G[0];
     if (sp__abs(off) * g->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
-        sp__dual_axpy(w, -off, g->Vq, w->y);
+        sp__system_axpy(w, -off, g->Vq, w->y);
         sp__newton_look(w, &g->n, &g->state);
         return 1;
     }
     for (size_t k = 0; k < n; k++) w->d[k] = -w->r[k] - g->n.prox * w->y[k];
-    sp__dual_solve(w, w->d, w->d);
+    sp__system_solve(w, w->d, w->d);
     for (int pass = 0; pass < 2; pass++) {              /* what rounding leaves along Vq, too */
         const sp_real a = sp__dot(g->q, w->d, n) / g->G[0];
-        sp__dual_axpy(w, -a, g->Vq, w->d);
-        if (!pass) { g->at += a; sp__dual_axpy(w, a, g->q, w->r); }
+        sp__system_axpy(w, -a, g->Vq, w->d);
+        if (!pass) { g->at += a; sp__system_axpy(w, a, g->q, w->r); }
     }
     sp__limit_loads(L, g->at);
     return sp__newton_move(w, &g->n, &g->state);
@@ -50,7 +50,7 @@ SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
 SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
 {
     sp__engine *g = &L->engine;
-    const sp__dual *w = g->w;
+    const sp__system *w = g->w;
     sp__newton *n = &g->n;
     n->imbalance = SP__HUGE;
     n->prox = 0;
@@ -79,13 +79,13 @@ static int sp__limit_closed(const sp__limit *L, sp_real apart)
 SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     memcpy(g->state.dq, L->bracket.dq, n * sizeof *g->state.dq);
-    sp__flat_drop(g->flat, w->pb->blocks, g->state.dq);
+    sp__reduction_drop(g->reduction, w->pb->blocks, g->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
     sp__newton_settle(w, &g->state);
-    for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->weight[k / 3];
+    for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->measure.weight[k / 3];
     sp__limit_loads(L, sp__max(0, L->best));
     sp__limit_candidate(L, g->Vq);
 }
@@ -95,7 +95,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
 SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp_real a = g->at;
     sp__limit_sizes(L);
@@ -104,9 +104,9 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
         for (size_t k = 0; k < n; k++) w->d[k] = pass ? w->y[k] - g->Vp[k] : -g->Vq[k];
         sp__limit_candidate(L, w->d);
     }
-    sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+    sp__system_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
     g->n.left--;
-    if (!w->spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
+    if (!w->budget.spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
         L->r.lower = a * L->ref;
         L->r.imbalance = L->bracket.imbalance;
         memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
@@ -120,12 +120,12 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
 SP__NOINLINE static int sp__strong_run(sp__limit *L)
 {
     sp__engine *g = &L->engine;
-    sp__dual *w = g->w;
+    sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real most = 0, sum = 0, last = -SP__HUGE;
     for (int32_t i = 0; i < w->pb->blocks; i++) {
-        sum += w->size[2 * (size_t)i];
-        most = sp__max(most, w->size[2 * (size_t)i]);
+        sum += w->measure.size[2 * (size_t)i];
+        most = sp__max(most, w->measure.size[2 * (size_t)i]);
     }
     memset(w->y, 0, n * sizeof *w->y);
     sp__limit_loads(L, 0);

@@ -14,75 +14,75 @@
  * gate, and it does not start where tension alone blocks the bilateral force.                            [seed 2.2] */
 
 /* f <- P_K(f + H^-1 Aeq' y) and r = Aeq f + p of it. */
-SP__NOINLINE static void sp__polish_round(sp__dual *w, const sp_real *y, sp_real *f, sp_real *r)
+SP__NOINLINE static void sp__polish_round(sp__system *w, const sp_real *y, sp_real *f, sp_real *r)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, (w->carried ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
-    sp__dual_load(w, r);
+    if (!sp__system_count(w, (w->carried ? 2 : 1) * SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    sp__system_load(w, r);
     if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp__yield *yield = sp__dual_yield(w, c);
+        const sp__yield *yield = sp__system_yield(w, c);
         sp_real V[3], W[3], F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, u[3], m[3];
-        sp__dual_twist(w, t, y, V, W);
+        sp__system_twist(w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *g = f + 3 * (size_t)v;
-            sp__dual_rate(w, V, W, pb->local[v], u);
-            for (int k = 0; k < 3; k++) u[k] = g[k] + (k ? w->slide * u[k] : u[k]);
-            sp__cone_project(&w->cone, yield, u, g);
+            sp__system_rate(w, V, W, pb->local[v], u);
+            for (int k = 0; k < 3; k++) u[k] = g[k] + (k ? w->law.slide * u[k] : u[k]);
+            sp__cone_project(&w->law.cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
             if (w->carried) sp__carry(w, t, pb->local[v], g, sp__norm3(g));
         }
-        sp__dual_scatter(w, t, F, M, r);
+        sp__system_scatter(w, t, F, M, r);
     }
-    sp__dual_release(w, r);
+    sp__system_release(w, r);
 }
 
 /* A round and its imbalance. keep (NULL: not on a budget) gets the forces whose imbalance, as forces are judged, is the best so far. */
-SP__NOINLINE static sp_real sp__polish_look(sp__dual *w, sp_real *f, sp_real *keep, sp_real *best)
+SP__NOINLINE static sp_real sp__polish_look(sp__system *w, sp_real *f, sp_real *keep, sp_real *best)
 {
     if (keep) sp__carry_begin(w);
     sp__polish_round(w, w->y, f, w->r);
-    const sp_real strict = w->spent ? SP__HUGE : sp__dual_imbalance(w, w->r);
+    const sp_real strict = w->budget.spent ? SP__HUGE : sp__system_imbalance(w, w->r);
     w->carried = NULL;
     if (keep && strict < *best) {
         *best = strict;
         memcpy(keep, f, 3 * (size_t)w->pb->points * sizeof *f);
     }
-    return w->spent ? SP__HUGE : sp__dual_imbalance(w, w->r);
+    return w->budget.spent ? SP__HUGE : sp__system_imbalance(w, w->r);
 }
 
 static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__dual_need(pb, set, 0, set->budget > 0 ? 3 : 0, scratch);
+    return sp__system_need(pb, set, 0, set->budget > 0 ? 3 : 0, scratch);
 }
 
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
-    sp__dual *w = sp__dual_open(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
+    sp__system *w = sp__system_full(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
     const size_t n = 6 * (size_t)pb->blocks, size = 3 * (size_t)pb->points;
     sp_real best = SP__HUGE, *keep = w && set->budget > 0 ? sp__take(arena, size, sizeof *keep) : NULL;
     if (!w || sp__failed(arena)) return SP_E_MEMORY;
-    w->limit = state->left;
+    w->budget.limit = state->left;
     const sp_real goal = set->seed && seed->balance < set->tol / 4 ? seed->balance : set->tol / 4;
     state->reason = SP_REASON_BUDGET;
-    sp__dual_bilateral(w);
-    if (w->spent) return SP_OK;
-    if (!set->seed) sp__dual_hint(w, state);
-    sp__dual_sizes(w, w->y);
-    if (set->seed) sp__dual_forces(w, SP__BILATERAL, w->y, state);
+    sp__system_bilateral(w);
+    if (w->budget.spent) return SP_OK;
+    if (!set->seed) sp__bilateral_keep(w, state);
+    sp__system_sizes(w, w->y);
+    if (set->seed) sp__system_forces(w, SP__BILATERAL, w->y, state);
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
     if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
     memset(state->f, 0, size * sizeof *state->f);
     sp_real imbalance = sp__polish_look(w, state->f, keep, &best), last = imbalance;
-    if (w->spent) return SP_OK;
+    if (w->budget.spent) return SP_OK;
     for (int round = 1; imbalance > goal && round <= seed->rounds; round++) {
-        sp__dual_solve(w, w->r, w->y);
+        sp__system_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
         const sp_real now = sp__polish_look(w, state->f, keep, &best);
-        if (w->spent) break;
+        if (w->budget.spent) break;
         imbalance = now;
         state->cost.iterations++;
         if (round % seed->window) continue;
@@ -91,8 +91,8 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     }
     *claim = imbalance <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
     if (keep && !*claim) memcpy(state->f, keep, size * sizeof *keep);
-    for (size_t k = 0; k < size; k++) state->f[k] *= w->unit;
-    if (!w->spent) state->reason = SP_REASON_STAGES;
+    for (size_t k = 0; k < size; k++) state->f[k] *= w->measure.unit;
+    if (!w->budget.spent) state->reason = SP_REASON_STAGES;
     return SP_OK;
 }
 

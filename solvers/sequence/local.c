@@ -145,19 +145,19 @@ SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
 {
     sp__check *c = NULL;
-    sp__flat *flat = NULL;
+    sp__reduction *reduction = NULL;
     sp_arena a = q->work;
     sp_verdict claim = SP_UNDECIDED;
     sp__part_make(q);
     if (sp__part_open(q, &a, &c)) return 0;
     sp__lean_load(q, &c->pb);
     sp_arena room = a;
-    sp__flat *o = sp__take(&room, 1, sizeof *o);
-    if (o && sp__flat_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { flat = o; a = room; }
+    sp__reduction *o = sp__take(&room, 1, sizeof *o);
+    if (o && sp__reduction_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { reduction = o; a = room; }
     if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
     c->set.tol *= SP__LEAN_TOL;
     c->state.left = sp__budget_left(&c->set, &c->r);
-    const sp_status status = sp__exact_search(&c->pb, &c->set, flat, &c->state, &a, &claim);
+    const sp_status status = sp__exact_search(&c->pb, &c->set, reduction, &c->state, &a, &claim);
     sp__cost_add(&q->cost, &c->state.cost);
     q->again += q->members;
     return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);

@@ -240,8 +240,8 @@ SP__NOINLINE static sp_status sp__sequence_joints(sp_sequence *q)
 SP__NOINLINE static sp_status sp__sequence_order(sp_sequence *q)
 {
     sp_arena a = q->work;
-    sp__dual *w = sp__take(&a, 1, sizeof *w);
-    if (!w || sp__dual_analyse(w, &q->pb, &a) < 0) return SP_E_MEMORY;
+    sp__system *w = sp__take(&a, 1, sizeof *w);
+    if (!w || sp__system_analyse(w, &q->pb, &a) < 0) return SP_E_MEMORY;
     for (int32_t k = 0; k < q->pb.blocks; k++) q->order[k] = q->pb.block[w->L.perm[k]];
     return SP_OK;
 }

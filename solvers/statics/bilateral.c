@@ -10,50 +10,50 @@
 /* Least squares in the metric: (G + shift) y = -p, G = Aeq S Aeq', and where p has a part that no contact resists at all
  * (then y would run off by it) that part is taken out again: y <- y - shift (G + shift)^-1 y.               [seed 2.1] */
 
-static void sp__dual_axpy(sp__dual *w, sp_real s, const sp_real *x, sp_real *y)
+static void sp__system_axpy(sp__system *w, sp_real s, const sp_real *x, sp_real *y)
 {
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) y[k] += s * x[k];
 }
 
-static sp_real sp__dual_norm(const sp__dual *w, const sp_real *x)
+static sp_real sp__system_norm(const sp__system *w, const sp_real *x)
 {
     return SP_SQRT(sp__dot(x, x, 6 * (size_t)w->pb->blocks));
 }
 
 /* w->r <- correction of y for gradient r, by the factor at hand. */
-static void sp__bilateral_correct(sp__dual *w)
+static void sp__bilateral_correct(sp__system *w)
 {
-    sp__dual_solve(w, w->r, w->r);
+    sp__system_solve(w, w->r, w->r);
     if (!w->singular) return;
-    sp__dual_solve(w, w->r, w->d);
-    sp__dual_axpy(w, -SP__SHIFT, w->d, w->r);
+    sp__system_solve(w, w->r, w->d);
+    sp__system_axpy(w, -SP__SHIFT, w->d, w->r);
 }
 
 /* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
- * better. Worth nothing when w->spent. */
-SP__NOINLINE static void sp__bilateral_solve(sp__dual *w)
+ * better. Worth nothing when w->budget.spent. */
+SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) w->y[k] = 0;
-    sp__dual_load(w, w->r);
-    w->load = sp__dual_norm(w, w->r);
+    sp__system_load(w, w->r);
+    w->measure.load = sp__system_norm(w, w->r);
     w->singular = 0;
     sp_real last = SP__HUGE;
     for (int it = 0; it < 6; it++) {
         sp__bilateral_correct(w);
-        sp__dual_axpy(w, -1, w->r, w->y);
-        sp__dual_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
-        if (w->spent) return;
-        const sp_real now = sp__dual_norm(w, w->r);
-        if (!w->singular && now > SP__SCALE_TOL * w->load) {            /* again, for a matrix with null vectors in the load */
+        sp__system_axpy(w, -1, w->r, w->y);
+        sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
+        if (w->budget.spent) return;
+        const sp_real now = sp__system_norm(w, w->r);
+        if (!w->singular && now > SP__SCALE_TOL * w->measure.load) {            /* again, for a matrix with null vectors in the load */
             w->singular = 1;
             it = -1;
             last = SP__HUGE;
             for (size_t k = 0; k < n; k++) w->y[k] = 0;
-            sp__dual_load(w, w->r);
+            sp__system_load(w, w->r);
             continue;
         }
-        if (now <= 64 * (sp_real)SP_EPSILON * w->load || now > last / 4) break;
+        if (now <= 64 * (sp_real)SP_EPSILON * w->measure.load || now > last / 4) break;
         last = now;
     }
     sp__bilateral_correct(w);
@@ -61,46 +61,46 @@ SP__NOINLINE static void sp__bilateral_solve(sp__dual *w)
 }
 
 /* The same from the beginning, in the metric at hand. Factorises once. */
-static void sp__dual_bilateral(sp__dual *w)
+static void sp__system_bilateral(sp__system *w)
 {
-    sp__dual_weights(w);
+    sp__system_weights(w);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->y[k] = 0;
-    sp__dual_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
+    sp__system_factor(w, SP__BILATERAL, w->y, SP__SHIFT);
     sp__bilateral_solve(w);
 }
 
 /* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), in two parts. */
-static void sp__dual_hint(sp__dual *w, sp_state *state)
+static void sp__bilateral_keep(sp__system *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-    const sp__flat *o = sp__reduced(w);
+    const sp__reduction *o = sp__reduced(w);
     if (o && o->mode == SP__LEVEL_JOINTS && !o->forest) return;
     for (size_t k = 0; k < n; k++) {
-        state->y0[k] = w->unit * w->weight[k / 3] * w->y[k];
-        state->y0[n + k] = -w->unit * w->weight[k / 3] * w->d[k];
+        state->y0[k] = w->measure.unit * w->measure.weight[k / 3] * w->y[k];
+        state->y0[n + k] = -w->measure.unit * w->measure.weight[k / 3] * w->d[k];
     }
-    sp__flat_lift(w, state->y0);
-    sp__flat_lift(w, state->y0 + n);
+    sp__reduction_lift(w, state->y0);
+    sp__reduction_lift(w, state->y0 + n);
     state->has_y0 = 1;
 }
 
 /* state->f <- forces of potential y in newtons. */
-static void sp__dual_forces(sp__dual *w, sp__law law, const sp_real *y, sp_state *state)
+static void sp__system_forces(sp__system *w, sp__law law, const sp_real *y, sp_state *state)
 {
-    sp__dual_gradient(w, law, y, w->r, state->f);
-    for (int32_t c = 0; c < w->pb->contacts && !w->spent; c++) {
+    sp__system_gradient(w, law, y, w->r, state->f);
+    for (int32_t c = 0; c < w->pb->contacts && !w->budget.spent; c++) {
         const sp_contact *t = &w->pb->contact[c];
-        for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->unit;
+        for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->measure.unit;
     }
 }
 
 /* The hint alone. */
 SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
 {
-    sp__dual *w = sp__dual_open(pb, set, SP__EXACT, &state->cost, &arena);
+    sp__system *w = sp__system_full(pb, set, SP__EXACT, &state->cost, &arena);
     if (!w) return SP_E_MEMORY;
-    sp__dual_bilateral(w);
-    sp__dual_hint(w, state);
+    sp__system_bilateral(w);
+    sp__bilateral_keep(w, state);
     return SP_OK;
 }
 

@@ -8,96 +8,96 @@
 
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__flat_need(pb, set, SP__WITH_INTERIOR ? (size_t)set->faces : 0, scratch);
+    return sp__system_need_reduced(pb, set, SP__WITH_INTERIOR ? (size_t)set->faces : 0, scratch);
 }
 
 /* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it
  * A light block beside a heavy one has digits of its own: what is much for its load is looked at with the forces on it. */
-SP__NOINLINE static int sp__newton_bonded(sp__dual *w, sp_state *state)
+SP__NOINLINE static int sp__bilateral_admissible(sp__system *w, sp_state *state)
 {
     const sp_real little = sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON);
     int each = 1;
-    sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
-    if (w->spent || sp__dual_norm(w, w->r) > little * w->load) return 0;
+    sp__system_forces(w, SP__ADMISSIBLE, w->y, state);
+    if (w->budget.spent || sp__system_norm(w, w->r) > little * w->measure.load) return 0;
     sp_real *load = w->L.t;                             /* nothing is solved meanwhile */
-    sp__dual_load(w, load);
+    sp__system_load(w, load);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k += 6)
         each &= SP_SQRT(sp__dot(w->r + k, w->r + k, 6)) <= little * SP_SQRT(sp__dot(load + k, load + k, 6));
-    if (!each) sp__dual_sizes(w, w->y);
-    return each || (!w->spent && sp__dual_imbalance(w, w->r) <= little);
+    if (!each) sp__system_sizes(w, w->y);
+    return each || (!w->budget.spent && sp__system_imbalance(w, w->r) <= little);
 }
 
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.
  * looked: w->r is of w->y already. */
-static void sp__exact_ways(sp__dual *w, sp__newton *n, int looked, sp_state *state)
+static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *state)
 {
-    const int whole = sp__dual_whole(w);
+    const int whole = sp__system_covers(w);
     int idle = 0;                                       /* too long for these factors: no other way gets there, either */
-    if (w->singular) sp__newton_loose(w, n, state);
-    if (sp__dual_metric(w)) { sp__dual_bilateral(w); looked = 0; }
-    if (whole) sp__newton_try(w, n, w->y, state);
-    if (looked) sp__newton_keep(w, n, state);
+    if (w->singular) sp__newton_unresisted(w, n, state);
+    if (sp__system_metric(w)) { sp__system_bilateral(w); looked = 0; }
+    if (whole) sp__newton_prove(w, n, w->y, state);
+    if (looked) sp__newton_record(w, n, state);
     else sp__newton_look(w, n, state);
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
     const int cones = SP__WITH_INTERIOR && !sp__problem_strong(w->pb);  /* with strength K is none */
     const int coarse = n->found && n->best > SP__FINE;  /* within tol, but not to rounding */
-    if (sp__newton_open(n) && whole && cones) idle = sp__ipm_run(w, w->inner, n, state);
-    if (sp__newton_open(n) && whole && !idle) {
+    if (sp__newton_unfinished(n) && whole && cones) idle = sp__ipm_run(w, w->inner, n, state);
+    if (sp__newton_unfinished(n) && whole && !idle) {
         sp__newton_path(w, n, state);
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
     }
-    if ((coarse || (sp__newton_open(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
+    if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
         else memcpy(w->y, state->y, bytes);
-        sp__dual_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
+        sp__system_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
         n->left--;
         n->found = 0;                                   /* then they are still those of y */
         sp__ipm_forces(w, NULL, n, state);
     }
 }
 
-/* flat (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
+/* reduction (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
  * the least force is all that is tried: it says what stands, and where it does not little is lost. */
-SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__flat *flat, sp_state *state,
+SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction, sp_state *state,
                                             sp_arena *arena, sp_verdict *claim)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
-    sp__dual *w = sp__dual_make(pb, set, SP__EXACT, flat, &state->cost, arena);
+    sp__system *w = sp__system_make(pb, set, SP__EXACT, reduction, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     if (SP__WITH_INTERIOR) w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
     if (SP__WITH_INTERIOR && !w->inner->x) return SP_E_MEMORY;
-    const int whole = sp__dual_whole(w);
+    const int whole = sp__system_covers(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
-    w->limit = state->left - tail;
+    w->budget.limit = state->left - tail;
     state->reason = SP_REASON_BUDGET;
-    if (flat) flat->spent = 1;
-    sp__dual_bilateral(w);
-    if (w->spent) return SP_OK;
-    if (flat) flat->spent = 0;
-    sp__dual_hint(w, state);
+    if (reduction) reduction->spent = 1;
+    sp__system_bilateral(w);
+    if (w->budget.spent) return SP_OK;
+    if (reduction) reduction->spent = 0;
+    sp__bilateral_keep(w, state);
     const int looked = sp__reduced(w) && !w->singular;  /* w->r is of this y */
-    if (looked && sp__newton_bonded(w, state)) {
-        sp__flat_spread(flat, pb, state->f);
+    if (looked && sp__bilateral_admissible(w, state)) {
+        sp__reduction_copy_forces(reduction, pb, state->f);
         *claim = SP_STABLE;
         return SP_OK;
     }
-    sp__dual_sizes(w, w->y);
+    sp__system_sizes(w, w->y);
     if (!whole && w->singular) return SP_OK;
     sp__exact_ways(w, &n, looked, state);
-    const int spent = w->spent;
-    w->limit = state->left;
-    w->spent = 0;
-    if (!n.found && n.best < SP__HUGE) sp__dual_forces(w, SP__ADMISSIBLE, state->y, state);
-    w->spent = spent;
+    const int spent = w->budget.spent;
+    w->budget.limit = state->left;
+    w->budget.spent = 0;
+    if (!n.found && n.best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
+    w->budget.spent = spent;
     if (n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
-        state->dq[k] = -w->weight[k / 3] * (spent ? state->y[k] : w->y[k]);
-    sp__flat_lift(w, state->dq);
-    sp__flat_spread(flat, pb, state->f);
-    if (flat) flat->spent = spent;
+        state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
+    sp__reduction_lift(w, state->dq);
+    sp__reduction_copy_forces(reduction, pb, state->f);
+    if (reduction) reduction->spent = spent;
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
     state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
                   : n.left > 0 && !spent && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;

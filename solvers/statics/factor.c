@@ -11,12 +11,12 @@
 /* L <- T A T + 2 u, u and L of the factor's precision, T = diag(A)^-1/2 (1 where that is 0): no number leaves the range of a
  * float, and motions that A hardly resists are all slowed down alike. Pivots dropped one by one would tear them apart, and
  * conjugate gradients would find each anew. Before that A's diagonal grows by its own `own`. */
-SP__NOINLINE static void sp__dual_lower(sp__dual *w, sp_real own)
+SP__NOINLINE static void sp__system_to_float(sp__system *w, sp_real own)
 {
     const sp__bchol *L = &w->L;
     sp__bchol_zero(&w->L);
     for (size_t k = 0; k < (size_t)L->n; k++) {
-        sp_real *d = w->diagonal + 21 * k, *t = w->scale + 6 * k;
+        sp_real *d = w->mixed.diagonal + 21 * k, *t = w->mixed.scale + 6 * k;
         sp__low *to = L->d + 21 * k;
         for (int c = 0; c < 6; c++) {
             sp_real *pivot = d + sp__column[c];
@@ -31,18 +31,19 @@ SP__NOINLINE static void sp__dual_lower(sp__dual *w, sp_real own)
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         if (w->slot[c] == INT32_MIN) continue;
         const int32_t a = L->inv[w->pb->contact[c].a], b = L->inv[w->pb->contact[c].b], first = a < b ? a : b;
-        const sp_real *A = sp__dual_coupling(w, c), *col = w->scale + 6 * (size_t)first, *row = w->scale + 6 * (size_t)(a + b - first);
+        const sp_real *A = sp__system_coupling(w, c), *T = w->mixed.scale;
+        const sp_real *col = T + 6 * (size_t)first, *row = T + 6 * (size_t)(a + b - first);
         sp__low *to = L->x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
         for (int k = 0; k < 36; k++) to[k] += (sp__low)(A[k] * col[k / 6] * row[k % 6]);
     }
 }
 
 /* y <- A x, in the caller's order of rows. */
-SP__NOINLINE static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_real *y)
+SP__NOINLINE static void sp__system_times(const sp__system *w, const sp_real *x, sp_real *y)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *d = sp__dual_diagonal(w, i), *xi = x + 6 * (size_t)i;
+        const sp_real *d = sp__system_diagonal(w, i), *xi = x + 6 * (size_t)i;
         sp_real *yi = y + 6 * (size_t)i;
         for (int r = 0; r < 6; r++) yi[r] = 0;
         for (int c = 0; c < 6; c++)
@@ -55,7 +56,7 @@ SP__NOINLINE static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_
     for (int32_t k = 0; k < pb->contacts; k++) {
         if (w->slot[k] == INT32_MIN) continue;
         const size_t a = (size_t)pb->contact[k].a, b = (size_t)pb->contact[k].b, first = w->L.inv[a] < w->L.inv[b] ? a : b;
-        const sp_real *block = sp__dual_coupling(w, k), *xc = x + 6 * first, *xr = x + 6 * (a + b - first);
+        const sp_real *block = sp__system_coupling(w, k), *xc = x + 6 * first, *xr = x + 6 * (a + b - first);
         sp_real *yc = y + 6 * first, *yr = y + 6 * (a + b - first);
         for (int c = 0; c < 6; c++)
             for (int r = 0; r < 6; r++) {
@@ -67,7 +68,7 @@ SP__NOINLINE static void sp__dual_times(const sp__dual *w, const sp_real *x, sp_
 #endif
 
 /* A contact's H = h of vv, vw, ww in its own frame as 3 x 3 in X. */
-static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real *h, sp_real *H)
+static void sp__reduction_project(const sp__reduction *o, const sp_real *g, const sp_real *h, sp_real *H)
 {
     const sp_real *vv = h, *vw = h + 9, *ww = h + 18, x = g[2], y = g[3];
     if (o->mode == SP__PLANE) {
@@ -89,7 +90,7 @@ static void sp__flat_project(const sp__flat *o, const sp_real *g, const sp_real 
 }
 
 /* out = H T by columns, H symmetric. */
-static void sp__flat_right(const sp_real H[9], const sp_real T[7], sp_real out[9])
+static void sp__reduction_right(const sp_real H[9], const sp_real T[7], sp_real out[9])
 {
     for (int r = 0; r < 3; r++) {
         out[r] = T[0] * H[r] + T[1] * H[3 + r];
@@ -99,62 +100,63 @@ static void sp__flat_right(const sp_real H[9], const sp_real T[7], sp_real out[9
 }
 
 /* Row r of T' times a column x. */
-static sp_real sp__flat_left(const sp_real T[7], int r, const sp_real x[3])
+static sp_real sp__reduction_left(const sp_real T[7], int r, const sp_real x[3])
 {
     const sp_real sum = T[2 * r] * x[0] + T[2 * r + 1] * x[1];
     return r == 2 ? sum + T[6] * x[2] : sum;
 }
 
 /* Contact c's H into L: T' H T. */
-SP__NOINLINE static void sp__flat_add(sp__dual *w, int32_t c, const sp_real H[9])
+SP__NOINLINE static void sp__reduction_add(sp__system *w, int32_t c, const sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp_real *T = sp__flat_frame(w, t) + 6;
+    const sp_real *T = sp__reduction_frame(w, t) + 6;
     sp_real (*X)[9] = w->scratch->of.HT;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        sp__flat_right(H, T + 7 * side, X[side]);
+        sp__reduction_right(H, T + 7 * side, X[side]);
         sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
         for (int q = 0; q < 3; q++)
-            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__flat_left(T + 7 * side, r, X[side] + 3 * q);
+            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__reduction_left(T + 7 * side, r, X[side] + 3 * q);
     }
     if (w->slot[c] == INT32_MIN) return;
     const int turn = w->slot[c] < 0;
     sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
-    for (int k = 0; k < 9; k++) x[k] += sp__flat_left(T + 7 * turn, k % 3, X[!turn] + k / 3 * 3);
+    for (int k = 0; k < 9; k++) x[k] += sp__reduction_left(T + 7 * turn, k % 3, X[!turn] + k / 3 * 3);
 }
 
-/* sp__dual_assemble in 3 rows a block. */
-SP__NOINLINE static void sp__flat_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+/* sp__system_assemble in 3 rows a block. */
+SP__NOINLINE static void sp__reduction_assemble(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     sp_real *H = w->scratch->H3;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        if (law < SP__GIVEN && sp__dual_yield(w, c)->plain) sp__flat_hessian(w, law, c, y, H);
-        else if (sp__dual_contact_hessian(w, law, c, y)) sp__flat_project(w->flat, sp__flat_frame(w, &pb->contact[c]), w->scratch->H, H);
+        if (law < SP__GIVEN && sp__system_yield(w, c)->plain) sp__wedge_hessian(w, law, c, y, H);
+        else if (sp__system_contact_hessian(w, law, c, y))
+            sp__reduction_project(w->reduction, sp__reduction_frame(w, &pb->contact[c]), w->scratch->H, H);
         else continue;
-        sp__flat_add(w, c, H);
+        sp__reduction_add(w, c, H);
     }
     for (size_t k = 0; k < (size_t)pb->blocks; k++)
         for (int q = 0; q < 3; q++) sp__bchol_d(&w->L)[6 * k + sp__column3[q]] += shift;
 }
 
 /* Solve by the factor of 3 rows. */
-static void sp__flat_solve(sp__dual *w, const sp_real *b, sp_real *x)
+static void sp__reduction_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
     sp_real *t = w->L.t;
     for (size_t k = 0; k < (size_t)w->L.n; k++)
-        for (int r = 0; r < 3; r++) t[3 * k + (size_t)r] = b[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)];
+        for (int r = 0; r < 3; r++) t[3 * k + (size_t)r] = b[6 * (size_t)w->L.perm[k] + sp__reduction_row(w->reduction, r)];
     sp__bchol3_solve(&w->L, t);
     memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
     for (size_t k = 0; k < (size_t)w->L.n; k++)
-        for (int r = 0; r < 3; r++) x[6 * (size_t)w->L.perm[k] + sp__flat_row(w->flat, r)] = t[3 * k + (size_t)r];
+        for (int r = 0; r < 3; r++) x[6 * (size_t)w->L.perm[k] + sp__reduction_row(w->reduction, r)] = t[3 * k + (size_t)r];
 }
 
 /* The assembled blocks as one dense lower triangle, in elimination order. */
-static void sp__dual_spread(sp__dual *w)
+static void sp__system_densify(sp__system *w)
 {
     const sp__bchol *L = &w->L;
     const size_t n = 6 * (size_t)L->n;
@@ -172,12 +174,12 @@ static void sp__dual_spread(sp__dual *w)
         }
 }
 
-/* sp__dual_factor in 3 rows a block, in full precision. */
-static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+/* sp__system_factor in 3 rows a block, in full precision. */
+static void sp__reduction_factor(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_real floor = 4 * (sp_real)SP_EPSILON;
-    sp__flat_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
-    w->cost->factorisations++;
+    sp__reduction_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->budget.cost->factorisations++;
     const int balanced = SP__WITH_INTERIOR && law == SP__INTERIOR;
     if (balanced) sp__bchol_balance(&w->L, shift);
     sp__bchol3_factor(&w->L, floor);
@@ -185,16 +187,17 @@ static void sp__flat_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real 
 }
 
 /* L L' = Aeq S DP Aeq' + shift; for the interior law, whose rows differ by orders, shift times its own diagonal. */
-SP__NOINLINE static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    if (!sp__dual_pay(w, own) || !sp__dual_assembly(w, sp__reduced(w) && w->flat->plain && law < SP__GIVEN)) return;
-    if (sp__reduced(w)) { sp__flat_factor(w, law, y, shift); return; }
-    sp__dual_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
-    w->cost->factorisations++;
+    const int narrow = sp__reduced(w) && w->reduction->no_strength && law < SP__GIVEN;
+    if (!sp__system_pay(w, own) || !sp__system_assembly(w, narrow)) return;
+    if (sp__reduced(w)) { sp__reduction_factor(w, law, y, shift); return; }
+    sp__system_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
+    w->budget.cost->factorisations++;
 #ifdef SP_REAL_MIXED
-    sp__dual_lower(w, law == SP__INTERIOR ? shift : 0);
+    sp__system_to_float(w, law == SP__INTERIOR ? shift : 0);
 #else
     if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
         sp__bchol_balance(&w->L, shift);
@@ -204,13 +207,13 @@ SP__NOINLINE static void sp__dual_factor(sp__dual *w, sp__law law, const sp_real
     }
 #endif
     if (w->dense) {
-        sp__dual_spread(w);
+        sp__system_densify(w);
         sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
     } else sp__bchol_factor(&w->L, floor);
 }
 
 /* x <- (L L')^-1 b; x may be b. */
-static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
+static void sp__system_substitute(sp__system *w, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->L.n;
     if (!w->dense) { sp__bchol_solve(&w->L, b, x); return; }
@@ -219,7 +222,7 @@ static void sp__dual_back(sp__dual *w, const sp_real *b, sp_real *x)
     for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
 }
 
-static int64_t sp__dual_solve_flops(const sp__dual *w)
+static int64_t sp__system_solve_flops(const sp__system *w)
 {
     const int64_t n = 6 * (int64_t)w->L.n;
     return w->dense ? 2 * n * n : (144 * (int64_t)w->L.p[w->L.n] + 12 * n) / (w->L.rows == 3 ? 4 : 1);
@@ -227,18 +230,18 @@ static int64_t sp__dual_solve_flops(const sp__dual *w)
 
 #ifdef SP_REAL_MIXED
 /* z <- T (L L')^-1 T r, in the range of a float whatever the size of r.     returns r.z */
-static sp_real sp__dual_precondition(sp__dual *w, const sp_real *r, sp_real *z)
+static sp_real sp__system_precondition(sp__system *w, const sp_real *r, sp_real *z)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real most = 0, rz = 0;
     for (size_t k = 0; k < n; k++) {
-        z[k] = r[k] * w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6];
+        z[k] = r[k] * w->mixed.scale[6 * (size_t)w->L.inv[k / 6] + k % 6];
         most = sp__max(most, sp__abs(z[k]));
     }
     for (size_t k = 0; k < n; k++) z[k] = most > 0 ? z[k] / most : 0;
-    sp__dual_back(w, z, z);
+    sp__system_substitute(w, z, z);
     for (size_t k = 0; k < n; k++) {
-        z[k] *= w->scale[6 * (size_t)w->L.inv[k / 6] + k % 6] * most;
+        z[k] *= w->mixed.scale[6 * (size_t)w->L.inv[k / 6] + k % 6] * most;
         rz += r[k] * z[k];
     }
     return rz;
@@ -247,40 +250,40 @@ static sp_real sp__dual_precondition(sp__dual *w, const sp_real *r, sp_real *z)
 /* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: a few steps, and where A is nearly singular
  * one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one only in
  * A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for. */
-static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
-    const int64_t flops = sp__dual_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
-    sp_real *p = w->cg, *q = p + n, *z = q + n, *r = z + n;
+    const int64_t flops = sp__system_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
+    sp_real *p = w->mixed.cg, *q = p + n, *z = q + n, *r = z + n;
     if (sp__reduced(w)) {
-        if (sp__dual_pay(w, sp__dual_solve_flops(w))) sp__flat_solve(w, b, x);
+        if (sp__system_pay(w, sp__system_solve_flops(w))) sp__reduction_solve(w, b, x);
         else memset(x, 0, n * sizeof *x);
         return;
     }
     memcpy(r, b, n * sizeof *r);
     memset(x, 0, n * sizeof *x);
-    if (!sp__dual_pay(w, flops)) return;
-    sp_real rz = sp__dual_precondition(w, r, p);
+    if (!sp__system_pay(w, flops)) return;
+    sp_real rz = sp__system_precondition(w, r, p);
     const sp_real enough = 256 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * rz;
     for (int it = 0; it < SP__REFINE && rz > enough; it++) {
-        sp__dual_times(w, p, q);
+        sp__system_times(w, p, q);
         const sp_real pq = sp__dot(p, q, n);
         if (!(pq > 0)) return;
         const sp_real alpha = rz / pq;
         for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
-        if (!sp__dual_pay(w, flops)) return;
-        const sp_real next = sp__dual_precondition(w, r, z), beta = -alpha * sp__dot(z, q, n) / rz;
+        if (!sp__system_pay(w, flops)) return;
+        const sp_real next = sp__system_precondition(w, r, z), beta = -alpha * sp__dot(z, q, n) / rz;
         for (size_t k = 0; k < n; k++) p[k] = z[k] + beta * p[k];
         rz = next;
     }
 }
 #else
 /* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
-static void sp__dual_solve(sp__dual *w, const sp_real *b, sp_real *x)
+static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
-    const int paid = sp__dual_pay(w, sp__dual_solve_flops(w));
-    if (paid && sp__reduced(w)) sp__flat_solve(w, b, x);
-    else if (paid) sp__dual_back(w, b, x);
+    const int paid = sp__system_pay(w, sp__system_solve_flops(w));
+    if (paid && sp__reduced(w)) sp__reduction_solve(w, b, x);
+    else if (paid) sp__system_substitute(w, b, x);
     else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
 }
 #endif

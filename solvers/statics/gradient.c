@@ -7,10 +7,10 @@
 #if SP__WITH_LARGE
 
 /* From now on gradients tell what the blocks bear, in the place of solutions: none is asked for meanwhile. */
-static void sp__carry_begin(sp__dual *w) { w->carried = w->L.t; }
+static void sp__carry_begin(sp__system *w) { w->carried = w->L.t; }
 
 /* Force g of size |g| at l, in the contact's frame, into what the blocks bear. */
-SP__NOINLINE static void sp__carry(sp__dual *w, const sp_contact *t, const sp_real *l, const sp_real g[3], sp_real size)
+SP__NOINLINE static void sp__carry(sp__system *w, const sp_contact *t, const sp_real *l, const sp_real g[3], sp_real size)
 {
     const sp_joint *f = t->joint;
     for (int side = 0; side < 2; side++) {
@@ -26,8 +26,8 @@ SP__NOINLINE static void sp__carry(sp__dual *w, const sp_contact *t, const sp_re
     }
 }
 
-/* A contact's share of sp__dual_gradient. */
-SP__NOINLINE static void sp__contact_gradient(sp__dual *w, sp__law law, const sp__view *k, const sp_real *y, sp_real *r, sp_real *f)
+/* A contact's share of sp__system_gradient. */
+SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const sp__view *k, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_contact *t = k->t;
     sp__visit *s = sp__visit_of(w);
@@ -35,7 +35,7 @@ SP__NOINLINE static void sp__contact_gradient(sp__dual *w, sp__law law, const sp
     for (int q = 0; q < 6; q++) Y[q] = 0;
     sp__view_motion(w, k, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, k, l, X, u);
         sp__view_force(w, k, law, u, g);
@@ -50,21 +50,21 @@ SP__NOINLINE static void sp__contact_gradient(sp__dual *w, sp__law law, const sp
 }
 
 /* r = Aeq f(y) + p, weighted; f (may be NULL) gets the forces, 3 x points, in units. */
-static void sp__dual_gradient(sp__dual *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
+static void sp__system_gradient(sp__system *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_sweep(w, 1, 1) || (w->carried && !sp__dual_count(w, SP__FLOPS_SWEEP, 0))) return;
-    sp__dual_load(w, r);
+    if (!sp__system_sweep(w, 1, 1) || (w->carried && !sp__system_count(w, SP__FLOPS_SWEEP, 0))) return;
+    sp__system_load(w, r);
     if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp__view k = sp__view_of(w, c);
         sp__contact_gradient(w, law, &k, y, r, f);
     }
-    sp__dual_release(w, r);
+    sp__system_release(w, r);
 }
 
-/* A contact's share of sp__dual_slope. */
-SP__NOINLINE static sp_real sp__contact_slope(sp__dual *w, const sp__view *k, const sp_real *y, const sp_real *d, sp_real s)
+/* A contact's share of sp__system_slope. */
+SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, const sp__view *k, const sp_real *y, const sp_real *d, sp_real s)
 {
     const sp_contact *t = k->t;
     sp__visit *o = sp__visit_of(w);
@@ -73,7 +73,7 @@ SP__NOINLINE static sp_real sp__contact_slope(sp__dual *w, const sp__view *k, co
     sp__view_motion(w, k, d, dX);
     for (int q = 0; q < (k->g ? 3 : 6); q++) X[q] += s * dX[q];
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, k, l, X, u);
         sp__view_rates(w, k, l, dX, du);
@@ -84,15 +84,15 @@ SP__NOINLINE static sp_real sp__contact_slope(sp__dual *w, const sp__view *k, co
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */
-SP__NOINLINE static sp_real sp__dual_slope(sp__dual *w, const sp_real *y, const sp_real *d, sp_real s)
+SP__NOINLINE static sp_real sp__system_slope(sp__system *w, const sp_real *y, const sp_real *d, sp_real s)
 {
     sp_real sum = 0;
-    if (!sp__dual_sweep(w, 1, 2)) return 0;
+    if (!sp__system_sweep(w, 1, 2)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp__view k = sp__view_of(w, c);
         sum += sp__contact_slope(w, &k, y, d, s);
     }
-    return sum + sp__dual_work(w, d);
+    return sum + sp__system_work(w, d);
 }
 
 #endif

@@ -9,20 +9,20 @@
 
 /* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `force_scale`.
  * e[1] not written like e[2]: see sp__soc_square. */
-static void sp__ipm_edge(const sp__dual *w, int32_t c, int32_t k, sp_real e[3])
+static void sp__ipm_edge(const sp__system *w, int32_t c, int32_t k, sp_real e[3])
 {
-    const sp_real mu = sp__dual_mu(w, c), h = mu * w->cone.tan_half, *d = w->cone.direction[k];
-    e[0] = w->inner->force_scale * sp__dual_S(w, c) / (sp_real)w->cone.faces;
+    const sp_real mu = sp__system_mu(w, c), h = mu * w->law.cone.tan_half, *d = w->law.cone.direction[k];
+    e[0] = w->inner->force_scale * sp__system_S(w, c) / (sp_real)w->law.cone.faces;
     e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
     e[2] = e[0] * (mu * d[1] + h * d[0]);
 }
 
 /* A pyramid's share of sp__ipm_derivative. */
-SP__NOINLINE static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+SP__NOINLINE static void sp__ipm_by_edges(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
-    const sp_real *x = w->inner->x + (size_t)w->cone.faces * (size_t)v, times = sp__dual_counts(w, v);
+    const sp_real *x = w->inner->x + (size_t)w->law.cone.faces * (size_t)v, times = sp__system_counts(w, v);
     sp_real *e = sp__visit_of(w)->edge;
-    for (int32_t k = 0; k < w->cone.faces; k++) {
+    for (int32_t k = 0; k < w->law.cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
         if (!(zk > 0 && x[k] > 0)) w->inner->outside = 1;
@@ -34,16 +34,16 @@ SP__NOINLINE static void sp__ipm_by_edges(sp__dual *w, int32_t c, int32_t v, con
 }
 
 /* The true cone's. */
-SP__NOINLINE static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+SP__NOINLINE static void sp__ipm_by_cone(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + 3 * (size_t)v;
-    const sp_real S = w->inner->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    const sp_real S = w->inner->force_scale * sp__system_S(w, c), T = S * sp__system_mu(w, c);
     sp_real *z = sp__visit_of(w)->z;
     z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
     const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
-    w->inner->gap += sp__dual_counts(w, v) * sp__dot3(x, z);
+    w->inner->gap += sp__system_counts(w, v) * sp__dot3(x, z);
     D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
     D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
     D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
@@ -51,34 +51,34 @@ SP__NOINLINE static void sp__ipm_by_cone(sp__dual *w, int32_t c, int32_t v, cons
 }
 
 /* D = E W^2 E' for rates u = Aeq' y, z = theta e - E'u; f (may be NULL) = E x. Adds x.z to the gap. */
-static void sp__ipm_derivative(sp__dual *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
+static void sp__ipm_derivative(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     for (int k = 0; k < 6; k++) D[k] = 0;
     for (int k = 0; f && k < 3; k++) f[k] = 0;
-    if (w->cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
+    if (w->law.cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
     else sp__ipm_by_cone(w, c, v, u, D, f);
 }
 
 /* An assembly. */
-static int sp__dual_assembly(sp__dual *w, int plain)
+static int sp__system_assembly(sp__system *w, int plain)
 {
-    const sp__flat *o = sp__reduced(w);
-    if (o && plain) return sp__dual_pay(w, SP__FLOPS_FLAT_HESSIAN(o) * o->vertices + SP__FLOPS_FLAT_BLOCKS * o->sides);
-    return sp__dual_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
+    const sp__reduction *o = sp__reduced(w);
+    if (o && plain) return sp__system_pay(w, SP__FLOPS_REDUCED_HESSIAN(o) * o->vertices + SP__FLOPS_REDUCED_BLOCKS * o->sides);
+    return sp__system_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
 /* H of a contact, 3 x 3 in X. */
-SP__NOINLINE static void sp__flat_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
+SP__NOINLINE static void sp__wedge_hessian(sp__system *w, sp__law law, int32_t c, const sp_real *y, sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp_real *g = sp__flat_frame(w, t);
-    const int plane = w->flat->mode == SP__PLANE;
+    const sp_real *g = sp__reduction_frame(w, t);
+    const int plane = w->reduction->mode == SP__PLANE;
     sp__visit *at = sp__visit_of(w);
     sp_real *X = at->twist[0], *h = at->twist[1], *q = at->m, *u = at->u[0], *D = at->D;
     for (int k = 0; k < 6; k++) h[k] = 0;
-    sp__flat_there(w, t, g, y, X);
+    sp__reduction_motion(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__dual_counts(w, v);
+        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
         if (!(times > 0)) continue;
         sp__wedge_levers(w, g, l, q);
         sp__wedge_rates(w, g, l, X, u);
@@ -115,10 +115,10 @@ SP__NOINLINE static void sp__vertex_hessian(const sp_real D[6], const sp_real *l
 }
 
 /* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */
-static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
+static int sp__vertex_law(sp__system *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
 {
-    if (law == SP__GIVEN) { memcpy(D, w->given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
-    sp__dual_rate(w, twist, twist + 3, w->pb->local[v], u);
+    if (law == SP__GIVEN) { memcpy(D, w->law.given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
+    sp__system_rate(w, twist, twist + 3, w->pb->local[v], u);
     if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
         sp__ipm_derivative(w, c, v, u, D, NULL);
         return 1;
@@ -126,28 +126,28 @@ static int sp__vertex_law(sp__dual *w, sp__law law, int32_t c, int32_t v, const 
     D[0] = D[3] = D[5] = 1;
     D[1] = D[2] = D[4] = 0;
     if (law == SP__ADMISSIBLE) {
-        const sp__region region = sp__cone_derivative(&w->cone, sp__dual_yield(w, c), u, D);
-        if (w->soft > 0 && u[0] < 0) D[0] += w->soft;
+        const sp__region region = sp__cone_derivative(&w->law.cone, sp__system_yield(w, c), u, D);
+        if (w->law.soft > 0 && u[0] < 0) D[0] += w->law.soft;
         else if (region == SP__APEX) return 0;
     }
-    const sp_real S = sp__dual_S(w, c), T = S * w->slide, R = T * w->slide;
+    const sp_real S = sp__system_S(w, c), T = S * w->law.slide, R = T * w->law.slide;
     D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
     return 1;
 }
 
 /* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame, into w->scratch->H.
  *     returns 0 when all of it is zero: the contact is open */
-SP__NOINLINE static int sp__dual_contact_hessian(sp__dual *w, sp__law law, int32_t c, const sp_real *y)
+SP__NOINLINE static int sp__system_contact_hessian(sp__system *w, sp__law law, int32_t c, const sp_real *y)
 {
     const sp_contact *t = &w->pb->contact[c];
     sp__visit *s = sp__visit_of(w);
     sp_real *h = w->scratch->H, *twist = s->twist[0];
     int carries = 0;
-    sp__dual_twist(w, t, y, twist, twist + 3);
+    sp__system_twist(w, t, y, twist, twist + 3);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        if (!(sp__dual_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, s->u[0], s->D)) continue;
-        for (int k = 0; k < 6; k++) s->D[k] *= sp__dual_counts(w, v);
+        if (!(sp__system_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, s->u[0], s->D)) continue;
+        for (int k = 0; k < 6; k++) s->D[k] *= sp__system_counts(w, v);
         sp__vertex_hessian(s->D, w->pb->local[v], h);
         carries = 1;
     }
@@ -225,23 +225,23 @@ SP__NOINLINE static void sp__add_coupling(sp_real *block, int turn, const sp_rea
 /* The matrix's block of free block i, the lower triangle by columns; of a contact between free blocks, or of all between the two:
  * its rows are the later one's in elimination order. L is made in place, unless it is of other precision. */
 #ifdef SP_REAL_MIXED
-static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->diagonal + 21 * (size_t)w->L.inv[i]; }
-static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c) { return w->coupling + 36 * (size_t)c; }
+static sp_real *sp__system_diagonal(const sp__system *w, int32_t i) { return w->mixed.diagonal + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__system_coupling(const sp__system *w, int32_t c) { return w->mixed.coupling + 36 * (size_t)c; }
 #else
-static sp_real *sp__dual_diagonal(const sp__dual *w, int32_t i) { return w->L.d + 21 * (size_t)w->L.inv[i]; }
-static sp_real *sp__dual_coupling(const sp__dual *w, int32_t c)
+static sp_real *sp__system_diagonal(const sp__system *w, int32_t i) { return w->L.d + 21 * (size_t)w->L.inv[i]; }
+static sp_real *sp__system_coupling(const sp__system *w, int32_t c)
 {
     return w->L.x + 36 * (size_t)(w->slot[c] < 0 ? -1 - w->slot[c] : w->slot[c]);
 }
 #endif
 
 /* Rows and columns of held directions to zero, in every block they run through. */
-static void sp__dual_hold(sp__dual *w)
+static void sp__system_clear_held(sp__system *w)
 {
     const sp_problem *pb = w->pb;
     for (int32_t i = 0; i < pb->blocks; i++)
         for (int k = 0; k < 6; k++) {
-            sp_real *d = sp__dual_diagonal(w, i);
+            sp_real *d = sp__system_diagonal(w, i);
             if (!sp__held(pb, i, k)) continue;
             for (int q = 0; q < 6; q++) d[q < k ? sp__column[q] + k - q : sp__column[k] + q - k] = 0;
         }
@@ -249,7 +249,7 @@ static void sp__dual_hold(sp__dual *w)
         for (int k = 0; k < 12 && w->slot[c] != INT32_MIN; k++) {
             const int32_t i = k < 6 ? pb->contact[c].a : pb->contact[c].b;
             const int turn = w->slot[c] < 0, row = (k < 6) != turn;     /* is block a's direction a row as stored? */
-            sp_real *x = sp__dual_coupling(w, c);
+            sp_real *x = sp__system_coupling(w, c);
             if (!sp__held(pb, i, k % 6)) continue;
             for (int q = 0; q < 6; q++) x[row ? 6 * q + k % 6 : 6 * (k % 6) + q] = 0;
         }
@@ -258,10 +258,10 @@ static void sp__dual_hold(sp__dual *w)
 /* Contact c's H, in w->scratch, moved to the centroids of its blocks,
  *
  *   T = [ I  -[arm]x ; 0  I ],   K_aa = Ta' H Ta,   K_bb = Tb' H Tb,   K_ab = -Ta' H Tb                                  */
-SP__NOINLINE static void sp__dual_add(sp__dual *w, int32_t c)
+SP__NOINLINE static void sp__system_add(sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp_real *za = w->weight + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = w->weight + 2 * (size_t)(t->b < 0 ? 0 : t->b);
+    const sp_real *z = w->measure.weight, *za = z + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = z + 2 * (size_t)(t->b < 0 ? 0 : t->b);
     sp__moved *m = &w->scratch->of.moved;
     const sp_real *H = w->scratch->H;
     sp__rotate(t, H, m->vv);
@@ -271,36 +271,36 @@ SP__NOINLINE static void sp__dual_add(sp__dual *w, int32_t c)
         sp__cross_right(t->ra, m->vv, 0, m->vw, m->vwa);                    /* K_vw = vw - vv [arm]x */
         sp__cross_right(t->ra, m->vw, 1, m->ww, m->part);                   /* ww - vw' [arm]x */
         sp__cross_left(t->ra, m->vwa, m->part, m->sum);                     /* K_ww */
-        sp__add_diagonal(sp__dual_diagonal(w, t->a), za, m->vv, m->vwa, m->sum);
+        sp__add_diagonal(sp__system_diagonal(w, t->a), za, m->vv, m->vwa, m->sum);
     }
     if (t->b >= 0) {
         sp__cross_right(t->rb, m->vv, 0, m->vw, m->vwb);
         sp__cross_right(t->rb, m->vw, 1, m->ww, m->part);
         sp__cross_left(t->rb, m->vwb, m->part, m->sum);
-        sp__add_diagonal(sp__dual_diagonal(w, t->b), zb, m->vv, m->vwb, m->sum);
+        sp__add_diagonal(sp__system_diagonal(w, t->b), zb, m->vv, m->vwb, m->sum);
     }
     if (w->slot[c] != INT32_MIN) {
         sp__cross_left(t->ra, m->vwb, m->part, m->sum);
-        sp__add_coupling(sp__dual_coupling(w, c), w->slot[c] < 0, za, zb, m->vv, m->vwa, m->vwb, m->sum);
+        sp__add_coupling(sp__system_coupling(w, c), w->slot[c] < 0, za, zb, m->vv, m->vwa, m->vwb, m->sum);
     }
 }
 
 /* Aeq S DP Aeq' + shift into L. */
-SP__NOINLINE static void sp__dual_assemble(sp__dual *w, sp__law law, const sp_real *y, sp_real shift)
+SP__NOINLINE static void sp__system_assemble(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
     const sp_problem *pb = w->pb;
     int held = 0;
 #ifdef SP_REAL_MIXED
-    memset(w->diagonal, 0, 21 * (size_t)pb->blocks * sizeof *w->diagonal);
-    memset(w->coupling, 0, 36 * (size_t)pb->contacts * sizeof *w->coupling);
+    memset(w->mixed.diagonal, 0, 21 * (size_t)pb->blocks * sizeof *w->mixed.diagonal);
+    memset(w->mixed.coupling, 0, 36 * (size_t)pb->contacts * sizeof *w->mixed.coupling);
 #else
     sp__bchol_zero(&w->L);
 #endif
-    for (int32_t c = 0; c < pb->contacts; c++) if (sp__dual_contact_hessian(w, law, c, y)) sp__dual_add(w, c);
+    for (int32_t c = 0; c < pb->contacts; c++) if (sp__system_contact_hessian(w, law, c, y)) sp__system_add(w, c);
     for (int32_t i = 0; i < pb->blocks && !held; i++) held = pb->scene->block[pb->block[i]].fixed != 0;
-    if (held) sp__dual_hold(w);
+    if (held) sp__system_clear_held(w);
     for (int32_t i = 0; i < pb->blocks; i++)
-        for (int q = 0; q < 6; q++) sp__dual_diagonal(w, i)[sp__column[q]] += shift;
+        for (int q = 0; q < 6; q++) sp__system_diagonal(w, i)[sp__column[q]] += shift;
 }
 
 #endif

@@ -65,10 +65,10 @@ static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
 }
 
 /* The edges of a vertex's pyramid. */
-SP__NOINLINE static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
-    sp_real *x = m->x + (size_t)w->cone.faces * (size_t)v, *e = sp__visit_of(w)->edge, *rate = sp__visit_of(w)->rate;
-    for (int32_t k = 0; k < w->cone.faces; k++) {
+    sp_real *x = m->x + (size_t)w->law.cone.faces * (size_t)v, *e = sp__visit_of(w)->edge, *rate = sp__visit_of(w)->rate;
+    for (int32_t k = 0; k < w->law.cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
         const sp_real a = sp__ipm_ray(m, x + k, rate);
@@ -77,11 +77,11 @@ SP__NOINLINE static void sp__ipm_rays(const sp__dual *w, sp__ipm *m, int32_t c, 
 }
 
 /* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__NOINLINE static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     g[0] = g[1] = g[2] = 0;
-    if (w->cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
-    const sp_real S = m->force_scale * sp__dual_S(w, c), T = S * sp__dual_mu(w, c);
+    if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
+    const sp_real S = m->force_scale * sp__system_S(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
     sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, sp__visit_of(w));
     g[0] *= S; g[1] *= T; g[2] *= T;
@@ -89,12 +89,12 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__dual *w, sp__ipm *m, int32_t c
 
 /* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is not
  * corrected no predictor: those rates are 0. */
-SP__NOINLINE static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, sp_real *r)
+SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
     const int counts[3] = { 1, m->corrected, pass != SP__AIM }, rates = 1 + counts[1] + counts[2];
     m->pass = pass;
-    if (!sp__dual_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
+    if (!sp__system_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
     if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
@@ -102,37 +102,37 @@ SP__NOINLINE static void sp__ipm_sweep(sp__dual *w, sp__ipm *m, sp__pass pass, s
         sp_real (*u)[3] = s->u, *g = s->f, *F = s->sum, *M = F + 3;
         for (int k = 0; k < 3; k++) {
             F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
-            if (counts[k]) sp__dual_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
+            if (counts[k]) sp__system_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
         }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (!(sp__dual_counts(w, v) > 0)) continue;
+            if (!(sp__system_counts(w, v) > 0)) continue;
             for (int k = 0; k < 3; k++)
-                if (counts[k]) sp__dual_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
+                if (counts[k]) sp__system_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
-            sp__scale3(sp__dual_counts(w, v), g, g);
+            sp__scale3(sp__system_counts(w, v), g, g);
             sp__cross3(pb->local[v], g, s->m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
         }
-        if (pass == SP__AIM) sp__dual_scatter(w, t, F, M, r);
+        if (pass == SP__AIM) sp__system_scatter(w, t, F, M, r);
     }
-    if (pass == SP__AIM) sp__dual_release(w, r);
+    if (pass == SP__AIM) sp__system_release(w, r);
 }
 
 /* g = P_K(f - D u); g may be f. */
-static void sp__ipm_change(const sp__dual *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3], const sp_real f[3],
+static void sp__ipm_change(const sp__system *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3], const sp_real f[3],
                            sp_real g[3])
 {
     const sp_real a = f[0] - (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]), b = f[1] - (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
     g[2] = f[2] - (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
     g[0] = a; g[1] = b;
-    sp__cone_project(&w->cone, yield, g, g);
+    sp__cone_project(&w->law.cone, yield, g, g);
 }
 
 /* Forces of the live loads alone: is this a vertex that only others press, W^2 < 1, so x -> 0? What x is left there would have
  * to balance stones that nothing else holds. */
-static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp_real D[6])
+static int sp__ipm_idle(const sp__system *w, const sp__ipm *m, int32_t c, const sp_real D[6])
 {
-    const sp_real S = m->force_scale * sp__dual_S(w, c);
+    const sp_real S = m->force_scale * sp__system_S(w, c);
     return m->ray && D[0] < S * S;
 }
 
@@ -140,50 +140,50 @@ static int sp__ipm_idle(const sp__dual *w, const sp__ipm *m, int32_t c, const sp
  * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
  * hide small ones. */
-SP__NOINLINE static void sp__ipm_balance(sp__dual *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
+SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__dual_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
-    sp__dual_load(w, w->r);
+    if (!sp__system_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
+    sp__system_load(w, w->r);
     memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp__yield *yield = sp__dual_yield(w, c);
+        const sp__yield *yield = sp__system_yield(w, c);
         sp__visit *s = sp__visit_of(w);
         sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->sum, *M = F + 3;
-        sp__dual_twist(w, t, w->y, twist[0], twist[0] + 3);
-        sp__dual_twist(w, t, d, twist[1], twist[1] + 3);
-        sp__dual_twist(w, t, e, twist[2], twist[2] + 3);
+        sp__system_twist(w, t, w->y, twist[0], twist[0] + 3);
+        sp__system_twist(w, t, d, twist[1], twist[1] + 3);
+        sp__system_twist(w, t, e, twist[2], twist[2] + 3);
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
-            const sp_real times = sp__dual_counts(w, v);
+            const sp_real times = sp__system_counts(w, v);
             if (!(times > 0)) continue;
-            sp__dual_rate(w, twist[0], twist[0] + 3, pb->local[v], u);
+            sp__system_rate(w, twist[0], twist[0] + 3, pb->local[v], u);
             if (m) sp__ipm_derivative(w, c, v, u, D, g);
             else {
-                sp__dual_force(w, c, yield, u, g);
+                sp__system_force(w, c, yield, u, g);
                 if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist[0], u, D)) memset(D, 0, 6 * sizeof *D);
             }
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
-            sp__dual_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
+            sp__system_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, f);
-            sp__dual_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
+            sp__system_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
             sp__ipm_change(w, yield, D, u, f, g);
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
             sp__carry(w, t, pb->local[v], g, sp__norm3(g));
         }
-        sp__dual_scatter(w, t, F, M, w->r);
+        sp__system_scatter(w, t, F, M, w->r);
     }
-    sp__dual_release(w, w->r);
+    sp__system_release(w, w->r);
 }
 
 /* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
  * and the rest balanced again while that gains. Then state->f holds them. */
-SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp_real last = SP__HUGE, strict = SP__HUGE;
@@ -193,35 +193,35 @@ SP__NOINLINE static void sp__ipm_forces(sp__dual *w, const sp__ipm *m, sp__newto
     for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
         sp__carry_begin(w);
         sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
-        const sp_real now = sp__dual_imbalance(w, w->r);
+        const sp_real now = sp__system_imbalance(w, w->r);
         w->carried = NULL;
-        if (w->spent) return;
-        n->imbalance = sp__dual_imbalance(w, w->r);
+        if (w->budget.spent) return;
+        n->imbalance = sp__system_imbalance(w, w->r);
         const int slow = n->imbalance > SP__GAIN * last && now > SP__GAIN * strict;
         if (it == 60 || (slow && (last > n->goal || now >= strict || !more--))) break;
         last = n->imbalance;
         strict = now;
         memcpy(state->dq, w->d, size * sizeof *w->d);
-        sp__dual_solve(w, w->r, w->d);
+        sp__system_solve(w, w->r, w->d);
     }
     n->imbalance = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
-    for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->unit;
+    for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->measure.unit;
     n->best = strict;
     n->found = 1;
 }
 
 /* Changes of tau and kappa, from the step w->r of y that leaves tau alone and state->dq = dy / dtau. */
-static void sp__ipm_homogeneous(const sp__dual *w, sp__ipm *m, const sp_state *state, sp_real product)
+static void sp__ipm_homogeneous(const sp__system *w, sp__ipm *m, const sp_state *state, sp_real product)
 {
-    const sp_real rest = m->kappa + sp__dual_work(w, w->y), keep = 1 - m->sigma;
+    const sp_real rest = m->kappa + sp__system_work(w, w->y), keep = 1 - m->sigma;
     const sp_real c = m->tau * m->kappa + product - m->sigma * m->kappa_weight * m->mu;
-    m->dtau = (c / m->tau - keep * rest - sp__dual_work(w, w->r)) / (sp__dual_work(w, state->dq) - m->kappa / m->tau);
+    m->dtau = (c / m->tau - keep * rest - sp__system_work(w, w->r)) / (sp__system_work(w, state->dq) - m->kappa / m->tau);
     m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
 }
 
 /* Longest step along m->along[2] that stays inside. */
-static void sp__ipm_reach(sp__dual *w, sp__ipm *m)
+static void sp__ipm_reach(sp__system *w, sp__ipm *m)
 {
     m->reach = 1000;
     sp__ipm_sweep(w, m, SP__REACH, NULL);
@@ -230,60 +230,60 @@ static void sp__ipm_reach(sp__dual *w, sp__ipm *m)
 
 /* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of dy / dtau
  * that the load's work is kappa it is tried as a proof. */
-SP__NOINLINE static void sp__ipm_motion(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__ipm_motion(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    sp__dual_load(w, state->dq);
+    sp__system_load(w, state->dq);
     for (size_t k = 0; k < size; k++) state->dq[k] = -state->dq[k];
-    sp__dual_solve(w, state->dq, state->dq);
+    sp__system_solve(w, state->dq, state->dq);
     m->corrected = 0;
     m->sigma = 0;
     sp__ipm_sweep(w, m, SP__AIM, w->d);
-    sp__dual_solve(w, w->d, w->d);
-    const sp_real pulls = -sp__dual_work(w, state->dq);
+    sp__system_solve(w, w->d, w->d);
+    const sp_real pulls = -sp__system_work(w, state->dq);
     if (!(pulls > 0)) return;
-    const sp_real share = (m->kappa + sp__dual_work(w, w->y) + sp__dual_work(w, w->d)) / pulls;
+    const sp_real share = (m->kappa + sp__system_work(w, w->y) + sp__system_work(w, w->d)) / pulls;
     for (size_t k = 0; k < size; k++) w->r[k] = w->y[k] + w->d[k] + share * state->dq[k];
-    sp__newton_try(w, n, w->r, state);
+    sp__newton_prove(w, n, w->r, state);
 }
 
 /* Predictor and corrector with the factor at hand, from what sp__ipm_motion left in w->d and state->dq. */
-SP__NOINLINE static void sp__ipm_step(sp__dual *w, sp__ipm *m, const sp_state *state)
+SP__NOINLINE static void sp__ipm_step(sp__system *w, sp__ipm *m, const sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     for (size_t k = 0; k < n; k++) w->r[k] = w->d[k] + m->tau * state->dq[k];
     sp__ipm_homogeneous(w, m, state, 0);
-    sp__dual_axpy(w, m->tau + m->dtau, state->dq, w->d);
+    sp__system_axpy(w, m->tau + m->dtau, state->dq, w->d);
     m->along[1] = m->along[2] = w->d;
     sp__ipm_reach(w, m);
     const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), product = m->dtau * m->dkappa;
     m->corrected = 1;
     m->sigma = left * left * left;
     sp__ipm_sweep(w, m, SP__AIM, w->r);
-    sp__dual_solve(w, w->r, w->r);
-    sp__dual_axpy(w, (1 - m->sigma) * m->tau, state->dq, w->r);
+    sp__system_solve(w, w->r, w->r);
+    sp__system_axpy(w, (1 - m->sigma) * m->tau, state->dq, w->r);
     sp__ipm_homogeneous(w, m, state, product);
-    sp__dual_axpy(w, m->dtau, state->dq, w->r);
+    sp__system_axpy(w, m->dtau, state->dq, w->r);
     m->along[2] = w->r;
     sp__ipm_reach(w, m);
     m->reach *= SP__IPM_KEEP;
     if (m->reach > 1) m->reach = 1;
     sp__ipm_sweep(w, m, SP__MOVE, NULL);
-    sp__dual_axpy(w, m->reach, w->r, w->y);
+    sp__system_axpy(w, m->reach, w->r, w->y);
     m->tau += m->reach * m->dtau;
     m->kappa += m->reach * m->dkappa;
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
 /* x = z = e, y = 0. force_scale is a quarter of what an average block bears. */
-static void sp__ipm_start(sp__dual *w, sp__ipm *m)
+static void sp__ipm_start(sp__system *w, sp__ipm *m)
 {
-    const int32_t faces = w->cone.faces;
+    const int32_t faces = w->law.cone.faces;
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     for (size_t k = 0; k < (size_t)(faces ? faces : 3) * (size_t)w->pb->points; k++) m->x[k] = faces || k % 3 == 0;
     m->force_scale = 0;
-    for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
-    if (w->metric > 0) m->force_scale = 1 / (4 * w->metric);
+    for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->measure.size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
+    if (w->measure.metric > 0) m->force_scale = 1 / (4 * w->measure.metric);
     m->theta = m->tau = 1;
     m->kappa = m->kappa_weight;
     m->ray = 0;
@@ -293,9 +293,9 @@ static void sp__ipm_start(sp__dual *w, sp__ipm *m)
 
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
  *   returns 1 where SP__IPM_IDLE steps one after the other got nowhere and no other way does: factors have too few digits */
-SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_state *state)
+SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->cone.faces ? w->cone.faces : 1);
+    const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
     int idle = 0;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
@@ -303,8 +303,8 @@ SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_s
         m->gap = 0;
         m->outside = 0;
         if (m->theta < SP__IPM_LATE) m->kappa_weight = 3 * cones;
-        sp__dual_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
-        if (w->spent) break;
+        sp__system_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
+        if (w->budget.spent) break;
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
@@ -312,9 +312,9 @@ SP__NOINLINE static int sp__ipm_run(sp__dual *w, sp__ipm *m, sp__newton *n, sp_s
         m->mu = (m->gap + m->tau * m->kappa) / (cones + m->kappa_weight);
         sp__ipm_forces(w, m, n, state);
         if (n->found) return 0;
-        sp__newton_try(w, n, w->y, state);
+        sp__newton_prove(w, n, w->y, state);
         if (!n->proved) sp__ipm_motion(w, m, n, state);
-        if (n->proved || w->spent) return 0;
+        if (n->proved || w->budget.spent) return 0;
         sp__ipm_step(w, m, state);
         idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }

@@ -33,9 +33,9 @@ typedef struct sp__newton {
 } sp__newton;
 
 /* Is there work left to spend? */
-static int sp__newton_left(const sp__dual *w, const sp__newton *n) { return n->left > 0 && !w->spent; }
+static int sp__newton_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }
 
-static int sp__newton_open(const sp__newton *n) { return n->imbalance > n->goal && !n->proved && !n->found; }
+static int sp__newton_unfinished(const sp__newton *n) { return n->imbalance > n->goal && !n->proved && !n->found; }
 
 /* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
 typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
@@ -43,11 +43,11 @@ typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
 static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 * sp__abs(l->start), l->noise); }
 
 /* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
-SP__NOINLINE static sp_real sp__newton_search(sp__dual *w, const sp__line *l, sp_real f)
+SP__NOINLINE static sp_real sp__newton_search(sp__system *w, const sp__line *l, sp_real f)
 {
     sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
     for (int it = 0; it < 14; it++) {
-        if (it) f = sp__dual_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
+        if (it) f = sp__system_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
         if (sp__abs(f) <= sp__line_enough(l)) return s;
         if (f < 0) { lo = s; flo = f; }
         else { hi = s; fhi = f; }
@@ -71,49 +71,49 @@ typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 
 /* What the vertices of contact c can resist motion y with: sum of f.u over the f in K no longer than their cap that does most;
  * where K is a wedge that is the cap times |P_K(u)|. */
-SP__NOINLINE static sp_real sp__newton_resist(const sp__dual *w, int32_t c, const sp_real *y)
+SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, const sp_real *y)
 {
     const sp__view k = sp__view_of(w, c);
-    const sp_real S = sp__dual_S(w, c), most = w->set->force_bound * sp__lesser(k.t, w->size, 2) / S;
+    const sp_real S = sp__system_S(w, c), most = w->set->force_bound * sp__lesser(k.t, w->measure.size, 2) / S;
     sp__visit *s = sp__visit_of(w);
     sp_real *X = s->twist[0], *u = s->u[0], *f = s->f, sum = 0;
     sp__view_motion(w, &k, y, X);
     for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
-        const sp_real times = sp__dual_counts(w, v);
+        const sp_real times = sp__system_counts(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, &k, w->pb->local[v], X, u);
         if (k.g) sp__view_force(w, &k, SP__ADMISSIBLE, u, f);
-        sum += times * (k.g ? sp__view_norm(&k, f) : sp__cone_support(&w->cone, w->yield, u, most));
+        sum += times * (k.g ? sp__view_norm(&k, f) : sp__cone_support(&w->law.cone, w->law.yield, u, most));
     }
     return (k.g ? most : S) * sum;
 }
 
-SP__NOINLINE static void sp__newton_weigh(sp__dual *w, const sp_real *y, sp__proof *o)
+SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__proof *o)
 {
     const sp_problem *pb = w->pb;
     o->work = o->resist = o->scale = 0;
-    if (!sp__dual_sweep(w, 1, 1)) return;
-    o->work = -sp__dual_work(w, y);
+    if (!sp__system_sweep(w, 1, 1)) return;
+    o->work = -sp__system_work(w, y);
     for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *yi = y + 6 * (size_t)i, *s = w->size + 2 * (size_t)i, *z = w->weight + 2 * (size_t)i;
+        const sp_real *yi = y + 6 * (size_t)i, *s = w->measure.size + 2 * (size_t)i, *z = w->measure.weight + 2 * (size_t)i;
         o->scale += s[0] * z[0] * sp__norm3(yi) + s[1] * z[1] * sp__norm3(yi + 3);
     }
     for (int32_t c = 0; c < pb->contacts && o->resist < o->work; c++) o->resist += sp__newton_resist(w, c, y);
 }
 
 /* (work - resist) / scale */
-static sp_real sp__newton_proof(sp__dual *w, const sp_real *y)
+static sp_real sp__newton_proof(sp__system *w, const sp_real *y)
 {
     sp__proof o;
-    sp__newton_weigh(w, y, &o);
+    sp__newton_power(w, y, &o);
     return o.work > o.resist ? sp__ratio(o.work - o.resist, o.scale) : 0;
 }
 
 /* Keep y as the mechanism if it is a proof. */
-static void sp__newton_try(sp__dual *w, sp__newton *n, const sp_real *y, sp_state *state)
+static void sp__newton_prove(sp__system *w, sp__newton *n, const sp_real *y, sp_state *state)
 {
     if (n->proved || sp__newton_proof(w, y) <= SP__MORE * w->set->tol) return;
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->weight[k / 3] * y[k];
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->measure.weight[k / 3] * y[k];
     n->proved = 1;
 }
 

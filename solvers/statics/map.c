@@ -23,53 +23,53 @@ typedef struct sp__view {
     const sp_real *g;                   /* frame of the narrow kernel, 3 numbers a motion, 2 a vertex; NULL: the wide one, 6 and 3 */
 } sp__view;
 
-/* K of its vertices lies in w->yield from now on. */
-static sp__view sp__view_of(const sp__dual *w, int32_t c)
+/* K of its vertices lies in w->law.yield from now on. */
+static sp__view sp__view_of(const sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const int narrow = sp__dual_yield(w, c)->plain && sp__reduced(w);
-    const sp__view k = { t, c, narrow ? sp__flat_frame(w, t) : NULL };
+    const int narrow = sp__system_yield(w, c)->plain && sp__reduced(w);
+    const sp__view k = { t, c, narrow ? sp__reduction_frame(w, t) : NULL };
     return k;
 }
 
 /* X = T y */
-static void sp__view_motion(const sp__dual *w, const sp__view *k, const sp_real *y, sp_real X[6])
+static void sp__view_motion(const sp__system *w, const sp__view *k, const sp_real *y, sp_real X[6])
 {
-    if (k->g) sp__flat_there(w, k->t, k->g, y, X);
-    else sp__dual_twist(w, k->t, y, X, X + 3);
+    if (k->g) sp__reduction_motion(w, k->t, k->g, y, X);
+    else sp__system_twist(w, k->t, y, X, X + 3);
 }
 
 /* r += T' Y */
-static void sp__view_scatter(const sp__dual *w, const sp__view *k, const sp_real Y[6], sp_real *r)
+static void sp__view_scatter(const sp__system *w, const sp__view *k, const sp_real Y[6], sp_real *r)
 {
-    if (k->g) sp__flat_back(w, k->t, k->g, Y, r);
-    else sp__dual_scatter(w, k->t, Y, Y + 3, r);
+    if (k->g) sp__reduction_gather(w, k->t, k->g, Y, r);
+    else sp__system_scatter(w, k->t, Y, Y + 3, r);
 }
 
 /* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
-static void sp__view_rates(const sp__dual *w, const sp__view *k, const sp_real *l, const sp_real X[6], sp_real u[3])
+static void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *l, const sp_real X[6], sp_real u[3])
 {
     if (k->g) sp__wedge_rates(w, k->g, l, X, u);
-    else sp__dual_rate(w, X, X + 3, l, u);
+    else sp__system_rate(w, X, X + 3, l, u);
 }
 
 /* f = S P_K(u), or S u */
-static void sp__view_force(const sp__dual *w, const sp__view *k, sp__law law, const sp_real u[3], sp_real f[3])
+static void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, const sp_real u[3], sp_real f[3])
 {
     if (k->g) { sp__wedge_law(w, law, k->c, k->g, u, f, NULL); return; }
-    if (law == SP__ADMISSIBLE) { sp__dual_force(w, k->c, w->yield, u, f); return; }
-    for (int q = 0; q < 3; q++) f[q] = sp__dual_S(w, k->c) * (q ? w->slide * u[q] : u[q]);
+    if (law == SP__ADMISSIBLE) { sp__system_force(w, k->c, w->law.yield, u, f); return; }
+    for (int q = 0; q < 3; q++) f[q] = sp__system_S(w, k->c) * (q ? w->law.slide * u[q] : u[q]);
 }
 
 /* f as (fn, ft1, ft2) */
-static void sp__view_widen(const sp__dual *w, const sp__view *k, const sp_real f[3], sp_real out[3])
+static void sp__view_widen(const sp__system *w, const sp__view *k, const sp_real f[3], sp_real out[3])
 {
     if (k->g) sp__wedge_widen(w, k->g, f, out);
     else memcpy(out, f, 3 * sizeof *f);
 }
 
 /* Y += (I, -[l]x)' f */
-static void sp__view_gather(const sp__dual *w, const sp__view *k, const sp_real *l, const sp_real f[3], sp_real Y[6])
+static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *l, const sp_real f[3], sp_real Y[6])
 {
     if (k->g) { sp__wedge_gather(w, k->g, l, f, Y); return; }
     Y[0] += f[0]; Y[1] += f[1]; Y[2] += f[2];
@@ -83,9 +83,9 @@ static sp_real sp__view_norm(const sp__view *k, const sp_real f[3])
 {
     return k->g ? SP_SQRT(f[0] * f[0] + f[1] * f[1]) : sp__norm3(f);
 }
-static sp_real sp__view_power(const sp__dual *w, const sp__view *k, const sp_real f[3], const sp_real u[3])
+static sp_real sp__view_power(const sp__system *w, const sp__view *k, const sp_real f[3], const sp_real u[3])
 {
-    return f[0] * u[0] + (k->g ? f[1] * u[1] : f[1] * u[1] + f[2] * u[2]) / w->slide;
+    return f[0] * u[0] + (k->g ? f[1] * u[1] : f[1] * u[1] + f[2] * u[2]) / w->law.slide;
 }
 
 #endif

@@ -51,31 +51,31 @@ static int sp__plan_stages(const sp_settings *set)
 
 typedef enum sp__mode { SP__PLANE, SP__LEVEL_JOINTS } sp__mode;
 
-typedef struct sp__flat {
+typedef struct sp__reduction {
     sp__mode mode;
     int forest, frictionless;           /* level: a forest; no friction, no joint across the loads */
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
-    int32_t *mate;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
-    sp_real *g;                         /* SP__FLAT_G a contact: frame, see sp__flat_contact; T of a, of b, see sp__flat_weigh */
+    int32_t *image;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
+    sp_real *g;                         /* SP__REDUCTION_G a contact: frame, see sp__reduction_contact; T of a, of b, see sp__reduction_map */
     int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
-    int plain;                          /* no joint has strength */
+    int no_strength;                    /* no joint has strength */
     int spent;                          /* the budget ended its search */
-} sp__flat;
+} sp__reduction;
 
-#define SP__FLAT_G 20
+#define SP__REDUCTION_G 20
 /* Flops, planar and level: of a vertex in a sweep (u 7, P_K and S about 12, sums 7; u 10, S fn 2, sums 5); of the twist of a
  * free block of a contact there and back; of a vertex in an assembly (u 7, D about 16, q' D q 23; u 10, D 2, q' D q 16), of a
  * free block of a contact (H T 33, T' of it 26, half of what couples two 21). */
-#define SP__FLOPS_FLAT_SWEEP(o) ((o)->mode == SP__PLANE ? 26 : 17)
-#define SP__FLOPS_FLAT_TWIST 28
-#define SP__FLOPS_FLAT_HESSIAN(o) ((o)->mode == SP__PLANE ? 46 : 28)
-#define SP__FLOPS_FLAT_BLOCKS 80
+#define SP__FLOPS_REDUCED_SWEEP(o) ((o)->mode == SP__PLANE ? 26 : 17)
+#define SP__FLOPS_REDUCED_TWIST 28
+#define SP__FLOPS_REDUCED_HESSIAN(o) ((o)->mode == SP__PLANE ? 46 : 28)
+#define SP__FLOPS_REDUCED_BLOCKS 80
 
 /* Asymmetry, relative to arms, that is as good as none. */
-static sp_real sp__flat_small(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
+static sp_real sp__reduction_tol(const sp_settings *set) { return sp__max(set->tol / 16, 16 * (sp_real)SP_EPSILON); }
 
 /* The mirror image of vertex v of a contact, in its plane along h = (m.t1, m.t2); -1: there is none. */
-static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real within)
+static int32_t sp__mirror_image(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real h[2], sp_real within)
 {
     const sp_real *l = pb->local[v];
     const sp_real out = 2 * (l[1] * h[0] + l[2] * h[1]), x = l[1] - out * h[0], y = l[2] - out * h[1];
@@ -87,25 +87,25 @@ static int32_t sp__flat_image(const sp_problem *pb, const sp_contact *t, int32_t
 }
 
 /* Is m the normal of a mirror of this contact? */
-static int sp__flat_mirror(const sp_problem *pb, const sp_settings *set, const sp_contact *t, const sp_real m[3])
+static int sp__mirror_contact(const sp_problem *pb, const sp_settings *set, const sp_contact *t, const sp_real m[3])
 {
-    const sp_real h[2] = { sp__dot3(m, t->joint->t1), sp__dot3(m, t->joint->t2) }, eps = sp__flat_small(set);
+    const sp_real h[2] = { sp__dot3(m, t->joint->t1), sp__dot3(m, t->joint->t2) }, eps = sp__reduction_tol(set);
     sp_real size = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
     if (sp__abs(sp__dot3(m, t->joint->n)) > eps) return 0;
     if (t->a >= 0 && sp__abs(sp__dot3(m, t->ra)) > eps * (size + sp__norm3(t->ra))) return 0;
     if (t->b >= 0 && sp__abs(sp__dot3(m, t->rb)) > eps * (size + sp__norm3(t->rb))) return 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const int32_t image = sp__flat_image(pb, t, v, h, eps * size);
-        if (image < 0 || sp__flat_image(pb, t, image, h, eps * size) != v) return 0;
+        const int32_t image = sp__mirror_image(pb, t, v, h, eps * size);
+        if (image < 0 || sp__mirror_image(pb, t, image, h, eps * size) != v) return 0;
     }
     return 1;
 }
 
 /* Are the loads symmetric: no force along m, no couple across it; for level joints: the other way round? */
-static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int level)
+static int sp__mirror_loads(const sp_problem *pb, const sp_settings *set, const sp_real m[3], int level)
 {
-    const sp_real eps = sp__flat_small(set);
+    const sp_real eps = sp__reduction_tol(set);
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *F = pb->p + 6 * (size_t)i, *M = F + 3, *along = level ? M : F, *across = level ? F : M;
         sp_real rest[3];
@@ -118,7 +118,7 @@ static int sp__flat_loads(const sp_problem *pb, const sp_settings *set, const sp
 
 /* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces; where
  * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
-static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
+static int sp__mirror_normal(const sp_problem *pb, int edge, sp_real m[3])
 {
     const sp_joint *f = pb->contact[0].joint;
     sp_real widest = (sp_real)1e-3, size;
@@ -136,7 +136,7 @@ static int sp__flat_normal(const sp_problem *pb, int edge, sp_real m[3])
 }
 
 /* Does the pyramid of a contact have a mirror across direction h of its tangent plane: is h along a face or an edge? */
-static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_real m[3])
+static int sp__mirror_cone(const sp_settings *set, const sp_contact *t, const sp_real m[3])
 {
     const sp_real x = sp__dot3(m, t->joint->t1), y = sp__dot3(m, t->joint->t2);
     sp_real c, half, plus = -1, minus = -1;
@@ -148,17 +148,17 @@ static int sp__flat_cone(const sp_settings *set, const sp_contact *t, const sp_r
         plus = sp__max(plus, d[1] * x - d[0] * y);
         minus = sp__max(minus, d[0] * y - d[1] * x);
     }
-    const sp_real eps = sp__max(sp__flat_small(set), 64 * (sp_real)SP_EPSILON);
+    const sp_real eps = sp__max(sp__reduction_tol(set), 64 * (sp_real)SP_EPSILON);
     return (plus >= 1 - eps || plus <= c + eps) && (minus >= 1 - eps || minus <= c + eps);
 }
 
 /* Is the problem planar?     m: the normal of the mirror */
-SP__NOINLINE static int sp__flat_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
+SP__NOINLINE static int sp__reduction_planar(const sp_problem *pb, const sp_settings *set, sp_real m[3])
 {
     for (int edge = 1; pb->contacts && edge <= 2; edge++) {
         int32_t c = 0;
-        if (!sp__flat_normal(pb, edge, m) || !sp__flat_loads(pb, set, m, 0)) continue;
-        while (c < pb->contacts && sp__flat_mirror(pb, set, &pb->contact[c], m) && sp__flat_cone(set, &pb->contact[c], m)) c++;
+        if (!sp__mirror_normal(pb, edge, m) || !sp__mirror_loads(pb, set, m, 0)) continue;
+        while (c < pb->contacts && sp__mirror_contact(pb, set, &pb->contact[c], m) && sp__mirror_cone(set, &pb->contact[c], m)) c++;
         if (c == pb->contacts) return 1;
     }
     return 0;
@@ -166,11 +166,11 @@ SP__NOINLINE static int sp__flat_planar(const sp_problem *pb, const sp_settings 
 
 /* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
  * upright to, no mortar, and every block rests on something. */
-SP__NOINLINE static int sp__flat_level(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
+SP__NOINLINE static int sp__reduction_level(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
 {
-    const sp_real eps = sp__flat_small(set);
+    const sp_real eps = sp__reduction_tol(set);
     int32_t rests = 0;
-    if (sp__scene_strong(pb->scene) || !sp__flat_loads(pb, set, m, 1)) return 0;
+    if (sp__scene_strong(pb->scene) || !sp__mirror_loads(pb, set, m, 1)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real along = sp__dot3(t->joint->n, m);
@@ -183,7 +183,7 @@ SP__NOINLINE static int sp__flat_level(const sp_problem *pb, const sp_settings *
 }
 
 /* The direction of the loads: that of the first.     returns 0 where there is none */
-static int sp__flat_down(const sp_problem *pb, sp_real m[3])
+static int sp__reduction_down(const sp_problem *pb, sp_real m[3])
 {
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *F = pb->p + 6 * (size_t)i;
@@ -193,7 +193,7 @@ static int sp__flat_down(const sp_problem *pb, sp_real m[3])
 }
 
 /* e0, e1 so that e is right-handed. */
-static void sp__flat_axes(sp__flat *o)
+static void sp__reduction_axes(sp__reduction *o)
 {
     const sp_real *m = o->e[2];
     const int less = sp__abs(m[0]) <= sp__abs(m[1]) ? 0 : 1, least = sp__abs(m[less]) <= sp__abs(m[2]) ? less : 2;
@@ -205,26 +205,26 @@ static void sp__flat_axes(sp__flat *o)
 }
 
 /* The reduction that is planned for a problem: what is planar is not tried without friction.     returns 0: none */
-static int sp__flat_choose(const sp_problem *pb, const sp_settings *set, sp__flat *o)
+static int sp__reduction_choose(const sp_problem *pb, const sp_settings *set, sp__reduction *o)
 {
     const sp_choice *choice = set->effect;
     memset(o, 0, sizeof *o);
     if (!SP__WITH_PLAN || !pb->blocks || !sp__plan_stages(set)) return 0;
     const int planar = choice[SP_EFFECT_DEPTH] != SP_WITH && choice[SP_EFFECT_FRICTION] != SP_WITHOUT
-                    && sp__flat_planar(pb, set, o->e[2]);
+                    && sp__reduction_planar(pb, set, o->e[2]);
     o->mode = planar ? SP__PLANE : SP__LEVEL_JOINTS;
-    if (!planar && (choice[SP_EFFECT_FRICTION] == SP_WITH || !sp__flat_down(pb, o->e[2]))) return 0;
-    if (!planar && !sp__flat_level(pb, set, o->e[2])) return 0;
-    sp__flat_axes(o);
+    if (!planar && (choice[SP_EFFECT_FRICTION] == SP_WITH || !sp__reduction_down(pb, o->e[2]))) return 0;
+    if (!planar && !sp__reduction_level(pb, set, o->e[2])) return 0;
+    sp__reduction_axes(o);
     return 1;
 }
 
 /* Takes part: planar every joint, level those along the loads. */
-static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings *set)
+static void sp__reduction_images(sp__reduction *o, const sp_problem *pb, const sp_settings *set)
 {
-    const sp_real eps = sp__flat_small(set);
+    const sp_real eps = sp__reduction_tol(set);
     o->vertices = o->sides = 0;
-    for (int32_t v = 0; v < pb->points; v++) o->mate[v] = -1;
+    for (int32_t v = 0; v < pb->points; v++) o->image[v] = -1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real h[2] = { sp__dot3(o->e[2], t->joint->t1), sp__dot3(o->e[2], t->joint->t2) };
@@ -233,9 +233,9 @@ static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings 
         sp_real size = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) size = sp__max(size, sp__norm3(pb->local[v]));
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (o->mode == SP__PLANE) o->mate[v] = sp__flat_image(pb, t, v, h, eps * size);
-            else if (level) o->mate[v] = v;
-            o->vertices += o->mate[v] >= v;
+            if (o->mode == SP__PLANE) o->image[v] = sp__mirror_image(pb, t, v, h, eps * size);
+            else if (level) o->image[v] = v;
+            o->vertices += o->image[v] >= v;
         }
     }
 }
@@ -244,7 +244,7 @@ static void sp__flat_mates(sp__flat *o, const sp_problem *pb, const sp_settings 
  *   planar         n in the plane (2), t = m x n in the joint's tangents (2), the nearest face's share of friction along t and
  *                  against it (2)
  *   level          t1, t2 along e0 (2), along e1 (2)                                                                         */
-static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_contact *t, sp_real *g)
+static void sp__reduction_contact(const sp__reduction *o, const sp__cone *cone, const sp_contact *t, sp_real *g)
 {
     const sp_joint *f = t->joint;
     const sp_real *n = f->n;
@@ -264,10 +264,10 @@ static void sp__flat_contact(const sp__flat *o, const sp__cone *cone, const sp_c
 }
 
 /* The k-th row of three among six. */
-static size_t sp__flat_row(const sp__flat *o, int k) { return (size_t)(o->mode == SP__LEVEL_JOINTS ? 2 + k : k < 2 ? k : 5); }
+static size_t sp__reduction_row(const sp__reduction *o, int k) { return (size_t)(o->mode == SP__LEVEL_JOINTS ? 2 + k : k < 2 ? k : 5); }
 
 /* Components of a world vector along e. */
-static void sp__flat_turn(const sp__flat *o, const sp_real x[3], sp_real out[3])
+static void sp__reduction_turn(const sp__reduction *o, const sp_real x[3], sp_real out[3])
 {
     const sp_real a = sp__dot3(x, o->e[0]), b = sp__dot3(x, o->e[1]);
     out[2] = sp__dot3(x, o->e[2]);
@@ -275,7 +275,7 @@ static void sp__flat_turn(const sp__flat *o, const sp_real x[3], sp_real out[3])
 }
 
 /* And back, in place. */
-static void sp__flat_unturn(const sp__flat *o, sp_real x[3])
+static void sp__reduction_turn_back(const sp__reduction *o, sp_real x[3])
 {
     const sp_real a = x[0], b = x[1], c = x[2];
     for (int k = 0; k < 3; k++) x[k] = a * o->e[0][k] + b * o->e[1][k] + c * o->e[2][k];

@@ -8,85 +8,85 @@
 #if SP__WITH_LARGE
 
 /* After a step: imbalance, best so far. */
-static void sp__newton_keep(const sp__dual *w, sp__newton *n, sp_state *state)
+static void sp__newton_record(const sp__system *w, sp__newton *n, sp_state *state)
 {
-    if (w->spent) return;                               /* w->r is not of this y */
-    n->imbalance = sp__dual_imbalance(w, w->r);
+    if (w->budget.spent) return;                               /* w->r is not of this y */
+    n->imbalance = sp__system_imbalance(w, w->r);
     if (n->imbalance < n->best) {
         n->best = n->imbalance;
         memcpy(state->y, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     }
 }
 
-static void sp__newton_look(sp__dual *w, sp__newton *n, sp_state *state)
+static void sp__newton_look(sp__system *w, sp__newton *n, sp_state *state)
 {
-    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
-    sp__newton_keep(w, n, state);
+    sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__newton_record(w, n, state);
 }
 
-SP__NOINLINE static void sp__line_open(const sp__dual *w, const sp__newton *n, sp__line *l)
+SP__NOINLINE static void sp__line_begin(const sp__system *w, const sp__newton *n, sp__line *l)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     l->yd = n->prox * sp__dot(w->y, w->d, size);
     l->dd = n->prox * sp__dot(w->d, w->d, size);
     l->start = sp__dot(w->r, w->d, size) + l->yd;
-    l->noise = 64 * (sp_real)SP_EPSILON * w->load * sp__dual_norm(w, w->d);
+    l->noise = 64 * (sp_real)SP_EPSILON * w->measure.load * sp__system_norm(w, w->d);
 }
 
 /* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. */
-SP__NOINLINE static sp_real sp__newton_move(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__line l;
     sp_real s = 1, *start = w->L.t;                     /* keeps y: nothing is solved meanwhile */
-    sp__line_open(w, n, &l);
+    sp__line_begin(w, n, &l);
     memcpy(start, w->y, size * sizeof *w->y);
-    sp__dual_axpy(w, 1, w->d, w->y);
-    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__system_axpy(w, 1, w->d, w->y);
+    sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
     const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
     if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
         memcpy(w->y, start, size * sizeof *w->y);
         s = sp__newton_search(w, &l, f);
-        sp__dual_axpy(w, s, w->d, w->y);
-        sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+        sp__system_axpy(w, s, w->d, w->y);
+        sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
     }
-    sp__newton_keep(w, n, state);
+    sp__newton_record(w, n, state);
     return s;
 }
 
 /* Nothing resists a mechanism: it is a null vector of the Hessian, and inverse iteration brings it out of x (used up). */
-static void sp__newton_purify(sp__dual *w, sp__newton *n, sp_real *x, sp_state *state)
+static void sp__newton_purify(sp__system *w, sp__newton *n, sp_real *x, sp_state *state)
 {
     for (int it = 0; it < 2 && !n->proved; it++) {
-        sp__dual_solve(w, x, x);
-        const sp_real size = sp__dual_norm(w, x);
+        sp__system_solve(w, x, x);
+        const sp_real size = sp__system_norm(w, x);
         if (!(size > 0)) return;
         for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) x[k] /= size;
-        sp__newton_try(w, n, x, state);
+        sp__newton_prove(w, n, x, state);
     }
 }
 
 /* The candidate in w->d, tied into rigid groups: opened, else as it is. */
-SP__NOINLINE static void sp__newton_tie(sp__dual *w, sp__newton *n, sp_real play, sp_state *state)
+SP__NOINLINE static void sp__newton_tie(sp__system *w, sp__newton *n, sp_real play, sp_state *state)
 {
-    if (n->proved || !sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
+    if (n->proved || !sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     int32_t *group = sp__rigid_room(w);
     sp__rigid_groups(w, w->d, play, group);
     if (sp__rigid_sharpen(w, group, state)) {
         memcpy(w->r, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->r);
-        sp__rigid_open(w, w->d, sp__rigid_offsets(state));
-        sp__newton_try(w, n, w->d, state);
-        sp__newton_try(w, n, w->r, state);
+        sp__rigid_open_joints(w, w->d, sp__rigid_offsets(state));
+        sp__newton_prove(w, n, w->d, state);
+        sp__newton_prove(w, n, w->r, state);
     }
-    sp__dual_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
 }
 
 /* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
-SP__NOINLINE static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    sp__dual_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
-    if (w->spent) return 0;
+    sp__system_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
+    if (w->budget.spent) return 0;
     n->left--;
     state->cost.iterations++;
     if (n->stalled) {
@@ -95,27 +95,27 @@ SP__NOINLINE static sp_real sp__newton_step(sp__dual *w, sp__newton *n, sp_state
         if (n->prox < SP__TIE) sp__newton_tie(w, n, SP__PLAY, state);
     }
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
-    sp__dual_solve(w, w->d, w->d);
-    sp__newton_try(w, n, w->d, state);
+    sp__system_solve(w, w->d, w->d);
+    sp__newton_prove(w, n, w->d, state);
     const sp_real s = sp__newton_move(w, n, state);
     if (n->imbalance > n->goal && !n->proved) {
-        sp__newton_try(w, n, w->y, state);
+        sp__newton_prove(w, n, w->y, state);
         if (s > 10) sp__newton_purify(w, n, w->d, state);
     }
     return s;
 }
 
 /* y += (Aeq S DP Aeq')^-1 (-r), with the factor at hand. */
-static void sp__newton_correct(sp__dual *w)
+static void sp__newton_correct(sp__system *w)
 {
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
-    sp__dual_solve(w, w->d, w->d);
-    sp__dual_axpy(w, 1, w->d, w->y);
+    sp__system_solve(w, w->d, w->d);
+    sp__system_axpy(w, 1, w->d, w->y);
 }
 
 /* The goal is reached: a few more steps with the factor at hand while each gains a digit; then imbalance as forces are judged, and
  * more steps where that asks for them. What is good enough goes to state->f. */
-SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     if (n->found || n->proved || n->imbalance > n->goal) return;
@@ -131,9 +131,9 @@ SP__NOINLINE static void sp__newton_finish(sp__dual *w, sp__newton *n, sp_state 
     for (int it = 0; it < 12 && !n->found; it++) {
         const sp_real last = n->imbalance;
         if (it) sp__newton_correct(w);
-        sp__dual_forces(w, SP__ADMISSIBLE, w->y, state);
-        if (w->spent) break;
-        n->best = n->imbalance = sp__dual_imbalance(w, w->r);
+        sp__system_forces(w, SP__ADMISSIBLE, w->y, state);
+        if (w->budget.spent) break;
+        n->best = n->imbalance = sp__system_imbalance(w, w->r);
         n->found = n->imbalance <= SP__ENOUGH * w->set->tol;
         if (n->imbalance > last / 2) break;
     }
@@ -150,7 +150,7 @@ SP__NOINLINE static int sp__newton_damp(sp__newton *n, sp_real s)
 }
 
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
-SP__NOINLINE static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state *state)
 {
     int tiny = 0;
     n->prox = 0;
@@ -163,31 +163,31 @@ SP__NOINLINE static void sp__newton_plain(sp__dual *w, sp__newton *n, sp_state *
 /* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
  * load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x), a little too far, moves the direction of y to where no contact resists it at
  * all; curved cones want more than the inverse iteration that is enough for hinges. */
-SP__NOINLINE static void sp__newton_restore(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_restore(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    const sp_real y = sp__dual_norm(w, w->y);
+    const sp_real y = sp__system_norm(w, w->y);
     sp_real *load = w->L.t;                             /* until the next solution */
     if (!(y > 0)) return;
     for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
     for (int it = 0; it < 3 && sp__newton_left(w, n) && !n->proved; it++, n->left--) {
-        sp__dual_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
-        sp__dual_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
-        sp__dual_load(w, load);
+        sp__system_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
+        sp__system_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
+        sp__system_load(w, load);
         for (size_t k = 0; k < size; k++) w->r[k] -= load[k];
-        sp__dual_solve(w, w->r, w->r);
-        sp__dual_axpy(w, -(sp_real)1.1, w->r, w->d);
-        sp__newton_try(w, n, w->d, state);
+        sp__system_solve(w, w->r, w->r);
+        sp__system_axpy(w, -(sp_real)1.1, w->r, w->d);
+        sp__newton_prove(w, n, w->d, state);
     }
     if (!n->proved) sp__newton_tie(w, n, SP__PLAY, state);
 }
 
 /* Is y near enough to the minimum for this prox?     n->stalled: does the imbalance no longer fall with it? */
-SP__NOINLINE static int sp__newton_level(sp__dual *w, sp__newton *n)
+SP__NOINLINE static int sp__newton_level(sp__system *w, sp__newton *n)
 {
-    const sp_real y = n->prox * sp__dual_norm(w, w->y), r = sp__dual_norm(w, w->r);
+    const sp_real y = n->prox * sp__system_norm(w, w->y), r = sp__system_norm(w, w->r);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
-    const sp_real inner = sp__dual_norm(w, w->d);
+    const sp_real inner = sp__system_norm(w, w->d);
     if (inner > (sp_real)0.3 * y && inner > (sp_real)0.1 * r) return 0;
     n->stalled = r > (sp_real)0.1 * n->level && n->prox < (sp_real)1e-4;
     n->level = r;
@@ -195,7 +195,7 @@ SP__NOINLINE static int sp__newton_level(sp__dual *w, sp__newton *n)
 }
 
 /* Proximal path from y = 0. */
-SP__NOINLINE static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state *state)
 {
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
     n->prox = (sp_real)0.1;
@@ -216,9 +216,9 @@ SP__NOINLINE static void sp__newton_path(sp__dual *w, sp__newton *n, sp_state *s
 }
 
 /* A motion that not even bilateral joints resist: the part of the load along null vectors, by inverse iteration. */
-static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
+static void sp__newton_unresisted(sp__system *w, sp__newton *n, sp_state *state)
 {
-    sp__dual_load(w, w->d);
+    sp__system_load(w, w->d);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->d[k];
     sp__newton_purify(w, n, w->d, state);
 }
@@ -226,29 +226,29 @@ static void sp__newton_loose(sp__dual *w, sp__newton *n, sp_state *state)
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
  * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts as
  * tied: where that ties all, every block goes alone. state->y is used up. */
-SP__NOINLINE static void sp__newton_settle(sp__dual *w, sp_state *state)
+SP__NOINLINE static void sp__newton_settle(sp__system *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     int32_t *group = sp__rigid_room(w);
-    for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->weight[k / 3];
+    for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->measure.weight[k / 3];
     sp__proof best, now;
-    sp__newton_weigh(w, w->d, &best);
+    sp__newton_power(w, w->d, &best);
     for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
         memcpy(w->d, state->y, n * sizeof *w->d);
-        if (pass) sp__dual_solve(w, w->d, w->d);
-        if (!sp__dual_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
+        if (pass) sp__system_solve(w, w->d, w->d);
+        if (!sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;
         sp__rigid_groups(w, w->d, SP__PLAY, group);
         if (!sp__rigid_sharpen(w, group, state)) {
             memcpy(w->d, state->y, n * sizeof *w->d);
             sp__rigid_groups(w, w->d, -1, group);
             if (!sp__rigid_sharpen(w, group, state)) continue;
         }
-        sp__newton_weigh(w, w->d, &now);
+        sp__newton_power(w, w->d, &now);
         if (!(now.work > now.resist && now.resist * best.work < best.resist * now.work)) continue;
         best = now;
         memcpy(state->y, w->d, n * sizeof *w->d);
     }
-    for (size_t k = 0; k < n; k++) state->dq[k] = -w->weight[k / 3] * state->y[k];
+    for (size_t k = 0; k < n; k++) state->dq[k] = -w->measure.weight[k / 3] * state->y[k];
 }
 
 #endif

@@ -21,7 +21,7 @@ typedef struct bench {
     sp_problem pb;
     sp_settings set;
     sp_cost cost;
-    sp__dual *w;
+    sp__system *w;
     size_t n;
     sp_real *y, *d, *at, *r, *q, *f;
 } bench;
@@ -44,9 +44,9 @@ static int begin(bench *b, int k)
     sp_arena *a = &test_arena;
     if (!CHECK_INT(gen_make(scene_of[k].name, scene_of[k].number, scene_of[k].value, a, &b->scene), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&b->scene, a, &b->pb), SP_OK)) return 0;
-    b->w = sp__dual_open(&b->pb, &b->set, SP__EXACT, &b->cost, a);
+    b->w = sp__system_full(&b->pb, &b->set, SP__EXACT, &b->cost, a);
     if (!CHECK(b->w != NULL)) return 0;
-    sp__dual_weights(b->w);
+    sp__system_weights(b->w);
     b->n = 6 * (size_t)b->pb.blocks;
     sp_real **all[5] = { &b->y, &b->d, &b->at, &b->r, &b->q };
     for (int q = 0; q < 5; q++) *all[q] = sp__take(a, b->n, sizeof **all[q]);
@@ -61,13 +61,13 @@ static void step(bench *b, sp_real h) { for (size_t k = 0; k < b->n; k++) b->at[
 static double value(bench *b, const sp_real *y)
 {
     double sum = 0;
-    sp__dual_gradient(b->w, SP__ADMISSIBLE, y, b->q, b->f);
+    sp__system_gradient(b->w, SP__ADMISSIBLE, y, b->q, b->f);
     for (int32_t c = 0; c < b->pb.contacts; c++) {
         const sp_contact *t = &b->pb.contact[c];
         for (int32_t k = 3 * t->point; k < 3 * (t->point + t->points); k++)
-            sum += 0.5 * (double)(b->f[k] * b->f[k] / sp__dual_S(b->w, c));
+            sum += 0.5 * (double)(b->f[k] * b->f[k] / sp__system_S(b->w, c));
     }
-    sp__dual_load(b->w, b->r);
+    sp__system_load(b->w, b->r);
     for (size_t k = 0; k < b->n; k++) sum += (double)(b->r[k] * y[k]);
     return sum;
 }
@@ -88,7 +88,7 @@ TEST(gradient_is_that_of_D)
             for (size_t q = 0; q < b.n; q++) { along += (double)(b.q[q] * b.d[q]); size += fabs((double)(b.q[q] * b.d[q])); }
             CHECK(size > 0.1);
             CHECK_WITHIN((above - below) / (2 * (double)h), along, TOL(1e-7, 2e-3) * size);
-            CHECK_WITHIN(sp__dual_slope(b.w, b.y, b.d, 0), along, TOL(1e-12, 1e-5) * size);
+            CHECK_WITHIN(sp__system_slope(b.w, b.y, b.d, 0), along, TOL(1e-12, 1e-5) * size);
             step(&b, 1);
             memcpy(b.y, b.at, b.n * sizeof *b.y);
         }
@@ -105,11 +105,11 @@ TEST(Hessian_is_that_of_the_gradient)
         bench b;
         NEED(begin(&b, k));
         step(&b, h);
-        sp__dual_gradient(b.w, SP__ADMISSIBLE, b.at, b.q, NULL);
+        sp__system_gradient(b.w, SP__ADMISSIBLE, b.at, b.q, NULL);
         step(&b, -h);
-        sp__dual_gradient(b.w, SP__ADMISSIBLE, b.at, b.r, NULL);
+        sp__system_gradient(b.w, SP__ADMISSIBLE, b.at, b.r, NULL);
         for (size_t q = 0; q < b.n; q++) b.r[q] = (b.q[q] - b.r[q]) / (2 * h);
-        sp__dual_apply(b.w, b.y, b.d, b.q);
+        sp__system_apply(b.w, b.y, b.d, b.q);
         double off = 0, size = 0;
         for (size_t q = 0; q < b.n; q++) {
             off += pow((double)(b.r[q] - b.q[q]), 2);
@@ -128,9 +128,9 @@ TEST(factor_inverts_Hessian_plus_shift)
         const sp_arena mark = test_arena;
         bench b;
         NEED(begin(&b, k));
-        sp__dual_factor(b.w, SP__ADMISSIBLE, b.y, shift);
-        sp__dual_solve(b.w, b.d, b.at);
-        sp__dual_apply(b.w, b.y, b.at, b.q);
+        sp__system_factor(b.w, SP__ADMISSIBLE, b.y, shift);
+        sp__system_solve(b.w, b.d, b.at);
+        sp__system_apply(b.w, b.y, b.at, b.q);
         double off = 0, size = 0;
         for (size_t q = 0; q < b.n; q++) {
             off += pow((double)(b.q[q] + shift * b.at[q] - b.d[q]), 2);
@@ -148,11 +148,11 @@ TEST(bilateral_force_leaves_nothing_of_the_load)
         const sp_arena mark = test_arena;
         bench b;
         NEED(begin(&b, k));
-        sp__dual_bilateral(b.w);
-        sp__dual_gradient(b.w, SP__BILATERAL, b.w->y, b.r, NULL);
+        sp__system_bilateral(b.w);
+        sp__system_gradient(b.w, SP__BILATERAL, b.w->y, b.r, NULL);
         for (size_t q = 0; q < b.n; q++) b.at[q] = -b.w->d[q];
-        sp__dual_gradient(b.w, SP__BILATERAL, b.at, b.q, NULL);
-        sp__dual_load(b.w, b.d);
+        sp__system_gradient(b.w, SP__BILATERAL, b.at, b.q, NULL);
+        sp__system_load(b.w, b.d);
         double off = 0, size = 0;
         for (size_t q = 0; q < b.n; q++) {
             off += pow((double)(b.r[q] + b.q[q] - b.d[q]), 2);         /* both parts; the load is in each */
@@ -167,7 +167,7 @@ TEST(bilateral_force_leaves_nothing_of_the_load)
 static void move_from(bench *b, int32_t first, sp_real up, sp_real turn)
 {
     for (int32_t i = 0; i < b->pb.blocks; i++) {
-        const sp_real *c = b->scene.block[b->pb.block[i]].centroid, *z = b->w->weight + 2 * (size_t)i;
+        const sp_real *c = b->scene.block[b->pb.block[i]].centroid, *z = b->w->measure.weight + 2 * (size_t)i;
         sp_real *x = b->y + 6 * (size_t)i;
         for (int q = 0; q < 6; q++) x[q] = 0;
         if (i < first) continue;
@@ -186,9 +186,9 @@ TEST(rigid_groups_are_the_blocks_that_move_together)
     NEED(gen_make("tower", "n", 6, &test_arena, &b.scene) == SP_OK);
     NEED(sp_problem_build(&b.scene, &test_arena, &b.pb) == SP_OK);
     NEED(b.pb.blocks < 15);
-    b.w = sp__dual_open(&b.pb, &b.set, SP__EXACT, &b.cost, &test_arena);
+    b.w = sp__system_full(&b.pb, &b.set, SP__EXACT, &b.cost, &test_arena);
     NEED(b.w);
-    sp__dual_weights(b.w);
+    sp__system_weights(b.w);
     b.y = sp__take(&test_arena, (size_t)b.pb.blocks, 6 * sizeof *b.y);
     for (int32_t first = 0; first <= b.pb.blocks; first++)
         for (int turn = 0; turn < 2; turn++) {
