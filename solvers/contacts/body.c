@@ -9,7 +9,7 @@
 static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 {
     const sp_block *k = &t->scene->block[t->block];
-    const sp_real flat = sp__body_flat(t, body) + 2 * body->warp;
+    const sp_real flat = sp__plane_tolerance(t, body) + 2 * body->warp;
     if (!(k->volume > 0)) return 0;
     for (int32_t p = body->patch; p < body->patch + body->patches; p++)
         for (int32_t e = body->edge; e < body->edge + body->edges; e++) {

@@ -16,7 +16,7 @@ static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
 }
 
 /* Plane of a face through its vertex mean; normal 0 without one.     returns twice the area */
-SP__NOINLINE static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
+SP__NOINLINE static sp_real sp__face_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
 {
     const sp_face *face = &t->scene->face[t->face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;
@@ -33,13 +33,13 @@ SP__NOINLINE static sp_real sp__touch_plane(const sp__touch *t, int32_t f, sp_re
 }
 
 /* Points nearer to a plane than this lie in it. */
-static sp_real sp__body_flat(const sp__touch *t, const sp__body *body)
+static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
 {
     return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
 }
 
 /* Farthest corner of a face from a plane. */
-static sp_real sp__touch_off(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
+static sp_real sp__face_distance(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
 {
     const sp_face *face = &t->scene->face[t->face0 + f];
     sp_real most = 0;

@@ -26,7 +26,7 @@ static void sp__pair_plane(sp__touch *t, const sp__patch *p)
 }
 
 /* Coordinates of x in the plane of patch p, e1 and e2 from o, in units. */
-static void sp__pair_flat(const sp__touch *t, const sp__patch *p, const sp_real x[3], sp_real xy[2])
+static void sp__pair_to_plane(const sp__touch *t, const sp__patch *p, const sp_real x[3], sp_real xy[2])
 {
     sp_real d[3];
     sp__sub3(x, p->o, d);
@@ -35,7 +35,7 @@ static void sp__pair_flat(const sp__touch *t, const sp__patch *p, const sp_real 
 }
 
 /* A place in the plane of patch p in space. */
-static void sp__pair_place(const sp__touch *t, const sp__patch *p, const sp_real xy[2], sp_real x[3])
+static void sp__pair_to_space(const sp__touch *t, const sp__patch *p, const sp_real xy[2], sp_real x[3])
 {
     for (int c = 0; c < 3; c++) x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
 }

@@ -51,10 +51,10 @@ static void sp__touch_weld(sp__touch *t)
 /* Give each face with area its patch: the first whose plane all its corners keep to, or a new one. */
 static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
 {
-    const sp_real flat = sp__body_flat(t, body);
+    const sp_real flat = sp__plane_tolerance(t, body);
     for (int32_t f = 0; f < faces; f++) {
-        t->all.area[f] = sp__touch_plane(t, f, t->all.normal[f], t->all.middle[f]);
-        body->warp = sp__max(body->warp, sp__touch_off(t, f, t->all.normal[f], t->all.middle[f]));
+        t->all.area[f] = sp__face_plane(t, f, t->all.normal[f], t->all.middle[f]);
+        body->warp = sp__max(body->warp, sp__face_distance(t, f, t->all.normal[f], t->all.middle[f]));
         t->all.order[f] = f;
     }
     sp__sort(t->all.order, faces, sp__face_before, t);
@@ -65,7 +65,7 @@ static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
         if (!(t->all.area[f] > 0)) continue;
         for (; p < t->patches; p++)
             if (sp__dot3(t->all.patch[p].n, t->all.normal[f]) > 0
-                && sp__touch_off(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
+                && sp__face_distance(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
         t->all.mine[f] = p;
         if (p < t->patches) continue;
         for (int c = 0; c < 3; c++) {

@@ -13,8 +13,8 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
     for (int32_t e = p->edge; e < p->edge + p->edges; e++) {
         const int32_t u = t->all.bound[e][side], v = t->all.bound[e][1 - side];
         sp_real from[2], to[2];
-        sp__pair_flat(t, plane, t->scene->vertex[u], from);
-        sp__pair_flat(t, plane, t->scene->vertex[v], to);
+        sp__pair_to_plane(t, plane, t->scene->vertex[u], from);
+        sp__pair_to_plane(t, plane, t->scene->vertex[v], to);
         sp__clip_add(&t->clip, side, from, to, u, v);
     }
 }
@@ -23,7 +23,7 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
 static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corner, sp_real x[3])
 {
     const int32_t name = t->clip.corner[corner].name;
-    sp__pair_place(t, p, t->clip.corner[corner].x, x);
+    sp__pair_to_space(t, p, t->clip.corner[corner].x, x);
     if (name < 0) return;
     for (int c = 0; c < 3; c++) if (sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) return;
     memcpy(x, t->scene->vertex[name], 3 * sizeof *x);

@@ -13,7 +13,7 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
 {
     for (int32_t k = 0; k < p->edges; k++) {
         sp_real x[2];
-        sp__pair_flat(t, plane, t->scene->vertex[t->all.bound[p->edge + (side ? p->edges - 1 - k : k)][0]], x);
+        sp__pair_to_plane(t, plane, t->scene->vertex[t->all.bound[p->edge + (side ? p->edges - 1 - k : k)][0]], x);
         sp__clip_add(&t->clip, side, x);
     }
 }
@@ -22,7 +22,7 @@ static void sp__pair_region(sp__touch *t, const sp__patch *plane, const sp__patc
 static void sp__pair_close(sp__touch *t, const sp__patch *p)
 {
     const int32_t n = t->pair.corners;
-    for (int32_t k = 0; k < n; k++) sp__pair_place(t, p, t->pair.hull.p[k], t->pair.point[k]);
+    for (int32_t k = 0; k < n; k++) sp__pair_to_space(t, p, t->pair.hull.p[k], t->pair.point[k]);
     if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->gap / t->unit) > 0)) sp__pair_add(t, n, t->pair.point);
     t->pair.corners = 0;
 }
@@ -50,7 +50,7 @@ static void sp__pair_gather(sp__touch *t, const sp__patch *p)
 static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
     const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
-    for (int32_t k = 0; k < size; k++) sp__pair_place(t, p, t->clip.corner[from + k], t->pair.point[k]);
+    for (int32_t k = 0; k < size; k++) sp__pair_to_space(t, p, t->clip.corner[from + k], t->pair.point[k]);
     if (sp__pair_meets(t, p, q, t->pair.point, size)) sp__pair_gather(t, p);
 }
 

@@ -33,13 +33,13 @@ static size_t sp__contacts_memory(const sp_scene *scene)
 /* Patches of a block: its faces that have an area. */
 static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
 {
-    const sp_real flat = sp__body_flat(t, body);
+    const sp_real flat = sp__plane_tolerance(t, body);
     for (int32_t f = 0; f < faces; f++) {
         const sp_face *face = &t->scene->face[t->face0 + f];
         const int32_t *corner = t->scene->corner + face->corner;
         sp__patch *p = &t->all.patch[t->patches];
-        if (!(sp__touch_plane(t, f, p->n, p->o) > 0)) continue;
-        body->warp = sp__max(body->warp, sp__touch_off(t, f, p->n, p->o));
+        if (!(sp__face_plane(t, f, p->n, p->o) > 0)) continue;
+        body->warp = sp__max(body->warp, sp__face_distance(t, f, p->n, p->o));
         p->edge = t->bounds;
         p->edges = face->corners;
         for (int32_t k = 0; k < p->edges; k++) {
@@ -50,7 +50,7 @@ static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
         p->plane = body->patch;
         for (const sp__patch *q; p->plane < t->patches; p->plane++) {
             q = &t->all.patch[p->plane];
-            if (q->plane == p->plane && sp__dot3(q->n, p->n) > 0 && sp__touch_off(t, f, q->n, q->o) <= flat) break;
+            if (q->plane == p->plane && sp__dot3(q->n, p->n) > 0 && sp__face_distance(t, f, q->n, q->o) <= flat) break;
         }
         t->patches++;
     }

@@ -9,7 +9,7 @@
 #if !SP__WITH_SMALL
 
 /* Every third bit from bit 0. */
-static uint32_t sp__spread(uint32_t x)
+static uint32_t sp__every_third_bit(uint32_t x)
 {
     x = (x | x << 16) & UINT32_C(0x030000ff);
     x = (x | x << 8) & UINT32_C(0x0300f00f);
@@ -48,7 +48,7 @@ static void sp__tree_leaves(sp__touch *t)
         for (int c = 0; c < 3; c++) {
             const sp_real wide = hi[c] - lo[c], at = (k->lo[c] - lo[c]) / 2 + (k->hi[c] - lo[c]) / 2;
             const uint32_t step = wide > 0 ? (uint32_t)(int32_t)(1023 * (at / wide)) : 0;
-            code |= sp__spread(step < 1023 ? step : 1023) << c;
+            code |= sp__every_third_bit(step < 1023 ? step : 1023) << c;
         }
         t->all.code[t->all.leaf[l]] = code;
     }
@@ -79,7 +79,7 @@ static void sp__tree_build(sp__touch *t)
 }
 
 /* Blocks above a whose boxes come near a's, in order. Returns how many. */
-static int32_t sp__tree_ask(sp__touch *t, int32_t a)
+static int32_t sp__tree_near(sp__touch *t, int32_t a)
 {
     const sp__body *body = &t->all.body[a];
     int32_t hits = 0, k = 1;
@@ -124,7 +124,7 @@ static void sp__touch_all(sp__touch *t, sp_arena *scratch)
     sp__touch_blocks(t, scratch);
     if (!t->status) sp__tree_build(t);
     for (t->a = 0; t->a < scene->count.blocks && !t->status; t->a++) {
-        const int32_t hits = sp__tree_ask(t, t->a);
+        const int32_t hits = sp__tree_near(t, t->a);
         for (int32_t h = 0; h < hits && !t->status; h++) sp__touch_pair(t, t->all.hit[h]);
     }
 }

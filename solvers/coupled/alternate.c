@@ -274,7 +274,7 @@ static sp_real sp__alt_beta(const sp__alt *m, size_t v)
 }
 
 /* Does the motion keep the constraints? To 1e-3 eps: what presses is put into place later. */
-static int sp__alt_keeps(const sp__alt *m)
+static int sp__alt_within_bounds(const sp__alt *m)
 {
     const sp__lengths *k = &m->c->k;
     for (size_t v = 0; v < (size_t)m->c->pb->points; v++) {
@@ -334,7 +334,7 @@ static sp_real sp__alt_gap(const sp__alt *m, size_t v)
 }
 
 /* What the motion does not explain loses its force: of E the worst, of F those off their slip.     returns how many were pinned */
-static int32_t sp__alt_peel(sp__alt *m, sp_real worst)
+static int32_t sp__alt_remove_worst(sp__alt *m, sp_real worst)
 {
     const sp_real most = sp__max(m->seed->gate, m->seed->peel * worst);
     int32_t pinned = 0;
@@ -470,9 +470,9 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
         c->out->rounds++;
         if (!sp__alt_engage(m)) return 0;
         sp__alt_squares(m);
-        if (!sp__alt_keeps(m) && !sp__alt_explain(m)) return 0;
+        if (!sp__alt_within_bounds(m) && !sp__alt_explain(m)) return 0;
         for (size_t v = 0; v < (size_t)c->pb->points; v++) worst = sp__max(worst, sp__alt_gap(m, v));
-        const int32_t pinned = sp__alt_peel(m, worst);
+        const int32_t pinned = sp__alt_remove_worst(m, worst);
         const int passes = worst <= m->seed->gate;
         if (passes && sp__alt_offer(m)) return 1;
         if (!pinned && !passes) return 0;

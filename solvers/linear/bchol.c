@@ -147,7 +147,7 @@ static void sp__bchol_block(sp__low *a, sp__low floor)
 }
 
 /* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
-static inline void sp__less6(sp__low *z, const sp__low *l, sp__low s)
+static inline void sp__subtract6(sp__low *z, const sp__low *l, sp__low s)
 {
     z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
 }
@@ -157,7 +157,7 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
 {
     for (int c = 0; c < 6; c++) {
         sp__low *xc = x + 6 * c;
-        for (int k = 0; k < c; k++) sp__less6(xc, x + 6 * k, l[sp__column[k] + c - k]);
+        for (int k = 0; k < c; k++) sp__subtract6(xc, x + 6 * k, l[sp__column[k] + c - k]);
         const sp__low s = l[sp__column[c]] < 0 ? 0 : l[sp__column[c]];
         xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
     }
@@ -365,7 +365,7 @@ SP__NOINLINE static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, s
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
             sp__low *z = t + 6 * (size_t)f->i[q];
             const sp__low *l = f->x + 36 * (size_t)q;
-            for (int c = 0; c < 6; c++, l += 6) sp__less6(z, l, v[c]);
+            for (int c = 0; c < 6; c++, l += 6) sp__subtract6(z, l, v[c]);
         }
     }
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */

@@ -76,7 +76,7 @@ static void sp__qp_adapt(sp__qp *w)
 /* --------------------------------------------------------------------------------------------------------------- the run */
 
 /* Flops a look at the iterate may take, and what stops short of the budget must leave. */
-static int64_t sp__qp_look_flops(const sp__qp *w)
+static int64_t sp__qp_decide_flops(const sp__qp *w)
 {
     return 8 * w->products + 50 * w->vectors;
 }
@@ -98,7 +98,7 @@ static int sp__qp_advance(sp__qp *w)
 }
 
 /* One look at the iterate: 1 and a status when the run is over. The costly attempts come at 100, 200, 400 .. iterations. */
-static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
+static int sp__qp_decide(sp__qp *w, int spent, sp_qp_result *out)
 {
     const int last = w->iterations >= w->set.iterations;
     const int32_t k = w->iterations / 100;
@@ -114,7 +114,7 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
     const int solved = off <= (sp_real)1, hard = !spent && (solved || last || (w->iterations == 100 * k && (k & (k - 1)) == 0));
     if (!solved) {
         if (!last && w->set.adapt > 0 && w->iterations % w->set.adapt == 0) sp__qp_adapt(w);
-        if (sp__proof_found(w, hard && w->set.polish, out)) return 1;
+        if (sp__qp_proof_found(w, hard && w->set.polish, out)) return 1;
     }
     out->status = SP_QP_SOLVED;
     if (hard && w->set.polish && sp__auglag_run(w, solved ? off : (sp_real)1)) return out->polished = 1;
@@ -123,7 +123,7 @@ static int sp__qp_look(sp__qp *w, int spent, sp_qp_result *out)
 }
 
 /* Numbers that left the range of sp_real become 0. */
-static void sp__qp_mend(sp_real *v, int32_t n)
+static void sp__qp_zero_infinite(sp_real *v, int32_t n)
 {
     for (int32_t k = 0; k < n; k++)
         if (!sp__finite(v[k])) v[k] = 0;
@@ -131,7 +131,7 @@ static void sp__qp_mend(sp_real *v, int32_t n)
 
 static sp_real sp__qp_finite(sp_real x) { return sp__finite(x) ? x : SP__NEVER; }
 
-static void sp__qp_tell(const sp__qp *w, sp_qp_result *out)
+static void sp__qp_write_result(const sp__qp *w, sp_qp_result *out)
 {
     out->x = w->X;
     out->y = w->Y;
@@ -146,17 +146,17 @@ static void sp__qp_tell(const sp__qp *w, sp_qp_result *out)
 }
 
 /* Complete the result, of a point or of a certificate. No NaN leaves. */
-static void sp__qp_report(sp__qp *w, sp_qp_result *out)
+static void sp__qp_finish(sp__qp *w, sp_qp_result *out)
 {
     if (out->status == SP_QP_PRIMAL_INFEASIBLE) memset(w->X, 0, (size_t)w->qp.n * sizeof *w->X);
     else if (out->status == SP_QP_DUAL_INFEASIBLE) memset(w->Y, 0, (size_t)w->qp.m * sizeof *w->Y);
     else if (!out->polished) {
         sp__qp_unscale(w);
-        sp__qp_mend(w->X, w->qp.n);
-        sp__qp_mend(w->Y, w->qp.m);
+        sp__qp_zero_infinite(w->X, w->qp.n);
+        sp__qp_zero_infinite(w->Y, w->qp.m);
         sp__qp_residuals(w, out->status == SP_QP_NUMERICAL ? NULL : w->z);
     }
-    sp__qp_tell(w, out);
+    sp__qp_write_result(w, out);
 }
 
 static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
@@ -165,10 +165,10 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
     memset(out, 0, sizeof *out);
     w->flops = 0;
     w->factorisations = w->iterations = w->changes = 0;
-    w->limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_look_flops(w) : INT64_MAX / 4;
+    w->limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_decide_flops(w) : INT64_MAX / 4;
     do spent = !sp__qp_advance(w);
-    while (!sp__qp_look(w, spent, out));
-    sp__qp_report(w, out);
+    while (!sp__qp_decide(w, spent, out));
+    sp__qp_finish(w, out);
 }
 
 /* ------------------------------------------------------------------------------------------------------------ arguments */
@@ -447,7 +447,7 @@ static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
     for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = x0 ? x0[j] : (sp_real)0;
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real y = y0 ? y0[i] : (sp_real)0;
-        w->y[i] = sp__qp_loose(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
+        w->y[i] = sp__qp_no_bound(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
     }
     sp__qp_A(&w->qp, w->X, w->Ax, 0);
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->s[j] = w->X[j] / w->D[j];

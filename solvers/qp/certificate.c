@@ -20,7 +20,7 @@
 #if SP__WITH_QP
 
 /* r_j = |A'y|_j and what rounding may have hidden in it, times D_j: the largest. */
-static sp_real sp__proof_rest(const sp__qp *w)
+static sp_real sp__qp_proof_rest(const sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
     sp_real worst = 0;
@@ -33,7 +33,7 @@ static sp_real sp__proof_rest(const sp__qp *w)
 }
 
 /* Radius of a proof: `down` less its own rounding, over the rest; 0 if it proves nothing. */
-SP__NOINLINE static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
+SP__NOINLINE static sp_real sp__qp_proof_radius(sp_real down, sp_real terms, int32_t count, sp_real rest)
 {
     down -= (sp_real)(count + 4) * SP_EPSILON * terms;
     if (!(down > 0) || !(rest >= 0)) return 0;
@@ -41,18 +41,18 @@ SP__NOINLINE static sp_real sp__proof_radius(sp_real down, sp_real terms, int32_
 }
 
 /* Y judged as a certificate of primal infeasibility. Multipliers of bounds that are not there are dropped first. */
-static sp_real sp__proof_primal(sp__qp *w)
+static sp_real sp__qp_proof_primal(sp__qp *w)
 {
     sp_real terms;
     for (int32_t i = 0; i < w->qp.m; i++)
-        if (sp__qp_loose(&w->qp, i, w->Y[i])) w->Y[i] = 0;
+        if (sp__qp_no_bound(&w->qp, i, w->Y[i])) w->Y[i] = 0;
     const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
     w->flops += w->products + w->vectors;
-    return down > 0 ? sp__proof_radius(down, terms, w->qp.m, sp__proof_rest(w)) : (sp_real)0;
+    return down > 0 ? sp__qp_proof_radius(down, terms, w->qp.m, sp__qp_proof_rest(w)) : (sp_real)0;
 }
 
 /* X judged as a certificate of dual infeasibility. */
-static sp_real sp__proof_dual(sp__qp *w)
+static sp_real sp__qp_proof_dual(sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
     sp_real down = 0, terms = 0, rest = 0;
@@ -67,12 +67,12 @@ static sp_real sp__proof_dual(sp__qp *w)
     sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t j = 0; j < qp->n; j++) rest = sp__max(rest, w->D[j] * sp__abs(w->Px[j]));
     for (int32_t i = 0; i < qp->m; i++)
-        if (!sp__qp_loose(qp, i, w->Ax[i])) rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
-    return sp__proof_radius(down, terms, qp->n, rest);
+        if (!sp__qp_no_bound(qp, i, w->Ax[i])) rest = sp__max(rest, sp__abs(w->Ax[i]) * w->E[i] / w->c);
+    return sp__qp_proof_radius(down, terms, qp->n, rest);
 }
 
 /* How large solutions must be to be believed away: a multiple of the iterate (of y for the mirror image: x runs away there). */
-static sp_real sp__proof_far(const sp_real *v, int32_t n, sp_real radius)
+static sp_real sp__qp_proof_far(const sp_real *v, int32_t n, sp_real radius)
 {
     sp_real s = (sp_real)1;
     for (int32_t k = 0; k < n; k++) s += sp__abs(v[k]);
@@ -80,7 +80,7 @@ static sp_real sp__proof_far(const sp_real *v, int32_t n, sp_real radius)
 }
 
 /* Make v the certificate's direction: largest 1. 0 if it is nothing. */
-static int sp__proof_direction(sp_real *v, int32_t n)
+static int sp__qp_proof_direction(sp_real *v, int32_t n)
 {
     const sp_real size = sp__largest(v, n);
     if (!(size > 0) || !sp__finite(size)) return 0;
@@ -88,35 +88,35 @@ static int sp__proof_direction(sp_real *v, int32_t n)
     return 1;
 }
 
-static sp_real sp__proof_measure(sp__qp *w, int primal) { return primal ? sp__proof_primal(w) : sp__proof_dual(w); }
+static sp_real sp__qp_proof_measure(sp__qp *w, int primal) { return primal ? sp__qp_proof_primal(w) : sp__qp_proof_dual(w); }
 
 /* A certificate in v (Y: primal, X: dual infeasible), from the change since the last look or, `hard`, from that sharpened.
  * Its radius if it counts, else 0. */
-SP__NOINLINE static sp_real sp__proof_try(sp__qp *w, int primal, int hard)
+SP__NOINLINE static sp_real sp__qp_proof_try(sp__qp *w, int primal, int hard)
 {
     const int32_t n = w->qp.n, m = w->qp.m, size = primal ? m : n;
     const sp_real *to = primal ? w->y : w->x, *from = primal ? w->yc : w->xc;
     sp_real *v = primal ? w->Y : w->X;
     for (int32_t k = 0; k < size; k++) v[k] = to[k] - from[k];
     sp__qp_scale(v, primal ? w->E : w->D, v, size);
-    if (!sp__proof_direction(v, size)) return 0;
-    const sp_real multiple = primal ? sp__proof_far(w->x, n, w->set.radius) : sp__proof_far(w->y, m, w->set.radius);
+    if (!sp__qp_proof_direction(v, size)) return 0;
+    const sp_real multiple = primal ? sp__qp_proof_far(w->x, n, w->set.radius) : sp__qp_proof_far(w->y, m, w->set.radius);
     const sp_real least = sp__max(multiple, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
-    sp_real radius = sp__proof_measure(w, primal);
+    sp_real radius = sp__qp_proof_measure(w, primal);
     if (SP__WITH_QP_POLISH && hard && radius > (sp_real)1 && !(radius > least)) {
         if (primal) sp__sharpen_y(w);
         else sp__sharpen_x(w);
-        radius = sp__proof_direction(v, size) ? sp__proof_measure(w, primal) : (sp_real)0;
+        radius = sp__qp_proof_direction(v, size) ? sp__qp_proof_measure(w, primal) : (sp_real)0;
     }
     return radius > least ? radius : (sp_real)0;
 }
 
 /* Is the problem infeasible? Then 1 with status and radius, the certificate in Y or X. */
-static int sp__proof_found(sp__qp *w, int hard, sp_qp_result *out)
+static int sp__qp_proof_found(sp__qp *w, int hard, sp_qp_result *out)
 {
     for (int primal = 1; primal >= 0; primal--) {
         out->status = primal ? SP_QP_PRIMAL_INFEASIBLE : SP_QP_DUAL_INFEASIBLE;
-        out->radius = sp__proof_try(w, primal, hard);
+        out->radius = sp__qp_proof_try(w, primal, hard);
         if (out->radius > 0) return 1;
     }
     return 0;

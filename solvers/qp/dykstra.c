@@ -105,7 +105,7 @@ static sp_status sp__dykstra_solve(void *self, const sp_qp *qp, const sp_qp_sett
         memset(w->Y, 0, (size_t)qp->m * sizeof *w->Y);
         sp__qp_residuals(w, NULL);
     }
-    sp__qp_tell(w, result);
+    sp__qp_write_result(w, result);
     return SP_OK;
 }
 

@@ -59,7 +59,7 @@ static sp_qp_backend sp__qp_backend(const sp_qp_settings *set)
 static int sp__qp_no_l(const sp_qp *qp, int32_t i) { return !(qp->l[i] > -SP_QP_INFINITY); }
 static int sp__qp_no_u(const sp_qp *qp, int32_t i) { return !(qp->u[i] < SP_QP_INFINITY); }
 /* Would the multiplier y of row i push at a bound that is not there? */
-static int sp__qp_loose(const sp_qp *qp, int32_t i, sp_real y) { return y > 0 ? sp__qp_no_u(qp, i) : sp__qp_no_l(qp, i); }
+static int sp__qp_no_bound(const sp_qp *qp, int32_t i, sp_real y) { return y > 0 ? sp__qp_no_u(qp, i) : sp__qp_no_l(qp, i); }
 static int sp__qp_equation(const sp_qp *qp, int32_t i) { return !(qp->l[i] < qp->u[i]); }
 static sp_real sp__qp_q(const sp_qp *qp, int32_t j) { return qp->q ? qp->q[j] : (sp_real)0; }
 static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
@@ -104,7 +104,7 @@ static sp_real sp__qp_support(const sp_qp *qp, const sp_real *y, sp_real *terms)
     sp_real s = 0;
     *terms = 0;
     for (int32_t i = 0; i < qp->m; i++) {
-        const sp_real t = sp__qp_loose(qp, i, y[i]) ? (sp_real)0 : (y[i] > 0 ? qp->u[i] : qp->l[i]) * y[i];
+        const sp_real t = sp__qp_no_bound(qp, i, y[i]) ? (sp_real)0 : (y[i] > 0 ? qp->u[i] : qp->l[i]) * y[i];
         s += t;
         *terms += sp__abs(t);
     }

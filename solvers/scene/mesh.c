@@ -23,7 +23,7 @@ static sp_status sp__mesh_check(const sp_mesh *mesh, int32_t *corners)
 }
 
 /* Scrambles 64 bits one to one.                                                        [Stafford 2011, variant 13] */
-static uint64_t sp__mix(uint64_t h)
+static uint64_t sp__hash_mix(uint64_t h)
 {
     h = (h ^ (h >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
     h = (h ^ (h >> 27)) * UINT64_C(0x94d049bb133111eb);
@@ -42,7 +42,7 @@ static uint64_t sp__place_hash(const sp_real x[3])
         uint64_t bits;
 #endif
         memcpy(&bits, &v, sizeof bits);
-        h = sp__mix(h + UINT64_C(0x9e3779b97f4a7c15) + bits);
+        h = sp__hash_mix(h + UINT64_C(0x9e3779b97f4a7c15) + bits);
     }
     return h;
 }
@@ -58,7 +58,7 @@ static int sp__mesh_closed(const sp_mesh *mesh)
         uint64_t p = sp__place_hash(mesh->xyz + 3 * (size_t)corner[mesh->size[k] - 1]);
         for (int32_t i = 0; i < mesh->size[k]; i++) {
             const uint64_t q = sp__place_hash(mesh->xyz + 3 * (size_t)corner[i]);
-            sum += sp__mix(p + sp__mix(q)) - sp__mix(q + sp__mix(p));
+            sum += sp__hash_mix(p + sp__hash_mix(q)) - sp__hash_mix(q + sp__hash_mix(p));
             p = q;
         }
     }
