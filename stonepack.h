@@ -1,96 +1,43 @@
 /* stonepack: does this assembly of blocks stand, how sure are we, and why?
  *
- * Rigid blocks touch in plane polygons. Each polygon vertex carries one force, f = fn n + ft1 t1 + ft2 t2, which acts on
- * block B (its opposite acts on A); n points from A into B, fn > 0 is compression, |ft| <= mu fn. The library looks for
- * forces that hold every free block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
+ * Rigid blocks touch in plane polygons, their joints. Each corner carries one force, f = fn n + ft1 t1 + ft2 t2, which acts on block
+ * B (its opposite on A); n points from A into B, fn > 0 presses, |ft| <= mu fn. The library looks for forces that hold every free
+ * block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
  *
  *   units      SI: m, kg, s, N; angles never appear; gravity is an argument. Any consistent set works as well.
  *   memory     one arena given by the caller; no call allocates, prints, reads a clock or keeps state of its own.
  *   errors     every call returns an sp_status; on failure outputs are untouched unless its text says otherwise.
+ *   pointers   are not NULL and their arrays are read, not kept, unless the text says otherwise; id may be NULL everywhere.
  *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
+ *   licence    MIT
  *
- * Contents:  1 configuration   2 status   3 arena   4 scene   5 contacts   6 check and verify   7 reading a result
- *            8 matrices        9 stages   10 quadratic programs   11 placing a stone   12 the seed's constants
- *           13 a build order   14 how far from falling
+ * A program, two meshes given:
  *
- * MIT licence.
+ *     static unsigned char memory[1 << 18];
+ *     const sp_capacity room = { 2, 16, 12, 48, 1, 4, 0 };
+ *     sp_contact_report found = { 0, 0, 0, 0, NULL };
+ *     sp_arena arena; sp_scene scene; sp_result result; sp_evidence evidence; sp_joint_force force;
+ *     sp_status s = sp_arena_init(&arena, memory, sizeof memory);
+ *     if (!s) s = sp_scene_create(&scene, &room, &arena);
+ *     if (!s) s = sp_scene_block(&scene, &ground, 2400, SP_FIXED, NULL);
+ *     if (!s) s = sp_scene_block(&scene, &stone, 2400, 0, NULL);
+ *     if (!s) s = sp_contacts_find(&scene, NULL, arena, &found);
+ *     if (!s) s = sp_check(&scene, NULL, &arena, &result);
+ *     if (!s) s = sp_verify(&scene, NULL, &result, arena, &evidence);
+ *     if (!s) s = sp_joint_resultant(&scene, &result, 0, &force);
+ *     puts(s ? sp_status_text(s) : sp_verdict_text(result.verdict));         // stable; force.force holds the stone [N]
  */
 #ifndef STONEPACK_H
 #define STONEPACK_H
-
 #include <stddef.h>
 #include <stdint.h>
-
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define SP_VERSION_MAJOR 0
-#define SP_VERSION_MINOR 1
-#define SP_VERSION_PATCH 0
-
-/* 1 ------------------------------------------------------------------------------------------------------ configuration
- *
- *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
- *   SP_REAL_FLOAT   defined: all numbers are float           double
- *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: block factors of the search in space are float, and what they solve is
- *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
- *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
- *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
- *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
- *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
- *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
- *                   (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
- *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
- *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
- *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.
- *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
- *                   out is a hull narrower than the distance, and a piece as narrow of two faces that are both more than four
- *                   times as wide, where other builds ask each polygon. A hull of very many corners is several contacts.
- *                   Contacts of two blocks are in the order of faces. Overlaps are told of convex blocks only; every pair of
- *                   blocks is asked for contacts, every pair of their faces. Texts of statuses are shorter.
- *                   sp_limit leaves more undecided, and has no y0; what another build's sp_limit claims is for that build's
- *                   sp_limit_verify, for this one may leave it open. sp_sequence checks all that is there at every step, and
- *                   sp_sequence_hold searches no other sets than those it comes to by letting go. Quadratic programs: the dense
- *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
- *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
- *                   undecided
- *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
- *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
- *   SP_NO_ADMM      defined: no preset of the seed (section 12); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
- *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
- *   SP_NO_QP        defined: no quadratic programs (section 10), none of the two above
- *   SP_QP_ONLY      defined: quadratic programs and nothing else
- *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
- */
-#if defined SP_QP_ONLY && defined SP_EXACT_ONLY
-#error "SP_QP_ONLY and SP_EXACT_ONLY: one leaves quadratic programs alone, the other leaves them out"
-#elif defined SP_QP_ONLY && defined SP_NO_QP
-#error "SP_QP_ONLY and SP_NO_QP: nothing is left"
-#endif
-#ifdef SP_EXACT_ONLY
-#undef SP_SMALL
-#define SP_SMALL
-#undef SP_NO_IPM
-#define SP_NO_IPM
-#undef SP_NO_PLAN
-#define SP_NO_PLAN
-#undef SP_NO_QP
-#define SP_NO_QP
-#endif
-#ifdef SP_SMALL
-#undef SP_NO_CRA
-#define SP_NO_CRA
-#undef SP_QP_NO_CG
-#define SP_QP_NO_CG
-#undef SP_QP_NO_POLISH
-#define SP_QP_NO_POLISH
-#endif
 #ifndef SP_API
 #define SP_API extern
 #endif
-
 #ifdef SP_REAL_FLOAT
 typedef float sp_real;
 #define SP_EPSILON 5.9604644775390625e-08f              /* u, unit roundoff: 2^-24 */
@@ -103,13 +50,6 @@ typedef __float128 sp_real;
 typedef double sp_real;
 #define SP_EPSILON 1.1102230246251565e-16               /* u, unit roundoff: 2^-53 */
 #endif
-#if defined SP_REAL_MIXED && (defined SP_REAL_FLOAT || defined SP_REAL_QUAD)
-#error "SP_REAL_MIXED is double with factors in float: not with SP_REAL_FLOAT, SP_REAL_QUAD"
-#elif defined SP_REAL_FLOAT && defined SP_REAL_QUAD
-#error "SP_REAL_FLOAT and SP_REAL_QUAD: numbers have one precision"
-#endif
-
-/* 2 ------------------------------------------------------------------------------------------------------------- status */
 
 typedef enum sp_status {
     SP_OK = 0,
@@ -131,6 +71,121 @@ typedef enum sp_status {
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
 
+/* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
+typedef struct sp_arena {
+    unsigned char *base;        /* aligned start */
+    size_t cap, used, peak;     /* [byte] */
+} sp_arena;
+
+/* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
+ * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
+ *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
+SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
+
+#ifndef SP_QP_ONLY
+/* In full below. */
+typedef struct sp_scene sp_scene;                       /* blocks, joints, loads; lives in an arena, which must outlive it */
+typedef struct sp_strength sp_strength;                 /* of a joint: friction mu, cohesion, tension, cap */
+typedef struct sp_contact_settings sp_contact_settings;
+typedef struct sp_contact_report sp_contact_report;     /* joints, points found; overlaps */
+typedef struct sp_settings sp_settings;                 /* of a check; NULL everywhere: the default ones */
+typedef struct sp_result sp_result;                     /* verdict, reason; forces f, of an UNSTABLE the mechanism dq */
+typedef struct sp_evidence sp_evidence;                 /* verdict as proved once more */
+typedef struct sp_joint_force sp_joint_force;           /* force[3], point[3], utilisation */
+
+/* What a scene has room for. Each number >= 0. */
+typedef struct sp_capacity {
+    int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
+    int32_t joints, points;                     /* contacts; points: sum of the joints' vertex counts */
+    int32_t loads;                              /* besides weight */
+} sp_capacity;
+/* A closed polygon mesh with outward faces, as the caller has it (copied, not kept). */
+typedef struct sp_mesh {
+    int32_t vertices, faces;
+    const sp_real *xyz;         /* 3 x vertices                                              [m] */
+    const int32_t *size;        /* corners of each face, >= 3 */
+    const int32_t *corner;      /* vertex numbers, 0-based, face after face */
+} sp_mesh;
+
+/* Start an empty scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_MEMORY */
+SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
+
+#define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
+/* Add a block of uniform density [kg/m^3]. fixed: held directions; a support (SP_FIXED) may be open or flat. id may be NULL.
+ *   returns what sp_mesh_mass returns, SP_E_RANGE (density <= 0, fixed > SP_FIXED), SP_E_CAPACITY */
+SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id);
+
+SP_API sp_strength sp_strength_friction(sp_real mu);     /* friction mu and nothing else */
+/* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
+ * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (strength),
+ *           SP_E_CAPACITY */
+SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
+                                const sp_strength *strength, int32_t *id);
+
+/* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their exact
+ * common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one block count as
+ * one face. scratch: sp_memory, SP_FOR_CONTACTS; overwritten. settings NULL: friction 0.84, distances as below.
+ *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY; SP_E_UNSUPPORTED of SP_SMALL */
+SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch, sp_contact_report *report);
+
+typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
+/* Does it stand? The arrays of the result live in the arena, which wants what sp_memory tells for SP_FOR_CHECK.
+ *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
+ *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (strength of a joint in a coupled check; what
+ *             this build leaves out) */
+SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
+
+/* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
+ * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (as sp_check),
+ *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
+SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
+                           sp_evidence *evidence);
+
+/* Resultant of one joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint, sp_joint_force *out);
+/* ================================================= You can stop here. ================================================= */
+#endif /* SP_QP_ONLY */
+
+#define SP_VERSION_MAJOR 0
+#define SP_VERSION_MINOR 2
+#define SP_VERSION_PATCH 0
+
+#define SP_ALIGN 16             /* [byte] every piece of an arena starts at a multiple of this from its base */
+
+#if defined SP_QP_ONLY && defined SP_EXACT_ONLY
+#error "SP_QP_ONLY and SP_EXACT_ONLY: one leaves quadratic programs alone, the other leaves them out"
+#elif defined SP_QP_ONLY && defined SP_NO_QP
+#error "SP_QP_ONLY and SP_NO_QP: nothing is left"
+#endif
+#if defined SP_REAL_MIXED && (defined SP_REAL_FLOAT || defined SP_REAL_QUAD)
+#error "SP_REAL_MIXED is double with factors in float: not with SP_REAL_FLOAT, SP_REAL_QUAD"
+#elif defined SP_REAL_FLOAT && defined SP_REAL_QUAD
+#error "SP_REAL_FLOAT and SP_REAL_QUAD: numbers have one precision"
+#endif
+
+/* What follows from the switches; each is told at the end. */
+#ifdef SP_EXACT_ONLY
+#undef SP_SMALL
+#define SP_SMALL
+#undef SP_NO_IPM
+#define SP_NO_IPM
+#undef SP_NO_PLAN
+#define SP_NO_PLAN
+#undef SP_NO_QP
+#define SP_NO_QP
+#endif
+#ifdef SP_SMALL
+#undef SP_NO_CRA
+#define SP_NO_CRA
+#undef SP_QP_NO_CG
+#define SP_QP_NO_CG
+#undef SP_QP_NO_POLISH
+#define SP_QP_NO_POLISH
+#endif
+
 /* Words for enumerators. */
 typedef enum sp_words {
     SP_WORDS_STATUS = 0, SP_WORDS_QP_STATUS, SP_WORDS_VERDICT, SP_WORDS_LEVEL, SP_WORDS_REASON, SP_WORDS_STAGE, SP_WORDS_EFFECT,
@@ -145,60 +200,21 @@ SP_API const char *sp_text(sp_words of, int32_t value);
 /* One sentence on a status, for a message. */
 static inline const char *sp_status_text(sp_status status) { return sp_text(SP_WORDS_STATUS, (int32_t)status); }
 
-/* 3 -------------------------------------------------------------------------------------------------------------- arena */
-
-/* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
-typedef struct sp_arena {
-    unsigned char *base;        /* aligned start */
-    size_t cap, used, peak;     /* [byte] */
-} sp_arena;
-
-#define SP_ALIGN 16             /* [byte] every piece starts at a multiple of this from the base */
-
-/* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
- * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
- *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
-SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
-
 #ifndef SP_QP_ONLY
 
-/* 4 -------------------------------------------------------------------------------------------------------------- scene */
-
-/* What a scene has room for. Each number >= 0. */
-typedef struct sp_capacity {
-    int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
-    int32_t joints, points;                 /* contacts; points: sum of the joints' vertex counts */
-    int32_t loads;                              /* besides weight */
-} sp_capacity;
-
-/* A closed polygon mesh with outward faces, as the caller has it (copied, not kept). */
-typedef struct sp_mesh {
-    int32_t vertices, faces;
-    const sp_real *xyz;         /* 3 x vertices                                              [m] */
-    const int32_t *size;        /* corners of each face, >= 3 */
-    const int32_t *corner;      /* vertex numbers, 0-based, face after face */
-} sp_mesh;
-
-/* Volume integrals of a closed mesh. */
-typedef struct sp_mass {
-    sp_real volume;             /* [m^3] */
-    sp_real centroid[3];        /* [m] */
-    sp_real diameter;           /* diagonal of the bounding box [m] */
-} sp_mass;
+/* -------------------------------------------------------------------------------------------------------- the scene in full */
 
 /* What a joint can carry. K_v of each of its vertices, which share the joint's area A alike (A_v = A / points):
  *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= cap A_v                                    [Mohr-Coulomb]
  * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K) of
  * both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
  * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
-typedef struct sp_strength {
+struct sp_strength {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
     sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
     sp_real tension;            /* tensile strength, >= 0 [Pa] */
     sp_real cap;                /* crushing strength, >= 0 [Pa]; 0: unlimited */
-} sp_strength;
-
-#define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
+};
 
 typedef struct sp_block {
     sp_real mass;               /* [kg] */
@@ -233,7 +249,7 @@ typedef struct sp_load {
 /* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). To take out what
  * was added last, set count back to what it was before (all of it, or joints and points to find them anew). Lives in an arena.
  * Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
-typedef struct sp_scene {
+struct sp_scene {
     sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
     sp_real live;               /* multiple at which live loads and `body` act; set to 1 */
     sp_real body[3];            /* live acceleration of every block and every load's mass [m/s^2], 0 */
@@ -245,13 +261,17 @@ typedef struct sp_scene {
     sp_joint *joint;
     sp_real (*point)[3];        /* contact vertices [m] */
     sp_load *load;
-} sp_scene;
+};
 
 /* Bytes a scene of this capacity takes from an arena, exact; 0 if a number is negative or the size overflows. */
 SP_API size_t sp_scene_memory(const sp_capacity *cap);
 
-/* Start an empty scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_MEMORY */
-SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
+/* Volume integrals of a closed mesh. */
+typedef struct sp_mass {
+    sp_real volume;             /* [m^3] */
+    sp_real centroid[3];        /* [m] */
+    sp_real diameter;           /* diagonal of the bounding box [m] */
+} sp_mass;
 
 /* Volume, centroid and size of a closed mesh with outward faces, about a local vertex so that far coordinates lose nothing.
  *   V = 1/6 sum a.(b x c),  c = 1/(24 V) sum [a.(b x c)](a + b + c)                                    [seed 1.3]
@@ -259,23 +279,9 @@ SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_are
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_DEGENERATE, SP_E_WARPED, SP_E_OPEN, SP_E_INWARD */
 SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass);
 
-/* Add a block of uniform density [kg/m^3]. fixed: held directions; a support (SP_FIXED) may be open or flat. id may be NULL.
- *   returns what sp_mesh_mass returns, SP_E_RANGE (density <= 0, fixed > SP_FIXED), SP_E_CAPACITY */
-SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id);
-
 /* Add a block without a mesh, known by its mass [kg] (> 0, or >= 0 for a support) and centroid [m].
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
 SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
-
-/* Friction mu and nothing else. */
-SP_API sp_strength sp_strength_friction(sp_real mu);
-
-/* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
- * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (strength),
- *           SP_E_CAPACITY */
-SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
-                                    const sp_strength *strength, int32_t *id);
 
 /* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
  *   returns as sp_scene_joint; SP_E_AREA: also strength without an area */
@@ -292,43 +298,32 @@ SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id
  * centroid of the face; < 0 pulls.     returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (no area) */
 SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face, sp_real pressure, int32_t live, int32_t *id);
 
-/* 5 ----------------------------------------------------------------------------------------------------------- contacts */
+/* --------------------------------------------------------------------------------------------------------- contacts in full */
 
-typedef struct sp_contact_settings {
+struct sp_contact_settings {
     sp_real distance;           /* faces nearer than this touch; relative to the smaller block's diameter     1e-6 */
     sp_real angle;              /* largest sine of the angle between touching faces                           1e-3 */
     int32_t absolute;           /* 1: distance is in m                                                           0 */
     sp_strength strength;             /* given to every contact found                                            mu 0.84 */
-} sp_contact_settings;
+};
 
 typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* two blocks inside each other by `depth` [m] */
 
-typedef struct sp_contact_report {
+struct sp_contact_report {
     int32_t joints, points;         /* found; also when the scene had no room for them */
     int32_t overlaps;                   /* pairs of blocks inside each other beyond the distance */
     int32_t overlap_cap;                /* in: room in `overlap`, may be 0 */
     sp_overlap *overlap;                /* the first overlap_cap of them, by block numbers; may be NULL */
-} sp_contact_report;
+};
 
 SP_API sp_contact_settings sp_contact_settings_default(void);
 
-/* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
- * exact common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
- * block count as one face. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
- * SP_SMALL the convex hull of what faces share in one plane).
- *   scratch   by value: all of it may be overwritten; sp_memory tells how much. That is enough unless two faces cross each other
- *             like combs, in more places than eight a corner: then it returns SP_E_MEMORY and wants more
- *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
- *   settings  NULL: the default ones
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY;
- *             SP_E_UNSUPPORTED of SP_SMALL: a face that is not convex lies in one plane with an opposed one, and their boxes meet,
- *             whether or not they touch */
-SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
-                                  sp_contact_report *report);
+/* sp_contacts_find's small print. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
+ * SP_SMALL the convex hull of what faces share in one plane). Scratch is enough unless two faces cross each other like combs, in more
+ * places than eight a corner: then it returns SP_E_MEMORY and wants more. SP_SMALL: SP_E_UNSUPPORTED where a face that is not convex
+ * lies in one plane with an opposed one and their boxes meet, whether or not they touch. */
 
-/* 6 --------------------------------------------------------------------------------------------------- check and verify */
-
-typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
+/* ------------------------------------------------------------------------------------------------------- what a check tells */
 
 typedef enum sp_level { SP_NONE = 0, SP_ADMISSIBLE = 1, SP_COUPLED = 2 } sp_level;  /* how far a STABLE goes: RBE, CRA */
 
@@ -362,6 +357,13 @@ typedef enum sp_stage_id {
 
 #define SP_STAGES_MAX 6
 
+/* Work done, in units that are the same on every machine. */
+typedef struct sp_cost {
+    int64_t flops;              /* + - * / and square roots on matrices and forces, counted by formula */
+    int32_t factorisations, iterations;
+    int32_t interior;           /* of the iterations those of the interior-point method */
+} sp_cost;
+
 /* What a scene may or may not call for. sp_check leaves out what it can prove to change nothing; sp_plan says what and why. */
 typedef enum sp_effect {
     SP_EFFECT_FRICTION = 0,     /* friction in the joints */
@@ -381,26 +383,28 @@ typedef enum sp_effect {
  * verdict is UNDECIDED, SP_REASON_EFFECT. Without SP_EFFECT_TOGETHER is never wrong, so nothing is lost by it. */
 typedef enum sp_choice { SP_PLANNED = 0, SP_WITH, SP_WITHOUT } sp_choice;
 
-/* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; departure 3]
- *
- * Friction alone lets forces squeeze a block that nothing presses. The coupled check asks besides for a virtual motion dq of
- * the blocks that explains the forces: joints give by eps, press only where they gave it all, and rub only against their slip.
- *
- *     dd = Aeq' dq       dn >= -eps       fn (dn + eps) = 0       ft = -alpha dt,  alpha >= 0        dn <= eta,  |dt| <= eta
- *
- * Only eta / eps matters: p . dq = eps sum fn + sum alpha |dt|^2, so it bounds the forces. eps = 0: dn >= 0, fn dn = 0, and
- * lengths are counted in eta instead of eps.
- *
- * sp_verify calls a triple (f, dq, alpha) coupled if f passes as a force state (imbalance <= tol) and, in every contact vertex,
- * with L = eps (eta where eps = 0), the residual is <= 1, the largest of
- *     |dn + eps| / g  where fn > 0, (-eps - dn) / g, (dn - eta) / g, (|dt| - eta) / g      g = 1e-10 L + 16 u |motion|
- *     where |ft| > tol min(sbar_A, sbar_B):   |ft + alpha dt| / (1e-6 |ft|) and (1e-6 L + 4e6 u |motion|) / |dt|
- * |motion|: how far the two blocks move there (a block whose contacts lie on one line without its spin about it, which
- * moves none of them, up to SP_EXACT_POINTS contact vertices). In words: forces vanish exactly where a joint is open; a
- * joint that presses may be out by a 10^-10th of eps; where there is friction there is slip, of at least a millionth of
- * eps, opposite to it within a millionth. The set of such triples is not closed: what is feasible only as alpha grows
- * without bound is not found (limit).
- * In float: 1e-4 instead of 1e-10, both 1e-6 are 1e-2, 4e6 u is 400 u. */
+/* Why an effect is simulated or not. */
+typedef enum sp_effect_why {
+    SP_WHY_CALLED = 0,          /* on: the scene calls for it */
+    SP_WHY_ASKED,               /* on: settings.effect */
+    SP_WHY_LEFT_OUT,            /* off: settings.effect */
+    SP_WHY_ABSENT,              /* off: mu = 0, no strength, no load */
+    SP_WHY_NOT_ASKED,           /* off: a question of its own */
+    SP_WHY_STATICS,             /* off: statics */
+    SP_WHY_APART,               /* off: islands */
+    SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
+    SP_WHY_MIRROR,              /* off: one mirror plane for everything; not where a motion had to be sought in space */
+    SP_WHY_PRESSURE,            /* off: what presses on level joints decides without */
+    SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
+} sp_effect_why;
+
+/* What was found about one joint's share of help, from the penalty form; joined with a motion where that was asked and one
+ * was found. */
+typedef struct sp_demand {
+    sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
+    sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
+} sp_demand;
+
 typedef enum sp_coupling {
     SP_COUPLING_NOT_ASKED = 0,
     SP_COUPLING_COUPLED,        /* a triple was found and verified */
@@ -417,98 +421,7 @@ typedef enum sp_coupling_reason {
     SP_COUPLING_BUDGET          /* not found: the search spent its work */
 } sp_coupling_reason;
 
-/* What the coupled check is asked with; eps, eta and eta / eps below 1e30. */
-typedef struct sp_coupled_settings {
-    int32_t asked;              /* 1: where the forces exist, ask for the motion                                        0 */
-    sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
-    sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
-    int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
-    int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
-                                   (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
-    int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 210 bytes each.
-                                   0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none;
-                                   each island has its own, all have the same memory                                    -1 */
-} sp_coupled_settings;
-
-#define SP_EXACT_POINTS 48      /* contact vertices of an island up to which the coupled check is decided by branch and bound */
-
-struct sp_stage;
-struct sp_qp_solver;
-struct sp_seed;
-
-#define SP_TOL_QUICK ((sp_real)1e-3)    /* steps of the one dial, settings.tol */
-#ifdef SP_REAL_FLOAT
-#define SP_TOL_STANDARD ((sp_real)1e-4)
-#define SP_TOL_PRECISE ((sp_real)1e-5)
-#else
-#define SP_TOL_STANDARD ((sp_real)1e-6)
-#define SP_TOL_PRECISE ((sp_real)1e-9)
-#endif
-
-/* Settings of a check. Get them from sp_settings_default() and change what you must. */
-typedef struct sp_settings {
-    sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
-                                   above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
-                                   float 1e-4, as that; the result says what was in force */
-    sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
-                                   0: tol/(10u), 4 at least, 1e6 at most
-                                   larger decides nearer to friction locks, smaller decides collapse sooner */
-    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
-    int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
-    int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
-    sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
-    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
-                                   where not coupled, joined with a motion                                             1 */
-    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
-    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
-                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
-                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
-                                   at most). A custom stage heeds state.left by itself                        0 */
-    int32_t stage_count;                        /*                                                                     2 */
-    sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
-    const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
-    sp_coupled_settings coupled;                /* the coupled check */
-    const struct sp_qp_solver *qp_solver;       /* of the quadratic programs of SP_STAGE_ADMM; NULL: sp_qp_solve     NULL */
-    const struct sp_seed *seed;                 /* constants and gates of the seed (section 12); NULL: only its constants where
-                                                   a stage has no other, gates by tol                                NULL */
-    sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
-    struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
-                                   `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
-                                   memory. For sp_check; plan, sequence, limit do without                           NULL */
-} sp_settings;
-
-SP_API sp_settings sp_settings_default(void);
-
-/* Work done, in units that are the same on every machine. */
-typedef struct sp_cost {
-    int64_t flops;              /* + - * / and square roots on matrices and forces, counted by formula */
-    int32_t factorisations, iterations;
-    int32_t interior;           /* of the iterations those of the interior-point method */
-} sp_cost;
-
-/* What was found about one joint's share of help, from the penalty form; joined with a motion where that was asked and one
- * was found. */
-typedef struct sp_demand {
-    sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
-    sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
-} sp_demand;
-
-/* A proof that no triple meets the conditions of the coupled check. Every contact vertex that takes part, 0..V-1 in the order
- * of joints, is in one of these cases, of which finer ones halve the sector of coarser ones (angles from t1 to t2):
- *
- *     0 unknown;  1 open, f = 0;  2 engaged, dn = -eps;  4..7 engaged, dt and -ft in that quarter;  2s, 2s + 1 the halves of s
- *
- * node[] is a tree in preorder, its root has all unknown: k >= 0 splits vertex k (0 into 1, 2; 2 into 4, 5, 6, 7; s into 2s,
- * 2s + 1), k < 0 is a leaf that takes the next -k of row[] and y[]: multipliers of inequalities of its case, numbered
- *
- *     0..6b-1     Aeq f + p = 0                                  6b              eps sum fn <= p . dq
- *     6b+1+24v+   0 dn;  1..4 dt along 0, 45, 90, 135 degrees;  5 along the sector's middle m;
- *                 6, 7 a x dt >= 0, b x dt <= 0 at its ends;  8, 9 a x ft <= s fn, b x ft >= -s fn,
- *                 s = 1e-6 of the most |ft| / fn (float 1e-2);
- *                 10..12 ft along -a, -m, -b (pyramids of more than 8 faces: on the three nearest there);
- *                 13..20 ft around (pyramids of up to 8 faces: on those; else every 45 degrees);  21..23 fn, ft1, ft2
- *
- * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet. */
+/* A proof that no triple meets the conditions of the coupled check; its grammar stands with what is for experts. */
 typedef struct sp_proof {
     int32_t nodes, leaves, entries;     /* 0: no proof */
     int32_t island;                     /* 0: of the whole scene; k: of its k-th island alone, by their first blocks: its blocks,
@@ -538,21 +451,6 @@ typedef struct sp_coupled {
     sp_cost cost;               /* of this check alone; also in result.cost */
 } sp_coupled;
 
-/* Why an effect is simulated or not. */
-typedef enum sp_effect_why {
-    SP_WHY_CALLED = 0,          /* on: the scene calls for it */
-    SP_WHY_ASKED,               /* on: settings.effect */
-    SP_WHY_LEFT_OUT,            /* off: settings.effect */
-    SP_WHY_ABSENT,              /* off: mu = 0, no strength, no load */
-    SP_WHY_NOT_ASKED,           /* off: a question of its own */
-    SP_WHY_STATICS,             /* off: statics */
-    SP_WHY_APART,               /* off: islands */
-    SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
-    SP_WHY_MIRROR,              /* off: one mirror plane for everything; not where a motion had to be sought in space */
-    SP_WHY_PRESSURE,            /* off: what presses on level joints decides without */
-    SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
-} sp_effect_why;
-
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. What is told of
  * it is what a check of it alone says, with eps and eta of the whole scene. */
 typedef struct sp_island {
@@ -564,7 +462,7 @@ typedef struct sp_island {
     int32_t block, blocks;      /* its first block, how many it has */
 } sp_island;
 
-typedef struct sp_result {
+struct sp_result {
     sp_verdict verdict;
     sp_level level;             /* of a STABLE, else SP_NONE */
     sp_reason reason;
@@ -597,7 +495,109 @@ typedef struct sp_result {
     int32_t *island;            /* per block of the scene: its island, -1: a support; NULL where islands < 2 */
     sp_island *part;            /* islands of them, in the order of their first blocks; NULL where islands < 2 */
     size_t peak_bytes;          /* of the arena */
-} sp_result;
+};
+
+/* What the evidence of a claim proves, recomputed from the scene by code that shares nothing with the search. */
+struct sp_evidence {
+    sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
+    int32_t final;
+    sp_real imbalance, least_imbalance;
+    sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
+    sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
+    sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
+};
+
+struct sp_joint_force {
+    sp_real force[3];           /* resultant on b, world axes [N] */
+    sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
+    sp_real min_fn, max_fn;     /* [N] */
+    sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area); 0 where less than
+                                   1e-4 of the lighter block's weight is carried [1] */
+};
+
+/* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
+ * balance its weight; a support pushes back with the opposite, which is its reaction.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
+                                    sp_real moment[3]);
+
+/* Words for enumerators, lower case, static storage. */
+static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(SP_WORDS_VERDICT, (int32_t)verdict); }
+static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
+static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
+static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
+/* 1: simulated, 0: left out */
+static inline int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
+static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
+static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
+static inline const char *sp_coupling_text(sp_coupling coupling) { return sp_text(SP_WORDS_COUPLING, (int32_t)coupling); }
+static inline const char *sp_coupling_reason_text(sp_coupling_reason reason) { return sp_text(SP_WORDS_COUPLING_REASON, (int32_t)reason); }
+
+/* ---------------------------------------------------------------------------------------------------- what a check is asked */
+
+/* What the coupled check is asked with; eps, eta and eta / eps below 1e30. */
+typedef struct sp_coupled_settings {
+    int32_t asked;              /* 1: where the forces exist, ask for the motion                                        0 */
+    sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
+    sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
+    int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
+    int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
+                                   (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
+    int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 210 bytes each.
+                                   0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none;
+                                   each island has its own, all have the same memory                                    -1 */
+} sp_coupled_settings;
+
+#define SP_EXACT_POINTS 48      /* contact vertices of an island up to which the coupled check is decided by branch and bound */
+
+struct sp_stage;
+struct sp_qp_solver;
+struct sp_seed;
+
+#define SP_TOL_QUICK ((sp_real)1e-3)    /* steps of the one dial, settings.tol */
+#ifdef SP_REAL_FLOAT
+#define SP_TOL_STANDARD ((sp_real)1e-4)
+#define SP_TOL_PRECISE ((sp_real)1e-5)
+#else
+#define SP_TOL_STANDARD ((sp_real)1e-6)
+#define SP_TOL_PRECISE ((sp_real)1e-9)
+#endif
+
+/* Settings of a check. Get them from sp_settings_default() and change what you must. */
+struct sp_settings {
+    sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
+                                   above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
+                                   float 1e-4, as that; the result says what was in force */
+    sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
+                                   0: tol/(10u), 4 at least, 1e6 at most
+                                   larger decides nearer to friction locks, smaller decides collapse sooner */
+    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
+    int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
+    int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
+    sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
+    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
+                                   where not coupled, joined with a motion                                             1 */
+    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
+    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
+                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
+                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
+                                   at most). A custom stage heeds state.left by itself                        0 */
+    int32_t stage_count;                        /*                                                                     2 */
+    sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
+    const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
+    sp_coupled_settings coupled;                /* the coupled check */
+    const struct sp_qp_solver *qp_solver;       /* of the quadratic programs of SP_STAGE_ADMM; NULL: sp_qp_solve     NULL */
+    const struct sp_seed *seed;                 /* constants and gates of the seed (the seed, below); NULL: only its constants where
+                                                   a stage has no other, gates by tol                                NULL */
+    sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
+    struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
+                                   `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
+                                   memory. For sp_check; plan, sequence, limit do without                           NULL */
+};
+
+SP_API sp_settings sp_settings_default(void);
+
+/* ---------------------------------------------------------------------------------------------------------- how much memory */
 
 /* What memory is asked for. Told before the call, exact unless said otherwise. */
 typedef enum sp_memory_for {
@@ -623,6 +623,341 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
 /* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
  * A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
 SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
+
+#ifndef SP_NO_IPM
+
+/* ------------------------------------------------------------------------------------------------------ how far from falling
+ *
+ * The largest multiple lambda >= 0 of the live loads (those with live = 1, and scene.body) that the assembly bears on top of
+ * the others: the largest lambda for which an admissible force state exists. With friction that is an upper value: such a
+ * state is necessary for standing, not sufficient, and a real wall may fall at less (its friction does not make it open as it
+ * slides). Without friction, and where nothing slides, it is exact.               [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
+ */
+
+typedef enum sp_limit_kind {
+    SP_LIMIT_UNDECIDED = 0,     /* an end of the bracket was not found, or they are too far apart; see reason */
+    SP_LIMIT_FOUND,             /* lower and upper are verified and close */
+    SP_LIMIT_NONE,              /* no lambda >= 0 works: dq falls under the dead loads, and live loads do not hinder it */
+    SP_LIMIT_UNBOUNDED          /* every lambda >= lower works: ray balances the live loads alone, without strength */
+} sp_limit_kind;
+
+typedef struct sp_limit_result {
+    sp_limit_kind kind;
+    sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open at
+                                   this tol, or SP_REASON_UNVERIFIED */
+    sp_real multiplier;         /* lambda: power balance of dq, -(dead . dq) / (live . dq), within the bracket; 0 unless FOUND */
+    sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
+    sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
+                                   Of a NONE 0 */
+    sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives forces
+                                   at lower in the mechanism; it counts against the loads, not against a small multiplier */
+    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
+    sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
+    sp_real imbalance;              /* largest relative imbalance of f */
+    sp_real least_imbalance;    /* that dq proves at upper */
+    int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
+    int32_t verified;           /* sp_limit_verify agrees */
+    sp_real tol, force_bound;   /* in force */
+    sp_real *f;                 /* 3 x scene.count.points, at lower                                                   [N] */
+    sp_real *ray;               /* 3 x scene.count.points, for the live loads alone; zero unless UNBOUNDED            [N] */
+    sp_real *dq;                /* 6 x scene.count.blocks: collapse mechanism; scaled as that of a check            [m, 1] */
+    sp_real *y0;                /* 24 x free blocks: hints for the verification of dead and live loads; may be NULL */
+    sp_cost cost;
+    size_t peak_bytes;          /* of the arena */
+} sp_limit_result;
+
+/* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
+ * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction, of a
+ * capped one nothing) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
+ * What either leaves open is left to the exact stage, by Newton's method on the power balance.
+ *   scene     its `live` is not read
+ *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
+ *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where joints,
+ *             dead and live loads share a mirror
+ *   result    its arrays live in the arena, before anything else taken from it later
+ *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
+SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
+
+/* Do both ends hold? Recomputes them from the scene by what sp_verify uses: kind, lower, upper, f, ray, dq and (if not NULL) y0
+ * of the claim are read. Scratch as for sp_verify and 48 numbers a block.
+ *   out       held: 1 if every end the claim has is proved; a FOUND and an UNBOUNDED have a lower one, a FOUND an upper one
+ *   returns   as sp_verify */
+SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
+                                 sp_arena scratch, int32_t *held);
+
+static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
+
+/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what opens
+ * more is open. */
+typedef enum sp_joint_kind {
+    SP_JOINT_RIGID = 0,         /* no corner moves */
+    SP_JOINT_HINGE,             /* some corners stay in touch, others open */
+    SP_JOINT_SLIDING,           /* all corners stay in touch, some slide */
+    SP_JOINT_OPEN               /* all corners open */
+} sp_joint_kind;
+
+typedef struct sp_joint_motion {
+    sp_joint_kind kind;
+    sp_real opening, slip;      /* largest dn, |dt| of a corner                                                       [m] */
+    sp_real a[3], b[3];         /* of a hinge or a sliding joint: the corners in touch that lie farthest apart        [m] */
+} sp_joint_motion;
+
+/* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion);
+
+static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_WORDS_JOINT, (int32_t)kind); }
+
+#endif
+
+#ifndef SP_EXACT_ONLY
+
+/* --------------------------------------------------------------------------------------------------------- a build order
+ *
+ * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
+ * is told step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
+ * again, an island being free blocks that touch each other; all others keep their verdict and forces.
+ *
+ *     sp_memory(&scene, SP_FOR_SEQUENCE, NULL, scratch, &bytes);
+ *     sp_sequence_open(&scene, NULL, &arena, &sequence);               the supports are there, nothing else
+ *     for each stone k: sp_sequence_set(sequence, k, SP_PRESENT, &step);
+ *         if (step.verdict != SP_STABLE) sp_sequence_hold(sequence, 0, &held);
+ *
+ * A step starts from the forces of the one before: where these, changed only in the stones below the one that came or beside
+ * the one that went, balance every block, that decides. If not, the island is checked as sp_check would. Either way the verdict
+ * is that of sp_check's certificate: sp_verify accepts the forces of all that is there, or the motion of the island that falls.
+ */
+
+typedef enum sp_presence {
+    SP_ABSENT = 0,
+    SP_PRESENT,
+    SP_HELD                     /* there, and fixed in place as a support is: by a robot, a prop, centring */
+} sp_presence;
+
+/* A build order under way. Lives in an arena, refers to the scene, which must stay as it is. */
+typedef struct sp_sequence sp_sequence;
+
+/* What is known after a step. */
+typedef struct sp_step {
+    sp_verdict verdict;         /* of all that is there: that of its worst island */
+    sp_reason reason;           /* of that island */
+    int32_t final;              /* no force of any size would do */
+    int32_t block;              /* a free block of that island, of an UNSTABLE one that moves; -1: STABLE */
+    int32_t islands, checked;   /* how many there are, and were looked at in this step */
+    int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
+    int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
+    sp_real imbalance;              /* largest relative imbalance of a block, or more                                       [1] */
+    sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
+    const sp_real *f;           /* 3 x scene.count.points: forces, 0 where a block is absent; until the next call       [N] */
+    const sp_real *dq;          /* 6 x scene.count.blocks: how islands that fall move, each as sp_result.dq; 0: at rest */
+    sp_cost cost;               /* of this step */
+} sp_step;
+
+/* Begin: of the blocks only supports (SP_FIXED) are there.
+ *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
+ *             taken as 0; budget is that of each try at an island, of which a step makes three at most
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled),
+ *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
+SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
+
+/* One block comes, goes, is held or let go; a support is there or absent. What it touched is looked at again.
+ *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, presence), SP_E_INDEX */
+SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step);
+
+/* All blocks at once, presence[scene.count.blocks]: a later start, or the finished scene that is to be taken down.
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, a presence) */
+SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step);
+
+typedef enum sp_held_proof {
+    SP_HELD_MINIMAL = 0,        /* no smaller set makes it stand */
+    SP_HELD_IRREDUCIBLE,        /* none of them can be let go, others might do with fewer */
+    SP_HELD_ENOUGH              /* it stands so; the budget ended the search, or a smaller set was undecided */
+} sp_held_proof;
+
+/* Blocks to be held besides those that are, so that what is there stands. */
+typedef struct sp_held {
+    int32_t count;
+    const int32_t *block;       /* their numbers, ascending within an island; until the next call */
+    const int32_t *must;        /* of each: 1: it falls even when all others of its island are held */
+    sp_held_proof proof;
+    int32_t checks;             /* sets that were tried */
+    sp_cost cost;
+} sp_held;
+
+#define SP_HELD_EXHAUSTIVE 8    /* islands of up to so many free blocks: every set is tried, the smallest ones first */
+
+/* The smallest set of blocks to hold now. Per island that does not stand: which must be held at any rate is found block by
+ * block; then all sets up to SP_HELD_EXHAUSTIVE blocks; beyond, those held in the last answer, then block after block that
+ * moves most in the collapse, then each is let go again if it can be; two are proved by trying each block alone.
+ *   budget    flops after which the best set so far is taken; 0: none
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
+SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held);
+
+typedef struct sp_suggestion {
+    int32_t block;              /* -1: none keeps everything standing, or the budget ended first */
+    int32_t tried;
+    int32_t all;                /* the budget sufficed */
+    sp_cost cost;
+} sp_suggestion;
+
+/* A next stone after which everything stands. add 1: the lowest absent block that does, of those that touch something that is
+ * there; 0: the highest block that may be taken away (supports and held ones stay). Nothing is changed.
+ *   budget    flops after which no other stone is tried; 0: none
+ *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
+SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion);
+
+static inline const char *sp_presence_text(sp_presence presence) { return sp_text(SP_WORDS_PRESENCE, (int32_t)presence); }
+static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_text(SP_WORDS_HELD_PROOF, (int32_t)proof); }
+
+#endif
+
+/* -------------------------------------------------------------------------------- is there a motion, too: the coupled check */
+
+/* The coupled check (coupled rigid-block analysis).                                              [Kao et al. 2022; departure 3]
+ *
+ * Friction alone lets forces squeeze a block that nothing presses. The coupled check asks besides for a virtual motion dq of
+ * the blocks that explains the forces: joints give by eps, press only where they gave it all, and rub only against their slip.
+ *
+ *     dd = Aeq' dq       dn >= -eps       fn (dn + eps) = 0       ft = -alpha dt,  alpha >= 0        dn <= eta,  |dt| <= eta
+ *
+ * Only eta / eps matters: p . dq = eps sum fn + sum alpha |dt|^2, so it bounds the forces. eps = 0: dn >= 0, fn dn = 0, and
+ * lengths are counted in eta instead of eps.
+ *
+ * sp_verify calls a triple (f, dq, alpha) coupled if f passes as a force state (imbalance <= tol) and, in every contact vertex,
+ * with L = eps (eta where eps = 0), the residual is <= 1, the largest of
+ *     |dn + eps| / g  where fn > 0, (-eps - dn) / g, (dn - eta) / g, (|dt| - eta) / g      g = 1e-10 L + 16 u |motion|
+ *     where |ft| > tol min(sbar_A, sbar_B):   |ft + alpha dt| / (1e-6 |ft|) and (1e-6 L + 4e6 u |motion|) / |dt|
+ * |motion|: how far the two blocks move there (a block whose contacts lie on one line without its spin about it, which
+ * moves none of them, up to SP_EXACT_POINTS contact vertices). In words: forces vanish exactly where a joint is open; a
+ * joint that presses may be out by a 10^-10th of eps; where there is friction there is slip, of at least a millionth of
+ * eps, opposite to it within a millionth. The set of such triples is not closed: what is feasible only as alpha grows
+ * without bound is not found (limit).
+ * In float: 1e-4 instead of 1e-10, both 1e-6 are 1e-2, 4e6 u is 400 u. */
+
+/* ----------------------------------------------------------------------------------------------- what will a check simulate */
+
+#ifndef SP_NO_PLAN
+
+typedef struct sp_planned {
+    sp_effect_why why;
+    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
+                                           what stands within a factor of 5, for what falls often less than it takes; bytes:
+                                           exact, below 0 where the tables of small islands take more than they spare */
+} sp_planned;
+
+/* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */
+typedef struct sp_outlook {
+    sp_planned effect[SP_EFFECTS];
+    int32_t islands;
+    int64_t unknowns, flops, full_unknowns, full_flops;         /* as planned, and with all effects the scene has */
+    size_t bytes, full_bytes;
+} sp_outlook;
+
+/* What will sp_check simulate, what not, and why?            returns what sp_check returns */
+SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
+
+#endif
+
+/* -------------------------------------------------------------------------------------------------------- placing a stone
+ *
+ * Cheap looks at one stone before any statics: where a planner throws away most of its candidates.           [seed 6.1, 6.2]
+ * They know the stone and what is under it, no friction and no neighbours: a choice among seats, not a verdict.
+ */
+
+/* The convex hull of a stone's contact points in plan (along gravity), and its centre of mass over it. */
+typedef struct sp_support {
+    sp_real clearance;          /* distance of the centre of mass from the nearest hull edge, positive inside; exactly -1, with
+                                   area 0 and offset 1e9, where the points span no area                              [m] */
+    sp_real area;               /* of the hull                                                                     [m^2] */
+    sp_real offset;             /* of the centre of mass from the hull's centroid                                    [m] */
+} sp_support;
+
+/* Bytes of scratch for `points` contact points; 0 if points < 0 or the size overflows. */
+SP_API size_t sp_support_memory(int32_t points);
+
+/* clr(c) = min over hull edges of n_in . (c - a).                                                               [seed 6.1]
+ *   in   xyz, points   3 x points contact points, in any order, repeats allowed; points >= 0                        [m]
+ *   in   com           centre of mass of the stone [m];   gravity: any length > 0
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE (also a size whose square overflows), SP_E_RANGE (gravity), SP_E_MEMORY */
+SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const sp_real com[3], const sp_real gravity[3],
+                                      sp_arena scratch, sp_support *support);
+
+/* A place a stone could take. What the caller measures in its own map: */
+typedef struct sp_seat {
+    sp_support support;
+    sp_real footprint;          /* area of the stone in plan, > 0                                                  [m^2] */
+    sp_real height;             /* h of the stone, > 0                                                               [m] */
+    sp_real width;              /* mean width of the stones at hand, > 0                                             [m] */
+    sp_real trapped;            /* volume enclosed under the stone, >= 0                                           [m^3] */
+    sp_real seat;               /* height of the seat                                                                [m] */
+} sp_seat;
+
+/* Weights of the four terms, >= 0: small support, centre of mass off its middle, void underneath, high seat. */
+typedef struct sp_seat_weights { sp_real area, offset, trapped, seat; } sp_seat_weights;
+
+SP_API sp_seat_weights sp_seat_weights_default(void);   /* 1, 1, 1, 0.5 */
+
+/* J = w1 (1 - A_hull / A_foot) + w3 |c - g_hull| / W + wu V_under / (A_foot h) + ws z_seat / W; less is better.  [seed 6.1]
+ *   weights NULL: the default ones.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+SP_API sp_status sp_support_cost(const sp_seat *seat, const sp_seat_weights *weights, sp_real *J);
+
+/* Order seats: those with clearance >= margin [m] first, then by J, ties by number.
+ *   out  J, order      count each; order[0] is the best seat
+ *   out  stable        how many have the margin; may be NULL
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE (J and order are scratch then) */
+SP_API sp_status sp_support_rank(const sp_seat *seats, int32_t count, sp_real margin, const sp_seat_weights *weights,
+                                 sp_real *J, int32_t *order, int32_t *stable);
+
+/* A face a stone can rest on: a plane with the stone on one side and the centroid over the hull of what touches it. */
+typedef struct sp_rest {
+    int32_t face;               /* the first face of the mesh in that plane */
+    sp_real normal[3];          /* outward: along gravity when the stone rests on it */
+    sp_real height;             /* of the centroid over the plane [m] */
+    sp_support support;         /* clearance > 0 */
+} sp_rest;
+
+/* Stable resting faces of a stone of uniform density, in the order of its faces.                [Goldberg, Mirtich 1999]
+ * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
+ * is told to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
+ *   scratch  sp_support_memory(mesh->vertices)
+ *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
+ *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
+SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
+
+/* A stone laid down, as the next-best-object gate asks for it. */
+typedef struct sp_laid {
+    const sp_real *xyz;         /* 3 x points: the corners it rests on, in place [m] */
+    int32_t points;
+    sp_real com[3];             /* centre of mass, in place [m] */
+    sp_real normal[3];          /* of the resting face, outward (downward when level), any length > 0 */
+    sp_real depth, height;      /* extents of the laid stone into the wall and along gravity, >= 0 [m] */
+} sp_laid;
+
+typedef enum sp_nbo {
+    SP_NBO_ACCEPTED = 0,
+    SP_NBO_OUTSIDE,             /* the centre of mass is not over the support */
+    SP_NBO_SHALLOW,             /* depth / height too small: it lies along the wall instead of into it */
+    SP_NBO_TILTED,              /* the resting face is not level enough */
+    SP_NBO_MARGIN               /* too near the edge of the support */
+} sp_nbo;
+
+typedef struct sp_nbo_settings {
+    sp_real margin;             /* least clearance / sqrt(area of the support)                                          0 */
+    sp_real slender;            /* least depth / height                                                               0.5 */
+    sp_real level;              /* least cosine between the resting face's normal and gravity, 0.7: 45 degrees        0.7 */
+} sp_nbo_settings;
+
+SP_API sp_nbo_settings sp_nbo_settings_default(void);
+
+/* Accept or reject a laid stone; the reason is the first of the enumerators' order that applies.                [seed 6.2]
+ *   settings NULL: the default ones;  scratch: sp_support_memory(laid->points)
+ *   out  margin        clearance / sqrt(area), signed; -1 where the points span no area; may be NULL
+ *   returns as sp_support_clearance; SP_E_RANGE: also extents < 0, a normal without length */
+SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], const sp_nbo_settings *settings, sp_arena scratch,
+                             sp_nbo *reason, sp_real *margin);
+
+static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_NBO, (int32_t)reason); }
+
+/* ----------------------------------------------------------------------------------------------- for experts: static arrays */
 
 /* The same as constant expressions, for static arrays:
  *
@@ -684,85 +1019,26 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const
     ((sizeof(sp_real) + 4) * (4 * (size_t)(faces) + 50) * (size_t)(vertices) + sizeof(sp_real) * (size_t)(blocks) + 2200 \
      + (15 * sizeof(sp_real) + 9) * (6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices)))
 
-/* Does it stand? settings NULL: the default ones.
- *   result    its arrays live in the arena, before anything else taken from it later
- *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
- *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (strength of a joint in a coupled check; what
- *             this build leaves out) */
-SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
+/* ------------------------------------------------------------------------------ for experts: proofs that there is no triple */
 
-/* What the evidence of a claim proves, recomputed from the scene by code that shares nothing with the search. */
-typedef struct sp_evidence {
-    sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
-    int32_t final;
-    sp_real imbalance, least_imbalance;
-    sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
-    sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
-    sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
-} sp_evidence;
+/* A proof that no triple meets the conditions of the coupled check. Every contact vertex that takes part, 0..V-1 in the order
+ * of joints, is in one of these cases, of which finer ones halve the sector of coarser ones (angles from t1 to t2):
+ *
+ *     0 unknown;  1 open, f = 0;  2 engaged, dn = -eps;  4..7 engaged, dt and -ft in that quarter;  2s, 2s + 1 the halves of s
+ *
+ * node[] is a tree in preorder, its root has all unknown: k >= 0 splits vertex k (0 into 1, 2; 2 into 4, 5, 6, 7; s into 2s,
+ * 2s + 1), k < 0 is a leaf that takes the next -k of row[] and y[]: multipliers of inequalities of its case, numbered
+ *
+ *     0..6b-1     Aeq f + p = 0                                  6b              eps sum fn <= p . dq
+ *     6b+1+24v+   0 dn;  1..4 dt along 0, 45, 90, 135 degrees;  5 along the sector's middle m;
+ *                 6, 7 a x dt >= 0, b x dt <= 0 at its ends;  8, 9 a x ft <= s fn, b x ft >= -s fn,
+ *                 s = 1e-6 of the most |ft| / fn (float 1e-2);
+ *                 10..12 ft along -a, -m, -b (pyramids of more than 8 faces: on the three nearest there);
+ *                 13..20 ft around (pyramids of up to 8 faces: on those; else every 45 degrees);  21..23 fn, ft1, ft2
+ *
+ * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet. */
 
-/* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
- * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (as sp_check),
- *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
-SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
-                           sp_evidence *evidence);
-
-#ifndef SP_NO_PLAN
-
-typedef struct sp_planned {
-    sp_effect_why why;
-    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
-                                           what stands within a factor of 5, for what falls often less than it takes; bytes:
-                                           exact, below 0 where the tables of small islands take more than they spare */
-} sp_planned;
-
-/* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */
-typedef struct sp_outlook {
-    sp_planned effect[SP_EFFECTS];
-    int32_t islands;
-    int64_t unknowns, flops, full_unknowns, full_flops;         /* as planned, and with all effects the scene has */
-    size_t bytes, full_bytes;
-} sp_outlook;
-
-/* What will sp_check simulate, what not, and why?            returns what sp_check returns */
-SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
-
-#endif
-
-/* 7 --------------------------------------------------------------------------------------------------- reading a result */
-
-typedef struct sp_joint_force {
-    sp_real force[3];           /* resultant on b, world axes [N] */
-    sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
-    sp_real min_fn, max_fn;     /* [N] */
-    sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area); 0 where less than
-                                   1e-4 of the lighter block's weight is carried [1] */
-} sp_joint_force;
-
-/* Resultant of one joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
-SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint,
-                                        sp_joint_force *out);
-
-/* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
- * balance its weight; a support pushes back with the opposite, which is its reaction.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
-SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
-                                    sp_real moment[3]);
-
-/* Words for enumerators, lower case, static storage. */
-static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(SP_WORDS_VERDICT, (int32_t)verdict); }
-static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
-static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
-static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
-/* 1: simulated, 0: left out */
-static inline int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
-static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
-static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
-static inline const char *sp_coupling_text(sp_coupling coupling) { return sp_text(SP_WORDS_COUPLING, (int32_t)coupling); }
-static inline const char *sp_coupling_reason_text(sp_coupling_reason reason) { return sp_text(SP_WORDS_COUPLING_REASON, (int32_t)reason); }
-
-/* 8 ----------------------------------------------------------------------------------------------------------- matrices */
+/* ---------------------------------------------------------------------------------------------------- for experts: matrices */
 
 /* One contact of the compiled problem. */
 typedef struct sp_contact {
@@ -809,7 +1085,7 @@ SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *set
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX, SP_E_MEMORY */
 SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out);
 
-/* 9 ------------------------------------------------------------------------------------------------------------- stages */
+/* ------------------------------------------------------------------------------------------------------ for experts: stages */
 
 /* What stages hand to each other: the best force state and potential so far. */
 typedef struct sp_state {
@@ -839,7 +1115,7 @@ typedef struct sp_stage {
 
 #endif /* SP_QP_ONLY */
 
-/* 10 --------------------------------------------------------------------------------------------------- quadratic programs
+/* ----------------------------------------------------------------------------------------------------- quadratic programs
  *
  *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
  *
@@ -987,107 +1263,7 @@ static inline const char *sp_qp_status_text(sp_qp_status status) { return sp_tex
 
 #ifndef SP_QP_ONLY
 
-/* 11 ------------------------------------------------------------------------------------------------------ placing a stone
- *
- * Cheap looks at one stone before any statics: where a planner throws away most of its candidates.           [seed 6.1, 6.2]
- * They know the stone and what is under it, no friction and no neighbours: a choice among seats, not a verdict.
- */
-
-/* The convex hull of a stone's contact points in plan (along gravity), and its centre of mass over it. */
-typedef struct sp_support {
-    sp_real clearance;          /* distance of the centre of mass from the nearest hull edge, positive inside; exactly -1, with
-                                   area 0 and offset 1e9, where the points span no area                              [m] */
-    sp_real area;               /* of the hull                                                                     [m^2] */
-    sp_real offset;             /* of the centre of mass from the hull's centroid                                    [m] */
-} sp_support;
-
-/* Bytes of scratch for `points` contact points; 0 if points < 0 or the size overflows. */
-SP_API size_t sp_support_memory(int32_t points);
-
-/* clr(c) = min over hull edges of n_in . (c - a).                                                               [seed 6.1]
- *   in   xyz, points   3 x points contact points, in any order, repeats allowed; points >= 0                        [m]
- *   in   com           centre of mass of the stone [m];   gravity: any length > 0
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE (also a size whose square overflows), SP_E_RANGE (gravity), SP_E_MEMORY */
-SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const sp_real com[3], const sp_real gravity[3],
-                                      sp_arena scratch, sp_support *support);
-
-/* A place a stone could take. What the caller measures in its own map: */
-typedef struct sp_seat {
-    sp_support support;
-    sp_real footprint;          /* area of the stone in plan, > 0                                                  [m^2] */
-    sp_real height;             /* h of the stone, > 0                                                               [m] */
-    sp_real width;              /* mean width of the stones at hand, > 0                                             [m] */
-    sp_real trapped;            /* volume enclosed under the stone, >= 0                                           [m^3] */
-    sp_real seat;               /* height of the seat                                                                [m] */
-} sp_seat;
-
-/* Weights of the four terms, >= 0: small support, centre of mass off its middle, void underneath, high seat. */
-typedef struct sp_seat_weights { sp_real area, offset, trapped, seat; } sp_seat_weights;
-
-SP_API sp_seat_weights sp_seat_weights_default(void);   /* 1, 1, 1, 0.5 */
-
-/* J = w1 (1 - A_hull / A_foot) + w3 |c - g_hull| / W + wu V_under / (A_foot h) + ws z_seat / W; less is better.  [seed 6.1]
- *   weights NULL: the default ones.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
-SP_API sp_status sp_support_cost(const sp_seat *seat, const sp_seat_weights *weights, sp_real *J);
-
-/* Order seats: those with clearance >= margin [m] first, then by J, ties by number.
- *   out  J, order      count each; order[0] is the best seat
- *   out  stable        how many have the margin; may be NULL
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE (J and order are scratch then) */
-SP_API sp_status sp_support_rank(const sp_seat *seats, int32_t count, sp_real margin, const sp_seat_weights *weights,
-                                 sp_real *J, int32_t *order, int32_t *stable);
-
-/* A face a stone can rest on: a plane with the stone on one side and the centroid over the hull of what touches it. */
-typedef struct sp_rest {
-    int32_t face;               /* the first face of the mesh in that plane */
-    sp_real normal[3];          /* outward: along gravity when the stone rests on it */
-    sp_real height;             /* of the centroid over the plane [m] */
-    sp_support support;         /* clearance > 0 */
-} sp_rest;
-
-/* Stable resting faces of a stone of uniform density, in the order of its faces.                [Goldberg, Mirtich 1999]
- * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
- * is told to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
- *   scratch  sp_support_memory(mesh->vertices)
- *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
- *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
-SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
-
-/* A stone laid down, as the next-best-object gate asks for it. */
-typedef struct sp_laid {
-    const sp_real *xyz;         /* 3 x points: the corners it rests on, in place [m] */
-    int32_t points;
-    sp_real com[3];             /* centre of mass, in place [m] */
-    sp_real normal[3];          /* of the resting face, outward (downward when level), any length > 0 */
-    sp_real depth, height;      /* extents of the laid stone into the wall and along gravity, >= 0 [m] */
-} sp_laid;
-
-typedef enum sp_nbo {
-    SP_NBO_ACCEPTED = 0,
-    SP_NBO_OUTSIDE,             /* the centre of mass is not over the support */
-    SP_NBO_SHALLOW,             /* depth / height too small: it lies along the wall instead of into it */
-    SP_NBO_TILTED,              /* the resting face is not level enough */
-    SP_NBO_MARGIN               /* too near the edge of the support */
-} sp_nbo;
-
-typedef struct sp_nbo_settings {
-    sp_real margin;             /* least clearance / sqrt(area of the support)                                          0 */
-    sp_real slender;            /* least depth / height                                                               0.5 */
-    sp_real level;              /* least cosine between the resting face's normal and gravity, 0.7: 45 degrees        0.7 */
-} sp_nbo_settings;
-
-SP_API sp_nbo_settings sp_nbo_settings_default(void);
-
-/* Accept or reject a laid stone; the reason is the first of the enumerators' order that applies.                [seed 6.2]
- *   settings NULL: the default ones;  scratch: sp_support_memory(laid->points)
- *   out  margin        clearance / sqrt(area), signed; -1 where the points span no area; may be NULL
- *   returns as sp_support_clearance; SP_E_RANGE: also extents < 0, a normal without length */
-SP_API sp_status sp_nbo_gate(const sp_laid *laid, const sp_real gravity[3], const sp_nbo_settings *settings, sp_arena scratch,
-                             sp_nbo *reason, sp_real *margin);
-
-static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_NBO, (int32_t)reason); }
-
-/* 12 ---------------------------------------------------------------------------------------------- the seed's constants
+/* ------------------------------------------------------------------------------------------------ the seed's constants
  *
  * "Seed" is the specification, [n.m] its sections in solvers/seed/README.md; departures from it are numbered in solvers/README.md.
  * It asks least squares, then polish, then ADMM, and reads a verdict off the third one's tension. Here the same stages, constants
@@ -1127,193 +1303,43 @@ SP_API sp_settings sp_settings_seed(void);
 
 #endif
 
-#ifndef SP_EXACT_ONLY
-
-/* 13 ------------------------------------------------------------------------------------------------------- a build order
- *
- * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
- * is told step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
- * again, an island being free blocks that touch each other; all others keep their verdict and forces.
- *
- *     sp_memory(&scene, SP_FOR_SEQUENCE, NULL, scratch, &bytes);
- *     sp_sequence_open(&scene, NULL, &arena, &sequence);               the supports are there, nothing else
- *     for each stone k: sp_sequence_set(sequence, k, SP_PRESENT, &step);
- *         if (step.verdict != SP_STABLE) sp_sequence_hold(sequence, 0, &held);
- *
- * A step starts from the forces of the one before: where these, changed only in the stones below the one that came or beside
- * the one that went, balance every block, that decides. If not, the island is checked as sp_check would. Either way the verdict
- * is that of sp_check's certificate: sp_verify accepts the forces of all that is there, or the motion of the island that falls.
- */
-
-typedef enum sp_presence {
-    SP_ABSENT = 0,
-    SP_PRESENT,
-    SP_HELD                     /* there, and fixed in place as a support is: by a robot, a prop, centring */
-} sp_presence;
-
-/* A build order under way. Lives in an arena, refers to the scene, which must stay as it is. */
-typedef struct sp_sequence sp_sequence;
-
-/* What is known after a step. */
-typedef struct sp_step {
-    sp_verdict verdict;         /* of all that is there: that of its worst island */
-    sp_reason reason;           /* of that island */
-    int32_t final;              /* no force of any size would do */
-    int32_t block;              /* a free block of that island, of an UNSTABLE one that moves; -1: STABLE */
-    int32_t islands, checked;   /* how many there are, and were looked at in this step */
-    int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
-    int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
-    sp_real imbalance;              /* largest relative imbalance of a block, or more                                       [1] */
-    sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
-    const sp_real *f;           /* 3 x scene.count.points: forces, 0 where a block is absent; until the next call       [N] */
-    const sp_real *dq;          /* 6 x scene.count.blocks: how islands that fall move, each as sp_result.dq; 0: at rest */
-    sp_cost cost;               /* of this step */
-} sp_step;
-
-/* Begin: of the blocks only supports (SP_FIXED) are there.
- *   settings  NULL: the default ones. Of the stages all but SP_STAGE_ADMM and SP_STAGE_CUSTOM; statics only; localise is
- *             taken as 0; budget is that of each try at an island, of which a step makes three at most
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_UNSUPPORTED (those stages, coupled),
- *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
-SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
-
-/* One block comes, goes, is held or let go; a support is there or absent. What it touched is looked at again.
- *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, presence), SP_E_INDEX */
-SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step);
-
-/* All blocks at once, presence[scene.count.blocks]: a later start, or the finished scene that is to be taken down.
- *   returns   SP_OK, SP_E_ARGUMENT (null pointers, a presence) */
-SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step);
-
-typedef enum sp_held_proof {
-    SP_HELD_MINIMAL = 0,        /* no smaller set makes it stand */
-    SP_HELD_IRREDUCIBLE,        /* none of them can be let go, others might do with fewer */
-    SP_HELD_ENOUGH              /* it stands so; the budget ended the search, or a smaller set was undecided */
-} sp_held_proof;
-
-/* Blocks to be held besides those that are, so that what is there stands. */
-typedef struct sp_held {
-    int32_t count;
-    const int32_t *block;       /* their numbers, ascending within an island; until the next call */
-    const int32_t *must;        /* of each: 1: it falls even when all others of its island are held */
-    sp_held_proof proof;
-    int32_t checks;             /* sets that were tried */
-    sp_cost cost;
-} sp_held;
-
-#define SP_HELD_EXHAUSTIVE 8    /* islands of up to so many free blocks: every set is tried, the smallest ones first */
-
-/* The smallest set of blocks to hold now. Per island that does not stand: which must be held at any rate is found block by
- * block; then all sets up to SP_HELD_EXHAUSTIVE blocks; beyond, those held in the last answer, then block after block that
- * moves most in the collapse, then each is let go again if it can be; two are proved by trying each block alone.
- *   budget    flops after which the best set so far is taken; 0: none
- *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
-SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held);
-
-typedef struct sp_suggestion {
-    int32_t block;              /* -1: none keeps everything standing, or the budget ended first */
-    int32_t tried;
-    int32_t all;                /* the budget sufficed */
-    sp_cost cost;
-} sp_suggestion;
-
-/* A next stone after which everything stands. add 1: the lowest absent block that does, of those that touch something that is
- * there; 0: the highest block that may be taken away (supports and held ones stay). Nothing is changed.
- *   budget    flops after which no other stone is tried; 0: none
- *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
-SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion);
-
-static inline const char *sp_presence_text(sp_presence presence) { return sp_text(SP_WORDS_PRESENCE, (int32_t)presence); }
-static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_text(SP_WORDS_HELD_PROOF, (int32_t)proof); }
-
-#endif
-
 #endif /* SP_QP_ONLY */
 
-#if !defined(SP_QP_ONLY) && !defined(SP_NO_IPM)
-
-/* 14 ---------------------------------------------------------------------------------------------------- how far from falling
+/* ------------------------------------------------------------------------------------------------------------ configuration
  *
- * The largest multiple lambda >= 0 of the live loads (those with live = 1, and scene.body) that the assembly bears on top of
- * the others: the largest lambda for which an admissible force state exists. With friction that is an upper value: such a
- * state is necessary for standing, not sufficient, and a real wall may fall at less (its friction does not make it open as it
- * slides). Without friction, and where nothing slides, it is exact.               [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
+ *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
+ *   SP_REAL_FLOAT   defined: all numbers are float           double
+ *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: block factors of the search in space are float, and what they solve is
+ *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
+ *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
+ *   SP_ASSERT(c)    checks of internal assumptions           nothing
+ *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
+ *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
+ *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
+ *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
+ *                   (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
+ *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
+ *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
+ *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.
+ *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
+ *                   out is a hull narrower than the distance, and a piece as narrow of two faces that are both more than four
+ *                   times as wide, where other builds ask each polygon. A hull of very many corners is several contacts.
+ *                   Contacts of two blocks are in the order of faces. Overlaps are told of convex blocks only; every pair of
+ *                   blocks is asked for contacts, every pair of their faces. Texts of statuses are shorter.
+ *                   sp_limit leaves more undecided, and has no y0; what another build's sp_limit claims is for that build's
+ *                   sp_limit_verify, for this one may leave it open. sp_sequence checks all that is there at every step, and
+ *                   sp_sequence_hold searches no other sets than those it comes to by letting go. Quadratic programs: the dense
+ *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
+ *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
+ *                   undecided
+ *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
+ *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
+ *   SP_NO_ADMM      defined: no preset of the seed (the seed, below); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
+ *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
+ *   SP_NO_QP        defined: no quadratic programs, none of the two above
+ *   SP_QP_ONLY      defined: quadratic programs and nothing else
+ *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
-
-typedef enum sp_limit_kind {
-    SP_LIMIT_UNDECIDED = 0,     /* an end of the bracket was not found, or they are too far apart; see reason */
-    SP_LIMIT_FOUND,             /* lower and upper are verified and close */
-    SP_LIMIT_NONE,              /* no lambda >= 0 works: dq falls under the dead loads, and live loads do not hinder it */
-    SP_LIMIT_UNBOUNDED          /* every lambda >= lower works: ray balances the live loads alone, without strength */
-} sp_limit_kind;
-
-typedef struct sp_limit_result {
-    sp_limit_kind kind;
-    sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open at
-                                   this tol, or SP_REASON_UNVERIFIED */
-    sp_real multiplier;         /* lambda: power balance of dq, -(dead . dq) / (live . dq), within the bracket; 0 unless FOUND */
-    sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
-    sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
-                                   Of a NONE 0 */
-    sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives forces
-                                   at lower in the mechanism; it counts against the loads, not against a small multiplier */
-    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
-    sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
-    sp_real imbalance;              /* largest relative imbalance of f */
-    sp_real least_imbalance;    /* that dq proves at upper */
-    int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
-    int32_t verified;           /* sp_limit_verify agrees */
-    sp_real tol, force_bound;   /* in force */
-    sp_real *f;                 /* 3 x scene.count.points, at lower                                                   [N] */
-    sp_real *ray;               /* 3 x scene.count.points, for the live loads alone; zero unless UNBOUNDED            [N] */
-    sp_real *dq;                /* 6 x scene.count.blocks: collapse mechanism; scaled as that of a check            [m, 1] */
-    sp_real *y0;                /* 24 x free blocks: hints for the verification of dead and live loads; may be NULL */
-    sp_cost cost;
-    size_t peak_bytes;          /* of the arena */
-} sp_limit_result;
-
-/* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
- * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction, of a
- * capped one nothing) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
- * What either leaves open is left to the exact stage, by Newton's method on the power balance.
- *   scene     its `live` is not read
- *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
- *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where joints,
- *             dead and live loads share a mirror
- *   result    its arrays live in the arena, before anything else taken from it later
- *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
-SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
-
-/* Do both ends hold? Recomputes them from the scene by what sp_verify uses: kind, lower, upper, f, ray, dq and (if not NULL) y0
- * of the claim are read. Scratch as for sp_verify and 48 numbers a block.
- *   out       held: 1 if every end the claim has is proved; a FOUND and an UNBOUNDED have a lower one, a FOUND an upper one
- *   returns   as sp_verify */
-SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
-                                 sp_arena scratch, int32_t *held);
-
-static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
-
-/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what opens
- * more is open. */
-typedef enum sp_joint_kind {
-    SP_JOINT_RIGID = 0,         /* no corner moves */
-    SP_JOINT_HINGE,             /* some corners stay in touch, others open */
-    SP_JOINT_SLIDING,           /* all corners stay in touch, some slide */
-    SP_JOINT_OPEN               /* all corners open */
-} sp_joint_kind;
-
-typedef struct sp_joint_motion {
-    sp_joint_kind kind;
-    sp_real opening, slip;      /* largest dn, |dt| of a corner                                                       [m] */
-    sp_real a[3], b[3];         /* of a hinge or a sliding joint: the corners in touch that lie farthest apart        [m] */
-} sp_joint_motion;
-
-/* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
-SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion);
-
-static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_WORDS_JOINT, (int32_t)kind); }
-
-#endif
 
 /* Switches: what is lost, and the code saved of 174846 bytes on a Cortex-M7, of 169086 on an M4F in float.
  *
@@ -1326,7 +1352,7 @@ static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1552    1498
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3678    3500
  *   SP_QP_ONLY        all that knows of stones                                                       153087  147941
- *   SP_SMALL          what section 1 says; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it           125751  121571
+ *   SP_SMALL          what is told above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
  *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       142583  137969
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:

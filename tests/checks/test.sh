@@ -35,6 +35,7 @@ begin program sh tests/checks/smoke.sh build/stonepack
 if [ -f build/bullet.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
 begin floors sh tests/checks/floors.sh
 begin windows sh tests/checks/windows.sh
+begin header sh tests/checks/header.sh
 begin bad sh tests/checks/bad.sh build/stonepack
 begin readme sh tests/checks/readme.sh build/stonepack
 
@@ -43,6 +44,7 @@ count "tests, float" end float
 count "tests, SP_SMALL" end small
 count "floors" end floors
 count "after windows.h" end windows
+count "header" end header
 count "bad scenes" end bad
 for real in double float; do part "same bits without optimisation, $real" end bits_$real; done
 count "program" end program
