@@ -87,6 +87,7 @@
 #include "solvers/scene/block.c"                /* adding stones and supports */
 #include "solvers/scene/joint.c"                /* adding joints: frames, strength; forces, couples, weights, pressures */
 #include "solvers/scene/problem.c"              /* a scene made ready: rows, lever arms, loads */
+#include "solvers/scene/part.c"                 /* some blocks of a scene as a problem of their own; islands */
 #include "solvers/scene/matrix.c"               /* Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
 #include "solvers/scene/place.c"                /* placing a stone: support, seats, resting faces, next-best-object gate */
 
@@ -145,7 +146,7 @@
 #include "solvers/coupled/forest.c"             /* joints that form a forest: the triple without a search */
 #include "solvers/coupled/coupled.c"            /* the coupled check's run */
 
-#include "solvers/check/parts.c"                /* islands: groups of free blocks that touch, each as a scene of its own */
+#include "solvers/check/parts.c"                /* into how many islands a check takes a scene apart */
 #include "solvers/check/settings.c"             /* settings, resolved against the scene */
 #include "solvers/check/memory.c"               /* what a check keeps, and what its stages need */
 #include "solvers/check/ladder.c"               /* one stage after the other, and the judgement of each */

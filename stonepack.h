@@ -964,7 +964,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
  *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), joints and contact vertices,
  *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
- *                     for the default ones; each load takes 4 + sizeof(sp_load) more. The factor is taken as full, 36
+ *                     for the default ones; each load takes 4 more. The factor is taken as full, 36
  *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
  *                     need it cannot know, it is SIZE_MAX, which no array has.
  *   SP_PYRAMID_BYTES  what settings.faces takes besides
@@ -999,9 +999,8 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
      + SP_MIXED_BYTES(blocks, joints) + SP_SEARCH_BYTES(blocks, joints, vertices) \
      + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(joints) + 3) \
-     + (2 * sizeof(sp_demand) + sizeof(sp_contact) + sizeof(sp_joint)) * (size_t)(joints) \
-     + (sizeof(sp_block) + sizeof(sp_island)) * ((size_t)(blocks) + 1) \
-     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + sizeof(sp_scene) + 1776)
+     + (sizeof(sp_demand) + sizeof(sp_contact)) * (size_t)(joints) + sizeof(sp_island) * ((size_t)(blocks) + 1) \
+     + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + 1776)
 #define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (size_t)(faces) * ((size_t)(vertices) + 4) + 64)
 #define SP_COUPLED_BYTES(blocks, vertices, nodes) \
     (sizeof(sp_real) * (32 * (size_t)(vertices) + 79 * (size_t)(blocks)) + 1000 \
@@ -1043,7 +1042,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
 /* One contact of the compiled problem. */
 typedef struct sp_contact {
     int32_t a, b;               /* rows of the free blocks, -1: a support */
-    int32_t point, points;      /* its part of scene.point and of problem.local */
+    int32_t point, points;      /* its part of problem.point and problem.local; of scene.point it is joint->point */
     int32_t id;                 /* joint of the scene */
     const sp_joint *joint;  /* that joint: frame and friction */
     sp_real ra[3], rb[3];       /* origin of the contact (mean of its vertices) seen from the two centroids [m] */
@@ -1052,9 +1051,10 @@ typedef struct sp_contact {
 /* A scene made ready: supports dropped, everything relative to centroids. Lives in an arena, refers to the scene. */
 typedef struct sp_problem {
     const sp_scene *scene;
-    int32_t blocks, contacts, points;   /* free blocks b, contacts that touch one, all contact vertices of the scene v */
+    int32_t blocks, contacts, points;   /* free blocks b, contacts that touch one, contact vertices v: all those of the scene */
     int32_t *block;                     /* b: their numbers in the scene */
     sp_contact *contact;
+    sp_real (*point)[3];                /* v x 3: vertices, those of the scene [m] */
     sp_real (*local)[3];                /* v x 3: vertex in the contact's frame, (n, t1, t2) from its origin [m] */
     sp_real *p;                         /* 6b: force and moment about the centroid on each free block: weight, loads and
                                            scene.live times the live ones [N, N m] */

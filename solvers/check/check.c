@@ -26,7 +26,7 @@ SP__NOINLINE static void sp__check_told(sp__check *c)
 SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **c,
                                            sp__tour **w)
 {
-    sp__apart apart;
+    sp__island_counts apart;
     sp_status status = sp__islands_count(scene, settings, *a, &apart);
     if (!status) status = sp__check_open(scene, settings, &apart, a, c);
     if (status || apart.islands < 2) return status;
@@ -62,12 +62,12 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     for (int32_t k = 0; !status && (w ? sp__tour_more(w, c, k) : !k); k++) {
         sp__check *found = c;
         if (w) status = sp__tour_next(scene, w, k, c, &a, &found);
-        if (!status) status = sp__check_problem(found, &a);
+        else status = sp__check_problem(found, &a);
         if (!status && found->pb.blocks) status = sp__check_run(&found->pb, &found->set, &found->state, &a, &found->r);
 #ifndef SP_NO_CRA
         if (!status && found->set.coupled.asked) status = sp__check_coupled(found, &a);
 #endif
-        if (!status && w) sp__tour_keep(scene, w, found, c, &a);
+        if (!status && w) sp__tour_keep(w, found, c, &a);
     }
     if (!status && w) status = sp__islands_certify(scene, w, c, &a);
     if (status) return status;

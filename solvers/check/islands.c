@@ -7,22 +7,16 @@
 #if SP__WITH_LARGE
 
 #ifndef SP_NO_CRA
-/* The same of its triple, or its penalty form, where its forces take the place of that if it is coupled. */
-SP__NOINLINE static void sp__island_triple(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+/* Numbers of an island's coupled check into those of the whole. Where it is coupled its forces take the place of the penalty form. */
+SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_coupled *from = &found->r.coupled;
     sp_coupled *out = &c->r.coupled;
-    int32_t joint = 0;
-    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q], joint++) {
-        const sp_joint *f = &found->pb.scene->joint[joint];
-        const size_t to = (size_t)scene->joint[q].point, at = (size_t)f->point, n = (size_t)f->points;
-        memcpy(out->alpha + to, from->alpha + at, n * sizeof *out->alpha);
-        if (out->penalty) memcpy(out->penalty + 4 * to, from->penalty + 4 * at, 4 * n * sizeof *out->penalty);
-        for (size_t v = 0; v < n && out->penalty && from->verdict == SP_COUPLING_COUPLED; v++)
-            for (size_t i = 0; i < 3; i++) out->penalty[4 * (to + v) + i + (i > 0)] = found->r.f[3 * (at + v) + i];
+    for (int32_t q = 0; q < found->pb.contacts && out->penalty && from->verdict == SP_COUPLING_COUPLED; q++) {
+        const sp_joint *f = found->pb.contact[q].joint;
+        for (size_t v = (size_t)f->point; v < (size_t)(f->point + f->points); v++)
+            for (size_t i = 0; i < 3; i++) out->penalty[4 * v + i + (i > 0)] = c->r.f[3 * v + i];
     }
-    for (int32_t i = t->block[k]; i >= 0; i = t->next[i])
-        memcpy(out->dq + 6 * (size_t)i, from->dq + 6 * (size_t)t->rank[i], 6 * sizeof *out->dq);
     out->eps = from->eps;
     out->eta = from->eta;
     out->residual = sp__max(out->residual, from->residual);
@@ -35,40 +29,44 @@ SP__NOINLINE static void sp__island_triple(const sp_scene *scene, const sp__isla
 }
 #endif
 
-/* What was found about island k into the arrays of the whole; motions stay where they are looked for, free blocks first. */
-SP__NOINLINE static void sp__island_keep(const sp_scene *scene, const sp__islands *t, int32_t k, const sp__check *found, sp__check *c)
+/* y0 of an island at its rows among all free blocks, the large half and the small. */
+static void sp__island_potential(const int32_t *rank, const sp__check *found, sp__check *c)
+{
+    const size_t b = (size_t)found->pb.blocks, all = (size_t)c->pb.blocks;
+    for (size_t i = 0; i < b; i++)
+        for (size_t half = 0; half < 2; half++)
+            memcpy(c->r.y0 + 6 * (half * all + (size_t)rank[found->pb.block[i]]), found->state.y0 + 6 * (half * b + i),
+                   6 * sizeof *c->r.y0);
+    c->state.has_y0 |= found->state.has_y0;
+}
+
+/* What stands has no motion. */
+static void sp__island_rest(const sp__check *found)
+{
+    for (int32_t i = 0; i < found->pb.blocks && found->r.verdict == SP_STABLE; i++)
+        memset(found->r.dq + 6 * (size_t)found->pb.block[i], 0, 6 * sizeof *found->r.dq);
+}
+
+/* What was found about island k beside the arrays, which are the whole's. */
+SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_result *from = &found->r;
     sp_result *r = &c->r;
-    const size_t b = 6 * (size_t)found->pb.blocks, all = 6 * (size_t)c->pb.blocks;
-    int32_t joint = 0;
-    for (int32_t q = t->joint[k]; q >= 0; q = t->link[q], joint++) {
-        const sp_joint *f = &found->pb.scene->joint[joint];
-        memcpy(r->f + 3 * (size_t)scene->joint[q].point, from->f + 3 * (size_t)f->point,
-               3 * (size_t)f->points * sizeof *r->f);
-        r->demand[q] = from->demand[joint];
-    }
-    for (int32_t i = t->block[k]; i >= 0; i = t->next[i]) {
-        const size_t to = 6 * (size_t)t->row[i], at = 6 * (size_t)t->rank[i];
-        memcpy(r->y0 + to, from->y0 + at - 6, 6 * sizeof *r->y0);
-        memcpy(r->y0 + all + to, from->y0 + b + at - 6, 6 * sizeof *r->y0);
-        if (from->verdict != SP_STABLE) memcpy(r->dq + to, from->dq + at, 6 * sizeof *r->dq);
-    }
-    c->state.has_y0 |= found->state.has_y0;
+    sp__island_potential(rank, found, c);
     r->imbalance = sp__max(r->imbalance, from->imbalance);
     sp__cost_add(&r->cost, &from->cost);
     for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
     for (int q = 0; q < SP_EFFECTS; q++)
         if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
     memset(&r->part[k], 0, sizeof r->part[k]);
-    r->part[k].block = t->block[k];
+    r->part[k].block = found->pb.block[0];
     r->part[k].blocks = found->pb.blocks;
     r->part[k].verdict = from->verdict;
     r->part[k].reason = from->reason;
     r->part[k].stage = from->stage;
     if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
 #ifndef SP_NO_CRA
-    if (c->set.coupled.asked) sp__island_triple(scene, t, k, found, c);
+    if (c->set.coupled.asked) sp__island_coupled(k, found, c);
 #endif
 }
 
@@ -107,8 +105,7 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     sp__certificate j;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     if (!sp__certificate_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
-    for (int32_t i = 0; i < c->pb.blocks; i++)
-        memcpy(c->state.y + 6 * (size_t)i, out->dq + 6 * (size_t)c->pb.block[i], 6 * sizeof *c->state.y);
+    sp__verify_motion(&c->pb, out->dq, c->state.y);
     r->imbalance = sp__certify_forces(&j, r->f, r->f);
     out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
     const sp_cost cost = { SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
@@ -125,16 +122,17 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
-    const int32_t *label = w->t.label, *row = w->t.row;
+    const int32_t *label = w->t.label;
     if (w->proof.nodes) r->coupled.proof = w->proof;
     r->coupled.margin = w->margin;
     const sp_island *worst = &r->part[sp__islands_worst(r)];
     for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
         if (label[i] >= 0 && r->part[label[i]].verdict != worst->verdict)
-            memset(r->dq + 6 * (size_t)row[i], 0, 6 * sizeof *r->dq);
+            memset(r->dq + 6 * (size_t)i, 0, 6 * sizeof *r->dq);
     a->used = w->start;                                                 /* the tables are no longer needed */
     sp_status status = sp__check_problem(c, a);
     const size_t mark = a->used;
+    if (!status) sp__verify_motion(&c->pb, r->dq, c->state.dq);
     if (!status && !sp__take(a, 1, sp__certificate_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
     r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
@@ -193,24 +191,22 @@ static int sp__tour_more(const sp__tour *w, const sp__check *c, int32_t k)
     return k < c->r.islands + (w->proof.nodes && !w->lies);
 }
 
-/* A check of the k-th island as a scene of its own. A proof goes into the room the whole has for it. */
+/* A check of the k-th island. A proof goes into the room the whole has for it. */
 SP__NOINLINE static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
                                          sp__check **found)
 {
-    const sp__apart one = { 1, 0, 0 };
     w->at = k < c->r.islands ? k : w->proof.island - 1;
     w->again = k == c->r.islands;
-    const sp_scene *s = sp__island_scene(scene, &w->t, w->at, a);
-    const sp_status status = s ? sp__check_open(s, &c->set, &one, a, found) : SP_E_MEMORY;
-    if (!status) (*found)->r.coupled.proof = c->r.coupled.proof;
-    return status;
+    const sp__part part = sp__islands_part(&w->t, w->at);
+    return sp__part_open(scene, &part, &c->set, &c->r, a, found);
 }
 
 /* What it found. */
-SP__NOINLINE static void sp__tour_keep(const sp_scene *scene, sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
+SP__NOINLINE static void sp__tour_keep(sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
 {
     const sp_coupled *o = &found->r.coupled;
-    if (!w->again) sp__island_keep(scene, &w->t, w->at, found, c);
+    sp__island_rest(found);
+    if (!w->again) sp__island_keep(w->t.rank, w->at, found, c);
     else sp__cost_add(&c->r.cost, &found->r.cost);
     w->lies &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
     if (o->proof.nodes) {

@@ -20,26 +20,27 @@ static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
     for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
 }
 
-/* What the state proves, whatever was claimed; its evidence into the result, on a budget if it is better than what is there.
- * Forces are judged unless a motion is claimed, and a motion unless forces are. */
-SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, sp_state *state, sp_verdict claim, sp_result *r)
+/* What the state proves, whatever was claimed; its evidence into the result, at the scene's numbers; `best`, on a budget: if it is
+ * better than what is there. Forces are judged unless a motion is claimed, and a motion unless forces are. */
+SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
     const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
-    const int own = state->f != r->f;                   /* on a budget */
     sp_real imbalance = sp__certify_forces(j, state->f, state->f);
     if (imbalance > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
         sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
         imbalance = sp__certify_forces(j, state->f, state->f);
     }
-    if (own && imbalance < r->imbalance) memcpy(r->f, state->f, f * sizeof *r->f);
-    if (!own || imbalance < r->imbalance) r->imbalance = imbalance;
+    if (!best || imbalance < r->imbalance) {
+        sp__points_write(j->pb, 3, state->f, r->f);
+        r->imbalance = imbalance;
+    }
     if (claim != SP_UNSTABLE && imbalance <= r->tol) return SP_STABLE;
     if (claim == SP_STABLE) return SP_UNDECIDED;
     const sp_real least = sp__certify_mechanism(j, state->dq, &final);
-    if (own && least < r->least_imbalance) return SP_UNDECIDED;
+    if (best && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
     if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r->dq);
     if (!(least > r->tol)) return SP_UNDECIDED;
@@ -74,7 +75,7 @@ SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_set
     sp__certificate j;
     const size_t mark = a->used;
     if (!sp__certificate_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
-    r->verdict = sp__check_certify(&j, state, claim, r);
+    r->verdict = sp__check_certify(&j, set->budget > 0, state, claim, r);
     a->used = mark;
     state->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * pb->points;
     return SP_OK;

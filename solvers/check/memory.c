@@ -19,7 +19,7 @@ typedef struct sp__kept {
     sp_proof proof;
 } sp__kept;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set,
+static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp__island_counts *apart, const sp_settings *set,
                            sp_arena *a)
 {
     memset(r, 0, sizeof *r);
@@ -45,7 +45,7 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
 }
 
 /* Bytes of that. */
-SP__NOINLINE static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__apart *apart, const sp_settings *set)
+SP__NOINLINE static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__island_counts *apart, const sp_settings *set)
 {
     sp__kept kept;
     sp_arena dry = sp__arena_dry();
@@ -53,13 +53,14 @@ SP__NOINLINE static size_t sp__kept_need(const sp_scene *scene, int32_t free_blo
     return dry.used;
 }
 
-/* On a budget stages work on arrays of their own, and the result keeps the best of them. */
-static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, sp_arena *a)
+/* What stages work on, numbered as the problem is; what has been judged of it is written at the scene's numbers. The forces of a
+ * whole scene are the result's own unless there is a budget, where the result keeps the best of all stages. */
+static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, int part, sp_arena *a)
 {
     s->y = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->y);
-    if (set->budget <= 0) return;
-    s->f = sp__take(a, (size_t)pb->points, 3 * sizeof *s->f);
     s->dq = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->dq);
+    if (part || set->budget > 0) s->f = sp__take(a, (size_t)pb->points, 3 * sizeof *s->f);
+    if (part) s->y0 = sp__take(a, (size_t)pb->blocks, 12 * sizeof *s->y0);
 }
 
 /* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
@@ -101,18 +102,14 @@ static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settin
     return sp__problem_memory(scene) + SP_ALIGN + most;
 }
 
-/* Tables of islands and the largest of their scenes, at most. */
+/* Tables of islands and the vertices of the largest, at most. */
 static size_t sp__islands_scratch(const sp_scene *scene)
 {
     sp__islands t;
     sp_arena dry = sp__arena_dry();
-    sp_capacity n = scene->count;
-    n.vertices = n.faces = n.corners = 0;
-    n.blocks++;
     sp__take(&dry, 1, sizeof t);
     sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
-    sp__take(&dry, 1, sizeof *scene);
-    sp__take(&dry, 1, sp_scene_memory(&n));
+    sp__take(&dry, (size_t)scene->count.points, sizeof *scene->point);
     return dry.used + 2 * SP_ALIGN;
 }
 
@@ -120,7 +117,7 @@ static size_t sp__check_scratch(const sp_scene *scene, const sp_settings *settin
 {
     if (!scene || (settings && (settings->stage_count < 0 || settings->stage_count > SP_STAGES_MAX))) return 0;
     const size_t whole = sp__whole_scratch(scene, settings);
-    return whole ? sizeof(sp__check) + SP_ALIGN + whole + (sp__islands_apart(settings) ? sp__islands_scratch(scene) : 0) : 0;
+    return whole ? sizeof(sp__check) + SP_ALIGN + whole + (sp__islands_allowed(settings) ? sp__islands_scratch(scene) : 0) : 0;
 }
 
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
@@ -139,22 +136,20 @@ SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settin
     return work == SIZE_MAX ? work : most;
 }
 
-/* Bytes of a problem, its potential and what is done to it; SIZE_MAX: scratch too small. */
-static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, size_t work)
+/* Bytes of a problem, what stages leave and what is done to it; SIZE_MAX: scratch too small. */
+static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, int part, size_t work)
 {
     sp_state state;
     sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sp__problem_memory(pb->scene));
-    sp__state_carve(&state, pb, set, &dry);
+    sp__take(&dry, 1, part ? sp__part_bytes(pb) : sp__problem_memory(pb->scene));
+    sp__state_carve(&state, pb, set, part, &dry);
     sp__take(&dry, 1, work);
     return work == SIZE_MAX ? SIZE_MAX : dry.used;
 }
 
-/* That of every stage and of the coupled check on the whole of a scene. */
-SP__NOINLINE static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
+/* That of every stage and of the coupled check on the problem c->pb, which is built. */
+SP__NOINLINE static sp_status sp__built_need(sp__check *c, int part, sp_arena scratch, size_t *bytes)
 {
-    const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
-    if (status) return status;
     size_t work = sp__stages_need(&c->pb, &c->set, scratch);
 #ifndef SP_NO_CRA
     if (c->set.coupled.asked) {
@@ -162,31 +157,28 @@ SP__NOINLINE static sp_status sp__whole_need(const sp_scene *scene, sp__check *c
         if (need > work) work = need;
     }
 #endif
-    *bytes = sp__problem_need(&c->pb, &c->set, work);
+    *bytes = sp__problem_need(&c->pb, &c->set, part, work);
     return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
 }
 
-/* An island's scene, what its check keeps, and `behind`. */
-SP__NOINLINE static size_t sp__island_bytes(const sp_scene *s, const sp_settings *set, size_t behind)
+/* The same of a whole scene. */
+static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
 {
-    const sp__apart one = { 1, 0, 0 };                  /* its proof lies with the whole's */
-    sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sizeof *s);
-    sp__take(&dry, 1, sp_scene_memory(&s->cap));
-    sp__take(&dry, 1, sp__kept_need(s, s->count.blocks - 1, &one, set));
-    sp__take(&dry, 1, sizeof(sp__check));
-    sp__take(&dry, 1, behind);
-    return dry.used;
+    const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
+    return status ? status : sp__built_need(c, 0, scratch, bytes);
 }
 
-/* Bytes that island k takes behind the tables. */
-SP__NOINLINE static sp_status sp__island_need(const sp_scene *scene, const sp__islands *t, int32_t k, sp__check *c, sp_arena scratch,
-                                           size_t *bytes)
+/* Bytes of a part's check; c: what it works on. */
+SP__NOINLINE static sp_status sp__part_need(const sp_scene *scene, const sp__part *part, sp__check *c, sp_arena scratch, size_t *bytes)
 {
-    const sp_scene *s = sp__island_scene(scene, t, k, &scratch);
-    const sp_status status = s ? sp__whole_need(s, c, scratch, bytes) : SP_E_MEMORY;
-    if (!status) *bytes = sp__island_bytes(s, &c->set, *bytes);
-    return status;
+    sp_arena dry = sp__arena_dry();
+    sp_status status = sp__part_build(scene, part, &scratch, &c->pb);
+    if (!status) status = sp__built_need(c, 1, scratch, bytes);
+    if (status) return status;
+    sp__take(&dry, 1, sizeof *c);
+    sp__take(&dry, 1, *bytes);
+    *bytes = dry.used;
+    return SP_OK;
 }
 
 /* The way over all islands: where a check is, and what it keeps besides the result. */
@@ -221,7 +213,8 @@ SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t co
     if (sp__failed(&scratch)) return SP_E_MEMORY;
     sp__islands_fill(scene, t);
     for (int32_t k = 0; k < count; k++) {
-        const sp_status status = sp__island_need(scene, t, k, c, scratch, bytes);
+        const sp__part part = sp__islands_part(t, k);
+        const sp_status status = sp__part_need(scene, &part, c, scratch, bytes);
         if (status) return status;
         if (*bytes > most) most = *bytes;
     }
@@ -234,7 +227,7 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 {
     if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
     sp__problem_count(scene, &c->pb);
-    const size_t judged = sp__problem_need(&c->pb, &c->set, sp__certificate_need(&c->pb, &c->set));
+    const size_t judged = sp__problem_need(&c->pb, &c->set, 0, sp__certificate_need(&c->pb, &c->set));
     const sp_status status = sp__islands_need(scene, islands, c, scratch, bytes);
     if (judged > *bytes) *bytes = judged;
     return status;
@@ -259,7 +252,7 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    sp__apart apart;
+    sp__island_counts apart;
     const sp_status counted = sp__islands_count(scene, settings, scratch, &apart);
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || counted) return SP_E_MEMORY;

@@ -52,8 +52,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     sp_status status = SP_OK;
     sp__coupled_told_lengths(c);
     c->state.left = sp__budget_left(&c->set, r);
-    c->state.f = r->f;                                  /* also on a budget */
-    if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)c->pb.scene->count.blocks * sizeof *r->dq);
+    sp__points_read(&c->pb, 3, r->f, c->state.f);       /* on a budget the best of all stages */
     out->verdict = r->verdict == SP_UNSTABLE ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
     out->reason = r->verdict == SP_STABLE ? SP_COUPLING_BUDGET : SP_COUPLING_STATICS;
     if (!c->pb.blocks) {
@@ -61,6 +60,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
         out->reason = SP_COUPLING_MOTION;
     } else if (c->state.left >= 10 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
         status = sp__coupled_run(&c->pb, &c->set, &c->state, a, r);
+    sp__points_write(&c->pb, 3, c->state.f, r->f);
     a->used = mark;
     sp__cost_add(&r->cost, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
@@ -79,40 +79,45 @@ static int sp__coupled_told(const sp_settings *set, sp_coupling coupling, sp_cou
 }
 #endif
 
-/* An empty result of this scene in c->r, its arrays zero. */
-static void sp__check_clear(const sp_scene *scene, sp__check *c)
+/* The numbers of a result of which nothing is known yet; b free blocks. */
+static void sp__result_start(sp_result *r, const sp_settings *set, int32_t b, int32_t contacts, int32_t points)
 {
-    sp_result *r = &c->r;
-    const size_t b = (size_t)c->pb.blocks;
-    memset(r->f, 0, 3 * (size_t)scene->count.points * sizeof *r->f);
-    memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
-    memset(r->y0, 0, 12 * b * sizeof *r->y0);
-    memset(r->demand, 0, (size_t)scene->count.joints * sizeof *r->demand);
-    if (r->coupled.dq) memset(r->coupled.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->coupled.dq);
-    if (r->coupled.alpha) memset(r->coupled.alpha, 0, (size_t)scene->count.points * sizeof *r->coupled.alpha);
     r->tension_ratio = r->coupled.tension_ratio = -1;
-    if (r->coupled.penalty) memset(r->coupled.penalty, 0, 4 * (size_t)scene->count.points * sizeof *r->coupled.penalty);
-    if (c->set.budget > 0 || c->set.effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;     /* of no forces at all */
-    r->tol = c->set.tol;
-    r->force_bound = c->set.force_bound;
-    r->free_blocks = c->pb.blocks;
-    r->joints = c->pb.contacts;
-    r->points = sp__points_count(scene);
+    if (set->budget > 0 || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;         /* of no forces at all */
+    r->tol = set->tol;
+    r->force_bound = set->force_bound;
+    r->free_blocks = b;
+    r->joints = contacts;
+    r->points = points;
     r->verdict = b ? SP_UNDECIDED : SP_STABLE;
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
     r->verified = !b;
     r->islands = b ? 1 : 0;
 }
 
+/* Arrays of a result that are there, zero. */
+static void sp__result_clear(const sp_scene *scene, int32_t free_blocks, sp_result *r)
+{
+    const size_t points = (size_t)scene->count.points, blocks = (size_t)scene->count.blocks;
+    sp_coupled *c = &r->coupled;
+    memset(r->f, 0, 3 * points * sizeof *r->f);
+    memset(r->dq, 0, 6 * blocks * sizeof *r->dq);
+    memset(r->y0, 0, 12 * (size_t)free_blocks * sizeof *r->y0);
+    memset(r->demand, 0, (size_t)scene->count.joints * sizeof *r->demand);
+    if (c->dq) memset(c->dq, 0, 6 * blocks * sizeof *c->dq);
+    if (c->alpha) memset(c->alpha, 0, points * sizeof *c->alpha);
+    if (c->penalty) memset(c->penalty, 0, 4 * points * sizeof *c->penalty);
+}
+
 /* Everything of a check in arena `a` but the problem; `a` may be used up.
  *   out    *check: where the result is found on SP_OK */
-SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__apart *apart, sp_arena *a,
-                                          sp__check **check)
+SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__island_counts *counts,
+                                          sp_arena *a, sp__check **check)
 {
     sp_problem count;
     sp__kept arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, apart, settings, a);
+    sp__kept_carve(&arrays, scene, count.blocks, counts, settings, a);
     const size_t all = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
@@ -128,32 +133,55 @@ SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_set
     c->kept = all;
     const sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (status) return status;
-    sp__check_clear(scene, c);
+    sp__result_clear(scene, count.blocks, &c->r);
+    sp__result_start(&c->r, &c->set, count.blocks, count.contacts, sp__points_count(scene));
     *check = c;
     return SP_OK;
 }
 
-/* The problem and the potential of the search behind it. */
+/* What stages leave: nothing yet. */
+static sp_status sp__state_open(sp__check *c, int part, sp_arena *a)
+{
+    sp_state *state = &c->state;
+    const size_t b = 6 * (size_t)c->pb.blocks;
+    state->f = c->r.f;
+    state->y0 = c->r.y0;
+    sp__state_carve(state, &c->pb, &c->set, part, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    memset(state->y, 0, b * sizeof *state->y);
+    memset(state->dq, 0, b * sizeof *state->dq);
+    if (part) memset(state->y0, 0, 2 * b * sizeof *state->y0);
+    if (state->f != c->r.f) memset(state->f, 0, 3 * (size_t)c->pb.points * sizeof *state->f);
+    state->reason = SP_REASON_STAGES;
+    state->tension_ratio = -1;
+    return SP_OK;
+}
+
+/* The problem of a whole scene and what stages leave of it. */
 static sp_status sp__check_problem(sp__check *c, sp_arena *a)
 {
     const sp_status status = sp_problem_build(c->pb.scene, a, &c->pb);
+    return status ? status : sp__state_open(c, 0, a);
+}
+
+/* A check of a part, everything of it; its arrays are those of `to`, at the scene's numbers, as is the room for a proof. */
+SP__NOINLINE static sp_status sp__part_open(const sp_scene *scene, const sp__part *part, const sp_settings *set, const sp_result *to,
+                                         sp_arena *a, sp__check **check)
+{
+    sp__check *c = sp__take(a, 1, sizeof *c);
+    if (!c) return SP_E_MEMORY;
+    memset(c, 0, sizeof *c);
+    c->set = *set;
+    c->r.f = to->f; c->r.dq = to->dq; c->r.demand = to->demand;
+    c->r.coupled.dq = to->coupled.dq;
+    c->r.coupled.alpha = to->coupled.alpha;
+    c->r.coupled.penalty = to->coupled.penalty;
+    c->r.coupled.proof = to->coupled.proof;
+    const sp_status status = sp__part_build(scene, part, a, &c->pb);
     if (status) return status;
-    sp_state *state = &c->state;
-    sp__state_carve(state, &c->pb, &c->set, a);
-    if (sp__failed(a)) return SP_E_MEMORY;
-    const size_t b = 6 * (size_t)c->pb.blocks;
-    memset(state->y, 0, b * sizeof *state->y);
-    state->reason = SP_REASON_STAGES;
-    state->tension_ratio = -1;
-    state->y0 = c->r.y0;
-    if (c->set.budget > 0) {
-        memset(state->f, 0, 3 * (size_t)c->pb.points * sizeof *state->f);
-        memset(state->dq, 0, b * sizeof *state->dq);
-        return SP_OK;
-    }
-    state->f = c->r.f;
-    state->dq = c->r.dq;                                /* free blocks first; spread over the scene's once it is a proof */
-    return SP_OK;
+    sp__result_start(&c->r, set, c->pb.blocks, c->pb.contacts, sp__problem_points(&c->pb));
+    *check = c;
+    return sp__state_open(c, 1, a);
 }
 
 #endif

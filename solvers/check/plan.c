@@ -45,17 +45,14 @@ static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64
     o->reduced[f->mode]++;
 }
 
-/* Adds the work of a scene as one problem. */
-SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
+/* Adds the work of a problem. */
+SP__NOINLINE static sp_status sp__plan_problem(const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp__work *o)
 {
-    sp_problem pb;
-    const sp_status status = sp_problem_build(scene, &scratch, &pb);
-    if (status) return status;
-    const int hangs = sp__plan_hangs(&pb, set, scratch);
+    const int hangs = sp__plan_hangs(pb, set, scratch);
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
-    const int32_t blocks = w ? sp__system_analyse(w, &pb, &scratch) : -1;
+    const int32_t blocks = w ? sp__system_analyse(w, pb, &scratch) : -1;
     if (blocks < 0) return SP_E_MEMORY;
-    const int64_t v = sp__points_count(scene), c = pb.contacts, b = pb.blocks;
+    const int64_t v = sp__problem_points(pb), c = pb->contacts, b = pb->blocks;
     const int64_t sweep = SP__FLOPS_SWEEP * v + SP__FLOPS_TWIST * c, assembly = SP__FLOPS_HESSIAN * v + SP__FLOPS_BLOCKS * c;
     const int64_t full = SP__PLAN_STEPS * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep + 144 * (int64_t)blocks + 72 * b);
     sp__reduction *reduction = sp__take(&scratch, 1, sizeof *reduction);
@@ -65,23 +62,33 @@ SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_set
     o->problems++;
     o->forests += hangs;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
-    if (sp__reduction_choose(&pb, set, reduction)) sp__plan_reduced(&pb, reduction, full, w->L.flops, o);
+    if (sp__reduction_choose(pb, set, reduction)) sp__plan_reduced(pb, reduction, full, w->L.flops, o);
     return SP_OK;
 }
 
+/* The work of a scene as one problem. */
+SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_settings *set, sp_arena scratch, sp__work *o)
+{
+    sp_problem pb;
+    const sp_status status = sp_problem_build(scene, &scratch, &pb);
+    return status ? status : sp__plan_problem(&pb, set, scratch, o);
+}
+
 /* The same, island by island. */
-SP__NOINLINE static sp_status sp__plan_apart(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
-                                           sp__work *o)
+SP__NOINLINE static sp_status sp__plan_islands(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
+                                             sp__work *o)
 {
     sp__islands t;
+    sp_problem pb;
     sp_status status = SP_OK;
     sp__islands_carve(&t, scene, count, NULL, &scratch);
     if (sp__failed(&scratch)) return SP_E_MEMORY;
     sp__islands_fill(scene, &t);
     for (int32_t k = 0; k < count && !status; k++) {
         sp_arena a = scratch;
-        const sp_scene *s = sp__island_scene(scene, &t, k, &a);
-        status = s ? sp__plan_whole(s, set, a, o) : SP_E_MEMORY;
+        const sp__part part = sp__islands_part(&t, k);
+        status = sp__part_build(scene, &part, &a, &pb);
+        if (!status) status = sp__plan_problem(&pb, set, a, o);
     }
     return status;
 }
@@ -132,10 +139,10 @@ SP__NOINLINE static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p
 {
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
     sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
-    sp__apart apart = { 1, 0, 0 };
+    sp__island_counts apart = { 1, 0, 0 };
     if (!status) status = sp__islands_count(scene, &p->set, scratch, &apart);
     p->o.islands = apart.islands;
-    if (!status && p->o.islands > 1) status = sp__plan_apart(scene, p->o.islands, &p->set, scratch, &p->apart);
+    if (!status && p->o.islands > 1) status = sp__plan_islands(scene, p->o.islands, &p->set, scratch, &p->apart);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);
     if (!status) status = sp__plan_whole(scene, &p->set, scratch, &p->whole);

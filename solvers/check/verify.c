@@ -5,63 +5,60 @@
 #include "memory.c"
 
 #ifndef SP_NO_CRA
-/* Tables of islands, one as a scene of its own, and what judges it; `hint`: its share of y0. */
-typedef struct sp__part { sp__islands t; sp_problem pb; sp__certificate j; sp_real *hint; } sp__part;
+/* Tables of islands, the problem of one, and what judges it; `hint`: its share of y0. */
+typedef struct sp__island_claim { sp__islands t; sp_problem pb; sp__certificate j; sp_real *hint; } sp__island_claim;
 
 /* Bytes of that, at most: what is refuted has few vertices and blocks. */
-SP__NOINLINE static size_t sp__verify_part_need(const sp_scene *scene, const sp_settings *set)
+SP__NOINLINE static size_t sp__verify_island_need(const sp_scene *scene, const sp_settings *set)
 {
     sp_problem pb;
     sp__islands t;
-    sp_capacity n = scene->count;
     const int32_t few = SP_EXACT_POINTS;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &pb);
     if (pb.blocks > few) pb.blocks = few;
     if (pb.contacts > few) pb.contacts = few;
     if (pb.points > few) pb.points = few;
-    n.vertices = n.faces = n.corners = 0;
-    n.blocks = pb.blocks + 1;
-    n.joints = pb.contacts;
-    n.points = pb.points;
-    sp__take(&dry, 1, sizeof(sp__part));
+    sp__take(&dry, 1, sizeof(sp__island_claim));
     sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
-    sp__take(&dry, 1, sizeof *scene);
-    sp__take(&dry, 1, sp_scene_memory(&n));
-    sp__problem_carve(&pb, &dry);
+    sp__part_carve(&pb, sp__scene_live(scene), &dry);
     sp__take(&dry, (size_t)pb.blocks, 12 * sizeof(sp_real));
     sp__take(&dry, 1, sp__certificate_need(&pb, set));
     sp__take(&dry, 1, sp__refute_need(pb.points, pb.blocks));
     return dry.used;
 }
 
+/* The share of y0 that an island's blocks have. */
+static void sp__island_hint(const sp__island_claim *p, const sp_scene *scene, const sp_real *y0)
+{
+    const size_t b = (size_t)p->pb.blocks;
+    size_t all = 0;
+    for (int32_t i = 0; i < scene->count.blocks; i++) all += p->t.rank[i] >= 0;
+    for (size_t i = 0; i < b; i++)
+        for (size_t half = 0; half < 2; half++)
+            memcpy(p->hint + 6 * (half * b + i), y0 + 6 * (half * all + (size_t)p->t.rank[p->pb.block[i]]), 6 * sizeof *p->hint);
+}
+
 /* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
-SP__NOINLINE static sp_status sp__verify_part(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
-                                           const sp_result *claim, sp_arena a, sp_real *margin)
+SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
+                                             const sp_result *claim, sp_arena a, sp_real *margin)
 {
     const int32_t island = claim->coupled.proof.island - 1;
-    sp__part *p = sp__take(&a, 1, sizeof *p);
+    sp__island_claim *p = sp__take(&a, 1, sizeof *p);
     if (!p) return SP_E_MEMORY;
     sp__islands_carve(&p->t, scene, scene->count.blocks, NULL, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
-    const int32_t count = sp__islands_join(scene, p->t.rank);
+    const int32_t count = sp__islands_join(scene, p->t.row);
     if (island < 0 || island >= count) return SP_OK;
     sp__islands_fill(scene, &p->t);
-    sp_capacity n;
-    sp__island_size(scene, &p->t, island, &n);
-    if (n.points > SP_EXACT_POINTS || n.blocks > SP_EXACT_POINTS + 1) return SP_OK;
-    const sp_scene *s = sp__island_scene(scene, &p->t, island, &a);
-    sp_status status = s ? sp_problem_build(s, &a, &p->pb) : SP_E_MEMORY;
+    const sp__part part = sp__islands_part(&p->t, island);
+    sp__part_count(scene, &part, &p->pb);
+    if (p->pb.points > SP_EXACT_POINTS || p->pb.blocks > SP_EXACT_POINTS) return SP_OK;
+    const sp_status status = sp__part_build(scene, &part, &a, &p->pb);
     if (status) return status;
-    const size_t b = (size_t)p->pb.blocks;
-    size_t all = 0;
-    p->hint = sp__take(&a, b, 12 * sizeof *p->hint);
+    p->hint = sp__take(&a, (size_t)p->pb.blocks, 12 * sizeof *p->hint);
     if (!p->hint) return SP_E_MEMORY;
-    for (int32_t i = 0; i < scene->count.blocks; i++) all += p->t.row[i] >= 0;
-    for (int32_t i = p->t.block[island]; i >= 0 && claim->y0; i = p->t.next[i])
-        for (size_t half = 0; half < 2; half++)
-            memcpy(p->hint + 6 * (half * b + (size_t)p->t.rank[i] - 1), claim->y0 + 6 * (half * all + (size_t)p->t.row[i]),
-                   6 * sizeof *p->hint);
+    if (claim->y0) sp__island_hint(p, scene, claim->y0);
     if (!sp__certificate_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
     *margin = sp__certify_refutation(&p->j, k, &claim->coupled.proof, &a);
     return SP_OK;
@@ -78,7 +75,7 @@ static size_t sp__verify_memory(const sp_scene *scene)
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof(sp__check));
 #ifndef SP_NO_CRA
-    const size_t part = dry.used + sp__verify_part_need(scene, &set);
+    const size_t part = dry.used + sp__verify_island_need(scene, &set);
 #endif
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
@@ -130,7 +127,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
         if (!claim->coupled.proof.island) e.margin = sp__certify_refutation(&j, &k, &claim->coupled.proof, &scratch);
-        else status = sp__verify_part(scene, &c->set, &k, claim, room, &e.margin);
+        else status = sp__verify_island(scene, &c->set, &k, claim, room, &e.margin);
         if (status) return status;
         if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }
     }

@@ -12,12 +12,12 @@
 static void sp__cra_spread(const sp__cra *c)
 {
     const sp_problem *pb = c->pb;
-    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;
+    const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;
     for (int32_t i = 0; i < pb->blocks; i++) {
         if (few) sp__certificate_remove_spin(&c->j, i, c->t.dq + 6 * (size_t)i);
         memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
     }
-    memcpy(c->out->alpha, c->t.alpha, (size_t)pb->points * sizeof *c->t.alpha);
+    sp__points_write(pb, 1, c->t.alpha, c->out->alpha);
 }
 
 /* The triple on offer is verified: into the result. */

@@ -69,7 +69,7 @@ static int32_t sp__branch_entries(const sp_problem *pb)
 
 static void sp__branch_carve(sp__branch *s, const sp_problem *pb, sp_arena *a)
 {
-    const int32_t V = sp__points_count(pb->scene), b = pb->blocks;
+    const int32_t V = sp__problem_points(pb), b = pb->blocks;
     const size_t v = (size_t)V;
     s->pb = pb;
     s->points = V;
@@ -509,7 +509,7 @@ SP__NOINLINE static size_t sp__branch_bytes(const sp_problem *pb)
 static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
 {
     int32_t entries;
-    const int32_t points = sp__points_count(pb->scene);
+    const int32_t points = sp__problem_points(pb);
     if (!sp__branch_room(points, pb->blocks, set->coupled.nodes, &entries)) return 0;
     const size_t decision = sp__branch_bytes(pb), check = sp__refute_need(points, pb->blocks);
     return decision > check ? decision : check;
@@ -533,7 +533,7 @@ SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_s
 {
     const size_t mark = a->used;
     int32_t entries;
-    const int32_t nodes = sp__branch_room(sp__points_count(pb->scene), pb->blocks, set->coupled.nodes, &entries);
+    const int32_t nodes = sp__branch_room(sp__problem_points(pb), pb->blocks, set->coupled.nodes, &entries);
     if (!nodes) return SP_OK;
     sp__take(a, 1, sp__branch_need(pb, set));
     if (sp__failed(a)) return SP_E_MEMORY;

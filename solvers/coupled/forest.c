@@ -105,8 +105,7 @@ static void sp__plate_friction(const sp__cra *c, const sp__plate *p, const sp_co
 /* One of four sums over an edge:  0 F, F o;  1 Ft;  2 I, Mn;  3 the largest |g|, returned. */
 SP__NOINLINE static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g, sp__plate *p, int pass)
 {
-    const sp_scene *scene = c->pb->scene;
-    const sp_real *at = scene->point[p->first->point];
+    const sp_real *at = c->pb->point[p->first->point];
     sp_real most = 0;
     for (int32_t k = p->from; k < p->to; k++) {
         const sp_contact *t = &c->pb->contact[g->seam[k]];
@@ -114,13 +113,13 @@ SP__NOINLINE static sp_real sp__plate_sum(const sp__cra *c, const sp__forest *g,
             const sp_real fn = c->statics[3 * (size_t)v];
             sp_real x[3], y[3], ft[3];
             sp__plate_friction(c, p, t, v, ft);
-            sp__sub3(scene->point[v], pass ? p->o : at, x);
+            sp__sub3(c->pb->point[v], pass ? p->o : at, x);
             sp__cross3(p->first->joint->n, x, y);
             if (pass == 0) { p->F += fn; for (int q = 0; q < 3; q++) p->o[q] += fn * x[q]; }
             if (pass == 1) for (int q = 0; q < 3; q++) p->G[q] += ft[q];
             if (pass == 2) { p->I += fn * sp__dot3(y, y); p->M += sp__dot3(ft, y); }
             if (pass < 3) continue;
-            sp__plate_at(p, scene->point[v], x);
+            sp__plate_at(p, c->pb->point[v], x);
             most = sp__max(most, sp__norm3(x));
         }
     }
@@ -137,7 +136,7 @@ SP__NOINLINE static sp_real sp__plate_of(const sp__cra *c, const sp__forest *g, 
     for (p->to = from + 1; p->to < c->pb->contacts && !sp__seam_order(c->pb, g->seam[from], g->seam[p->to]);) p->to++;
     sp__plate_sum(c, g, p, 0);
     if (!(p->F > 0)) return 0;
-    for (int k = 0; k < 3; k++) p->o[k] = c->pb->scene->point[p->first->point][k] + p->o[k] / p->F;
+    for (int k = 0; k < 3; k++) p->o[k] = c->pb->point[p->first->point][k] + p->o[k] / p->F;
     for (int pass = 1; pass < 3; pass++) sp__plate_sum(c, g, p, pass);
     sp__scale3(1 / p->F, p->G, p->G);
     if (p->I > 0) sp__scale3(p->M / p->I, p->first->joint->n, p->w);
@@ -172,7 +171,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
         const sp_contact *t = &c->pb->contact[g->seam[k]];
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             sp_real *f = c->t.f + 3 * v, x[3];
-            sp__plate_at(p, c->pb->scene->point[v], x);
+            sp__plate_at(p, c->pb->point[v], x);
             f[0] = c->statics[3 * v];
             f[1] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t1);
             f[2] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t2);

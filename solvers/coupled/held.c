@@ -46,7 +46,7 @@ SP__NOINLINE static void sp__cra_keep(sp__cra *c)
         const sp_real s = sp__cra_size(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real fm = s * soft * sp__max(c->d[3 * v], 0), *f = c->f + 3 * v;
-            sp_real *to = c->out->penalty + 4 * v;
+            sp_real *to = c->out->penalty + 4 * (v + (size_t)t->joint->point - (size_t)t->point);
             c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held[v][3];
             to[0] = c->held[v][0] < 0 ? 0 : w->measure.unit * sp__max(f[0] + fm, 0);
             to[1] = w->measure.unit * fm;

@@ -15,8 +15,8 @@ SP__NOINLINE static void sp__cra_demand(const sp__cra *c, sp_demand *demand)
         const sp_contact *t = &c->pb->contact[q];
         sp_demand *o = &demand[t->id];
         o->tension = o->friction = 0;
-        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real *x = out->penalty + 4 * v, ft = SP_SQRT(x[2] * x[2] + x[3] * x[3]);
+        for (size_t v = 0; v < (size_t)t->points; v++) {
+            const sp_real *x = out->penalty + 4 * ((size_t)t->joint->point + v), ft = SP_SQRT(x[2] * x[2] + x[3] * x[3]);
             o->tension = sp__max(o->tension, x[1] - x[0]);
             o->friction = sp__max(o->friction, ft - t->joint->strength.mu * sp__max(x[0] - x[1], 0));
             press = sp__max(press, x[0]);

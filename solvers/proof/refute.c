@@ -382,11 +382,11 @@ SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
 SP__NOINLINE static sp_real sp__certify_refutation(sp__certificate *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
 {
     if (proof->nodes < 1 || proof->entries < 0 || !proof->node || !proof->row || !proof->y) return 0;
-    if (sp__points_count(j->pb->scene) > SP_EXACT_POINTS) return 0;
+    if (sp__problem_points(j->pb) > SP_EXACT_POINTS) return 0;
     sp__refute *w = sp__take(a, 1, sizeof *w);
     if (!w) return 0;
     memset(w, 0, sizeof *w);
-    sp__refute_carve(w, sp__points_count(j->pb->scene), j->pb->blocks, a);
+    sp__refute_carve(w, sp__problem_points(j->pb), j->pb->blocks, a);
     if (sp__failed(a)) return 0;
     w->j = j; w->k = k; w->proof = proof;
     for (int32_t c = 0, v = 0; c < j->pb->contacts; c++)

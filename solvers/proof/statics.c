@@ -245,7 +245,8 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
 }
 #endif
 
-/* The motion of the check into a result's dq: scaled so that no point of a block moves farther than the largest block reaches. */
+/* The motion of the check at the scene's numbers, scaled so that no point of a block moves farther than the largest block reaches;
+ * dq of other blocks stays as it is. */
 static void sp__check_motion(const sp__certificate *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
@@ -256,7 +257,6 @@ static void sp__check_motion(const sp__certificate *j, sp_real *dq)
         largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certificate_arm(j, i)));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
-    memset(dq, 0, 6 * (size_t)pb->scene->count.blocks * sizeof *dq);
     for (int32_t i = 0; i < pb->blocks; i++)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }

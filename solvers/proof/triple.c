@@ -2,6 +2,7 @@
 #ifndef SP__PROOF_TRIPLE_C
 #define SP__PROOF_TRIPLE_C
 
+#include "../scene/part.c"
 #include "statics.c"
 
 /* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
@@ -39,7 +40,7 @@ static sp_real sp__mean_edge(const sp_problem *pb)
         const int32_t n = t->points > 2 ? t->points : t->points - 1;
         for (int32_t k = 0; k < n; k++) {
             sp_real e[3];
-            sp__sub3(pb->scene->point[t->point + (k + 1) % t->points], pb->scene->point[t->point + k], e);
+            sp__sub3(pb->point[t->point + (k + 1) % t->points], pb->point[t->point + k], e);
             edges += sp__norm3(e);
         }
         count += n;
@@ -141,7 +142,7 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certificate *j, const sp__le
                                            const sp_real *alpha)
 {
     const sp_problem *pb = j->pb;
-    const int few = sp__points_count(pb->scene) <= SP_EXACT_POINTS;       /* only then there are proofs */
+    const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;       /* only then there are proofs */
     for (int32_t i = 0; i < pb->blocks; i++) {
         for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
         sp__release(pb, i, j->x + 6 * (size_t)i);

@@ -44,7 +44,7 @@ static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_c
         const int32_t row = onto_b ? contact->b : contact->a;
         sp_real r[3];
         if (row < 0) continue;
-        sp__sub3(scene->point[v], scene->block[onto_b ? f->b : f->a].centroid, r);
+        sp__sub3(problem->point[v], scene->block[onto_b ? f->b : f->a].centroid, r);
         sp__aeq_column(t, row, columns * v + c, onto_b ? s : -s, r, e);
     }
 }

@@ -46,14 +46,12 @@ static int32_t sp__points_count(const sp_scene *scene)
     return n;
 }
 
-#if !defined(SP_SMALL) || !defined(SP_NO_PLAN)
-#endif
-
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
 {
     problem->scene = scene;
     problem->blocks = problem->contacts = 0;
     problem->points = scene->count.points;
+    problem->point = scene->point;
     problem->keep_order = problem->ignore_strength = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++)
         if (scene->block[k].fixed != SP_FIXED) problem->blocks++;
@@ -61,14 +59,15 @@ static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
         if (sp__contact_counts(scene, &scene->joint[k])) problem->contacts++;
 }
 
-static void sp__problem_carve(sp_problem *problem, sp_arena *a)
+/* live: do some loads count scene.live times? */
+static void sp__problem_carve(sp_problem *problem, int live, sp_arena *a)
 {
     problem->block = sp__take(a, (size_t)problem->blocks, sizeof *problem->block);
     problem->contact = sp__take(a, (size_t)problem->contacts, sizeof *problem->contact);
     problem->local = sp__take(a, (size_t)problem->points, sizeof *problem->local);
     problem->p = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->p);
     problem->live = NULL;
-    if (sp__scene_live(problem->scene)) problem->live = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->live);
+    if (live) problem->live = sp__take(a, (size_t)problem->blocks, 6 * sizeof *problem->live);
 }
 
 static size_t sp__problem_memory(const sp_scene *scene)
@@ -77,7 +76,7 @@ static size_t sp__problem_memory(const sp_scene *scene)
     sp_problem problem;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &problem);
-    sp__problem_carve(&problem, &dry);
+    sp__problem_carve(&problem, sp__scene_live(scene), &dry);
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
@@ -94,9 +93,10 @@ static int32_t sp__problem_row(const sp_problem *problem, int32_t block)
 
 /* Points of a contact from their mean, in its frame; the mean goes to `mean`, seen from the first point. Differences are taken
  * of neighbouring places only, so coordinates far from the origin lose nothing. */
-static void sp__contact_local(const sp_problem *problem, const sp_joint *f, sp_real mean[3])
+static void sp__contact_local(const sp_problem *problem, const sp_contact *contact, sp_real mean[3])
 {
-    const sp_real (*point)[3] = (const sp_real (*)[3])problem->scene->point + f->point;
+    const sp_joint *f = contact->joint;
+    const sp_real (*point)[3] = (const sp_real (*)[3])problem->point + contact->point;
     sp_real x[3];
     mean[0] = mean[1] = mean[2] = 0;
     for (int32_t k = 1; k < f->points; k++) {
@@ -105,31 +105,32 @@ static void sp__contact_local(const sp_problem *problem, const sp_joint *f, sp_r
     }
     sp__scale3((sp_real)1 / (sp_real)f->points, mean, mean);
     for (int32_t k = 0; k < f->points; k++) {
-        sp_real *local = problem->local[f->point + k];
+        sp_real *local = problem->local[contact->point + k];
         sp__sub3(point[k], point[0], x);
         sp__sub3(x, mean, x);
         sp__joint_frame(f, x, local);
     }
 }
 
-/* One contact: rows, frame, arms (first point - centroid) + (mean - first point). */
-static void sp__contact_build(const sp_problem *problem, int32_t id, sp_contact *contact)
+/* The contact of a joint, its rows and vertices known: frame, arms (first point - centroid) + (mean - first point). */
+static sp_status sp__contact_build(const sp_problem *problem, int32_t id, sp_contact *contact)
 {
     const sp_scene *scene = problem->scene;
     const sp_joint *f = &scene->joint[id];
     contact->id = id;
-    contact->a = sp__problem_row(problem, f->a);
-    contact->b = sp__problem_row(problem, f->b);
-    contact->point = f->point;
     contact->points = f->points;
     contact->joint = f;
     sp_real mean[3];
-    sp__contact_local(problem, f, mean);
+    sp__contact_local(problem, contact, mean);
     const sp_real *first = scene->point[f->point], *ca = scene->block[f->a].centroid, *cb = scene->block[f->b].centroid;
     sp__sub3(first, ca, contact->ra);
     sp__add3(contact->ra, 1, mean);
     sp__sub3(first, cb, contact->rb);
     sp__add3(contact->rb, 1, mean);
+    sp_real size = sp__dot3(contact->ra, contact->ra) + sp__dot3(contact->rb, contact->rb);
+    for (int32_t v = contact->point; v < contact->point + contact->points; v++)
+        size += sp__dot3(problem->local[v], problem->local[v]);
+    return sp__finite(size) ? SP_OK : SP_E_NOT_FINITE;
 }
 
 /* p += (F, M + (x - c) x F) of a force F at x with a couple M. */
@@ -192,8 +193,8 @@ static void sp__load_settle(const sp_problem *problem, const sp_load *load, int3
         sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
 }
 
-/* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
-static sp_status sp__problem_loads(sp_problem *problem)
+/* p = weight; loads are added to it. */
+static sp_status sp__problem_weights(const sp_problem *problem)
 {
     const sp_scene *scene = problem->scene;
     if (!sp__finite(scene->live) || !sp__finite3(scene->gravity) || !sp__finite3(scene->body)) return SP_E_NOT_FINITE;
@@ -204,14 +205,31 @@ static sp_status sp__problem_loads(sp_problem *problem)
         sp__scale3(mass, scene->gravity, problem->p + 6 * (size_t)i);
         if (problem->live) sp__scale3(mass, scene->body, problem->live + 6 * (size_t)i);
     }
+    return SP_OK;
+}
+
+/* p += live multiple x live loads */
+static sp_status sp__problem_sum(const sp_problem *problem)
+{
+    for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
+        if (problem->live) problem->p[k] += problem->scene->live * problem->live[k];
+        if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
+    }
+    return SP_OK;
+}
+
+/* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
+static sp_status sp__problem_loads(const sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
+    sp_status status = sp__problem_weights(problem);
+    if (status) return status;
     for (int32_t k = 0; k < scene->count.loads; k++) {
         const int32_t row = sp__problem_row(problem, scene->load[k].block);
         if (row >= 0) sp__problem_load(problem, &scene->load[k], row);
     }
-    for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
-        if (problem->live) problem->p[k] += scene->live * problem->live[k];
-        if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
-    }
+    status = sp__problem_sum(problem);
+    if (status) return status;
     for (int32_t k = 0; k < scene->count.loads; k++) {
         const int32_t row = sp__problem_row(problem, scene->load[k].block);
         if (row >= 0) sp__load_settle(problem, &scene->load[k], row);
@@ -231,10 +249,11 @@ static sp_status sp__problem_fill(sp_problem *problem)
     for (int32_t k = 0; k < scene->count.joints; k++) {
         if (!sp__contact_counts(scene, &scene->joint[k])) continue;
         sp_contact *c = &problem->contact[contact++];
-        sp__contact_build(problem, k, c);
-        sp_real size = sp__dot3(c->ra, c->ra) + sp__dot3(c->rb, c->rb);
-        for (int32_t v = 0; v < c->points; v++) size += sp__dot3(problem->local[c->point + v], problem->local[c->point + v]);
-        if (!sp__finite(size)) return SP_E_NOT_FINITE;
+        c->a = sp__problem_row(problem, scene->joint[k].a);
+        c->b = sp__problem_row(problem, scene->joint[k].b);
+        c->point = scene->joint[k].point;
+        const sp_status contact_status = sp__contact_build(problem, k, c);
+        if (contact_status) return contact_status;
     }
     return SP_OK;
 }
@@ -246,7 +265,7 @@ SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_pro
     sp_arena a = *arena;
     sp_problem made;
     sp__problem_count(scene, &made);
-    sp__problem_carve(&made, &a);
+    sp__problem_carve(&made, sp__scene_live(scene), &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     const sp_status status = sp__problem_fill(&made);
     if (status) return status;
@@ -291,7 +310,7 @@ static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
 static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
 {
     arm[0] = arm[1] = arm[2] = 0;
-    if (i >= 0) sp__sub3(pb->scene->point[v], pb->scene->block[pb->block[i]].centroid, arm);
+    if (i >= 0) sp__sub3(pb->point[v], pb->scene->block[pb->block[i]].centroid, arm);
 }
 
 #endif /* SP__SCENE_PROBLEM_C */

@@ -23,16 +23,17 @@ SP__NOINLINE static int sp__hold_stands(sp__hold *h)
         h->over |= h->budget > 0 && q->cost.flops >= h->budget;
         if (h->over) return 0;
         sp__part_island(q, root);
-        h->status = sp__part_check(q, &c);
+        h->status = sp__part_check(q, q->f_kept, q->dq_kept, &c);           /* what is known of the step stays */
         if (h->status) { h->over = 1; return 0; }
         if (c->r.verdict == SP_STABLE) continue;
         h->unsure |= c->r.verdict == SP_UNDECIDED;
         sp_real most = -1;
-        for (int32_t i = 0; i < q->members; i++) {
-            const sp_real *dq = c->r.dq + 6 * (size_t)i, size = sp__norm3(dq);
-            if (!(size > most) && !(size >= most && q->part_block[i] < h->worst)) continue;
+        for (int32_t i = 0; i < c->pb.blocks; i++) {
+            const int32_t b = c->pb.block[i];
+            const sp_real size = sp__norm3(c->r.dq + 6 * (size_t)b);
+            if (!(size > most) && !(size >= most && b < h->worst)) continue;
             most = size;
-            h->worst = q->part_block[i];
+            h->worst = b;
         }
         return 0;
     }

@@ -6,28 +6,22 @@
 
 #if SP__WITH_LARGE
 
-/* What a check of the part found becomes what is known of its blocks. */
+/* What a check of the part found, forces and motion in place, becomes what is known of its blocks. */
 SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
 {
-    for (int32_t k = 0; k < q->part.count.joints; k++) {
-        const sp_joint *t = &q->part.joint[k];
-        memcpy(q->f + 3 * (size_t)q->pb.contact[q->part_joint[k]].point, c->r.f + 3 * (size_t)t->point,
-               3 * (size_t)t->points * sizeof *q->f);
-    }
-    for (int32_t k = 0; k < q->members; k++) {
-        const int32_t b = q->part_block[k];
+    for (int32_t k = 0; k < c->pb.blocks; k++) {
+        const int32_t b = c->pb.block[k];
         sp__stone *s = &q->stone[b];
-        sp_real *dq = q->dq + 6 * (size_t)b;
         s->plain = 0;
         if (c->r.verdict == SP_STABLE) sp__stone_weigh(q, b);
-        for (size_t i = 0; i < 6; i++) dq[i] = c->r.verdict == SP_UNSTABLE ? c->r.dq[6 * (size_t)k + i] : 0;
+        if (c->r.verdict != SP_UNSTABLE) memset(q->dq + 6 * (size_t)b, 0, 6 * sizeof *q->dq);
         s->verdict = c->r.verdict;
         s->reason = c->r.reason;
         s->final = c->r.final;
         s->imbalance = c->r.imbalance;
         s->least = c->r.least_imbalance;
     }
-    q->again += q->members;
+    q->again += c->pb.blocks;
 }
 
 static void sp__lean_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
@@ -97,8 +91,8 @@ SP__NOINLINE static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wi
 /* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
 SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 {
-    for (int32_t i = 0; i < q->members; i++) {
-        const int32_t b = q->part_block[i];
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const int32_t b = pb->block[i];
         sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
         for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
             const sp_contact *t = &q->pb.contact[q->joint[k]];
@@ -122,20 +116,19 @@ SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
 SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
 {
     int plain = 1;
-    for (int32_t k = 0; k < q->part.count.joints; k++) {
-        const sp_joint *from = &q->part.joint[k];
-        const sp_contact *t = &q->pb.contact[q->part_joint[k]];
+    for (int32_t k = 0; k < c->pb.contacts; k++) {
+        const sp_contact *t = &c->pb.contact[k];
         q->certificate.cap = q->set.force_bound * sp__stone_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
-            sp_real *f = q->f + 3 * (size_t)(t->point + v), g[3];
-            sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(from->point + v), g);
+            sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
+            sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(t->point + v), g);
             sp__certificate_admit(&q->certificate, t, g, g);
             sp__scale3(q->certificate.unit, g, f);
         }
     }
-    for (int32_t k = 0; k < q->members; k++) {
-        sp__stone_weigh(q, q->part_block[k]);
-        plain &= q->stone[q->part_block[k]].plain;
+    for (int32_t k = 0; k < c->pb.blocks; k++) {
+        sp__stone_weigh(q, c->pb.block[k]);
+        plain &= q->stone[c->pb.block[k]].plain;
     }
     return plain;
 }
@@ -148,8 +141,8 @@ SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
     sp__reduction *reduction = NULL;
     sp_arena a = q->work;
     sp_verdict claim = SP_UNDECIDED;
-    sp__part_make(q);
-    if (sp__part_open(q, &a, &c)) return 0;
+    sp__part_choose(q);
+    if (sp__part_begin(q, q->f, q->dq, &a, &c)) return 0;
     sp__lean_load(q, &c->pb);
     sp_arena room = a;
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
@@ -159,7 +152,7 @@ SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
     c->state.left = sp__budget_left(&c->set, &c->r);
     const sp_status status = sp__exact_search(&c->pb, &c->set, reduction, &c->state, &a, &claim);
     sp__cost_add(&q->cost, &c->state.cost);
-    q->again += q->members;
+    q->again += c->pb.blocks;
     return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
 }
 

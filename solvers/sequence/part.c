@@ -17,79 +17,63 @@ static void sp__sequence_islands(sp_sequence *q)
     }
 }
 
-/* Block b into the part. */
-static void sp__part_block(sp_sequence *q, int32_t b, int fixed)
-{
-    sp_block *to = &q->part.block[q->part.count.blocks];
-    *to = q->scene->block[b];
-    to->vertex = to->vertices = to->face = to->faces = 0;
-    if (fixed) to->fixed = SP_FIXED;
-    q->part_block[q->part.count.blocks] = b;
-    q->number[b] = q->part.count.blocks++;
-}
-
-/* Contact c into the part, if it is between members or of one and something fixed. */
-static void sp__part_joint(sp_sequence *q, int32_t c)
+/* Is contact c one of the part's: of a member, with another member or with what is held or a support? */
+static int sp__part_has(const sp_sequence *q, int32_t c)
 {
     const sp_joint *t = q->pb.contact[c].joint;
     const int32_t end[2] = { t->a, t->b };
-    int inside = 0;
-    for (int k = 0; k < 2; k++) inside += q->number[end[k]] >= 0 && q->number[end[k]] < q->members;
-    if (!inside) return;
-    for (int k = 0; k < 2 && inside < 2; k++) {
-        if (q->number[end[k]] >= 0 && q->number[end[k]] < q->members) continue;
-        if (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k])) return;
-        if (q->number[end[k]] < 0) sp__part_block(q, end[k], 1);
-    }
-    sp_joint *to = &q->part.joint[q->part.count.joints];
-    *to = *t;
-    to->a = q->number[t->a];
-    to->b = q->number[t->b];
-    to->point = q->part.count.points;
-    memcpy(q->part.point[to->point], q->scene->point[t->point], (size_t)t->points * sizeof *q->part.point);
-    q->part.count.points += t->points;
-    q->part_joint[q->part.count.joints++] = c;
+    if (!q->mark[t->a] && !q->mark[t->b]) return 0;
+    for (int k = 0; k < 2; k++)
+        if (!q->mark[end[k]] && (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k]))) return 0;
+    return 1;
+}
+
+/* Number k to the front of a list. */
+static void sp__part_put(int32_t k, int32_t *first, int32_t *next)
+{
+    next[k] = *first;
+    *first = k;
 }
 
 /* The part of all marked blocks. */
-SP__NOINLINE static void sp__part_make(sp_sequence *q)
+SP__NOINLINE static void sp__part_choose(sp_sequence *q)
 {
-    sp_capacity *n = &q->part.count;
-    memset(n, 0, sizeof *n);
-    for (int32_t k = 0; k < q->pb.blocks; k++) if (q->mark[q->order[k]]) sp__part_block(q, q->order[k], 0);
-    q->members = n->blocks;
-    for (int32_t c = 0; c < q->pb.contacts; c++) sp__part_joint(q, c);
-    for (int32_t k = 0; k < q->scene->count.loads; k++) {
-        const sp_load *load = &q->scene->load[k];
-        if (!q->mark[load->block]) continue;
-        q->part.load[n->loads] = *load;
-        q->part.load[n->loads++].block = q->number[load->block];
-    }
-    for (int32_t k = 0; k < n->blocks; k++) q->number[q->part_block[k]] = -1;
+    int32_t row = 0;
+    sp__part *p = &q->part;
+    p->block = p->joint = p->load = -1;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->number[b] = -1;
+    for (int32_t k = q->pb.blocks - 1; k >= 0; k--) if (q->mark[q->order[k]]) sp__part_put(q->order[k], &p->block, q->block_next);
+    for (int32_t b = p->block; b >= 0; b = q->block_next[b]) q->number[b] = row++;
+    for (int32_t c = q->pb.contacts - 1; c >= 0; c--) if (sp__part_has(q, c)) sp__part_put(q->pb.contact[c].id, &p->joint, q->joint_next);
+    for (int32_t k = q->scene->count.loads - 1; k >= 0; k--)
+        if (q->mark[q->scene->load[k].block]) sp__part_put(k, &p->load, q->load_next);
 }
 
 /* The part of the island of `root`. */
 static void sp__part_island(sp_sequence *q, int32_t root)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = sp__loose(q, b) && sp__root(q->up, b) == root;
-    sp__part_make(q);
+    sp__part_choose(q);
 }
 
-/* A check of the part in `a`, before the first stage. */
-SP__NOINLINE static sp_status sp__part_open(sp_sequence *q, sp_arena *a, sp__check **c)
+/* A check of the part in `a`, before the first stage; f, dq: where it writes, at the scene's numbers. */
+SP__NOINLINE static sp_status sp__part_begin(sp_sequence *q, sp_real *f, sp_real *dq, sp_arena *a, sp__check **c)
 {
-    const sp__apart one = { 1, 0, 0 };
-    sp_status status = sp__check_open(&q->part, &q->set, &one, a, c);
-    if (!status) status = sp__check_problem(*c, a);
+    sp_result to;
+    memset(&to, 0, sizeof to);
+    to.f = f;
+    to.dq = dq;
+    for (int32_t b = q->part.block; b >= 0; b = q->block_next[b]) memset(dq + 6 * (size_t)b, 0, 6 * sizeof *dq);
+    const sp_status status = sp__part_open(q->scene, &q->part, &q->set, &to, a, c);
     if (!status) (*c)->pb.keep_order = 1;
     return status;
 }
 
-/* Does the part stand? sp_check without what is only told. */
-SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp__check **c)
+/* Does the part stand? sp_check without what only tells more. */
+SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real *dq, sp__check **c)
 {
     sp_arena a = q->work;
-    sp_status status = sp__part_open(q, &a, c);
+    sp_status status = sp__part_begin(q, f, dq, &a, c);
     if (status) return status;
     if ((*c)->pb.blocks) status = sp__check_run(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
     sp__cost_add(&q->cost, &(*c)->r.cost);

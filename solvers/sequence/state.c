@@ -50,14 +50,13 @@ struct sp_sequence {
     sp_settings set;
     sp_problem pb;                      /* of the finished scene, all blocks there */
     sp__certificate certificate;                    /* its units and cone */
-    sp_scene part;
-    int32_t members;                    /* free blocks of the part, which come first */
+    sp__part part;                      /* the blocks at hand, in the order of elimination, and their joints and loads */
     sp__stone *stone, *stone_kept;      /* per block */
     int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
     int32_t *start, *joint;             /* contacts of pb at each block */
     sp_real *lever;                     /* per row [m] */
-    int32_t *up, *mark, *number;        /* islands by union-find; who is meant; number in the part, -1 */
-    int32_t *part_block, *part_joint;   /* back from there */
+    int32_t *up, *mark, *number;        /* islands by union-find; who is meant; row in the part, -1 */
+    int32_t *block_next, *joint_next, *load_next;   /* lists of the part */
     int32_t *list, *origin;             /* blocks to be solved, and above which block that began */
     int32_t *answer, *must, *was;       /* of the search for what to hold */
     sp_real *f, *f_kept, *dq, *dq_kept;
@@ -75,7 +74,7 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->up = sp__take(a, n, sizeof *q->up);
     q->mark = sp__take(a, n, sizeof *q->mark);
     q->number = sp__take(a, n, sizeof *q->number);
-    q->part_block = sp__take(a, n, sizeof *q->part_block);
+    q->block_next = sp__take(a, n, sizeof *q->block_next);
     q->list = sp__take(a, n, sizeof *q->list);
     q->origin = sp__take(a, n, sizeof *q->origin);
     q->answer = sp__take(a, n, sizeof *q->answer);
@@ -83,7 +82,8 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->was = sp__take(a, n, sizeof *q->was);
     q->start = sp__take(a, n + 1, sizeof *q->start);
     q->joint = sp__take(a, c, 2 * sizeof *q->joint);
-    q->part_joint = sp__take(a, c, sizeof *q->part_joint);
+    q->joint_next = sp__take(a, (size_t)scene->count.joints, sizeof *q->joint_next);
+    q->load_next = sp__take(a, (size_t)scene->count.loads, sizeof *q->load_next);
     q->stone = sp__take(a, n, sizeof *q->stone);
     q->stone_kept = sp__take(a, n, sizeof *q->stone_kept);
     q->lever = sp__take(a, (size_t)count->blocks, sizeof *q->lever);
@@ -92,12 +92,8 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->dq = sp__take(a, n, 6 * sizeof *q->dq);
     q->dq_kept = sp__take(a, n, 6 * sizeof *q->dq_kept);
     q->certificate.direction = sp__take(a, 64, sizeof *q->certificate.direction);
-    memset(&q->part, 0, sizeof q->part);
-    q->part.cap.blocks = scene->count.blocks;
-    q->part.cap.joints = count->contacts;
-    q->part.cap.points = scene->count.points;
-    q->part.cap.loads = scene->count.loads;
-    sp__scene_carve(&q->part, a);
+    const sp__part part = { -1, -1, -1, q->block_next, q->joint_next, q->load_next, q->number };
+    q->part = part;
     q->work.base = sp__take(a, work, 1);
     q->work.cap = work;
     q->work.used = q->work.peak = 0;
@@ -133,6 +129,7 @@ SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_
     if (!status) status = sp__memory(scene, &q->set, NULL, scratch, work);
     if (status) return status;
     const size_t symbolic = sp__check_scratch(scene, &q->set);
+    *work += SP_ALIGN + (size_t)scene->count.points * sizeof *scene->point;         /* a part's vertices are its own */
     if (symbolic > *work) *work = symbolic;
     return symbolic ? SP_OK : SP_E_MEMORY;
 }
@@ -263,9 +260,6 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     if (status) return status;
     sp__sequence_carve(q, scene, &q->pb, work, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
-    memcpy(q->part.gravity, scene->gravity, sizeof q->part.gravity);
-    memcpy(q->part.body, scene->body, sizeof q->part.body);
-    q->part.live = scene->live;
     q->certificate.pb = &q->pb;
     sp__certificate_cone(&q->certificate, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;

@@ -17,7 +17,7 @@ SP__NOINLINE static sp_status sp__sequence_look(sp_sequence *q)
         if (sp__lean_island(q, root)) continue;
         sp__check *c = NULL;
         sp__part_island(q, root);
-        const sp_status status = sp__part_check(q, &c);
+        const sp_status status = sp__part_check(q, q->f, q->dq, &c);
         if (status) return status;
         sp__part_keep(q, c);
     }

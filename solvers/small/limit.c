@@ -191,6 +191,7 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     L->best = SP__HUGE;
     L->at.f = r->ray; L->at.y0 = L->bracket.hint;
     L->at.dq = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
+    if (L->at.dq) memset(L->at.dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     L->w.pb = &L->bracket.pb; L->w.set = &L->bracket.set; L->w.to = &L->at;
     sp_arena room = a;
     if (!sp__small_carve(&L->w, &L->bracket.pb, &a, &a)) return SP_E_MEMORY;

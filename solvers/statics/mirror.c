@@ -170,11 +170,12 @@ SP__NOINLINE static int sp__reduction_level(const sp_problem *pb, const sp_setti
 {
     const sp_real eps = sp__reduction_tol(set);
     int32_t rests = 0;
-    if (sp__scene_strong(pb->scene) || !sp__mirror_loads(pb, set, m, 1)) return 0;
+    if (!sp__mirror_loads(pb, set, m, 1)) return 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real along = sp__dot3(t->joint->n, m);
         sp_real across[3];
+        if (sp__strength_more(&t->joint->strength)) return 0;
         sp__cross3(t->joint->n, m, across);
         if (sp__norm3(across) > eps && sp__abs(along) > eps) return 0;
         rests += (along < 0 && t->b >= 0) || (along > 0 && t->a >= 0);

@@ -296,7 +296,7 @@ TEST(memory_by_counts_bounds_what_is_taken)
         test_arena.used = 0;
         random_scene(&scene, blocks, joints);
         NEED(sp_memory(&scene, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
-        const size_t loads = (size_t)scene.count.loads * (4 + sizeof(sp_load));
+        const size_t loads = 4 * (size_t)scene.count.loads;
         const size_t bound = SP_MEMORY_BYTES(blocks, joints, scene.count.points, 0) + loads;
         if (!CHECK(bytes <= bound)) TEST_PRINT("  %d blocks %d joints: %lu > %lu\n", (int)blocks, (int)joints,
                                                (unsigned long)bytes, (unsigned long)bound);
@@ -315,7 +315,7 @@ static void within(spread *s, const sp_scene *scene, const sp_settings *set, siz
 {
     size_t bytes = 0;
     NEED(sp_memory(scene, SP_FOR_CHECK, set, test_arena, &bytes) == SP_OK);
-    bound += (size_t)scene->count.loads * (4 + sizeof(sp_load));
+    bound += 4 * (size_t)scene->count.loads;
     if (!CHECK(bytes <= bound))
         TEST_PRINT("  %s, %d blocks %d joints %d vertices: %lu > %lu\n", s->what, (int)scene->count.blocks,
                    (int)scene->count.joints, (int)scene->count.points, (unsigned long)bytes, (unsigned long)bound);
