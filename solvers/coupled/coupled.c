@@ -57,7 +57,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     return SP_OK;
 }
 
-/* The search in the plane, where one plane is a mirror of everything (section 11): motions in it that turn about its normal, 3
+/* The search in the plane, where one plane is a mirror of everything (statics/mirror.c): motions in it that turn about its normal, 3
  * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
  * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose check has the last
  * word.

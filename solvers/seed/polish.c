@@ -1,4 +1,12 @@
-/* polish: alternating projections [seed 2.2] */
+/* polish: alternating projections between the cones and { Aeq f + p = 0 }.                                    [seed 2.2]
+ *
+ *   f <- P_K(f),   f <- f - Aeq' G^-1 (Aeq f + p),   one factor of G = Aeq Aeq'
+ *
+ * Ends when the forces in the cones balance, or when a window of rounds gains too little: an empty intersection never ends by
+ * itself, so this stage can only say STABLE. With the seed's constants in the settings the second step is taken in the metric of
+ * the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's gate, and it does not start where
+ * tension alone blocks the bilateral force.
+ */
 #ifndef SP__SEED_POLISH_C
 #define SP__SEED_POLISH_C
 
@@ -6,12 +14,6 @@
 #include "stages.c"
 
 #if SP__WITH_LARGE
-
-/* Alternating projections between the cones and E = { Aeq f + p = 0 }:  f <- P_K(f),  f <- f - Aeq' G^-1 (Aeq f + p), one
- * factor of G = Aeq Aeq'. Ends when the forces in the cones balance, or when a window of rounds gains too little: an empty
- * intersection never ends by itself, so this stage can only say STABLE. With the seed's constants in the settings the second
- * step is taken in the metric of the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's
- * gate, and it does not start where tension alone blocks the bilateral force.                            [seed 2.2] */
 
 /* f <- P_K(f + H^-1 Aeq' y) and r = Aeq f + p of it. */
 SP__NOINLINE static void sp__polish_round(sp__system *w, const sp_real *y, sp_real *f, sp_real *r)
@@ -53,11 +55,13 @@ SP__NOINLINE static sp_real sp__polish_look(sp__system *w, sp_real *f, sp_real *
     return w->budget.spent ? SP__HUGE : sp__system_imbalance(w, w->r);
 }
 
+/* Bytes the stage takes: a factor, and on a budget the best forces so far. */
 static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     return sp__system_need(pb, set, 0, set->budget > 0 ? 3 : 0, scratch);
 }
 
+/* The stage: rounds from the bilateral force until forces in the cones balance, or a window of them gains too little. */
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();

@@ -1,4 +1,11 @@
-/* program: the penalty form as a quadratic program [seed 1.5, 4] */
+/* program: the penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
+ *
+ *     min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2)        Aeq x = -p,   Afr x <= 0,   fp, fm >= 0       [seed 1.5, 4.2]
+ *
+ * Forces are counted in the largest load, moments in forces at the block's longest arm, so residuals don't depend on units.
+ * Its forces fp - fm, ft are put into the cones and judged; the multipliers of Aeq are a motion: dq of a certificate that there
+ * are no forces. Where the true cone is asked for the seed's pyramid takes its place, whose forces the true cone admits.
+ */
 #ifndef SP__SEED_PROGRAM_C
 #define SP__SEED_PROGRAM_C
 
@@ -10,13 +17,6 @@
 
 #if SP__WITH_LARGE
 
-/* The penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
- *
- *     min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2)        Aeq x = -p,   Afr x <= 0,   fp, fm >= 0       [seed 1.5, 4.2]
- *
- * Forces are counted in the largest load, moments in forces at the block's longest arm, so residuals don't depend on units.
- * Its forces fp - fm, ft are put into the cones and judged; the multipliers of Aeq are a motion: dq of a certificate that there
- * are no forces. Where the true cone is asked for the seed's pyramid takes its place, whose forces the true cone admits.  */
 #if SP__WITH_ADMM
 
 typedef struct sp__program_arrays {
@@ -35,6 +35,7 @@ typedef struct sp__program {
     sp_real unit;                       /* of force [N] */
 } sp__program;
 
+/* Arrays of the program from the arena. */
 static void sp__program_carve(sp__program_arrays *at, const sp_qp *qp, int32_t blocks, int32_t entries, sp_arena *a)
 {
     const size_t n = (size_t)qp->n, m = (size_t)qp->m;
@@ -49,6 +50,7 @@ static void sp__program_carve(sp__program_arrays *at, const sp_qp *qp, int32_t b
     at->arm = sp__take(a, (size_t)blocks, sizeof *at->arm);
 }
 
+/* The constants in the settings, or the table. */
 static const sp_seed *sp__seed_of(const sp_settings *set) { return set->seed ? set->seed : &sp__seed; }
 
 /* n and m, and the most entries A can have: 12 of Aeq and K of Afr a column, 2 signs a vertex.     returns -1: too large */

@@ -1,4 +1,4 @@
-/* stages: least squares as a stage, sparse and dense [seed 2.1] */
+/* stages: the bilateral force offered as the answer, by a sparse factor or a dense one; and the seed's gate for it. [seed 2.1] */
 #ifndef SP__SEED_STAGES_C
 #define SP__SEED_STAGES_C
 
@@ -33,6 +33,7 @@ SP__NOINLINE static sp__gate sp__seed_gate(sp__system *w, const sp_seed *seed, c
     return gate;
 }
 
+/* The bilateral force as the answer; with the seed's constants only where its gate lets it pass. */
 static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
                                    sp_arena *arena, sp_verdict *claim)
 {
@@ -53,17 +54,20 @@ static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set,
     return SP_OK;
 }
 
+/* The stage LEAST_SQUARES. */
 static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                        sp_verdict *claim)
 {
     return sp__bilateral_run(pb, set, set->seed ? SP__METRIC : SP__EXACT, state, arena, claim);
 }
 
+/* The stage DENSE: the same by a dense factor. */
 static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     return sp__bilateral_run(pb, set, SP__EXACT_DENSE, state, arena, claim);
 }
 
+/* Bytes of each. */
 static size_t sp__sparse_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     return sp__system_need(pb, set, 0, 0, scratch);

@@ -1,4 +1,4 @@
-/* table: the seed's constants, one table */
+/* table: the specification's constants, each with its section. */
 #ifndef SP__SEED_TABLE_C
 #define SP__SEED_TABLE_C
 

@@ -1,4 +1,10 @@
-/* bilateral: the bilateral force: least squares [seed 2.1] */
+/* bilateral: f0, the force of joints that may pull and slide as they like, by least squares.                  [seed 2.1]
+ *
+ *   (G + shift) y = -p,   G = Aeq S Aeq',   f0 = S Aeq' y         in the metric S
+ *
+ * Where p has a part that no contact resists at all y would run off by it; that part is taken out again:
+ * y <- y - shift (G + shift)^-1 y.
+ */
 #ifndef SP__STATICS_BILATERAL_C
 #define SP__STATICS_BILATERAL_C
 
@@ -7,14 +13,13 @@
 
 #if SP__WITH_LARGE
 
-/* Least squares in the metric: (G + shift) y = -p, G = Aeq S Aeq', and where p has a part that no contact resists at all
- * (then y would run off by it) that part is taken out again: y <- y - shift (G + shift)^-1 y.               [seed 2.1] */
-
+/* y <- y + s x */
 static void sp__system_axpy(sp__system *w, sp_real s, const sp_real *x, sp_real *y)
 {
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) y[k] += s * x[k];
 }
 
+/* |x| */
 static sp_real sp__system_norm(const sp__system *w, const sp_real *x)
 {
     return SP_SQRT(sp__dot(x, x, 6 * (size_t)w->pb->blocks));
@@ -45,7 +50,7 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
         sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         if (w->budget.spent) return;
         const sp_real now = sp__system_norm(w, w->r);
-        if (!w->singular && now > SP__SCALE_TOL * w->measure.load) {            /* again, for a matrix with null vectors in the load */
+        if (!w->singular && now > SP__SCALE_TOL * w->measure.load) {    /* again, for a matrix with null vectors in the load */
             w->singular = 1;
             it = -1;
             last = SP__HUGE;
@@ -60,7 +65,7 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
     memcpy(w->d, w->r, n * sizeof *w->d);
 }
 
-/* The same from the beginning, in the metric at hand. Factorises once. */
+/* Weights, factor and potential of the bilateral force, in the metric at hand. Factorises once. */
 static void sp__system_bilateral(sp__system *w)
 {
     sp__system_weights(w);

@@ -1,4 +1,6 @@
-/* exact: the exact stage: its run, in 6 rows a block or in 3 */
+/* exact: the exact stage, in 6 rows a block or in 3: bilateral force, Newton, interior points, proximal path, in that order, until
+ * one of them finds forces that balance or a mechanism that nothing resists.
+ */
 #ifndef SP__STATICS_EXACT_C
 #define SP__STATICS_EXACT_C
 
@@ -6,13 +8,15 @@
 
 #if SP__WITH_LARGE
 
+/* Bytes of the stage, reduced or not, whichever takes more. */
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     return sp__system_need_reduced(pb, set, SP__WITH_INTERIOR ? (size_t)set->faces : 0, scratch);
 }
 
-/* Do no joints part or slip under the bilateral force: is it P_K of itself, nearly? Then it is the answer.     f <- it
- * A light block beside a heavy one has digits of its own: what is much for its load is looked at with the forces on it. */
+/* Is the bilateral force already inside every cone, that is, P_K of itself up to a little? Then it is the answer, and state->f
+ * holds it. A light block beside a heavy one has digits of its own, so an imbalance that is much for its load is measured again
+ * with the forces on it. */
 SP__NOINLINE static int sp__bilateral_admissible(sp__system *w, sp_state *state)
 {
     const sp_real little = sp__max(w->set->tol / 1000, 64 * (sp_real)SP_EPSILON);
@@ -48,7 +52,8 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
     }
-    if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {   /* as near as y goes; on in forces */
+    if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {
+        /* y is as near as it goes: on in forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
         else memcpy(w->y, state->y, bytes);
@@ -59,8 +64,8 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     }
 }
 
-/* reduction (may be NULL): in 3 rows a block; its forces and motions are those of all 6. Without friction where that may be called for
- * the least force is all that is tried: it says what stands, and where it does not little is lost. */
+/* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped although
+ * the scene has some, only the least force is tried: it can prove stability and costs little. */
 SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction, sp_state *state,
                                             sp_arena *arena, sp_verdict *claim)
 {
@@ -104,6 +109,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     return SP_OK;
 }
 
+/* The stage in all 6 rows. */
 static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     return sp__exact_search(pb, set, NULL, state, arena, claim);

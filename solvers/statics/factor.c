@@ -1,4 +1,8 @@
-/* factor: its factor, and what it solves */
+/* factor: L L' = Aeq S DP Aeq' + shift, and x = (L L')^-1 b.
+ *
+ * Four ways behind one face: blocks of 6 x 6, of 3 x 3 in a reduced search, one dense triangle where a stage asks for it, and with
+ * SP_REAL_MIXED a factor in float that conjugate gradients refine.                                 [Polak, Ribiere 1969]
+ */
 #ifndef SP__STATICS_FACTOR_C
 #define SP__STATICS_FACTOR_C
 
@@ -143,7 +147,7 @@ SP__NOINLINE static void sp__reduction_assemble(sp__system *w, sp__law law, cons
         for (int q = 0; q < 3; q++) sp__bchol_d(&w->L)[6 * k + sp__column3[q]] += shift;
 }
 
-/* Solve by the factor of 3 rows. */
+/* x <- (L L')^-1 b in 3 rows a block; the other rows of x become 0. */
 static void sp__reduction_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
     sp_real *t = w->L.t;
@@ -222,6 +226,7 @@ static void sp__system_substitute(sp__system *w, const sp_real *b, sp_real *x)
     for (size_t k = 0; k < n; k++) x[6 * (size_t)w->L.perm[k / 6] + k % 6] = w->L.t[k];
 }
 
+/* Flops of one solution by the factor. */
 static int64_t sp__system_solve_flops(const sp__system *w)
 {
     const int64_t n = 6 * (int64_t)w->L.n;

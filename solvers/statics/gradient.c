@@ -1,4 +1,4 @@
-/* gradient: the forces of y, and the gradient of D */
+/* gradient: f(y) = S P_K(Aeq' y), the gradient Aeq f + p of D, its slope along a direction, and what blocks bear of f. */
 #ifndef SP__STATICS_GRADIENT_C
 #define SP__STATICS_GRADIENT_C
 

@@ -1,4 +1,10 @@
-/* hessian: the Hessian of D, block by block */
+/* hessian: Aeq S DP_K(Aeq' y) Aeq', contact by contact into blocks of 6 x 6, or of 3 x 3 in a reduced search.
+ *
+ *   H = sum over its vertices of (I, -[l]x)' D (I, -[l]x)         of a contact, in its frame
+ *   K_aa += Ta' H Ta,   K_bb += Tb' H Tb,   K_ab -= Ta' H Tb      moved to the centroids of its blocks
+ *
+ * D of a vertex: S DP_K(u), or E W^2 E' of the interior-point method.
+ */
 #ifndef SP__STATICS_HESSIAN_C
 #define SP__STATICS_HESSIAN_C
 

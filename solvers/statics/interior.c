@@ -18,7 +18,7 @@
  * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
  *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
 
-/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h from solvers/ipm.c.
+/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h of cone/ipm.c.
  * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
 SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp__visit *s)
 {
@@ -49,7 +49,7 @@ SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], s
     }
 }
 
-/* The same for one edge of a pyramid, where W^2 = x / z. */
+/* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. */
 static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
 {
     const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z;
@@ -140,7 +140,8 @@ static int sp__ipm_idle(const sp__system *w, const sp__ipm *m, int32_t c, const 
  * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
  * hide small ones. */
-SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e, sp_state *state)
+SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e,
+                                         sp_state *state)
 {
     const sp_problem *pb = w->pb;
     if (!sp__system_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;

@@ -1,4 +1,4 @@
-/* lift: from 3 rows a block to 6 and back */
+/* lift: motions and forces of a reduced search in all 6 rows of the scene's axes, and motions back; is a level scene a forest? */
 #ifndef SP__STATICS_LIFT_C
 #define SP__STATICS_LIFT_C
 
@@ -91,7 +91,7 @@ static void sp__reduction_lift(sp__system *w, sp_real *m)
 }
 
 #if SP__WITH_LIMIT
-/* And into them: planar rows alone; o NULL: nothing to do. */
+/* Motions into the axes e, planar rows alone; o NULL: nothing to do. */
 static void sp__reduction_drop(const sp__reduction *o, int32_t blocks, sp_real *m)
 {
     if (!SP__WITH_PLAN || !o) return;
@@ -102,7 +102,7 @@ static void sp__reduction_drop(const sp__reduction *o, int32_t blocks, sp_real *
 }
 #endif
 
-/* What a search in 3 rows has besides: frames, images, work of a factor. */
+/* A reduced search's own arrays filled: images, frames, work of a factor; is it a forest, is it frictionless? */
 SP__NOINLINE static void sp__reduction_make(sp__system *w)
 {
     const sp_problem *pb = w->pb;

@@ -1,14 +1,15 @@
-/* line: line search, proofs on the way */
+/* line: step lengths for Newton's method, and when a motion is a proof.
+ *
+ * Semismooth Newton on the dual with a line search, from the bilateral potential; where that stalls (collapse, or close to it),
+ * the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y grows into
+ * the mechanism.                                                                 [Qi, Sun 1993; Rockafellar 1976]
+ */
 #ifndef SP__STATICS_LINE_C
 #define SP__STATICS_LINE_C
 
 #include "gradient.c"
 
 #if SP__WITH_LARGE
-
-/* Semismooth Newton on the dual with a line search, from the bilateral potential; where that stalls (collapse, or close to
- * it), the proximal path: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
- * grows into the mechanism.                                                     [Qi, Sun 1993; Rockafellar 1976] */
 
 #ifdef SP_REAL_FLOAT
 #define SP__ENOUGH ((sp_real)0.9)       /* of tol: the search's own imbalance that will do */
@@ -35,11 +36,13 @@ typedef struct sp__newton {
 /* Is there work left to spend? */
 static int sp__newton_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }
 
+/* Are there neither forces that balance nor a proof? */
 static int sp__newton_unfinished(const sp__newton *n) { return n->imbalance > n->goal && !n->proved && !n->found; }
 
-/* What a search along d works with: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
+/* The search along d: slope(s) = d/ds [D(y + s d) + prox |y + s d|^2 / 2] = f(s) . d + yd + s dd. */
 typedef struct sp__line { sp_real yd, dd, start, noise; } sp__line;
 
+/* A slope so small ends it. */
 static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 * sp__abs(l->start), l->noise); }
 
 /* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
@@ -88,6 +91,7 @@ SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, co
     return (k.g ? most : S) * sum;
 }
 
+/* Work and resistance of the motion dq = -y; contacts are asked until they resist all of the work. */
 SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__proof *o)
 {
     const sp_problem *pb = w->pb;

@@ -78,11 +78,13 @@ static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_rea
     Y[5] += l[0] * f[1] - l[1] * f[0];
 }
 
-/* |f| and f.u, each of as many numbers as there are; u with friction weighed, f without. */
+/* |f| of as many numbers as there are. */
 static sp_real sp__view_norm(const sp__view *k, const sp_real f[3])
 {
     return k->g ? SP_SQRT(f[0] * f[0] + f[1] * f[1]) : sp__norm3(f);
 }
+
+/* f.u; friction is weighed in u, not in f. */
 static sp_real sp__view_power(const sp__system *w, const sp__view *k, const sp_real f[3], const sp_real u[3])
 {
     return f[0] * u[0] + (k->g ? f[1] * u[1] : f[1] * u[1] + f[2] * u[2]) / w->law.slide;

@@ -1,4 +1,4 @@
-/* mirror: planar and level scenes: which 3 rows a block are enough */
+/* mirror: in planar and level scenes 3 of a block's 6 rows are enough; which scenes, and which rows. */
 #ifndef SP__STATICS_MIRROR_C
 #define SP__STATICS_MIRROR_C
 
@@ -56,7 +56,7 @@ typedef struct sp__reduction {
     int forest, frictionless;           /* level: a forest; no friction, no joint across the loads */
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
     int32_t *image;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
-    sp_real *g;                         /* SP__REDUCTION_G a contact: frame, see sp__reduction_contact; T of a, of b, see sp__reduction_map */
+    sp_real *g;                         /* SP__REDUCTION_G a contact: frame (sp__reduction_contact); T of a, of b (sp__reduction_map) */
     int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
     int no_strength;                    /* no joint has strength */
     int spent;                          /* the budget ended its search */
@@ -265,7 +265,10 @@ static void sp__reduction_contact(const sp__reduction *o, const sp__cone *cone, 
 }
 
 /* The k-th row of three among six. */
-static size_t sp__reduction_row(const sp__reduction *o, int k) { return (size_t)(o->mode == SP__LEVEL_JOINTS ? 2 + k : k < 2 ? k : 5); }
+static size_t sp__reduction_row(const sp__reduction *o, int k)
+{
+    return (size_t)(o->mode == SP__LEVEL_JOINTS ? 2 + k : k < 2 ? k : 5);
+}
 
 /* Components of a world vector along e. */
 static void sp__reduction_turn(const sp__reduction *o, const sp_real x[3], sp_real out[3])
@@ -275,7 +278,7 @@ static void sp__reduction_turn(const sp__reduction *o, const sp_real x[3], sp_re
     out[0] = a; out[1] = b;
 }
 
-/* And back, in place. */
+/* A vector of components along e as one of the world, in place. */
 static void sp__reduction_turn_back(const sp__reduction *o, sp_real x[3])
 {
     const sp_real a = x[0], b = x[1], c = x[2];

@@ -1,4 +1,11 @@
-/* motion: rates at contact vertices of a motion, and forces gathered to blocks */
+/* motion: u = Aeq' y contact by contact, and its transpose.
+ *
+ *   V, W           velocity of B seen from A at the contact's origin, and its rotation, in the contact's frame
+ *   u = V + W x l  rate of a vertex at l
+ *   r += z (F, arm x F + M)           force F and moment M about the origin, on both blocks
+ *
+ * In a reduced search the same by 3 rows a block. Work is counted here, before it is done.
+ */
 #ifndef SP__STATICS_MOTION_C
 #define SP__STATICS_MOTION_C
 
@@ -15,6 +22,7 @@ static sp_real sp__system_S(const sp__system *w, int32_t c)
     return s > 0 ? s : 1;
 }
 
+/* Frame of a contact in a reduced search, and the maps of its two blocks behind it. */
 static const sp_real *sp__reduction_frame(const sp__system *w, const sp_contact *t)
 {
     return w->reduction->g + SP__REDUCTION_G * (size_t)(t - w->pb->contact);
@@ -182,7 +190,8 @@ SP__NOINLINE static void sp__reduction_twist(const sp__system *w, const sp_conta
 }
 
 /* sp__system_scatter into 3 rows a block. */
-SP__NOINLINE static void sp__reduction_scatter(const sp__system *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+SP__NOINLINE static void sp__reduction_scatter(const sp__system *w, const sp_contact *t, const sp_real F[3], const sp_real M[3],
+                                               sp_real *r)
 {
     const sp_real *g = sp__reduction_frame(w, t);
     const int plane = w->reduction->mode == SP__PLANE;
@@ -236,7 +245,8 @@ static void sp__system_force(const sp__system *w, int32_t c, const sp__yield *yi
 }
 
 /* sp__system_scatter into 6 rows a block. */
-SP__NOINLINE static void sp__full_scatter(const sp__system *w, const sp_contact *t, const sp_real F[3], const sp_real M[3], sp_real *r)
+SP__NOINLINE static void sp__full_scatter(const sp__system *w, const sp_contact *t, const sp_real F[3], const sp_real M[3],
+                                          sp_real *r)
 {
     sp_real f[3], m[3];
     for (int k = 0; k < 3; k++) {
@@ -280,7 +290,7 @@ static int sp__system_pay(sp__system *w, int64_t flops)
     return !w->budget.spent;
 }
 
-/* The same for so many flops a vertex and a contact, these parts of SP__FLOPS_TWIST. */
+/* Pays for so many flops a vertex and a contact, the latter in parts of SP__FLOPS_TWIST. */
 static int sp__system_count(sp__system *w, int32_t vertex, int32_t contact)
 {
     const sp__reduction *o = sp__reduced(w);
@@ -288,7 +298,7 @@ static int sp__system_count(sp__system *w, int32_t vertex, int32_t contact)
     return sp__system_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
 }
 
-/* So many sweeps over all vertices, each with so many twists; where a vertex has fn and one slip, of those. */
+/* Pays for so many sweeps over all vertices and so many twists; a vertex with fn and one slip costs less. */
 static int sp__system_sweep(sp__system *w, int32_t sweeps, int32_t twists)
 {
     const sp__reduction *o = sp__reduced(w);

@@ -1,4 +1,7 @@
-/* newton: semismooth Newton, proximal path */
+/* newton: semismooth Newton's method on D(y) and, where it stalls, along the proximal path; proofs are tried on the way.
+ *
+ *   (Aeq S DP_K Aeq' + prox + shift) d = -(r + prox y),   y <- y + s d          [Qi, Sun 1993; Rockafellar 1976]
+ */
 #ifndef SP__STATICS_NEWTON_C
 #define SP__STATICS_NEWTON_C
 
@@ -7,7 +10,7 @@
 
 #if SP__WITH_LARGE
 
-/* After a step: imbalance, best so far. */
+/* Keeps the imbalance after a step, and y in state->y if it is the best so far. */
 static void sp__newton_record(const sp__system *w, sp__newton *n, sp_state *state)
 {
     if (w->budget.spent) return;                               /* w->r is not of this y */
@@ -18,12 +21,14 @@ static void sp__newton_record(const sp__system *w, sp__newton *n, sp_state *stat
     }
 }
 
+/* r and the imbalance of the y at hand. */
 static void sp__newton_look(sp__system *w, sp__newton *n, sp_state *state)
 {
     sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
     sp__newton_record(w, n, state);
 }
 
+/* The line from y along d. */
 SP__NOINLINE static void sp__line_begin(const sp__system *w, const sp__newton *n, sp__line *l)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;

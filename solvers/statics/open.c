@@ -1,4 +1,4 @@
-/* open: making the system in an arena */
+/* open: the system of a problem made in an arena, in 6 rows a block or in 3. */
 #ifndef SP__STATICS_OPEN_C
 #define SP__STATICS_OPEN_C
 
@@ -44,7 +44,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     w->budget.spent = 0;
     w->law.soft = penalty && !set->net ? 1 / set->gamma : 0;
     w->law.slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
-    if (form == SP__METRIC) w->law.slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma));     /* fp and fm move together: 1 + 1/gamma */
+    if (form == SP__METRIC) w->law.slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma)); /* fp, fm move together */
     sp__cone_make(&w->law.cone);
     sp_real half;
     w->law.friction = 1;
@@ -59,6 +59,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     return w;
 }
 
+/* A system in all 6 rows. */
 static sp__system *sp__system_full(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
 {
     return sp__system_make(pb, set, form, NULL, cost, a);

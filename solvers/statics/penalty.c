@@ -1,4 +1,10 @@
-/* penalty: the penalty form: where help is wanted [seed 1.5] */
+/* penalty: where help is wanted, by the penalty form.                                       [seed 1.5; Kao 2022, Eq. 14]
+ *
+ *   min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2),   Aeq f + p = 0,   |ft| <= mu fp
+ *
+ * Tension at a price, so it always has a solution. It does not decide: a finite gamma buys a little tension even where none is
+ * needed.
+ */
 #ifndef SP__STATICS_PENALTY_C
 #define SP__STATICS_PENALTY_C
 
@@ -6,10 +12,7 @@
 
 #if SP__WITH_LARGE
 
-/* min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2), Aeq f + p = 0, |ft| <= mu fp: tension at a price, so it always has a solution
- * and shows where help is wanted. It does not decide: a finite gamma buys a little tension even where none is needed.
- *                                                                                            [seed 1.5; Kao 2022, Eq. 14] */
-
+/* The largest tension and excess of friction in each joint, by the forces of y. */
 SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
 {
     if (!sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
@@ -32,6 +35,7 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
     }
 }
 
+/* Newton on the penalty form, reduced where the scene lets it; demand is left alone where not even tension helps. */
 SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                            sp_demand *demand)
 {

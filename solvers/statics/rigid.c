@@ -1,15 +1,18 @@
-/* rigid: rigid groups: joints that do not open tie blocks together */
+/* rigid: joints that do not open tie blocks into rigid groups, and a mechanism is sharpened by them.
+ *
+ * A mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its square is what the
+ * Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of them, the root:
+ *
+ *   x_i = (v + w x (c_i - c_root), w)
+ *
+ * and conjugate gradients on the tied motions remove what the contacts between groups still resist.  [Hestenes, Stiefel 1952]
+ */
 #ifndef SP__STATICS_RIGID_C
 #define SP__STATICS_RIGID_C
 
 #include "bilateral.c"
 
 #if SP__WITH_LARGE
-
-/* A mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its
- * square is what the Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of
- * them, the root: x_i = (v + w x (c_i - c_root), w), and conjugate gradients on the tied motions remove what the contacts
- * between groups still resist.                                                             [Hestenes, Stiefel 1952] */
 
 /* up[i + 1]: group of free block i by its lowest number + 1, 0: the ground; joined where no vertex of a contact moves by more
  * than `play` of its blocks' motion. Blocks held in some directions stay with the ground. */
@@ -67,7 +70,7 @@ static void sp__rigid_prolong(const sp__system *w, int32_t *up, sp_real *x)
     }
 }
 
-/* Its transpose: every block's weighted row onto its root's, in place; other rows become 0. */
+/* The transpose of sp__rigid_prolong: every block's weighted row onto its root's, in place; other rows become 0. */
 static void sp__rigid_restrict(const sp__system *w, int32_t *up, sp_real *r)
 {
     for (int32_t i = 0; i < w->pb->blocks; i++) {

@@ -1,4 +1,6 @@
-/* size: what imbalances are measured by, as the search sees it */
+/* size: sbar and Sbar, what a block's imbalance of force and of moment is measured by, as the search sees them; and whether they
+ * differ so much from contact to contact that forces need a metric.
+ */
 #ifndef SP__STATICS_SIZE_C
 #define SP__STATICS_SIZE_C
 

@@ -1,13 +1,6 @@
-/* system: the dual D(y): its unknowns, weights and settings */
-#ifndef SP__STATICS_SYSTEM_C
-#define SP__STATICS_SYSTEM_C
-
-#include "../linear/bchol.c"
-#include "mirror.c"
-
-#if SP__WITH_LARGE
-
-/* The shortest force in the cones that balances p is f = S P_K(Aeq' y), where y minimises
+/* system: the dual problem, its vectors and its memory.
+ *
+ * The shortest force in the cones that balances p is f = S P_K(Aeq' y), where y minimises
  *
  *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y         gradient Aeq f + p,  Hessian Aeq S DP_K(u) Aeq'
  *
@@ -16,10 +9,17 @@
  * Rows are weighted to unit size, forces counted in the largest load, so nothing depends on units. The penalty form adds
  * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it always has a minimiser.
  */
+#ifndef SP__STATICS_SYSTEM_C
+#define SP__STATICS_SYSTEM_C
+
+#include "../linear/bchol.c"
+#include "mirror.c"
+
+#if SP__WITH_LARGE
 
 typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
 
-/* The interior-point method (section 19) has f = E x at a vertex, x in a cone that is its own dual. */
+/* The interior-point method (interior.c) has f = E x at a vertex, x in a cone that is its own dual. */
 typedef struct sp__ipm {
     sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
     sp_real force_scale;                /* force of x = e where S = 1 */
@@ -134,8 +134,10 @@ typedef struct sp__system {
  * that stands under it is gone. */
 static const sp__reduction *sp__reduced(const sp__system *w) { return SP__WITH_PLAN ? w->reduction : NULL; }
 
+/* Temporaries of the pass at hand. */
 static sp__visit *sp__visit_of(const sp__system *w) { return &w->scratch->of.visit; }
 
+/* Arrays of the graph and of L's columns from the arena. */
 static void sp__system_carve_graph(sp__system *w, const sp_problem *pb, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
@@ -147,6 +149,7 @@ static void sp__system_carve_graph(sp__system *w, const sp_problem *pb, sp_arena
     w->graph.mark = sp__take(a, b, sizeof *w->graph.mark);
 }
 
+/* All other arrays, for nnz blocks of L below the diagonal. */
 static void sp__system_carve(sp__system *w, const sp_problem *pb, int32_t faces, int32_t nnz, int dense, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
@@ -207,6 +210,7 @@ SP__NOINLINE static void sp__system_graph(sp__system *w)
     g->xadj[b] = to;
 }
 
+/* Work of the elimination order. */
 SP__NOINLINE static void sp__system_carve_order(const sp_problem *pb, sp_arena *a)
 {
     sp__order order;
@@ -271,12 +275,13 @@ static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, int 
     return less > whole ? less : whole;
 }
 
+/* Bytes of a system in 6 rows. */
 static size_t sp__system_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
 {
     return sp__system_most(pb, set, dense, rays, NULL, scratch);
 }
 
-/* The same of a search that may be in 3 rows first. */
+/* Bytes of a system that may be reduced first. */
 static size_t sp__system_need_reduced(const sp_problem *pb, const sp_settings *set, size_t rays, sp_arena scratch)
 {
     sp__reduction *o = sp__take(&scratch, 1, sizeof *o);

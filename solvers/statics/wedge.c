@@ -12,7 +12,7 @@
 
 #if SP__WITH_LARGE
 
-/* f = S u; f = S P_K(u); df = D du with D given, with D of section 19 */
+/* f = S u; f = S P_K(u); df = D du with D given, with D = E W^2 E' of the interior-point method */
 typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
 /* Levers of a vertex at l in the contact's frame. */
