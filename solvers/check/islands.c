@@ -119,7 +119,7 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 #endif
 
 /* The evidence of all islands, judged on the whole. */
-SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const sp__tour *w, sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const sp__island_loop *w, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     const int32_t *label = w->t.label;
@@ -165,15 +165,15 @@ SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coup
 }
 #endif
 
-/* The way over all islands, in the arena. */
-SP__NOINLINE static sp_status sp__tour_open(const sp_scene *scene, sp__check *c, sp_arena *a, sp__tour **walk)
+/* The loop over all islands, in the arena. */
+SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__check *c, sp_arena *a, sp__island_loop **walk)
 {
     const size_t start = a->used;
     sp_status status = SP_OK;
 #ifndef SP_NO_CRA
     if (c->set.coupled.asked) status = sp__islands_lengths(scene, &c->set.coupled, &c->set, *a);
 #endif
-    sp__tour *w = sp__take(a, 1, sizeof *w);
+    sp__island_loop *w = sp__take(a, 1, sizeof *w);
     if (status || !w) return status ? status : SP_E_MEMORY;
     memset(w, 0, sizeof *w);
     sp__islands_carve(&w->t, scene, c->r.islands, c->r.island, a);
@@ -186,13 +186,13 @@ SP__NOINLINE static sp_status sp__tour_open(const sp_scene *scene, sp__check *c,
 }
 
 /* Where another search came after the last that was refuted, whose proof has gone, that is sought again. */
-static int sp__tour_more(const sp__tour *w, const sp__check *c, int32_t k)
+static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, int32_t k)
 {
     return k < c->r.islands + (w->proof.nodes && !w->lies);
 }
 
 /* A check of the k-th island. A proof goes into the room the whole has for it. */
-SP__NOINLINE static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, int32_t k, const sp__check *c, sp_arena *a,
+SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__island_loop *w, int32_t k, const sp__check *c, sp_arena *a,
                                          sp__check **found)
 {
     w->at = k < c->r.islands ? k : w->proof.island - 1;
@@ -202,7 +202,7 @@ SP__NOINLINE static sp_status sp__tour_next(const sp_scene *scene, sp__tour *w, 
 }
 
 /* What it found. */
-SP__NOINLINE static void sp__tour_keep(sp__tour *w, const sp__check *found, sp__check *c, sp_arena *a)
+SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__check *found, sp__check *c, sp_arena *a)
 {
     const sp_coupled *o = &found->r.coupled;
     sp__island_rest(found);

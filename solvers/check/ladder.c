@@ -58,13 +58,13 @@ static void sp__cost_add(sp_cost *to, const sp_cost *c)
 
 /* The reason a result gives: the stage's own, unless the evidence says otherwise. A limit is near where some imbalance is
  * proved or what is left is some tol, and well below 1 where tol is coarse. */
-static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason told)
+static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_result *r, sp_reason reported)
 {
     const int close = r->least_imbalance > 0 || (r->imbalance <= SP__NEAR * r->tol && r->imbalance * r->imbalance <= r->tol);
-    if (r->verdict == SP_STABLE) return told == SP_REASON_NOTHING ? told : SP_REASON_FORCES;
-    if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? told : SP_REASON_MECHANISM;
-    if (told == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;
-    if (told == SP_REASON_BUDGET || stage != SP_STAGE_EXACT) return told;
+    if (r->verdict == SP_STABLE) return reported == SP_REASON_NOTHING ? reported : SP_REASON_FORCES;
+    if (r->verdict == SP_UNSTABLE) return claim == SP_UNSTABLE && stage == SP_STAGE_GATES ? reported : SP_REASON_MECHANISM;
+    if (reported == SP_REASON_UNVERIFIED && claim == SP_UNSTABLE && r->least_imbalance > 0) return SP_REASON_LIMIT;
+    if (reported == SP_REASON_BUDGET || stage != SP_STAGE_EXACT) return reported;
     return close ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
@@ -89,7 +89,7 @@ typedef struct sp__reduced_outcome {
 } sp__reduced_outcome;
 
 /* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
-SP__NOINLINE static sp_status sp__check_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
+SP__NOINLINE static sp_status sp__check_reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
                                             sp_arena *a, sp__reduced_outcome *s)
 {
     sp_arena room = sp__work_open(set, a);
@@ -113,7 +113,7 @@ SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_sett
 
 /* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
  * unless there is a budget. What a budget ended is judged, too. */
-SP__NOINLINE static sp_status sp__check_sought(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
+SP__NOINLINE static sp_status sp__check_reduced_outcome(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
                                             sp_arena *a, sp_result *r)
 {
     const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
@@ -133,10 +133,10 @@ SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_s
 {
     sp__reduced_outcome s = { SP_UNDECIDED, 0, 0, 0 };
     memset(&state->cost, 0, sizeof state->cost);
-    sp_status status = sp__check_search(pb, set, r, state, a, &s);
+    sp_status status = sp__check_reduced_search(pb, set, r, state, a, &s);
     if (!status && (s.claim || s.spent)) {
         r->verdict = SP_UNDECIDED;
-        status = sp__check_sought(pb, set, &s, state, a, r);
+        status = sp__check_reduced_outcome(pb, set, &s, state, a, r);
         if (r->verdict == SP_UNDECIDED) r->final = 0;
         if (r->verdict == SP_UNDECIDED && !s.spent) r->least_imbalance = 0;
         *done = s.spent || r->verdict != SP_UNDECIDED;

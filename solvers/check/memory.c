@@ -9,7 +9,7 @@
 
 #ifndef SP_SMALL
 /* What a check keeps: the result's arrays, in front of everything that goes again. */
-typedef struct sp__kept {
+typedef struct sp__result_arrays {
     sp_real *f, *dq, *y0;
     sp_demand *demand;
     int32_t *island;                    /* where there is more than one */
@@ -17,19 +17,19 @@ typedef struct sp__kept {
     sp_real *cdq, *alpha, *penalty;     /* of the coupled check, where it is asked */
     size_t used;                        /* of the arena so far */
     sp_proof proof;
-} sp__kept;
+} sp__result_arrays;
 
-static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_blocks, const sp__island_counts *apart, const sp_settings *set,
-                           sp_arena *a)
+static void sp__result_arrays_carve(sp__result_arrays *r, const sp_scene *scene, int32_t free_blocks,
+                                    const sp__island_counts *counts, const sp_settings *set, sp_arena *a)
 {
     memset(r, 0, sizeof *r);
     r->f = sp__take(a, (size_t)scene->count.points, 3 * sizeof *r->f);
     r->dq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->dq);
     r->y0 = sp__take(a, (size_t)free_blocks, 12 * sizeof *r->y0);
     r->demand = sp__take(a, (size_t)scene->count.joints, sizeof *r->demand);
-    if (apart->islands > 1) {
+    if (counts->islands > 1) {
         r->island = sp__take(a, (size_t)scene->count.blocks, sizeof *r->island);
-        r->part = sp__take(a, (size_t)apart->islands, sizeof *r->part);
+        r->part = sp__take(a, (size_t)counts->islands, sizeof *r->part);
     }
     r->used = a->used;
 #ifndef SP_NO_CRA
@@ -38,18 +38,19 @@ static void sp__kept_carve(sp__kept *r, const sp_scene *scene, int32_t free_bloc
     r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
     if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
     r->used = a->used;
-    sp__proof_carve(&r->proof, apart->points, apart->blocks, set, a);
+    sp__proof_carve(&r->proof, counts->points, counts->blocks, set, a);
 #else
     (void)set;
 #endif
 }
 
 /* Bytes of that. */
-SP__NOINLINE static size_t sp__kept_need(const sp_scene *scene, int32_t free_blocks, const sp__island_counts *apart, const sp_settings *set)
+SP__NOINLINE static size_t sp__result_arrays_need(const sp_scene *scene, int32_t free_blocks, const sp__island_counts *counts,
+                                                  const sp_settings *set)
 {
-    sp__kept kept;
+    sp__result_arrays kept;
     sp_arena dry = sp__arena_dry();
-    sp__kept_carve(&kept, scene, free_blocks, apart, set, &dry);
+    sp__result_arrays_carve(&kept, scene, free_blocks, counts, set, &dry);
     return dry.used;
 }
 
@@ -181,23 +182,23 @@ SP__NOINLINE static sp_status sp__part_need(const sp_scene *scene, const sp__par
     return SP_OK;
 }
 
-/* The way over all islands: where a check is, and what it keeps besides the result. */
-typedef struct sp__tour {
+/* The check of one island after the other: where it is, and what it keeps besides the result. */
+typedef struct sp__island_loop {
     sp__islands t;
     int32_t at, again;                  /* the island, 1: only for its proof */
     int32_t lies;                       /* the proof is still in the room that all share */
     sp_proof proof;                     /* of the last that was refuted */
     sp_real margin;
     size_t start, mark;                 /* of the arena: before this, behind the tables */
-} sp__tour;
+} sp__island_loop;
 
 /* Bytes of the tables and what is `behind`. */
-SP__NOINLINE static size_t sp__tour_bytes(const sp_scene *scene, int32_t count, size_t behind)
+SP__NOINLINE static size_t sp__island_loop_bytes(const sp_scene *scene, int32_t count, size_t behind)
 {
     sp__islands t;
     int32_t label = 0;
     sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sizeof(sp__tour));
+    sp__take(&dry, 1, sizeof(sp__island_loop));
     sp__islands_carve(&t, scene, count, &label, &dry);
     sp__take(&dry, 1, behind);
     return dry.used;
@@ -218,11 +219,11 @@ SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t co
         if (status) return status;
         if (*bytes > most) most = *bytes;
     }
-    *bytes = sp__tour_bytes(scene, count, most);
+    *bytes = sp__island_loop_bytes(scene, count, most);
     return SP_OK;
 }
 
-/* Bytes behind what a check keeps: islands apart, then all of them judged; or the whole. */
+/* Bytes behind what a check keeps: islands counts, then all of them judged; or the whole. */
 SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
 {
     if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
@@ -252,18 +253,18 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    sp__island_counts apart;
-    const sp_status counted = sp__islands_count(scene, settings, scratch, &apart);
+    sp__island_counts counts;
+    const sp_status counted = sp__islands_count(scene, settings, scratch, &counts);
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || counted) return SP_E_MEMORY;
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     size_t behind = 0;
     if (work) c->set.work = work;
-    if (!status) status = sp__work_need(scene, apart.islands, c, scratch, &behind);
+    if (!status) status = sp__work_need(scene, counts.islands, c, scratch, &behind);
     if (status) return status;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &c->pb);
-    sp__take(&dry, 1, sp__kept_need(scene, c->pb.blocks, &apart, &c->set));
+    sp__take(&dry, 1, sp__result_arrays_need(scene, c->pb.blocks, &counts, &c->set));
     sp__take(&dry, 1, sizeof *c);
     sp__take(&dry, 1, behind);
     *bytes = dry.used;

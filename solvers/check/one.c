@@ -36,7 +36,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
 
 #ifndef SP_NO_CRA
 /* eps and eta in force. */
-SP__NOINLINE static void sp__coupled_told_lengths(sp__check *c)
+SP__NOINLINE static void sp__report_lengths(sp__check *c)
 {
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     c->r.coupled.eps = k.eps > 0 ? k.L : 0;
@@ -50,7 +50,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     sp_coupled *out = &r->coupled;
     const size_t mark = a->used;
     sp_status status = SP_OK;
-    sp__coupled_told_lengths(c);
+    sp__report_lengths(c);
     c->state.left = sp__budget_left(&c->set, r);
     sp__points_read(&c->pb, 3, r->f, c->state.f);       /* on a budget the best of all stages */
     out->verdict = r->verdict == SP_UNSTABLE ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
@@ -68,7 +68,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
 }
 
 /* What that makes of the verdict of statics.     returns 1: another one */
-static int sp__coupled_told(const sp_settings *set, sp_coupling coupling, sp_coupling_reason why, sp_verdict *verdict,
+static int sp__apply_coupled_verdict(const sp_settings *set, sp_coupling coupling, sp_coupling_reason why, sp_verdict *verdict,
                             sp_reason *reason)
 {
     if (coupling <= SP_COUPLING_COUPLED || why == SP_COUPLING_STATICS) return 0;
@@ -115,9 +115,9 @@ SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_set
                                           sp_arena *a, sp__check **check)
 {
     sp_problem count;
-    sp__kept arrays;
+    sp__result_arrays arrays;
     sp__problem_count(scene, &count);
-    sp__kept_carve(&arrays, scene, count.blocks, counts, settings, a);
+    sp__result_arrays_carve(&arrays, scene, count.blocks, counts, settings, a);
     const size_t all = a->used;
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;

@@ -97,7 +97,7 @@ SP__NOINLINE static sp_status sp__plan_islands(const sp_scene *scene, int32_t co
 typedef struct sp__planner {
     sp_settings set;
     sp_outlook o;
-    sp__work whole, apart;
+    sp__work whole, planned;
 } sp__planner;
 
 /* Every effect in words, and what leaving it out saves. */
@@ -106,7 +106,7 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
     sp_outlook *o = &p->o;
     for (int32_t k = 0; k < SP_EFFECTS; k++)
         o->effect[k].why = sp__effect_why(&p->set, (sp_effect)k, sp__effect_present(scene, &p->set, o->islands, (sp_effect)k));
-    const sp__work *w = &p->apart;
+    const sp__work *w = &p->planned;
     o->effect[SP_EFFECT_TOGETHER].flops = p->whole.flops - w->flops;
     o->effect[SP_EFFECT_TOGETHER].bytes = (int64_t)o->full_bytes - (int64_t)o->bytes;
     o->full_unknowns = p->whole.unknowns;
@@ -139,15 +139,15 @@ SP__NOINLINE static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p
 {
     const sp_choice together = p->set.effect[SP_EFFECT_TOGETHER];
     sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
-    sp__island_counts apart = { 1, 0, 0 };
-    if (!status) status = sp__islands_count(scene, &p->set, scratch, &apart);
-    p->o.islands = apart.islands;
-    if (!status && p->o.islands > 1) status = sp__plan_islands(scene, p->o.islands, &p->set, scratch, &p->apart);
+    sp__island_counts counts = { 1, 0, 0 };
+    if (!status) status = sp__islands_count(scene, &p->set, scratch, &counts);
+    p->o.islands = counts.islands;
+    if (!status && p->o.islands > 1) status = sp__plan_islands(scene, p->o.islands, &p->set, scratch, &p->planned);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);
     if (!status) status = sp__plan_whole(scene, &p->set, scratch, &p->whole);
     p->set.effect[SP_EFFECT_TOGETHER] = together;
-    if (p->o.islands < 2) p->apart = p->whole;
+    if (p->o.islands < 2) p->planned = p->whole;
     return status;
 }
 

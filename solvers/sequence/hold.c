@@ -19,11 +19,11 @@ SP__NOINLINE static int sp__hold_stands(sp__hold *h)
     for (int32_t k = 0; k < h->members; k++) {
         sp__check *c = NULL;
         const int32_t root = h->member[k];
-        if (!sp__loose(q, root) || sp__root(q->up, root) != root) continue;
+        if (!sp__free_now(q, root) || sp__root(q->up, root) != root) continue;
         h->over |= h->budget > 0 && q->cost.flops >= h->budget;
         if (h->over) return 0;
         sp__part_island(q, root);
-        h->status = sp__part_check(q, q->f_kept, q->dq_kept, &c);           /* what is known of the step stays */
+        h->status = sp__part_check(q, q->f_saved, q->dq_saved, &c);           /* what is known of the step stays */
         if (h->status) { h->over = 1; return 0; }
         if (c->r.verdict == SP_STABLE) continue;
         h->unsure |= c->r.verdict == SP_UNDECIDED;
@@ -42,7 +42,7 @@ SP__NOINLINE static int sp__hold_stands(sp__hold *h)
 
 static void sp__hold_all(const sp__hold *h, sp_presence presence)
 {
-    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = presence;
+    for (int32_t k = 0; k < h->members; k++) h->q->state[h->member[k]].presence = presence;
 }
 
 /* must[b]: b falls even when all other members are held. */
@@ -52,22 +52,22 @@ SP__NOINLINE static void sp__hold_must(sp__hold *h)
     sp__hold_all(h, SP_HELD);
     for (int32_t k = 0; k < h->members && !h->over; k++) {
         h->unsure = 0;                                  /* of these sets nothing is claimed but who falls */
-        q->stone[h->member[k]].presence = SP_PRESENT;
+        q->state[h->member[k]].presence = SP_PRESENT;
         q->must[h->member[k]] = !sp__hold_stands(h) && !h->over && !h->unsure;
-        q->stone[h->member[k]].presence = SP_HELD;
+        q->state[h->member[k]].presence = SP_HELD;
     }
 }
 
 /* Exactly the members of this set are held. */
 static void sp__hold_set(const sp__hold *h, uint32_t set)
 {
-    for (int32_t k = 0; k < h->members; k++) h->q->stone[h->member[k]].presence = set >> k & 1u ? SP_HELD : SP_PRESENT;
+    for (int32_t k = 0; k < h->members; k++) h->q->state[h->member[k]].presence = set >> k & 1u ? SP_HELD : SP_PRESENT;
 }
 
 static int32_t sp__hold_size(const sp__hold *h)
 {
     int32_t n = 0;
-    for (int32_t k = 0; k < h->members; k++) n += h->q->stone[h->member[k]].presence == SP_HELD;
+    for (int32_t k = 0; k < h->members; k++) n += h->q->state[h->member[k]].presence == SP_HELD;
     return n;
 }
 
@@ -94,16 +94,16 @@ SP__NOINLINE static sp_held_proof sp__hold_one(sp__hold *h)
     if (sp__hold_size(h) < 2) return SP_HELD_MINIMAL;
     if (sp__hold_size(h) > 2) return SP_HELD_IRREDUCIBLE;
     for (int32_t k = 0; k < h->members; k++)
-        if (q->stone[h->member[k]].presence == SP_HELD) pair[n++] = h->member[k];
+        if (q->state[h->member[k]].presence == SP_HELD) pair[n++] = h->member[k];
     sp__hold_all(h, SP_PRESENT);
     for (int32_t k = 0; k < h->members && !h->over; k++) {
         const int32_t b = h->member[k];
         if (b == pair[0] || b == pair[1] || (h->known && !q->must[b])) continue;    /* the pair itself: letting go has tried */
-        q->stone[b].presence = SP_HELD;
+        q->state[b].presence = SP_HELD;
         if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
-        q->stone[b].presence = SP_PRESENT;
+        q->state[b].presence = SP_PRESENT;
     }
-    q->stone[pair[0]].presence = q->stone[pair[1]].presence = SP_HELD;
+    q->state[pair[0]].presence = q->state[pair[1]].presence = SP_HELD;
     return h->over ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
 }
 
@@ -115,17 +115,17 @@ SP__NOINLINE static sp_held_proof sp__hold_guided(sp__hold *h)
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
         must += q->must[b];
-        q->stone[b].presence = q->must[b] || q->was[b] ? SP_HELD : SP_PRESENT;
+        q->state[b].presence = q->must[b] || q->was[b] ? SP_HELD : SP_PRESENT;
     }
     while (!sp__hold_stands(h)) {
         if (h->over) { sp__hold_all(h, SP_HELD); return SP_HELD_ENOUGH; }
-        q->stone[h->worst].presence = SP_HELD;
+        q->state[h->worst].presence = SP_HELD;
     }
     for (int32_t k = 0; k < h->members && !h->over; k++) {
         const int32_t b = h->member[k];
-        if (q->stone[b].presence != SP_HELD || q->must[b]) continue;
-        q->stone[b].presence = SP_PRESENT;
-        if (!sp__hold_stands(h)) q->stone[b].presence = SP_HELD;
+        if (q->state[b].presence != SP_HELD || q->must[b]) continue;
+        q->state[b].presence = SP_PRESENT;
+        if (!sp__hold_stands(h)) q->state[b].presence = SP_HELD;
     }
     h->known = must;
     return h->over ? SP_HELD_ENOUGH : sp__hold_size(h) == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
@@ -138,16 +138,16 @@ SP__NOINLINE static sp_status sp__hold_island(sp__hold *h)
     h->worst = h->member[0];
     for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
     sp__hold_must(h);
-    h->unsure = q->stone[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
+    h->unsure = q->state[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
     sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_exhaust(h) : sp__hold_guided(h);
     if (proof == SP_HELD_IRREDUCIBLE) proof = sp__hold_one(h);
     if (h->unsure) proof = SP_HELD_ENOUGH;
     if (proof > h->proof) h->proof = proof;
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
-        q->was[b] = q->stone[b].presence == SP_HELD;
+        q->was[b] = q->state[b].presence == SP_HELD;
         if (q->was[b]) q->answer[h->count++] = b;
-        q->stone[b].presence = SP_PRESENT;
+        q->state[b].presence = SP_PRESENT;
     }
     sp__sequence_islands(q);
     return h->status;
@@ -164,10 +164,10 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     h->budget = budget;
     sp__sequence_start(q);
     for (int32_t root = 0; root < q->scene->count.blocks; root++) {
-        if (!sp__loose(q, root) || sp__root(q->up, root) != root || q->stone[root].verdict == SP_STABLE) continue;
+        if (!sp__free_now(q, root) || sp__root(q->up, root) != root || q->state[root].verdict == SP_STABLE) continue;
         h->members = 0;
         for (int32_t b = root; b < q->scene->count.blocks; b++)
-            if (sp__loose(q, b) && sp__root(q->up, b) == root) q->list[h->members++] = b;
+            if (sp__free_now(q, b) && sp__root(q->up, b) == root) q->list[h->members++] = b;
         const sp_status status = sp__hold_island(h);
         if (status) return status;
     }

@@ -11,9 +11,9 @@ SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
 {
     for (int32_t k = 0; k < c->pb.blocks; k++) {
         const int32_t b = c->pb.block[k];
-        sp__stone *s = &q->stone[b];
-        s->plain = 0;
-        if (c->r.verdict == SP_STABLE) sp__stone_weigh(q, b);
+        sp__block_state *s = &q->state[b];
+        s->certified = 0;
+        if (c->r.verdict == SP_STABLE) sp__block_certify(q, b);
         if (c->r.verdict != SP_UNSTABLE) memset(q->dq + 6 * (size_t)b, 0, 6 * sizeof *q->dq);
         s->verdict = c->r.verdict;
         s->reason = c->r.reason;
@@ -24,7 +24,7 @@ SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
     q->again += c->pb.blocks;
 }
 
-static void sp__lean_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
+static void sp__local_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
 {
     if (q->mark[b]) return;
     q->mark[b] = 1;
@@ -33,10 +33,10 @@ static void sp__lean_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
 }
 
 /* How far block s is from block o across gravity g, squared; -1: s is not below b. */
-static sp_real sp__lean_aside(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
+static sp_real sp__local_aside(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
 {
     const sp_real *g = q->scene->gravity, size = sp__norm3(g);
-    const int32_t s = sp__beside(t, b);
+    const int32_t s = sp__neighbour(t, b);
     sp_real d[3], n[3];
     sp__scale3(t->joint->a == b ? 1 : -1, t->joint->n, n);
     if (!(sp__dot3(n, g) > SP__BELOW * size)) return -1;
@@ -46,61 +46,61 @@ static sp_real sp__lean_aside(const sp_sequence *q, const sp_contact *t, int32_t
 }
 
 /* The blocks below block b that lie straightest below block o, unless b reaches something fixed. */
-SP__NOINLINE static void sp__lean_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
+SP__NOINLINE static void sp__local_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
 {
     sp_real least = SP__HUGE;
     for (int pass = 0; pass < 2; pass++)
         for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
             const sp_contact *t = &q->pb.contact[q->joint[k]];
-            const int32_t s = sp__beside(t, b);
-            const sp_real aside = q->stone[s].presence == SP_ABSENT ? -1 : sp__lean_aside(q, t, b, o);
+            const int32_t s = sp__neighbour(t, b);
+            const sp_real aside = q->state[s].presence == SP_ABSENT ? -1 : sp__local_aside(q, t, b, o);
             if (aside < 0) continue;
-            if (!sp__loose(q, s)) return;
-            if (pass && aside <= (sp_real)1.05 * least) sp__lean_add(q, s, o, n);
+            if (!sp__free_now(q, s)) return;
+            if (pass && aside <= (sp_real)1.05 * least) sp__local_add(q, s, o, n);
             if (aside < least) least = aside;
         }
 }
 
 /* All loose blocks that block b touches. */
-static void sp__lean_beside(sp_sequence *q, int32_t b, int32_t *n)
+static void sp__local_neighbours(sp_sequence *q, int32_t b, int32_t *n)
 {
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
-        const int32_t s = sp__beside(&q->pb.contact[q->joint[k]], b);
-        if (sp__loose(q, s)) sp__lean_add(q, s, b, n);
+        const int32_t s = sp__neighbour(&q->pb.contact[q->joint[k]], b);
+        if (sp__free_now(q, s)) sp__local_add(q, s, b, n);
     }
 }
 
-/* The island of `root`: marks what is not plain and what is below that, wide: and what touches those.
+/* The island of `root`: marks what is not certified and what is below that, wide: and what touches those.
  *     returns how many; 0: nothing, -1: most of it */
-SP__NOINLINE static int32_t sp__lean_choose(sp_sequence *q, int32_t root, int wide)
+SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int wide)
 {
     int32_t n = 0, size = 0;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
     for (int32_t b = root; b < q->scene->count.blocks; b++) {
-        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        if (!sp__free_now(q, b) || sp__root(q->up, b) != root) continue;
         size++;
-        if (!q->stone[b].plain) sp__stone_weigh(q, b);
-        if (!q->stone[b].plain) sp__lean_add(q, b, b, &n);
+        if (!q->state[b].certified) sp__block_certify(q, b);
+        if (!q->state[b].certified) sp__local_add(q, b, b, &n);
     }
-    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__lean_below(q, q->list[k], q->origin[k], &n);
+    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__local_below(q, q->list[k], q->origin[k], &n);
     const int32_t narrow = wide ? n : 0;
-    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__lean_beside(q, q->list[k], &n);
+    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__local_neighbours(q, q->list[k], &n);
     return 2 * n > size ? -1 : n;
 }
 
 /* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
-SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
+SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 {
     for (int32_t i = 0; i < pb->blocks; i++) {
         const int32_t b = pb->block[i];
         sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
         for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
             const sp_contact *t = &q->pb.contact[q->joint[k]];
-            const int32_t s = sp__beside(t, b);
-            if (!sp__loose(q, s) || q->mark[s]) continue;
+            const int32_t s = sp__neighbour(t, b);
+            if (!sp__free_now(q, s) || q->mark[s]) continue;
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 sp_real F[3], m[3];
-                sp__stone_force(q, t, b, v, F, m);
+                sp__block_force(q, t, b, v, F, m);
                 for (int c = 0; c < 3; c++) { p[c] += q->certificate.unit * F[c]; p[3 + c] += q->certificate.unit * m[c]; }
                 size[0] += q->certificate.unit * sp__norm3(F);
                 size[1] += q->certificate.unit * sp__norm3(m);
@@ -112,13 +112,13 @@ SP__NOINLINE static void sp__lean_load(sp_sequence *q, const sp_problem *pb)
     }
 }
 
-/* Forces of the part's joints, admitted.     returns 1 if all its blocks are plain then */
-SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
+/* Forces of the part's joints, admitted.     returns 1 if all its blocks are certified then */
+SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
 {
-    int plain = 1;
+    int certified = 1;
     for (int32_t k = 0; k < c->pb.contacts; k++) {
         const sp_contact *t = &c->pb.contact[k];
-        q->certificate.cap = q->set.force_bound * sp__stone_load(q, t);
+        q->certificate.cap = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
             sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(t->point + v), g);
@@ -127,15 +127,15 @@ SP__NOINLINE static int sp__lean_keep(sp_sequence *q, const sp__check *c)
         }
     }
     for (int32_t k = 0; k < c->pb.blocks; k++) {
-        sp__stone_weigh(q, c->pb.block[k]);
-        plain &= q->stone[c->pb.block[k]].plain;
+        sp__block_certify(q, c->pb.block[k]);
+        certified &= q->state[c->pb.block[k]].certified;
     }
-    return plain;
+    return certified;
 }
 
 /* The marked blocks alone, all other forces as they are: in their plane where they, with these as loads, have one.
- *     returns 1 if they are plain then */
-SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
+ *     returns 1 if they are certified then */
+SP__NOINLINE static int sp__local_solve(sp_sequence *q)
 {
     sp__check *c = NULL;
     sp__reduction *reduction = NULL;
@@ -143,33 +143,33 @@ SP__NOINLINE static int sp__lean_solve(sp_sequence *q)
     sp_verdict claim = SP_UNDECIDED;
     sp__part_choose(q);
     if (sp__part_begin(q, q->f, q->dq, &a, &c)) return 0;
-    sp__lean_load(q, &c->pb);
+    sp__local_load(q, &c->pb);
     sp_arena room = a;
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
     if (o && sp__reduction_choose(&c->pb, &c->set, o) && o->mode == SP__PLANE) { reduction = o; a = room; }
-    if (c->set.iterations > SP__LEAN_STEPS) c->set.iterations = SP__LEAN_STEPS;
-    c->set.tol *= SP__LEAN_TOL;
+    if (c->set.iterations > SP__LOCAL_STEPS) c->set.iterations = SP__LOCAL_STEPS;
+    c->set.tol *= SP__LOCAL_TOL;
     c->state.left = sp__budget_left(&c->set, &c->r);
     const sp_status status = sp__exact_search(&c->pb, &c->set, reduction, &c->state, &a, &claim);
     sp__cost_add(&q->cost, &c->state.cost);
     q->again += c->pb.blocks;
-    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__lean_keep(q, c);
+    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__local_keep(q, c);
 }
 
 /* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
-SP__NOINLINE static int sp__lean_island(sp_sequence *q, int32_t root)
+SP__NOINLINE static int sp__local_island(sp_sequence *q, int32_t root)
 {
     int exact = 0, done = 0;
     for (int32_t k = 0; k < q->set.stage_count; k++) exact |= q->set.stage[k] == SP_STAGE_EXACT;
     for (int wide = 0; wide < 2 && exact && !done; wide++) {
-        const int32_t n = sp__lean_choose(q, root, wide);
+        const int32_t n = sp__local_choose(q, root, wide);
         if (n < 0) return 0;
-        done = n == 0 || sp__lean_solve(q);
+        done = n == 0 || sp__local_solve(q);
     }
     if (!done) return 0;
     for (int32_t b = root; b < q->scene->count.blocks; b++) {
-        sp__stone *s = &q->stone[b];
-        if (!sp__loose(q, b) || sp__root(q->up, b) != root) continue;
+        sp__block_state *s = &q->state[b];
+        if (!sp__free_now(q, b) || sp__root(q->up, b) != root) continue;
         s->verdict = SP_STABLE;
         s->reason = SP_REASON_FORCES;
         s->final = 0;

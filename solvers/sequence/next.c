@@ -12,10 +12,10 @@
 static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
 {
     if (q->row[b] < 0) return 0;
-    if (!add) return q->stone[b].presence == SP_PRESENT;
-    if (q->stone[b].presence != SP_ABSENT) return 0;
+    if (!add) return q->state[b].presence == SP_PRESENT;
+    if (q->state[b].presence != SP_ABSENT) return 0;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++)
-        if (q->stone[sp__beside(&q->pb.contact[q->joint[k]], b)].presence != SP_ABSENT) return 1;
+        if (q->state[sp__neighbour(&q->pb.contact[q->joint[k]], b)].presence != SP_ABSENT) return 1;
     return 0;
 }
 
@@ -40,18 +40,18 @@ SP__NOINLINE static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t ad
 {
     const size_t n = (size_t)q->scene->count.blocks, v = 3 * (size_t)q->scene->count.points;
     const int32_t was = q->was[b];
-    memcpy(q->stone_kept, q->stone, n * sizeof *q->stone);
-    memcpy(q->f_kept, q->f, v * sizeof *q->f);
-    memcpy(q->dq_kept, q->dq, 6 * n * sizeof *q->dq);
+    memcpy(q->state_saved, q->state, n * sizeof *q->state);
+    memcpy(q->f_saved, q->f, v * sizeof *q->f);
+    memcpy(q->dq_saved, q->dq, 6 * n * sizeof *q->dq);
     sp__sequence_change(q, b, add ? SP_PRESENT : SP_ABSENT);
     sp__sequence_islands(q);
-    sp__sequence_touch(q, b);
-    const sp_status status = sp__sequence_look(q);
+    sp__sequence_mark_stale(q, b);
+    const sp_status status = sp__sequence_recheck(q);
     *stands = 1;
-    for (int32_t k = 0; k < q->scene->count.blocks; k++) *stands &= !sp__loose(q, k) || q->stone[k].verdict == SP_STABLE;
-    memcpy(q->stone, q->stone_kept, n * sizeof *q->stone);
-    memcpy(q->f, q->f_kept, v * sizeof *q->f);
-    memcpy(q->dq, q->dq_kept, 6 * n * sizeof *q->dq);
+    for (int32_t k = 0; k < q->scene->count.blocks; k++) *stands &= !sp__free_now(q, k) || q->state[k].verdict == SP_STABLE;
+    memcpy(q->state, q->state_saved, n * sizeof *q->state);
+    memcpy(q->f, q->f_saved, v * sizeof *q->f);
+    memcpy(q->dq, q->dq_saved, 6 * n * sizeof *q->dq);
     q->was[b] = was;
     sp__sequence_islands(q);
     return status;

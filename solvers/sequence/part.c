@@ -13,7 +13,7 @@ static void sp__sequence_islands(sp_sequence *q)
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
     for (int32_t c = 0; c < q->pb.contacts; c++) {
         const sp_joint *t = q->pb.contact[c].joint;
-        if (sp__loose(q, t->a) && sp__loose(q, t->b)) sp__join(q->up, t->a, t->b);
+        if (sp__free_now(q, t->a) && sp__free_now(q, t->b)) sp__join(q->up, t->a, t->b);
     }
 }
 
@@ -24,7 +24,7 @@ static int sp__part_has(const sp_sequence *q, int32_t c)
     const int32_t end[2] = { t->a, t->b };
     if (!q->mark[t->a] && !q->mark[t->b]) return 0;
     for (int k = 0; k < 2; k++)
-        if (!q->mark[end[k]] && (q->stone[end[k]].presence == SP_ABSENT || sp__loose(q, end[k]))) return 0;
+        if (!q->mark[end[k]] && (q->state[end[k]].presence == SP_ABSENT || sp__free_now(q, end[k]))) return 0;
     return 1;
 }
 
@@ -52,7 +52,7 @@ SP__NOINLINE static void sp__part_choose(sp_sequence *q)
 /* The part of the island of `root`. */
 static void sp__part_island(sp_sequence *q, int32_t root)
 {
-    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = sp__loose(q, b) && sp__root(q->up, b) == root;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = sp__free_now(q, b) && sp__root(q->up, b) == root;
     sp__part_choose(q);
 }
 
@@ -81,7 +81,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real
 }
 
 /* F, m: force on block b at vertex v of contact t, its moment about the centroid, both in units. */
-static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
+static void sp__block_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
 {
     const sp_joint *j = t->joint;
     const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certificate.unit;
@@ -92,13 +92,13 @@ static void sp__stone_force(const sp_sequence *q, const sp_contact *t, int32_t b
 }
 
 /* |load| of the free blocks of a contact, the lesser, in units; SP__HUGE: none of them is loose. */
-static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
+static sp_real sp__contact_least_load(const sp_sequence *q, const sp_contact *t)
 {
     sp_real least = SP__HUGE;
     for (int side = 0; side < 2; side++) {
         const int32_t b = side ? t->joint->b : t->joint->a;
         sp_real p[6];
-        if (!sp__loose(q, b)) continue;
+        if (!sp__free_now(q, b)) continue;
         sp__certificate_load(&q->certificate, q->row[b], p);
         const sp_real load = sp__norm3(p);
         if (load < least) least = load;
@@ -106,21 +106,21 @@ static sp_real sp__stone_load(const sp_sequence *q, const sp_contact *t)
     return least;
 }
 
-/* Is block b plain? Its imbalance, or more. */
-SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
+/* Is block b certified? Its imbalance, or more. */
+SP__NOINLINE static void sp__block_certify(sp_sequence *q, int32_t b)
 {
-    sp__stone *s = &q->stone[b];
+    sp__block_state *s = &q->state[b];
     sp_real r[6], m1 = 0;
     int large = 0;
     sp__certificate_load(&q->certificate, q->row[b], r);
     const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];
-        if (q->stone[sp__beside(t, b)].presence == SP_ABSENT) continue;
-        const sp_real most = q->set.force_bound * sp__stone_load(q, t);
+        if (q->state[sp__neighbour(t, b)].presence == SP_ABSENT) continue;
+        const sp_real most = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real F[3], m[3];
-            sp__stone_force(q, t, b, v, F, m);
+            sp__block_force(q, t, b, v, F, m);
             for (int c = 0; c < 3; c++) { r[c] += F[c]; r[3 + c] += m[c]; }
             if (m1 < lever) m1 += sp__norm3(m);
             large |= sp__dot3(F, F) > most * most;
@@ -129,7 +129,7 @@ SP__NOINLINE static void sp__stone_weigh(sp_sequence *q, int32_t b)
     }
     const sp_real arm = m1 < lever ? m1 : lever;
     s->imbalance = sp__max(sp__ratio(sp__norm3(r), (sp_real)1.8 * load), sp__ratio(sp__norm3(r + 3), couple + arm));
-    s->plain = s->imbalance <= SP__PLAIN_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
+    s->certified = s->imbalance <= SP__CERTIFIED_TOL * q->set.tol && !large && q->lever[q->row[b]] > 0;
 }
 
 #endif

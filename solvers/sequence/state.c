@@ -9,27 +9,27 @@
 /* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
  * own, the part: its blocks, the held ones and supports that they touch, the joints between.
  *
- * Before that the forces of the step before are tried. A block is called plain if its forces f pass sp_check's certificate
+ * Before that the forces of the step before are tried. A block is called certified if its forces f pass sp_check's certificate
  * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, s >= 1.8 |load| (what balances a load is no
  * less than it, and f0 does to three digits, or counts as the load), and with tol' a little less than tol, for rounding,
  *
  *     |r| <= tol' 1.8 |load|,   |m| <= tol' (|couple| + min(sum |x_v x f_v|, lever |load|)),   |f_v| <= force_bound min |load|
  *
- * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of plain blocks stands. Where a step left some that are not,
+ * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of certified blocks stands. Where a step left some that are not,
  * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
 
-#define SP__LEAN_STEPS 4                /* factorisations for that */
-#define SP__LEAN_TOL ((sp_real)0.25)    /* of tol for that: its blocks bear the forces of others */
-#define SP__PLAIN_TOL ((sp_real)0.9)    /* tol' of tol */
+#define SP__LOCAL_STEPS 4                /* factorisations for that */
+#define SP__LOCAL_TOL ((sp_real)0.25)    /* of tol for that: its blocks bear the forces of others */
+#define SP__CERTIFIED_TOL ((sp_real)0.9)    /* tol' of tol */
 #define SP__BELOW ((sp_real)0.2)        /* cosine between gravity and a joint's normal from which on a block is below another */
 
-typedef struct sp__stone {
+typedef struct sp__block_state {
     sp_presence presence;
     sp_verdict verdict;                 /* of its island */
     sp_reason reason;
-    int32_t final, plain, stale;
+    int32_t final, certified, stale;
     sp_real imbalance, least;
-} sp__stone;
+} sp__block_state;
 
 /* A search for what to hold (section 33). */
 typedef struct sp__hold {
@@ -51,7 +51,7 @@ struct sp_sequence {
     sp_problem pb;                      /* of the finished scene, all blocks there */
     sp__certificate certificate;                    /* its units and cone */
     sp__part part;                      /* the blocks at hand, in the order of elimination, and their joints and loads */
-    sp__stone *stone, *stone_kept;      /* per block */
+    sp__block_state *state, *state_saved;      /* per block */
     int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
     int32_t *start, *joint;             /* contacts of pb at each block */
     sp_real *lever;                     /* per row [m] */
@@ -59,7 +59,7 @@ struct sp_sequence {
     int32_t *block_next, *joint_next, *load_next;   /* lists of the part */
     int32_t *list, *origin;             /* blocks to be solved, and above which block that began */
     int32_t *answer, *must, *was;       /* of the search for what to hold */
-    sp_real *f, *f_kept, *dq, *dq_kept;
+    sp_real *f, *f_saved, *dq, *dq_saved;
     sp_arena work;
     sp__hold hold;
     sp_cost cost;
@@ -84,13 +84,13 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->joint = sp__take(a, c, 2 * sizeof *q->joint);
     q->joint_next = sp__take(a, (size_t)scene->count.joints, sizeof *q->joint_next);
     q->load_next = sp__take(a, (size_t)scene->count.loads, sizeof *q->load_next);
-    q->stone = sp__take(a, n, sizeof *q->stone);
-    q->stone_kept = sp__take(a, n, sizeof *q->stone_kept);
+    q->state = sp__take(a, n, sizeof *q->state);
+    q->state_saved = sp__take(a, n, sizeof *q->state_saved);
     q->lever = sp__take(a, (size_t)count->blocks, sizeof *q->lever);
     q->f = sp__take(a, v, 3 * sizeof *q->f);
-    q->f_kept = sp__take(a, v, 3 * sizeof *q->f_kept);
+    q->f_saved = sp__take(a, v, 3 * sizeof *q->f_saved);
     q->dq = sp__take(a, n, 6 * sizeof *q->dq);
-    q->dq_kept = sp__take(a, n, 6 * sizeof *q->dq_kept);
+    q->dq_saved = sp__take(a, n, 6 * sizeof *q->dq_saved);
     q->certificate.direction = sp__take(a, 64, sizeof *q->certificate.direction);
     const sp__part part = { -1, -1, -1, q->block_next, q->joint_next, q->load_next, q->number };
     q->part = part;
@@ -154,18 +154,18 @@ static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *s
 }
 
 /* A free block that is there and not held. */
-static int sp__loose(const sp_sequence *q, int32_t b)
+static int sp__free_now(const sp_sequence *q, int32_t b)
 {
-    return q->row[b] >= 0 && q->stone[b].presence == SP_PRESENT;
+    return q->row[b] >= 0 && q->state[b].presence == SP_PRESENT;
 }
 
-static int32_t sp__beside(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
+static int32_t sp__neighbour(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
 
-typedef struct sp__grip { sp_real FF[21], GG[21], M[21]; } sp__grip;
+typedef struct sp__lever_work { sp_real FF[21], GG[21], M[21]; } sp__lever_work;
 
 /* F'F and G'G of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
  * of the kind f0 has, x x f = G (V, W) its moment, [x]'[x] = |x|^2 - x x'. */
-SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__grip *w)
+SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__lever_work *w)
 {
     for (int k = 0; k < 21; k++) w->FF[k] = w->GG[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -186,7 +186,7 @@ SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_conta
 /* f0 = V + W x x over a contact, so sum |x x f0| >= lever sum |f0| with a lever of its shape alone: |G z|^2 >= share |F z|^2
  * for all z if G'G - share F'F is positive, and sums of norms are at least, at most sqrt(points) times, norms of all. A little
  * less, for what f0 may be out of balance and for rounding; 0 where points or an edge let f0 run through the centroid. */
-SP__NOINLINE static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__grip *w)
+SP__NOINLINE static sp_real sp__lever(const sp_problem *pb, const sp_contact *t, int32_t i, sp__lever_work *w)
 {
     sp_real unit = 0, *M = w->M;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -210,7 +210,7 @@ SP__NOINLINE static sp_status sp__sequence_joints(sp_sequence *q)
 {
     const int32_t n = q->scene->count.blocks;
     sp_arena a = q->work;
-    sp__grip *w = sp__take(&a, 1, sizeof *w);
+    sp__lever_work *w = sp__take(&a, 1, sizeof *w);
     if (!w) return SP_E_MEMORY;
     for (int32_t b = 0; b <= n; b++) q->start[b] = 0;
     for (int32_t i = 0; i < q->pb.blocks; i++) q->lever[i] = q->scene->block[q->pb.block[i]].fixed ? 0 : SP__HUGE;
@@ -263,7 +263,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     q->certificate.pb = &q->pb;
     sp__certificate_cone(&q->certificate, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;
-    memset(q->stone, 0, n * sizeof *q->stone);
+    memset(q->state, 0, n * sizeof *q->state);
     memset(q->was, 0, n * sizeof *q->was);
     memset(q->f, 0, 3 * (size_t)scene->count.points * sizeof *q->f);
     memset(q->dq, 0, 6 * n * sizeof *q->dq);
@@ -271,7 +271,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
         q->row[b] = sp__problem_row(&q->pb, b);
         q->number[b] = -1;
         q->up[b] = b;
-        if (q->row[b] < 0) q->stone[b].presence = SP_PRESENT;
+        if (q->row[b] < 0) q->state[b].presence = SP_PRESENT;
     }
     status = sp__sequence_joints(q);
     if (!status) status = sp__sequence_order(q);

@@ -7,49 +7,49 @@
 #if SP__WITH_LARGE
 
 /* Every island with a stale block is looked at again. */
-SP__NOINLINE static sp_status sp__sequence_look(sp_sequence *q)
+SP__NOINLINE static sp_status sp__sequence_recheck(sp_sequence *q)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++)
-        if (sp__loose(q, b) && q->stone[b].stale) q->stone[sp__root(q->up, b)].stale = 1;
+        if (sp__free_now(q, b) && q->state[b].stale) q->state[sp__root(q->up, b)].stale = 1;
     for (int32_t root = 0; root < q->scene->count.blocks; root++) {
-        if (!sp__loose(q, root) || sp__root(q->up, root) != root || !q->stone[root].stale) continue;
+        if (!sp__free_now(q, root) || sp__root(q->up, root) != root || !q->state[root].stale) continue;
         q->checked++;
-        if (sp__lean_island(q, root)) continue;
+        if (sp__local_island(q, root)) continue;
         sp__check *c = NULL;
         sp__part_island(q, root);
         const sp_status status = sp__part_check(q, q->f, q->dq, &c);
         if (status) return status;
         sp__part_keep(q, c);
     }
-    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->stone[b].stale = 0;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->state[b].stale = 0;
     return SP_OK;
 }
 
 /* The islands of block b and of what it touches are stale. */
-static void sp__sequence_touch(sp_sequence *q, int32_t b)
+static void sp__sequence_mark_stale(sp_sequence *q, int32_t b)
 {
     const int32_t n = q->scene->count.blocks;
     for (int32_t k = 0; k < n; k++) q->mark[k] = 0;
-    if (sp__loose(q, b)) q->mark[sp__root(q->up, b)] = 1;
+    if (sp__free_now(q, b)) q->mark[sp__root(q->up, b)] = 1;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
-        const int32_t s = sp__beside(&q->pb.contact[q->joint[k]], b);
-        if (sp__loose(q, s)) q->mark[sp__root(q->up, s)] = 1;
+        const int32_t s = sp__neighbour(&q->pb.contact[q->joint[k]], b);
+        if (sp__free_now(q, s)) q->mark[sp__root(q->up, s)] = 1;
     }
-    for (int32_t k = 0; k < n; k++) q->stone[k].stale |= sp__loose(q, k) && q->mark[sp__root(q->up, k)];
+    for (int32_t k = 0; k < n; k++) q->state[k].stale |= sp__free_now(q, k) && q->mark[sp__root(q->up, k)];
 }
 
 /* Block b comes, goes, is held or let go: forces of joints that no longer count vanish, and who bore them is to be weighed. */
 SP__NOINLINE static void sp__sequence_change(sp_sequence *q, int32_t b, sp_presence presence)
 {
-    sp__sequence_touch(q, b);
-    q->stone[b].presence = presence;
-    q->stone[b].plain = 0;
-    if (!sp__loose(q, b)) for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
+    sp__sequence_mark_stale(q, b);
+    q->state[b].presence = presence;
+    q->state[b].certified = 0;
+    if (!sp__free_now(q, b)) for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];
-        const int32_t s = sp__beside(t, b);
-        if (presence != SP_ABSENT && q->stone[s].presence != SP_ABSENT && (sp__loose(q, b) || sp__loose(q, s))) continue;
-        q->stone[s].plain = 0;
+        const int32_t s = sp__neighbour(t, b);
+        if (presence != SP_ABSENT && q->state[s].presence != SP_ABSENT && (sp__free_now(q, b) || sp__free_now(q, s))) continue;
+        q->state[s].certified = 0;
         memset(q->f + 3 * (size_t)t->point, 0, 3 * (size_t)t->points * sizeof *q->f);
     }
     if (presence == SP_ABSENT) q->was[b] = 0;
@@ -68,7 +68,7 @@ static int sp__worse(sp_verdict a, sp_verdict b)
 }
 
 /* What the step found. */
-SP__NOINLINE static void sp__sequence_tell(sp_sequence *q, sp_step *step)
+SP__NOINLINE static void sp__sequence_report(sp_sequence *q, sp_step *step)
 {
     sp_real most = -1;
     memset(step, 0, sizeof *step);
@@ -76,8 +76,8 @@ SP__NOINLINE static void sp__sequence_tell(sp_sequence *q, sp_step *step)
     step->reason = SP_REASON_NOTHING;
     step->block = -1;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) {
-        const sp__stone *s = &q->stone[b];
-        if (!sp__loose(q, b)) continue;
+        const sp__block_state *s = &q->state[b];
+        if (!sp__free_now(q, b)) continue;
         step->blocks++;
         step->islands += sp__root(q->up, b) == b;
         step->imbalance = sp__max(step->imbalance, s->imbalance);
@@ -92,7 +92,7 @@ SP__NOINLINE static void sp__sequence_tell(sp_sequence *q, sp_step *step)
     }
     for (int32_t b = 0, root = step->block; root >= 0 && b < q->scene->count.blocks; b++) {
         const sp_real *dq = q->dq + 6 * (size_t)b;
-        if (!sp__loose(q, b) || sp__root(q->up, b) != sp__root(q->up, root) || !(sp__norm3(dq) > most)) continue;
+        if (!sp__free_now(q, b) || sp__root(q->up, b) != sp__root(q->up, root) || !(sp__norm3(dq) > most)) continue;
         most = sp__norm3(dq);
         step->block = b;
     }
@@ -114,14 +114,14 @@ SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presen
     if (!sequence || !step || !sp__presence_valid(presence)) return SP_E_ARGUMENT;
     if (block < 0 || block >= sequence->scene->count.blocks) return SP_E_INDEX;
     sp__sequence_start(sequence);
-    if (presence != sequence->stone[block].presence) {
+    if (presence != sequence->state[block].presence) {
         sp__sequence_change(sequence, block, presence);
         sp__sequence_islands(sequence);
-        sp__sequence_touch(sequence, block);
-        const sp_status status = sp__sequence_look(sequence);
+        sp__sequence_mark_stale(sequence, block);
+        const sp_status status = sp__sequence_recheck(sequence);
         if (status) return status;
     }
-    sp__sequence_tell(sequence, step);
+    sp__sequence_report(sequence, step);
     return SP_OK;
 }
 
@@ -131,12 +131,12 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
     for (int32_t b = 0; b < sequence->scene->count.blocks; b++) if (!sp__presence_valid(presence[b])) return SP_E_ARGUMENT;
     sp__sequence_start(sequence);
     for (int32_t b = 0; b < sequence->scene->count.blocks; b++)
-        if (presence[b] != sequence->stone[b].presence) sp__sequence_change(sequence, b, presence[b]);
+        if (presence[b] != sequence->state[b].presence) sp__sequence_change(sequence, b, presence[b]);
     sp__sequence_islands(sequence);
-    for (int32_t b = 0; b < sequence->scene->count.blocks; b++) sequence->stone[b].stale = sp__loose(sequence, b);
-    const sp_status status = sp__sequence_look(sequence);
+    for (int32_t b = 0; b < sequence->scene->count.blocks; b++) sequence->state[b].stale = sp__free_now(sequence, b);
+    const sp_status status = sp__sequence_recheck(sequence);
     if (status) return status;
-    sp__sequence_tell(sequence, step);
+    sp__sequence_report(sequence, step);
     return SP_OK;
 }
 

@@ -422,7 +422,7 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 }
 
 /* A result's numbers, its arrays in place. */
-SP__NOINLINE static void sp__small_told(sp_result *r)
+SP__NOINLINE static void sp__small_finish(sp_result *r)
 {
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verdict && r->free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;
@@ -476,7 +476,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!r->islands) r->verdict = SP_STABLE;
     w->pb = &c->pb; w->set = &c->set; w->to = r;
     if (!sp__small_carve(w, &c->pb, &a, &a) || (r->islands && !sp__small_run(w, &a))) return SP_E_MEMORY;
-    sp__small_told(r);
+    sp__small_finish(r);
     r->by_stage[c->set.stage_count - 1] = r->cost;
     if (work) work->peak = a.peak; else kept.peak = a.peak;
     r->peak_bytes = kept.peak;

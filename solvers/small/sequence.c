@@ -15,7 +15,7 @@ struct sp_sequence {
     sp_result r;                        /* of the last check */
     sp_verdict verdict;                 /* of the last step */
     sp_presence *who;                   /* per block; SP__TRIED: held to see what that does */
-    int32_t *answer, *must, *told;      /* per block */
+    int32_t *answer, *must, *reported;      /* per block */
     sp_cost cost;                       /* of the call at hand */
     int32_t tries;
     sp_arena work;                      /* of a check */
@@ -78,7 +78,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     sp__sequence_carve(q, scene, work, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     q->must = q->answer + scene->count.blocks;
-    q->told = q->must + scene->count.blocks;
+    q->reported = q->must + scene->count.blocks;
     for (int32_t b = 0; b < scene->count.blocks; b++) q->who[b] = scene->block[b].fixed == SP_FIXED ? SP_PRESENT : SP_ABSENT;
     *arena = a;
     *sequence = q;
@@ -112,7 +112,7 @@ static void sp__sequence_start(sp_sequence *q)
     q->tries = 0;
 }
 
-static int sp__loose(const sp_sequence *q, int32_t b) { return q->who[b] == SP_PRESENT && q->scene->block[b].fixed != SP_FIXED; }
+static int sp__free_now(const sp_sequence *q, int32_t b) { return q->who[b] == SP_PRESENT && q->scene->block[b].fixed != SP_FIXED; }
 
 static void sp__sequence_step(sp_sequence *q, sp_step *step)
 {
@@ -127,7 +127,7 @@ static void sp__sequence_step(sp_sequence *q, sp_step *step)
     step->block = -1;
     for (int32_t b = 0; b < q->scene->count.blocks && r->verdict != SP_STABLE; b++) {
         const sp_real moves = sp__norm3(r->dq + 6 * (size_t)b);
-        if (sp__loose(q, b) && moves > most) { most = moves; step->block = b; }
+        if (sp__free_now(q, b) && moves > most) { most = moves; step->block = b; }
     }
     step->islands = step->checked = r->islands;
     step->blocks = step->again = r->free_blocks;
@@ -179,7 +179,7 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     int sure = 1, others = 0;
     sp__sequence_start(q);
     memset(held, 0, sizeof *held);
-    for (int32_t b = 0; b < blocks && q->verdict != SP_STABLE; b++) if (sp__loose(q, b)) q->who[b] = SP__TRIED;
+    for (int32_t b = 0; b < blocks && q->verdict != SP_STABLE; b++) if (sp__free_now(q, b)) q->who[b] = SP__TRIED;
     for (int32_t b = 0; b < blocks; b++) q->must[b] = q->who[b] == SP__TRIED && sp__hold_without(q, b, budget) == SP_UNSTABLE;
     for (int32_t b = 0; b < blocks; b++) {
         if (q->who[b] != SP__TRIED || q->must[b]) continue;
@@ -189,12 +189,12 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     }
     for (int32_t b = 0; b < blocks; b++) {
         if (q->who[b] != SP__TRIED) continue;
-        q->told[held->count] = q->must[b];
+        q->reported[held->count] = q->must[b];
         q->answer[held->count++] = b;
         q->who[b] = SP_PRESENT;
     }
     held->block = q->answer;
-    held->must = q->told;
+    held->must = q->reported;
     held->proof = !sure ? SP_HELD_ENOUGH : others > 1 ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
     held->checks = q->tries;
     held->cost = q->cost;
