@@ -84,9 +84,9 @@ typedef struct sp__mixed {
 typedef struct sp__joint_law {
     sp__cone cone;
     sp__yield *yield;                   /* of the contact last asked for */
+    const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real friction;                   /* coefficient in force / mu */
-    const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
 } sp__joint_law;
 
 /* What numbers are measured by. */
@@ -99,8 +99,8 @@ typedef struct sp__measure {
 
 /* Work paid for. */
 typedef struct sp__purse {
-    sp_cost *cost;
     int64_t limit;                      /* flops that cost may reach */
+    sp_cost *cost;
     int spent;                          /* a piece of work did not fit; from then on none is done */
 } sp__purse;
 
