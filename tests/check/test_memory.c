@@ -135,6 +135,38 @@ TEST(every_smaller_capacity_is_refused_cleanly)
     }
 }
 
+/* Where gates decide the size is exact, too; where nothing is to be carried it is enough, and less is refused without a trace. */
+TEST(what_gates_decide_takes_no_more)
+{
+    static const sp_capacity cap = { 3, 0, 0, 0, 1, 4, 0 };
+    const sp_real low[3] = { 0, 0, -1 }, high[3] = { 0, 0, 1 }, far_off[3] = { 5, 0, 1 };
+    const sp_real square[12] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0 };
+    const sp_strength strength = sp_strength_friction(R(0.6));
+    for (int kind = 0; kind < 3; kind++) {
+        sp_scene s;
+        sp_result r;
+        size_t bytes = 0, least;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK && sp_scene_body(&s, 9, low, SP_FIXED, NULL) == SP_OK);
+        NEED(sp_scene_body(&s, 5, high, 0, NULL) == SP_OK);
+        if (kind) NEED(sp_scene_joint(&s, 0, 1, 4, square, &strength, NULL) == SP_OK);
+        if (kind == 1) NEED(sp_scene_body(&s, 5, far_off, 0, NULL) == SP_OK);
+        if (kind == 2) s.gravity[2] = 0;
+        NEED(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
+        for (least = 0; least <= bytes; least++) {
+            const fenced f = fence(least);
+            sp_arena a = fenced_arena(&f);
+            const sp_status status = sp_check(&s, NULL, &a, &r);
+            CHECK(fence_holds(&f));
+            if (status == SP_OK) break;
+            if (!CHECK_INT(status, SP_E_MEMORY) || !CHECK_INT(a.used, 0)) return;
+        }
+        if (!TEST_SMALL) CHECK_INT(r.reason, kind == 2 ? SP_REASON_NOTHING : SP_REASON_NO_CONTACT);
+        if (kind < 2) CHECK_INT(least, bytes);
+        else CHECK(least <= bytes && r.peak_bytes == least);
+    }
+}
+
 /* A check takes nothing that is not freed by used = mark, and keeps what was there before. */
 TEST(check_leaves_what_is_in_the_arena)
 {
@@ -486,6 +518,7 @@ TEST_LIST(memory)
     RUN(sp_memory_is_exact)
     RUN(stages_can_work_in_another_memory)
     RUN(every_smaller_capacity_is_refused_cleanly)
+    RUN(what_gates_decide_takes_no_more)
     RUN(check_leaves_what_is_in_the_arena)
     RUN(sp_memory_scratch_is_enough_and_less_is_refused)
     RUN(scene_memory_is_exact_at_every_capacity)
