@@ -154,7 +154,7 @@
 #include "solvers/check/extremes.c"             /* extremes of a force state, the weakest joint */
 #include "solvers/check/one.c"                  /* the check of one part */
 #include "solvers/check/islands.c"              /* the check of all islands, one after the other */
-#include "solvers/check/check.c"                /* sp_check */
+#include "solvers/check/check.c"                /* how a check begins, goes on and ends */
 #include "solvers/check/verify.c"               /* sp_verify */
 #include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
 
@@ -179,5 +179,35 @@
 #include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
 
 #include "solvers/memory/memory.c"               /* sp_memory: what a call takes */
+
+#if SP__WITH_LARGE
+
+/* Does it stand? Part by part: islands one after the other, or the whole as one. The stages propose forces or a motion, each is
+ * certified as it comes; where that is asked a motion that explains the forces is looked for, too. What the islands gave is
+ * certified once more, on the whole. The result keeps its arrays in the arena, all else is given back. */
+SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
+{
+    sp_status status = sp__check_arguments(scene, settings, arena, result);
+    if (status) return status;
+    sp_arena a = *arena;
+    sp__check *whole = NULL, *part = NULL;
+    sp__island_loop *islands = NULL;                    /* NULL: the whole is the only part */
+    status = sp__check_begin(scene, settings, &a, &whole, &islands);
+    for (int32_t k = 0; !status && sp__check_more(islands, whole, k); k++) {
+        status = sp__check_part(scene, islands, k, whole, &a, &part);
+        if (!status && part->pb.blocks) status = sp__check_run(&part->pb, &part->set, &part->state, &a, &part->r);
+        if (!status && part->set.coupled.asked) status = sp__check_coupled(part, &a);
+        if (!status && islands) sp__island_loop_collect(islands, part, whole, &a);
+    }
+    if (!status && islands) status = sp__islands_certify(scene, islands, whole, &a);
+    if (status) return status;
+    sp__check_close(scene, whole);
+    whole->r.peak_bytes = arena->peak = a.peak;
+    arena->used = whole->r.coupled.proof.nodes ? whole->kept : whole->arrays;
+    *result = whole->r;
+    return SP_OK;
+}
+
+#endif
 
 #endif /* SP_QP_ONLY */

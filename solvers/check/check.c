@@ -1,4 +1,4 @@
-/* check: sp_check */
+/* check: how a check begins, goes on and ends; sp_check itself stands in the spine */
 #ifndef SP__CHECK_CHECK_C
 #define SP__CHECK_CHECK_C
 
@@ -20,6 +20,8 @@ SP__NOINLINE static void sp__apply_coupled_verdicts(sp__check *c)
     r->verified = r->verdict == SP_UNSTABLE;
     if (r->reason == SP_REASON_EFFECT) r->missing = SP_EFFECT_DEPTH;
 }
+#else
+static void sp__apply_coupled_verdicts(sp__check *c) { (void)c; }
 #endif
 
 /* What a check starts with: room for its result and, where there are several islands, the loop over them. */
@@ -39,9 +41,7 @@ SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
 {
     sp_result *r = &c->r;
     const int32_t islands = r->islands > 1 ? r->islands : 1;
-#ifndef SP_NO_CRA
     if (c->set.coupled.asked) sp__apply_coupled_verdicts(c);
-#endif
     if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     if (r->verdict == SP_STABLE) r->level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
     sp__check_read(scene, r);
@@ -50,32 +50,26 @@ SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
             r->effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
 }
 
-SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result)
+/* What sp_check cannot work with. */
+static sp_status sp__check_arguments(const sp_scene *scene, const sp_settings *settings, const sp_arena *arena, const sp_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
     if (settings && settings->work && (settings->work == arena || !settings->work->base)) return SP_E_ARGUMENT;
-    if (scene->count.blocks < 1) return SP_E_EMPTY;
-    sp__check *c = NULL;
-    sp__island_loop *w = NULL;
-    sp_arena a = *arena;
-    sp_status status = sp__check_begin(scene, settings, &a, &c, &w);
-    for (int32_t k = 0; !status && (w ? sp__island_loop_more(w, c, k) : !k); k++) {
-        sp__check *found = c;
-        if (w) status = sp__island_loop_open(scene, w, k, c, &a, &found);
-        else status = sp__check_problem(found, &a);
-        if (!status && found->pb.blocks) status = sp__check_run(&found->pb, &found->set, &found->state, &a, &found->r);
-#ifndef SP_NO_CRA
-        if (!status && found->set.coupled.asked) status = sp__check_coupled(found, &a);
-#endif
-        if (!status && w) sp__island_loop_collect(w, found, c, &a);
-    }
-    if (!status && w) status = sp__islands_certify(scene, w, c, &a);
-    if (status) return status;
-    sp__check_close(scene, c);
-    c->r.peak_bytes = arena->peak = a.peak;
-    arena->used = c->r.coupled.proof.nodes ? c->kept : c->arrays;
-    *result = c->r;
-    return SP_OK;
+    return scene->count.blocks < 1 ? SP_E_EMPTY : SP_OK;
+}
+
+/* Is there a k-th part to check? Without islands the whole is the only one. */
+static int sp__check_more(const sp__island_loop *islands, const sp__check *whole, int32_t k)
+{
+    return islands ? sp__island_loop_more(islands, whole, k) : k == 0;
+}
+
+/* The problem of the k-th part. */
+static sp_status sp__check_part(const sp_scene *scene, sp__island_loop *islands, int32_t k, sp__check *whole, sp_arena *a,
+                                sp__check **part)
+{
+    *part = whole;
+    return islands ? sp__island_loop_open(scene, islands, k, whole, a, part) : sp__check_problem(whole, a);
 }
 
 #endif

@@ -77,6 +77,14 @@ static int sp__apply_coupled_verdict(const sp_settings *set, sp_coupling couplin
     *reason = refuted ? SP_REASON_NO_MOTION : set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT ? SP_REASON_EFFECT : SP_REASON_NOT_COUPLED;
     return 1;
 }
+#else
+/* sp__settings_resolve has refused to ask for it. */
+static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
+{
+    (void)c;
+    (void)a;
+    return SP_OK;
+}
 #endif
 
 /* The numbers of a result of which nothing is known yet; b free blocks. */
