@@ -158,12 +158,19 @@
 #include "solvers/check/verify.c"               /* sp_verify */
 #include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
 
+#include "solvers/small/check.c"                /* sp_check, sp_plan by the smallest search */
+#include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
+
 #include "solvers/limit/bracket.c"              /* what proves each end of the bracket */
+#include "solvers/limit/falls.c"                /* does a motion fall at a multiple, and at every larger one? */
 #include "solvers/limit/exact.c"                /* the exact stage as the engine that a limit asks */
+#include "solvers/limit/small_engine.c"         /* the smallest search as that engine */
+#include "solvers/limit/verify.c"               /* sp_limit_verify: every end that a claim has */
 #include "solvers/limit/newton.c"               /* the bracket, by Newton's method on the power balance */
 #include "solvers/limit/interior.c"             /* interior points in forces, motion and multiplier at once */
 #include "solvers/limit/strong.c"               /* joints with strength: Newton's method with the multiplier in it */
 #include "solvers/limit/start.c"                /* both ends by these quick ways */
+#include "solvers/limit/small_start.c"          /* no such ways, in the smallest build */
 #include "solvers/limit/limit.c"                /* sp_limit: both ends, what they say, and from where on it stands */
 #include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
 
@@ -173,10 +180,6 @@
 #include "solvers/sequence/steps.c"             /* a step: what came, went or is held */
 #include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */
 #include "solvers/sequence/next.c"              /* a next stone after which everything stands */
-
-#include "solvers/small/check.c"                /* sp_check, sp_plan by the smallest search */
-#include "solvers/small/limit.c"                /* sp_limit by the smallest search */
-#include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
 
 #include "solvers/memory/memory.c"               /* sp_memory: what a call takes */
 

@@ -3,7 +3,7 @@
 #define SP__LIMIT_EXACT_C
 
 #include "../check/ladder.c"
-#include "bracket.c"
+#include "falls.c"
 
 #if SP__WITH_INTERIOR
 
@@ -18,6 +18,7 @@ typedef struct sp__engine {
     sp_state state;
     sp__newton n;
     sp__system *w;
+    sp_arena rest;                      /* for its search */
     sp__reduction *reduction;                     /* NULL: in 6 rows a block */
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
     sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
@@ -25,14 +26,28 @@ typedef struct sp__engine {
     sp__homogeneous h;
 } sp__engine;
 
-static void sp__engine_carve(sp__engine *g, int32_t blocks, sp_arena *a)
+/* Its arrays; `rows` as of the small engine.       returns 0: no memory */
+static int sp__engine_carve(sp__engine *g, const sp_problem *pb, sp_arena *rows, sp_arena *a)
 {
-    g->state.y = sp__take(a, (size_t)blocks, 6 * sizeof *g->state.y);
-    g->state.dq = sp__take(a, (size_t)blocks, 6 * sizeof *g->state.dq);
-    g->q = sp__take(a, (size_t)blocks, 6 * sizeof *g->q);
-    g->Vq = sp__take(a, (size_t)blocks, 6 * sizeof *g->Vq);
-    g->Vp = sp__take(a, (size_t)blocks, 6 * sizeof *g->Vp);
+    const size_t blocks = (size_t)pb->blocks;
+    (void)rows;
+    g->state.y = sp__take(a, blocks, 6 * sizeof *g->state.y);
+    g->state.dq = sp__take(a, blocks, 6 * sizeof *g->state.dq);
+    g->q = sp__take(a, blocks, 6 * sizeof *g->q);
+    g->Vq = sp__take(a, blocks, 6 * sizeof *g->Vq);
+    g->Vp = sp__take(a, blocks, 6 * sizeof *g->Vp);
+    return 1;
 }
+
+static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena *rest)
+{
+    memset(g->state.y, 0, 6 * (size_t)b->pb.blocks * sizeof *g->state.y);
+    g->n.goal = b->set.tol / 4;
+    g->rest = *rest;
+    g->n.left = (sp__problem_strong(&b->pb) ? 2 : 1) * b->set.iterations;
+}
+
+static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)g; return &b->cost; }
 
 /* Flops that are left to the search: the certificate check of both ends needs some, too. */
 static int64_t sp__engine_flops(const sp__bracket *b)
@@ -75,11 +90,12 @@ SP__NOINLINE static sp_status sp__engine_stage(sp__engine *g, sp__bracket *b, sp
     return sp__exact_run(&b->pb, &b->set, &g->state, &room, claim);
 }
 
-/* Gates and the exact stage at d dead + l live.     returns what they claim; state.dq, or f, says it */
-SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_real d, sp_real l, sp_real *f, sp_arena room)
+/* Gates and the exact stage at d dead + l live.     returns STABLE where f carries it for certain, UNSTABLE where
+ * b->dq is said to fall */
+SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_real d, sp_real l, sp_real *f)
 {
     sp_verdict claim = SP_UNDECIDED;
-    sp_arena again = room;
+    sp_arena room = g->rest;
     sp__bracket_load(b, d, l);
     b->set.iterations = g->n.left;
     b->set.localise = 1;
@@ -90,12 +106,29 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     g->state.left = sp__engine_flops(b);
     if (g->state.left <= 0) { b->spent = 1; return SP_UNDECIDED; }
     sp_status status = sp__gates_run(&b->pb, &b->set, &g->state, &room, &claim);
-    if (!status && !claim) status = sp__engine_stage(g, b, again, &claim);
+    if (!status && !claim) status = sp__engine_stage(g, b, g->rest, &claim);
     g->n.left -= g->state.cost.factorisations;
     sp__cost_add(&b->cost, &g->state.cost);
     if (status) claim = SP_UNDECIDED;
     if (claim == SP_UNSTABLE) memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    if (claim == SP_STABLE && !sp__bracket_stands(b, d, l, f, f)) return SP_UNDECIDED;
     return claim;
+}
+
+/* What it said to fall at lambda: does it for certain?     *beyond: and at every larger multiple */
+static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
+{
+    *beyond = sp__bracket_falls(b, lambda, 1, NULL);
+    return *beyond || sp__bracket_falls(b, lambda, 0, NULL);
+}
+
+/* Of forces f that carry a large multiple lambda little is due to dead loads. Do they balance the live loads alone without what is
+ * so small?     returns 1: f does */
+SP__NOINLINE static int sp__engine_unbounded(sp__bracket *b, sp_real *f, sp_real lambda, sp_real ref)
+{
+    sp__forces_dust(f, b->pb.points, 100 * ref / lambda);
+    for (size_t k = 0; k < 3 * (size_t)b->pb.points; k++) f[k] /= lambda;
+    return sp__bracket_stands(b, 0, 1, f, f);
 }
 
 #endif

@@ -212,7 +212,7 @@ SP__NOINLINE static int sp__limit_forces(sp__limit *L, sp_real d, sp_real l, sp_
     sp__ipm_forces(g->w, t > 0 ? &g->h.m : NULL, &g->n, &g->state);
     g->h.m.tau = tau;
     sp__reduction_copy_forces(g->reduction, &L->bracket.pb, f);
-    return g->n.found && sp__bracket_stands(&L->bracket, d, l * L->ref, f, f, L->room);
+    return g->n.found && sp__bracket_stands(&L->bracket, d, l * L->ref, f, f);
 }
 
 /* Where the interior points are done but for so much, do the forces at hand, balanced, carry their multiple? The largest stays.
@@ -281,7 +281,7 @@ SP__NOINLINE static int sp__interior_run(sp__limit *L)
         sp__interior_columns(L);
         sp__interior_motions(L);
         if (w->budget.spent) return 0;
-        if (L->none && sp__bracket_falls(b, 0, 1, NULL, L->room)) return 1;
+        if (L->none && sp__bracket_falls(b, 0, 1, NULL)) return 1;
         sp__interior_step(L);
         if (w->budget.spent) return 0;
         idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;

@@ -3,24 +3,26 @@
 #define SP__LIMIT_NEWTON_C
 
 #include "exact.c"
+#include "small_engine.c"
 
-#if SP__WITH_INTERIOR
+#if SP__WITH_LIMIT
 
 /* A bracket of the multiplier under way. All multiples are in `ref`. */
 typedef struct sp__limit {
-    sp__bracket bracket;
-    sp__engine engine;                  /* what is asked: does d dead + l live stand? [exact.c, small.c] */
     sp_limit_result r;
-    sp_arena room;                      /* for certifying */
     sp_real ref;                        /* multiplier that counts as 1 */
     sp_real best, slack;                /* least power balance of a motion, and what tol adds to it */
     sp_real least;                      /* largest one of a motion that live loads hinder: less does not stand */
     sp_real *upper, *lower;             /* 6b: motions of best and of least, in the loop */
     sp_real *f;                         /* 3 x points: forces that are tried when all others are kept */
     int none;                           /* the motion of best falls at 0, too */
+    sp__bracket bracket;
+    sp__engine engine;                  /* what is asked: does d dead + l live stand? [exact.c, small_engine.c] */
 } sp__limit;
 
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
+#define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked for */
+#define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist hangs on caps, and those on the multiple */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
 #ifdef SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
@@ -29,9 +31,9 @@ typedef struct sp__limit {
 #endif
 
 /* The engine at d dead + a live.       returns what it claims; bracket.dq, or f, says it */
-static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real a, sp_real *f, sp_arena room)
+static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real a, sp_real *f)
 {
-    return sp__engine_ask(&L->engine, &L->bracket, d, a * L->ref, f, room);
+    return sp__engine_ask(&L->engine, &L->bracket, d, a * L->ref, f);
 }
 
 /* Power balance of the motion: the multiple of live loads at which its work is 0; SP__HUGE where they do none. */
@@ -51,7 +53,7 @@ static int sp__limit_never_stands(sp__limit *L)
     const sp_real p = sp__dot(b->live, L->lower, n), q = sp__dot(b->live, L->upper, n);
     if (!(L->least >= L->best && p < 0 && q > 0)) return 0;
     for (size_t k = 0; k < n; k++) b->dq[k] = L->lower[k] / -p + L->upper[k] / q;
-    L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
+    L->none = sp__bracket_falls(b, 0, 1, NULL);
     if (!L->none) memcpy(b->dq, L->upper, n * sizeof *b->dq);
     return L->none;
 }
@@ -60,17 +62,17 @@ static int sp__limit_never_stands(sp__limit *L)
  *     returns 0: nothing gained */
 static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 {
-    const int beyond = sp__bracket_falls(&L->bracket, *a * L->ref, 1, NULL, L->room);
-    if (!beyond && !sp__bracket_falls(&L->bracket, *a * L->ref, 0, NULL, L->room)) return 0;
+    int beyond;
+    if (!sp__engine_falls(&L->bracket, *a * L->ref, &beyond)) return 0;
     const sp_real balance = sp__limit_balance(L), last = *a;
     L->none = beyond && last <= 0;
     if (L->none) return 1;
     if (!(balance < SP__HUGE)) return 0;
-    if (beyond ? balance < L->best : balance > L->least) {
+    if (beyond ? balance < L->best : SP__HAS_STRENGTH && balance > L->least) {
         *(beyond ? &L->best : &L->least) = balance;
         memcpy(beyond ? L->upper : L->lower, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     }
-    if (sp__limit_never_stands(L)) return 1;
+    if (SP__HAS_STRENGTH && sp__limit_never_stands(L)) return 1;
     const sp_real next = beyond ? L->best - step : balance + step < L->best ? balance + step : L->best;
     *a = sp__max(0, next);
     return beyond ? *a < last : *a > last;
@@ -78,59 +80,44 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
 
 /* Live loads alone. If forces balance them there is no upper end; r.ray keeps those forces. If something falls under them, its power
  * balance is a first upper end. */
-SP__NOINLINE static void sp__limit_live_alone(sp__limit *L, sp_arena room)
+SP__NOINLINE static void sp__limit_live_alone(sp__limit *L)
 {
     sp__bracket *b = &L->bracket;
     sp_real a = 1;
-    const sp_verdict claim = sp__limit_ask(L, 0, 1, L->r.ray, room);
-    if (claim == SP_STABLE && sp__bracket_stands(b, 0, L->ref, L->r.ray, L->r.ray, L->room)) {
+    const sp_verdict claim = sp__limit_ask(L, 0, 1, L->r.ray);
+    if (claim == SP_STABLE) {
         for (size_t k = 0; k < 3 * (size_t)b->pb.points; k++) L->r.ray[k] /= L->ref;
         L->r.kind = SP_LIMIT_UNBOUNDED;
     }
-    for (int it = 0; it < 3 && claim == SP_UNSTABLE && a < SP__HUGE; it++) {    /* what joints resist hangs on caps, and those on a */
-        int32_t final;
-        sp_arena again = L->room;
-        if (!sp__bracket_judge_open(b, 1, a * L->ref, &again)) return;
-        sp__certify_motion(&b->certificate, b->dq, 0, &final);
-        sp__bracket_keep(b);
+    for (int it = 0; it < SP__LIMIT_FIRST && claim == SP_UNSTABLE && a < SP__HUGE; it++) {
+        if (!sp__bracket_resists(b, a * L->ref)) return;
         L->best = a = sp__bracket_work(b, b->live) > 0 ? sp__limit_balance(L) : SP__HUGE;
     }
-}
-
-/* Of forces in r.ray that carry a large multiple little is due to dead loads: are they a ray without what is so small? */
-SP__NOINLINE static int sp__limit_far_unbounded(sp__limit *L)
-{
-    sp_real *ray = L->r.ray;
-    sp__forces_dust(ray, L->bracket.pb.points, 100 * L->ref / L->r.lower);
-    for (size_t k = 0; k < 3 * (size_t)L->bracket.pb.points; k++) ray[k] /= L->r.lower;
-    if (!sp__bracket_stands(&L->bracket, 0, 1, L->r.ray, L->r.ray, L->room)) return 0;
-    L->r.kind = SP_LIMIT_UNBOUNDED;
-    return 1;
 }
 
 /* Where interior points leave an end open: the exact stage just below the best motion's power balance. Each collapse it finds
  * gives a better one, as Newton's method on the least imbalance over lambda would: few steps.            [Dinkelbach 1967]
  *     returns 1: lower is found (of an UNBOUNDED any), or nothing stands */
-SP__NOINLINE static int sp__limit_newton(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__limit_newton(sp__limit *L)
 {
     const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
-    const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), farthest = (sp_real)0.01 * size;
+    const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), farthest = SP__LIMIT_FARTHEST * size;
     sp_real step = SP__LIMIT_STEP * L->bracket.set.tol * size;
     L->least = -SP__HUGE;
     memcpy(L->upper, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     for (int it = 0; it < 24 && sp__engine_left(&L->engine, &L->bracket) && step < farthest; it++) {
-        const sp_verdict claim = sp__limit_ask(L, 1, a, f, room);
-        if (claim == SP_STABLE && sp__bracket_stands(&L->bracket, 1, a * L->ref, f, f, L->room)) {
+        const sp_verdict claim = sp__limit_ask(L, 1, a, f);
+        if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
             if (a * L->ref > L->r.lower) {
                 L->r.lower = a * L->ref;
                 L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
-            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__limit_far_unbounded(L))) return 1;
+            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref))) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
         }

@@ -64,22 +64,22 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
     int done = !g->w->budget.spent && sp__interior_run(L);
     if (L->r.kind == SP_LIMIT_UNBOUNDED) return L->r.lower >= 0;
     if (!g->w->budget.spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
-    if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL, L->room);
+    if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL);
     b->spent |= g->w->budget.spent;
     return done || sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 /* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
-SP__NOINLINE static int sp__strong_starts(sp__limit *L, sp_arena room)
+SP__NOINLINE static int sp__strong_starts(sp__limit *L)
 {
     sp__engine *g = &L->engine;
     sp__bracket *b = &L->bracket;
     const size_t bytes = 6 * (size_t)b->pb.blocks * sizeof *b->dq;
     memcpy(g->Vp, b->dq, bytes);
-    const sp_verdict claim = sp__limit_ask(L, 1, 0, L->r.f, room);
-    L->none = claim == SP_UNSTABLE && sp__bracket_falls(b, 0, 1, NULL, L->room);
+    const sp_verdict claim = sp__limit_ask(L, 1, 0, L->r.f);
+    L->none = claim == SP_UNSTABLE && sp__bracket_falls(b, 0, 1, NULL);
     if (!L->none) memcpy(b->dq, g->Vp, bytes);
-    if (claim != SP_STABLE || !sp__bracket_stands(b, 1, 0, L->r.f, L->r.f, L->room)) return 0;
+    if (claim != SP_STABLE) return 0;
     L->r.lower = 0;
     L->r.imbalance = b->imbalance;
     L->r.dead = SP_STABLE;
@@ -90,8 +90,11 @@ SP__NOINLINE static int sp__strong_starts(sp__limit *L, sp_arena room)
  * upper one from live loads alone.         *done: both are near, or nothing stands.    `a` is used up */
 SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *done)
 {
-    const sp_arena rest = *a;
-    const int strong = sp__problem_strong(&L->bracket.pb);
+    const sp__bracket *b = &L->bracket;
+    const int strong = sp__problem_strong(&b->pb);
+    int live = 0;
+    for (size_t k = 0; k < 6 * (size_t)b->pb.blocks; k++) live |= b->live[k] < 0 || b->live[k] > 0;
+    if (!live) { L->r.kind = SP_LIMIT_UNBOUNDED; return SP_OK; }        /* does it stand at all? */
     if (!strong) {
         const sp_status status = sp__limit_open(L, a);
         if (status) return status;
@@ -99,13 +102,15 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
         if (*done) return SP_OK;
     }
     L->none = 0;
-    if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L, rest);
-    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_starts(L, rest) || !(L->best >= 0)) return SP_OK;
-    a->used = rest.used;
+    if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L);
+    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_starts(L) || !(L->best >= 0)) return SP_OK;
+    a->used = L->engine.rest.used;
     const sp_status status = sp__limit_open(L, a);
     if (!status) *done = sp__strong_run(L);
     return status;
 }
+
+static size_t sp__limit_start_scratch(const sp_problem *pb) { return sp__system_scratch(pb); }
 
 /* What that takes from an arena: two searches, one after the other, of the loads at hand.       returns 0: no memory */
 static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
@@ -115,7 +120,7 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     L->ref = sp__engine_reference(&L->bracket);
     sp__limit_flat(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
-    if (SP__WITH_PLAN && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);  /* of other loads there may be one */
+    if (SP__WITH_PLAN && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
     const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);

@@ -20,7 +20,6 @@ typedef enum sp__want { SP__GRADIENT, SP__HESSIAN, SP__LINEAR, SP__LINEAR_HESSIA
 typedef struct sp__small {
     const sp_problem *pb;
     const sp_settings *set;
-    sp__certificate j;
     sp_real *H;                         /* envelope */
     int32_t *row;                       /* 6b: of it */
     sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
@@ -34,6 +33,7 @@ typedef struct sp__small {
     int32_t sweeps, left;               /* passes over the vertices so far; factorisations that may follow */
     int32_t stalled;                    /* the imbalance no longer falls with prox: something moves */
     sp_result *to;                      /* forces and motion tried last; verdict once decided */
+    sp__certificate j;
 } sp__small;
 
 /* Rows of the envelope.                                                            returns its size, -1: too large to count */

@@ -95,7 +95,7 @@ check_switches() {
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
     part "SP_NO_DYKSTRA: no projections left" without 'dykstra' -DSP_NO_DYKSTRA
-    part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_)|sp_limit|sp_joint_moves' -DSP_NO_IPM
+    part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_|engine)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
     small=$(cat tests/small/suites.txt)

@@ -12,7 +12,7 @@
 #   7. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
 . tests/checks/tally.sh
 most=${1:-700}
-floors='base linear qp geometry cone scene contacts proof statics seed coupled check limit sequence small memory'
+floors='base linear qp geometry cone scene contacts proof statics seed coupled check small limit sequence memory'
 
 # What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
 offered='sp__certificate sp__scale sp__certificate_need sp__certificate_carve sp__certificate_open sp__certificate_scales
