@@ -191,6 +191,18 @@ static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, in
     return k < c->r.islands + (w->proof.nodes && !w->lies);
 }
 
+/* An island writes into the arrays of the whole, and a proof into the room that has. */
+static void sp__island_results(const sp_result *whole, sp_result *r)
+{
+    r->f = whole->f;
+    r->dq = whole->dq;
+    r->demand = whole->demand;
+    r->coupled.dq = whole->coupled.dq;
+    r->coupled.alpha = whole->coupled.alpha;
+    r->coupled.penalty = whole->coupled.penalty;
+    r->coupled.proof = whole->coupled.proof;
+}
+
 /* A check of the k-th island. A proof goes into the room the whole has for it. */
 SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__island_loop *w, int32_t k, const sp__check *c, sp_arena *a,
                                          sp__check **found)
@@ -198,7 +210,9 @@ SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__is
     w->at = k < c->r.islands ? k : w->proof.island - 1;
     w->again = k == c->r.islands;
     const sp__part part = sp__islands_part(&w->t, w->at);
-    return sp__part_open(scene, &part, &c->set, &c->r, a, found);
+    const sp_status status = sp__part_open(scene, &part, &c->set, a, found);
+    if (!status) sp__island_results(&c->r, &(*found)->r);
+    return status;
 }
 
 /* What it found. */

@@ -172,19 +172,14 @@ static sp_status sp__check_problem(sp__check *c, sp_arena *a)
     return status ? status : sp__state_open(c, 0, a);
 }
 
-/* A check of a part, everything of it; its arrays are those of `to`, at the scene's numbers, as is the room for a proof. */
-SP__NOINLINE static sp_status sp__part_open(const sp_scene *scene, const sp__part *part, const sp_settings *set, const sp_result *to,
-                                         sp_arena *a, sp__check **check)
+/* A check of a part, everything of it but where its results go: arrays of a whole scene's. */
+SP__NOINLINE static sp_status sp__part_open(const sp_scene *scene, const sp__part *part, const sp_settings *set, sp_arena *a,
+                                            sp__check **check)
 {
     sp__check *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
     c->set = *set;
-    c->r.f = to->f; c->r.dq = to->dq; c->r.demand = to->demand;
-    c->r.coupled.dq = to->coupled.dq;
-    c->r.coupled.alpha = to->coupled.alpha;
-    c->r.coupled.penalty = to->coupled.penalty;
-    c->r.coupled.proof = to->coupled.proof;
     const sp_status status = sp__part_build(scene, part, a, &c->pb);
     if (status) return status;
     sp__result_start(&c->r, set, c->pb.blocks, c->pb.contacts, sp__problem_points(&c->pb));

@@ -59,14 +59,13 @@ static void sp__part_island(sp_sequence *q, int32_t root)
 /* A check of the part in `a`, before the first stage; f, dq: where it writes, at the scene's numbers. */
 SP__NOINLINE static sp_status sp__part_begin(sp_sequence *q, sp_real *f, sp_real *dq, sp_arena *a, sp__check **c)
 {
-    sp_result to;
-    memset(&to, 0, sizeof to);
-    to.f = f;
-    to.dq = dq;
     for (int32_t b = q->part.block; b >= 0; b = q->block_next[b]) memset(dq + 6 * (size_t)b, 0, 6 * sizeof *dq);
-    const sp_status status = sp__part_open(q->scene, &q->part, &q->set, &to, a, c);
-    if (!status) (*c)->pb.keep_order = 1;
-    return status;
+    const sp_status status = sp__part_open(q->scene, &q->part, &q->set, a, c);
+    if (status) return status;
+    (*c)->r.f = f;
+    (*c)->r.dq = dq;
+    (*c)->pb.keep_order = 1;
+    return SP_OK;
 }
 
 /* Does the part stand? sp_check without what only tells more. */
