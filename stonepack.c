@@ -175,7 +175,7 @@
 #include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
 
 #include "solvers/sequence/state.c"             /* a build order under way */
-#include "solvers/sequence/part.c"              /* an island of what is there, as a scene of its own */
+#include "solvers/sequence/part.c"              /* some blocks of what is there, as a part */
 #include "solvers/sequence/local.c"             /* forces of the step before, changed near the change only */
 #include "solvers/sequence/steps.c"             /* a step: what came, went or is held */
 #include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */

@@ -1,4 +1,4 @@
-/* part: an island of what is there, as a scene of its own */
+/* part: some blocks of what is there, as a part */
 #ifndef SP__SEQUENCE_PART_C
 #define SP__SEQUENCE_PART_C
 
