@@ -1,5 +1,5 @@
 /* stonepack.c: the spine. `cc -O2 -ffp-contract=off -c stonepack.c` is the whole build: it includes every part of solvers/,
- * bottom-up. Folders are floors: a part includes only parts of its own folder and of folders above it in this list
+ * in this order. Folders are floors: a part includes only parts of its own folder and of folders earlier in this list
  * (tests/checks/floors.sh holds that), private functions are static and defined before they are used.
  *
  * The story, as sp_check lives it:
@@ -9,8 +9,8 @@
  *   statics/    The search. The shortest force in the cones that balances p is f = P_K(Aeq' y) for the y that minimises
  *               D(y) = 1/2 |P_K(Aeq' y)|^2 + p . y, with 6 unknowns a block: semismooth Newton, and interior points where that
  *               stalls. Where no such f exists y runs off along a collapse mechanism dq = -y.
- *   proof/      The certificate check. It takes the forces, or the motion, that a search proposes, and the scene, and nothing
- *               else of the search: own projection, own sums. Only what it accepts becomes a verdict.
+ *   proof/      The certificate check. It takes the forces, or the motion, that a search proposes, the scene, and a first guess
+ *               of f0 that it checks; projection and sums are its own. Only what it accepts becomes a verdict.
  *   check/      Settings, memory, islands and the order of stages; what sp_check and sp_verify return.
  *   coupled/    Is there also a motion that explains the forces?          limit/      How much more load until it falls?
  *   sequence/   Does it stand at every step of a build order?             small/      All of that in a third of the code.

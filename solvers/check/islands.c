@@ -6,6 +6,9 @@
 
 #if SP__WITH_LARGE
 
+/* Share of tol up to which the imbalances of islands stand for that of the whole, in spite of rounding. */
+#define SP__ISLANDS_ENOUGH ((sp_real)(sizeof(sp_real) == 4 ? 0.9 : 0.999))
+
 #ifndef SP_NO_CRA
 /* Numbers of an island's coupled check into those of the whole. Where it is coupled its forces take the place of the penalty form. */
 SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c)
@@ -118,7 +121,8 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 }
 #endif
 
-/* The evidence of all islands, judged on the whole. */
+/* One verdict of all islands. Where all stand by imbalances up to SP__ISLANDS_ENOUGH tol, each checked by itself, that is the
+ * verdict: no force passes between them. Else the evidence of all is checked on the whole scene. */
 SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const sp__island_loop *w, sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
@@ -135,8 +139,8 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     if (!status) sp__verify_motion(&c->pb, r->dq, c->state.dq);
     if (!status && !sp__take(a, 1, sp__certificate_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
-    r->verdict = SP_STABLE;                                             /* where all stand that has been judged, block by block */
-    if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ENOUGH * r->tol))
+    r->verdict = SP_STABLE;                                             /* all stand: every block has been checked */
+    if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ISLANDS_ENOUGH * r->tol))
         status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
     sp__cost_add(&r->cost, &c->state.cost);

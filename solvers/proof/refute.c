@@ -1,4 +1,7 @@
-/* refute: what a tree of multipliers proves: no triple exists */
+/* refute: does a tree of cases, each closed by a Farkas vector, prove that no triple (f, dq, alpha) exists?
+ *
+ *   sum y b  <  min c x over the box of x = (f, dq),  c = sum y a,  for rows a x <= b that hold in that case    [Farkas 1902]
+ */
 #ifndef SP__PROOF_REFUTE_C
 #define SP__PROOF_REFUTE_C
 
@@ -30,7 +33,7 @@ typedef struct sp__refute {
     sp_real *reach;                     /* 6b: M */
     sp_real work;                       /* multiplier of the row of work */
     sp_real right, size, slack;         /* sum y b; sizes of its products; sum |y| of what rows may be out by */
-    sp_real loose;                      /* what the row of work may be out by */
+    sp_real slack_of_work;              /* what the row of work may be out by */
 } sp__refute;
 
 #define SP__PROOF_DEPTH 32              /* splits above a leaf, for every vertex */
@@ -121,27 +124,27 @@ static void sp__refute_forces(sp__refute *w)
     sp__certificate *j = w->j;
     const sp_problem *pb = j->pb;
     sp_real work = 0;
-    w->loose = w->total = 0;
+    w->slack_of_work = w->total = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = w->reach + 6 * (size_t)i;
         sp_real p[6];
         sp__certificate_load(j, i, p);
         for (int k = 0; k < 6; k++) work += sp__abs(p[k]) * m[k];
-        w->loose += j->set->tol * (j->scale[i].s * (m[0] + m[1] + m[2]) + j->scale[i].S * (m[3] + m[4] + m[5]));
+        w->slack_of_work += j->set->tol * (j->scale[i].s * (m[0] + m[1] + m[2]) + j->scale[i].S * (m[3] + m[4] + m[5]));
     }
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
         w->most[v] = sp__certificate_cap(j, t);
         w->total += w->most[v];
         w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
-        w->loose += 2 * w->any_friction[v] * w->k->eta;
+        w->slack_of_work += 2 * w->any_friction[v] * w->k->eta;
     }
     if (w->k->eps > 0) {
-        const sp_real bound = (sp_real)1.01 * (work + w->loose);
+        const sp_real bound = (sp_real)1.01 * (work + w->slack_of_work);
         w->total = bound < w->total ? bound : w->total;
         for (int32_t v = 0; v < w->points; v++) w->most[v] = bound < w->most[v] ? bound : w->most[v];
     }
-    w->loose += SP__GIVE * w->total;
+    w->slack_of_work += SP__GIVE * w->total;
 }
 
 /* Unit vector at `turn` of 2^halvings parts of a quarter turn after the x axis: the half-angle formulas, bit by bit. */
@@ -336,7 +339,7 @@ SP__NOINLINE static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t
     for (int32_t r = 0; r < 6 * j->pb->blocks; r++) w->motion[r] = 0;
     w->work = w->right = w->size = w->slack = 0;
     for (int32_t e = from; e < to; e++) if (!sp__refute_add(w, w->proof->row[e], w->proof->y[e])) return 0;
-    w->slack += w->work * w->loose;
+    w->slack += w->work * w->slack_of_work;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         const sp_real *m = w->motion + 6 * (size_t)i;
         w->slack += j->set->tol * (j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3));

@@ -1,4 +1,13 @@
-/* scale: f0 and what each block's imbalance is measured by */
+/* scale: the certificate check's memory, the bilateral force f0, and the sizes by which each block's imbalance is measured.
+ *
+ *   f0            bilateral least-squares force: least imbalance, then least norm               [solvers/README.md, what proves]
+ *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
+ *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
+ *
+ * The files of proof/ include nothing of a search: projection and sums are their own, in world coordinates instead of contact
+ * frames. A search hands over what is to be proved and a first guess y0 of f0, which is used as far as its residual allows. Both
+ * sides read the scene and its problem (scene/).
+ */
 #ifndef SP__PROOF_SCALE_C
 #define SP__PROOF_SCALE_C
 
@@ -6,16 +15,8 @@
 #include "../scene/joint.c"
 #include "../scene/problem.c"
 
-/* proof/ says what a force state or a motion proves, from the scene alone. The search of statics/ uses nothing of it and it uses
- * nothing of the search: its projection and its sums are its own, in world coordinates instead of contact frames.
- *                                                                              [solvers/README.md, what proves a verdict]
- *
- *   f0            bilateral least-squares force: least imbalance, then least norm
- *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
- *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
- */
 #ifdef SP_REAL_FLOAT
-#define SP__SCALE_NULL ((sp_real)3e-6)  /* what the normal matrix makes of a residual that nothing can take away, relative */
+#define SP__SCALE_NULL ((sp_real)3e-6)  /* |G r| / |r| at which no step can lower the residual r */
 #else
 #define SP__SCALE_NULL ((sp_real)1e-14)
 #endif
@@ -35,6 +36,7 @@ typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 :
 
 #define SP__FLOPS_CERTIFICATE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
 
+/* The certificate check at work: the scene it checks against, its scales and scratch. What is proved stays in the result. */
 typedef struct sp__certificate {
     const sp_problem *pb;
     const sp_settings *set;             /* tol and force_bound resolved */
@@ -47,7 +49,7 @@ typedef struct sp__certificate {
     sp_real cap;                        /* of the contact at hand */
     sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
-    int32_t most;                       /* of them, for the scales */
+    int32_t most;                       /* passes that the scales may take; 0: scales of the loads alone */
 } sp__certificate;
 
 static void sp__certificate_carve(sp__certificate *j, const sp_problem *pb, int32_t faces, sp_arena *a)
@@ -185,8 +187,8 @@ static void sp__certificate_normal_product(sp__certificate *j, const sp_real *in
 }
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when r
- * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: so many does
- * information need across half the structure.                                                                     [Stiefel 1955] */
+ * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: it takes that
+ * many to reach across half the structure.                                                                      [Stiefel 1955] */
 SP__NOINLINE static void sp__certificate_least_squares(sp__certificate *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
@@ -251,7 +253,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
     return unknown;
 }
 
-/* One of the two parts of a hint y0 = W x into `to`; what is no number counts as none. */
+/* One of the two parts of a hint y0 = W x into `to`; entries that are not finite become 0. */
 static void sp__certificate_read_hint(const sp__certificate *j, const sp_real *y0, sp_real *to)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
@@ -282,8 +284,8 @@ static int sp__certificate_is_optimal(sp__certificate *j, int last)
         || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
 }
 
-/* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0, which is believed as far as
- * its residual goes, else by our own solve, corrected twice.     returns 0 when neither settled */
+/* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0 if its residual shows that it
+ * does, else solved for here and corrected twice.     returns 0 when neither settled */
 static int sp__certificate_bilateral(sp__certificate *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
@@ -308,10 +310,11 @@ static sp_real sp__scale_couple(const sp__certificate *j, const sp__scale *s, sp
     return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
 }
 
-/* The scales of every free block. One that f0 does not balance (nothing does, or its share is lost in rounding) has its load
- * alone as scale of a balance, and for its caps f0 and what rounding of all loads may hide in it; where f0 is not settled, a
- * thousand times all loads, more than what a bilateral force comes to. With j->most = 0 the loads alone, f0 = 0: no scale is
- * larger than the true one, so forces that pass by these pass by those. */
+/* The scales of every free block. Where f0 does not balance it (nothing does, or its share is lost in rounding) the load takes the
+ * place of f0: sbar = 2 |load|, and s_i is between |load| and that. Its caps then come from load + f0 + 10000 u times all loads,
+ * which rounding may hide in f0; where f0 has not converged, from a thousand times all loads, more than any bilateral force.
+ * With j->most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that pass by them
+ * pass by those. */
 static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
 {
     sp__certificate_row_weights(j);
@@ -330,7 +333,7 @@ static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
     }
 }
 
-/* c_v of the vertices of a contact. */
+/* c_v, the largest force at a vertex of a contact that a proof counts with. */
 static sp_real sp__certificate_cap(const sp__certificate *j, const sp_contact *t)
 {
     return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);

@@ -1,4 +1,9 @@
-/* statics: what forces prove, and what a motion proves */
+/* statics: imbalance of a force state, and whether a motion proves that no forces balance the loads.
+ *
+ *   forces    omega = max over blocks of |r_i| / s_i, |m_i| / S_i,  r = Aeq f + p,  f_v in K_v, |f_v| <= c_v
+ *   motion    p . dq  -  sum c_v |P_K(u_v)|   >   tol sum (sbar_i |v_i| + Sbar_i |w_i|),   u = -Aeq' dq, dq_i = (v_i, w_i)
+ *                                                                                      [solvers/README.md, what proves a verdict]
+ */
 #ifndef SP__PROOF_STATICS_C
 #define SP__PROOF_STATICS_C
 

@@ -1,4 +1,7 @@
-/* triple: what forces, motion and slip of a coupled check prove */
+/* triple: do forces, motion and slip factors (f, dq, alpha) meet the conditions of the coupled check?      [Kao 2022, Eqs. 8-11]
+ *
+ *   dd = Aeq' dq,   dn >= -eps,   fn (dn + eps) = 0,   ft = -alpha dt, alpha >= 0,   dn <= eta, |dt| <= eta
+ */
 #ifndef SP__PROOF_TRIPLE_C
 #define SP__PROOF_TRIPLE_C
 

@@ -3,7 +3,7 @@
  *     min 1/2 x'Px + q'x   subject to   Ax = z,  l <= z <= u                       [OSQP, alg. 1; seed 4.2, 4.3]
  *
  * Scale, factor, then: step, look; a look ends the run with a solution, a proof that there is none, or at a limit. Letters as
- * in qp.c. Linear systems: kkt.c. Proofs: proof.c. Last digits: auglag.c.
+ * in qp.c. Linear systems: kkt.c. Proofs: certificate.c. Last digits: auglag.c.
  */
 #ifndef SP__ADMM_C
 #define SP__ADMM_C

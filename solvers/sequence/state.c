@@ -31,7 +31,7 @@ typedef struct sp__block_state {
     sp_real imbalance, least;
 } sp__block_state;
 
-/* A search for what to hold (section 33). */
+/* A search for what to hold (hold.c). */
 typedef struct sp__hold {
     sp_sequence *q;
     int32_t *member, members;           /* the island */

@@ -6,7 +6,7 @@
 
 #if SP__WITH_SMALL
 
-/* The exact stage of SP_SMALL, in as little code as does it. The same Newton on the dual as in sections 14, 16 and 18,
+/* The exact stage of SP_SMALL, in as little code as does it. Newton's method on the dual of statics/
  *
  *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y,   f = S P_K(u)         [Qi, Sun 1993; Rockafellar 1976]
  *

@@ -3,7 +3,7 @@
 #
 #     sh tests/checks/floors.sh [LINES]                 LINES: the longest file there may be, default 700
 #
-#   1. a folder includes only itself and folders below it; proof/ nothing of a search; statics/ and seed/ nothing of proof/
+#   1. a folder includes only itself and folders earlier in the list; proof/ nothing of a search; statics/ and seed/ nothing of proof/
 #   2. who stands above proof/ calls it through the names listed here
 #   3. no include stands inside a condition, but those of the spine under one for all that knows of stones
 #   4. every part compiles alone, in double and in float
@@ -39,8 +39,8 @@ downward() {
         BEGIN { n = split(floors, f, " "); for (k = 1; k <= n; k++) level[f[k]] = k }
         { split($1, a, "/"); split($2, b, "/"); from = a[1]; to = b[1] }
         !(from in level) || !(to in level) { print $1 " includes " $2 ": no floor of that name"; bad = 1; next }
-        level[to] > level[from] { print $1 " includes " $2 ", which stands above"; bad = 1 }
-        from == "proof" && to !~ /^(base|linear|cone|scene|proof)$/ { print $1 " includes " $2 ": proof/ knows scene, cones and vectors only"; bad = 1 }
+        level[to] > level[from] { print $1 " includes " $2 ", which comes later"; bad = 1 }
+        from == "proof" && to !~ /^(base|linear|cone|scene|proof)$/ { print $1 " includes " $2 ": proof/ knows base, scene and cones only"; bad = 1 }
         from ~ /^(statics|seed)$/ && to == "proof" { print $1 " includes " $2 ": no search knows what judges it"; bad = 1 }
         END { exit bad }'
 }
