@@ -14,7 +14,7 @@ typedef struct sp__bracket {
     const sp_real *y0;                  /* 24b: hints for both; may be NULL */
     sp_real *hint;                      /* 12b: for the loads at hand */
     sp_real *dq, *whole;                /* 6b: the motion; with what is held in dq */
-    sp_real imbalance, least, resist;       /* resist: work that joints with strength take of the motion judged last [N m] */
+    sp_real imbalance, least, resist;       /* resist: work that joints with strength take of the motion certified last [N m] */
     int32_t final;
     int spent;                          /* a certificate check did not fit */
     int64_t limit;                      /* flops in all */
@@ -76,7 +76,7 @@ static int32_t sp__bracket_sweeps(const sp__bracket *b)
 }
 
 /* A certificate check for d dead + l live, while ten passes and more are left; what it took is counted when it is closed. */
-static int sp__bracket_judge_open(sp__bracket *b, sp_real d, sp_real l)
+static int sp__bracket_certify_begin(sp__bracket *b, sp_real d, sp_real l)
 {
     const int32_t sweeps = sp__bracket_sweeps(b);
     sp_arena room = b->room;
@@ -85,7 +85,7 @@ static int sp__bracket_judge_open(sp__bracket *b, sp_real d, sp_real l)
     return sp__certificate_open(&b->certificate, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
 }
 
-SP__NOINLINE_SMALL static void sp__bracket_judge_close(sp__bracket *b)
+SP__NOINLINE_SMALL static void sp__bracket_certify_end(sp__bracket *b)
 {
     if (SP__WITH_INTERIOR) b->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)b->certificate.sweeps * b->pb.points;
 }
@@ -93,9 +93,9 @@ SP__NOINLINE_SMALL static void sp__bracket_judge_close(sp__bracket *b)
 /* Do these forces balance d dead + l live?     admitted: as sp__certify_forces */
 SP__NOINLINE static int sp__bracket_stands(sp__bracket *b, sp_real d, sp_real l, const sp_real *f, sp_real *admitted)
 {
-    if (!sp__bracket_judge_open(b, d, l)) return 0;
+    if (!sp__bracket_certify_begin(b, d, l)) return 0;
     b->imbalance = sp__certify_forces(&b->certificate, f, admitted);
-    sp__bracket_judge_close(b);
+    sp__bracket_certify_end(b);
     return b->imbalance <= b->set.tol;
 }
 
@@ -113,10 +113,10 @@ SP__NOINLINE static int sp__bracket_falls_beyond(sp__bracket *b)
     if (!b->pb.live) return 1;
     sp__bracket_load(b, 1, 0);
     const sp_real dead = sp__load_unit(&b->pb);
-    if (!sp__bracket_judge_open(b, 0, 1)) return 0;
+    if (!sp__bracket_certify_begin(b, 0, 1)) return 0;
     b->certificate.set = &b->wide;
     const int pushes = sp__certify_motion(&b->certificate, b->dq, 0, &final) > 0;
-    sp__bracket_judge_close(b);
+    sp__bracket_certify_end(b);
     if (pushes) return 1;
     const sp_real ratio = sp__ratio(dead, b->certificate.unit);
     if (!final || (b->resist > 0 && !b->final)) return 0;

@@ -19,7 +19,7 @@ typedef struct sp__engine {
     sp__newton n;
     sp__system *w;
     sp_arena rest;                      /* for its search */
-    sp__reduction *reduction;                     /* NULL: in 6 rows a block */
+    sp__reduction *reduction;           /* NULL: in 6 rows a block */
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
     sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
     sp_real at;                         /* a: the loads at hand are dead + a live, live loads in ref */

@@ -6,19 +6,19 @@
 
 #if SP__WITH_INTERIOR
 
-/* The motion just judged into b->dq, and what joints with strength take of it. */
+/* The motion just certified into b->dq, and what joints with strength take of it. */
 static void sp__bracket_keep(sp__bracket *b)
 {
     b->resist = sp__problem_strong(&b->pb) ? b->certificate.resist * b->certificate.unit : 0;
     memcpy(b->dq, b->certificate.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
-    sp__bracket_judge_close(b);
+    sp__bracket_certify_end(b);
 }
 
 /* What joints resist of b->dq at lambda.     returns 0: no budget, no memory */
 SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
 {
     int32_t final;
-    if (!sp__bracket_judge_open(b, 1, lambda)) return 0;
+    if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
     sp__certify_motion(&b->certificate, b->dq, 0, &final);
     sp__bracket_keep(b);
     return 1;
@@ -35,10 +35,10 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
     for (int pass = 0; pass < 7; pass++) {
             sp__certificate *j = &b->certificate;
         int k = 0;
-        if (!sp__bracket_judge_open(b, 1, lambda)) return 0;
+        if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
         if (pass == 0) {
             for (k = 0; k < 6; k++) value[k] = sp__certify_motion(j, b->whole, sp__certify_rest[k], &final[k]);
-            sp__bracket_judge_close(b);
+            sp__bracket_certify_end(b);
             continue;
         }
         for (int q = 1; q < 6; q++) {                   /* a final proof before others, then the best */

@@ -14,7 +14,7 @@ static int sp__bracket_resists(sp__bracket *b, sp_real lambda) { (void)b; (void)
  * as a result has it. */
 SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 {
-    if (!sp__bracket_judge_open(b, 1, lambda)) return 0;
+    if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
     b->least = sp__certify_mechanism(&b->certificate, b->dq, &b->final);
     if (!(b->least > b->set.tol)) return 0;
     if (all) sp__check_motion(&b->certificate, all);

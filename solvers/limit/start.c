@@ -6,9 +6,9 @@
 
 #if SP__WITH_INTERIOR
 
-/* L->reduction, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
+/* engine.reduction, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
  * about the size both have at work. */
-static void sp__limit_flat(sp__limit *L, sp_arena *a)
+static void sp__limit_reduction(sp__limit *L, sp_arena *a)
 {
     sp__engine *g = &L->engine;
     sp__bracket *b = &L->bracket;
@@ -32,7 +32,7 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     sp__bracket *b = &L->bracket;
     const size_t n = 6 * (size_t)b->pb.blocks;
     sp_real *y0[2] = { L->r.y0, L->r.y0 + 2 * n };
-    sp__limit_flat(L, a);
+    sp__limit_reduction(L, a);
     g->w = sp__system_make(&b->pb, &b->set, SP__LIMIT, g->reduction, &b->cost, a);
     if (!g->w) return SP_E_MEMORY;
     g->w->budget.limit = sp__engine_flops(b) + b->cost.flops;
@@ -118,7 +118,7 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     const sp_problem *pb = &L->bracket.pb;
     const int32_t faces = L->bracket.set.faces;
     L->ref = sp__engine_reference(&L->bracket);
-    sp__limit_flat(L, &scratch);
+    sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
     if (SP__WITH_PLAN && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
     const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), reduction, scratch) : 0;

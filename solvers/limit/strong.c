@@ -6,9 +6,9 @@
 
 #if SP__WITH_INTERIOR
 
-#define SP__STRONG_MOST 240              /* factorisations of a climb in c, at most */
-#define SP__STRONG_NEAR (100 * SP__SCALE_TOL)    /* gap of both ends, relative, that ends a climb */
-#define SP__STRONG_SOLVED SP__TIE             /* imbalance from which on y is taken for that of its c */
+#define SP__STRONG_MOST 240             /* factorisations of a climb in c, at most */
+#define SP__STRONG_NEAR (100 * SP__SCALE_TOL)   /* gap of both ends, relative, that ends a climb */
+#define SP__STRONG_SOLVED SP__TIE       /* imbalance from which on y is taken for that of its c */
 
 /* K that is no cone, and what interior points leave open, by the dual of the exact stage with lambda in it:
  *
