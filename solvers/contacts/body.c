@@ -1,4 +1,7 @@
-/* body: box, noise and patches of a block; is it convex? */
+/* body: a block as the search for contacts sees it: bounding box, rounding noise, patches; whether it is convex.
+ *
+ *   noise = 16 u (max |coordinate| + diameter)       convex: every boundary vertex is behind every patch, to rounding
+ */
 #ifndef SP__CONTACTS_BODY_C
 #define SP__CONTACTS_BODY_C
 

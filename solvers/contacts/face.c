@@ -1,4 +1,5 @@
-/* face: the plane of a face, boxes of faces */
+/* face: the plane of a face through the mean of its vertices, normal sum p x q over its edges; bounding boxes of edges.
+ *                                                                                                  [Newell's normal] */
 #ifndef SP__CONTACTS_FACE_C
 #define SP__CONTACTS_FACE_C
 

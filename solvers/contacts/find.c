@@ -1,4 +1,4 @@
-/* find: the contacts of a whole scene */
+/* find: sp_contacts_find checks settings and scene, finds the patches, then all contacts, and adds them as joints. */
 #ifndef SP__CONTACTS_FIND_C
 #define SP__CONTACTS_FIND_C
 

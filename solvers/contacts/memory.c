@@ -1,4 +1,5 @@
-/* memory: arrays of the search for contacts, in an arena; how large they may become */
+/* memory: the arrays of the search for contacts in an arena, and their sizes: at most (patches <= faces, edges <= corners)
+ * before the patches are known, exact after. */
 #ifndef SP__CONTACTS_MEMORY_C
 #define SP__CONTACTS_MEMORY_C
 

@@ -1,4 +1,8 @@
-/* overlap: how deep two blocks overlap */
+/* overlap: how deep two blocks penetrate each other.
+ *
+ *   convex      least overlap of the projections on the face normals and the cross products of edges     [separating axes]
+ *   otherwise   the deepest vertex, or point on an edge, of one inside the other; 0 where a plane along a face separates them
+ */
 #ifndef SP__CONTACTS_OVERLAP_C
 #define SP__CONTACTS_OVERLAP_C
 

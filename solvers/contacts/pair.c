@@ -1,4 +1,7 @@
-/* pair: tolerances of two blocks, the plane they are compared in, appending to the scene */
+/* pair: tolerances of two blocks, the plane in which their patches are compared, and appending a polygon as a joint.
+ *
+ *   gap g along n_A in the middle m of the shared polygon:  n_B . (o_B - m - g n_A) = 0
+ */
 #ifndef SP__CONTACTS_PAIR_C
 #define SP__CONTACTS_PAIR_C
 

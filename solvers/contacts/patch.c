@@ -1,4 +1,5 @@
-/* patch: faces of a block that lie in one plane, merged into patches */
+/* patch: faces of a block in one plane become one patch, bounded by the edges that no opposite edge cancels.
+ * Larger faces go first, ties by place, so the order of faces does not matter. Not in SP_SMALL: small_patch.c. */
 #ifndef SP__CONTACTS_PATCH_C
 #define SP__CONTACTS_PATCH_C
 

@@ -1,4 +1,5 @@
-/* small_pair: in place of polygon.c and sweep.c in the smallest build, the hull of what two blocks share in a plane */
+/* small_pair: polygon.c and sweep.c for SP_SMALL. Every pair of blocks is compared, and the faces of A in one plane share with B
+ * the convex hull of their intersections: a force at a point of the hull is a sum of forces at its corners. */
 #ifndef SP__CONTACTS_SMALL_PAIR_C
 #define SP__CONTACTS_SMALL_PAIR_C
 

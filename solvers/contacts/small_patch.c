@@ -1,4 +1,4 @@
-/* small_patch: in place of patch.c in the smallest build, each face a patch; memory of that build's search */
+/* small_patch: patch.c and memory.c for SP_SMALL. Each face with an area is a patch. */
 #ifndef SP__CONTACTS_SMALL_PATCH_C
 #define SP__CONTACTS_SMALL_PATCH_C
 

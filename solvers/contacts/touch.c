@@ -1,4 +1,4 @@
-/* touch: what the search for contacts knows; its settings */
+/* touch: data, tolerances and settings of the search for contacts. */
 #ifndef SP__CONTACTS_TOUCH_C
 #define SP__CONTACTS_TOUCH_C
 
@@ -6,7 +6,7 @@
 #include "../geometry/clip.c"
 #include "../geometry/convex.c"
 
-/* Which faces of which blocks touch, and in what polygons.
+/* The search for contacts finds which faces of which blocks touch, and in what polygons.
  *
  *   patch      all faces of one block in one plane and with one direction; bounded by the edges that do not cancel
  *   bound      boundary edges of the patches, vertex numbers of the scene, patch on the left seen from outside

@@ -1,4 +1,4 @@
-/* alternate: the seed's alternation [seed 3] */
+/* alternate: the specification's search for a triple, for comparison: forces and motion take turns.           [seed 3.2, 3.3] */
 #ifndef SP__COUPLED_ALTERNATE_C
 #define SP__COUPLED_ALTERNATE_C
 

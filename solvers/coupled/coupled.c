@@ -1,4 +1,5 @@
-/* coupled: the coupled check's run */
+/* coupled: the run of the coupled check: forests first, then the search in the plane, then in space, last the decision.
+ *                                                                                             [Kao 2022, Eqs. 8-11] */
 #ifndef SP__COUPLED_COUPLED_C
 #define SP__COUPLED_COUPLED_C
 
@@ -37,7 +38,7 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)(c->j.sweeps - before) * c->pb->points;
 }
 
-/* No triple was found: is there none? With mu = 0 this is one programme that tells either way: ft = 0, alpha = 0, and what is left is
+/* No triple was found: is there none? With mu = 0 this is one linear program that decides either way: ft = 0, alpha = 0, and what is left is
  * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
  * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
 SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena *a)
@@ -45,7 +46,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     int frictionless = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->strength.mu > 0) frictionless = 0;
     const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
-    if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before is nothing that its tree hangs on */
+    if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before must not change its tree */
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, frictionless ? &c->t : NULL, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
@@ -64,7 +65,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
  * From rest the search in space would stay in the plane by itself: energy, caps and drags are symmetric, so are Newton's steps.
  * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
  * nothing: motions that explain forces need not be convex, and the mean of a triple and its image is none.
- *   returns 1 when a triple is verified, 0: none, or there is no such plane (c->mirror tells), -1: no memory */
+ *   returns 1 when a triple is verified, 0: none, or there is no such plane (see c->mirror), -1: no memory */
 SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 {
     const size_t mark = a->used;
@@ -88,7 +89,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     return 0;
 }
 
-/* In space, by search unless one is found, which `found` tells, then the decision. */
+/* In space, by search unless one is found (`found`), then the decision. */
 SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;

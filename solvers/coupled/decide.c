@@ -1,4 +1,4 @@
-/* decide: branch and bound over the states of joints */
+/* decide: does any triple (f, dq, alpha) exist? Branch and bound over the states of corners, a linear program in each case. */
 #ifndef SP__COUPLED_DECIDE_C
 #define SP__COUPLED_DECIDE_C
 
@@ -391,7 +391,7 @@ static sp_real sp__branch_weight(const sp__branch *s, int32_t i)
     return 1 / s->size[v];
 }
 
-/* Multiplier of the k-th active constraint, of the failed one for k = n; 0 for dust, or where it would ask for a bound that is
+/* Multiplier of the k-th active constraint, of the failed one for k = n; 0 for what is only rounding, or where it would ask for a bound that is
  * none. */
 static sp_real sp__branch_multiplier(const sp__branch *s, int32_t k, sp_real largest)
 {

@@ -1,4 +1,5 @@
-/* forest: the triple without a search, where joints close no loop */
+/* forest: where joints close no loop between blocks a triple needs no search. All blocks sink by eps, and each edge of the graph
+ * slips as a plate whose friction is spread as its pressure: dt = -s g(r), g(r) = G + w x (r - o)  (sp__plate_of). */
 #ifndef SP__COUPLED_FOREST_C
 #define SP__COUPLED_FOREST_C
 
@@ -7,7 +8,7 @@
 
 #if SP__WITH_COUPLED
 
-/* Is a forest told without a search? Not where nothing may be left out, or the seed's search is asked. */
+/* May a forest be answered without a search? Not where nothing may be left out, or the seed's search is asked for. */
 static int sp__hangs(const sp_settings *set) { return !set->coupled.rounds && set->iterations >= SP__ITERATIONS; }
 
 /* The contact graph: supports one node, the joints of two nodes one edge if they have one normal, a seam. */
@@ -47,7 +48,7 @@ SP__NOINLINE static int sp__forest_seams(const sp_problem *pb, sp__forest *g)
 }
 
 /* Leaves first: block order[k] goes with its only edge left, join[order[k]].
- *   returns 1 when no block stays: a forest that hangs on the supports; 0: it does not, or no memory */
+ *   returns 1 when no block is left: a forest rooted in the supports; 0: it does not, or no memory */
 SP__NOINLINE static int sp__forest_of(const sp_problem *pb, sp__forest *g, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
@@ -180,7 +181,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
     }
 }
 
-/* Where the edges hang the free blocks on the supports as a forest nothing need be searched for: how the sides of an edge move
+/* If the edges join the free blocks to the supports as a forest nothing need be searched for: how the sides of an edge move
  * against each other can be chosen for each of them. All sink by eps, dn = -eps at every vertex, and slip like a plate whose
  * drag is its pressure (sp__plate_of):
  *
@@ -188,7 +189,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
  *
  * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps and
  * eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the normal,
- * and else the certificate check tells. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
+ * and else the certificate check decides. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
  * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
  *   returns 1 when the triple is verified */
 SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)

@@ -1,4 +1,5 @@
-/* held: motions with joints held fast */
+/* held: forces under a given motion, corners that press and slip fixed by it: the penalty form in that motion, and the best of
+ * such answers, kept for a scene that is not coupled. */
 #ifndef SP__COUPLED_HELD_C
 #define SP__COUPLED_HELD_C
 

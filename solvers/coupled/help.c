@@ -1,4 +1,5 @@
-/* help: where help is wanted so that a motion explains the forces */
+/* help: where tension or friction is missing so that a motion explains the forces: the penalty form joined with a motion.
+ *                                                                                                   [Kao 2022, Eq. 14] */
 #ifndef SP__COUPLED_HELP_C
 #define SP__COUPLED_HELP_C
 

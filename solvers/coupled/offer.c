@@ -1,4 +1,7 @@
-/* offer: triples made of forces and a motion, to be judged */
+/* offer: from forces and a motion that nearly agree to a triple for the certificate check.
+ *
+ *     df = -D Aeq' z,   Aeq D Aeq' z = Aeq f + p,   D: how each corner's force may change along its slip
+ */
 #ifndef SP__COUPLED_OFFER_C
 #define SP__COUPLED_OFFER_C
 

@@ -1,4 +1,4 @@
-/* open: what a coupled check needs, in an arena */
+/* open: memory of a coupled check, its dual and scales, and the start at rest from the forces of statics. */
 #ifndef SP__COUPLED_OPEN_C
 #define SP__COUPLED_OPEN_C
 

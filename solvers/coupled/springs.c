@@ -1,4 +1,4 @@
-/* springs: forces from a motion: springs at pressing joints, drag at slipping ones */
+/* springs: forces from a motion, by springs at pressing corners and drag at slipping ones, and Newton steps on the energy of both. */
 #ifndef SP__COUPLED_SPRINGS_C
 #define SP__COUPLED_SPRINGS_C
 

@@ -1,4 +1,4 @@
-/* memory: what every call with a scene takes, told before it is made */
+/* memory: sp_memory: the bytes any call takes, from a dry run of the same carving, before the call is made. */
 #ifndef SP__MEMORY_MEMORY_C
 #define SP__MEMORY_MEMORY_C
 

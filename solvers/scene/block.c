@@ -1,4 +1,4 @@
-/* block: adding stones and supports */
+/* block: a mesh with its mass and centroid becomes a block of the scene, stone or support. */
 #ifndef SP__SCENE_BLOCK_C
 #define SP__SCENE_BLOCK_C
 

@@ -1,4 +1,8 @@
-/* joint: joints and loads are added here: frame, planarity and strength of a joint; forces, couples, weights, pressures */
+/* joint: joints and loads into a scene: frame, flatness, area and strength of a joint; forces, couples, weights, pressures.
+ *
+ *   (n, t1, t2): n from the area vector sum p x q / 2, t1 along the first edge made orthogonal to n, t2 = n x t1   [Newell]
+ *   |ft| <= C + mu fn,  -T <= fn <= N per vertex [N], C T N: stresses times area / vertices               [Mohr, Coulomb]
+ */
 #ifndef SP__SCENE_JOINT_C
 #define SP__SCENE_JOINT_C
 

@@ -1,4 +1,5 @@
-/* matrix: Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
+/* matrix: Aeq and Afr by entries for other solvers: columns [ s e ; s r x e ] of a force s e at arm r from the centroid, and rows
+ * cos_k ft1 + sin_k ft2 - mu_eff fn of the friction pyramid.                                             [seed 1.1, 1.2, 1.4] */
 #ifndef SP__SCENE_MATRIX_C
 #define SP__SCENE_MATRIX_C
 

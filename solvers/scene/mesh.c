@@ -1,4 +1,5 @@
-/* mesh: volume and centroid of a mesh; is it closed, and does it look outward? [seed 1.3] */
+/* mesh: volume and centroid of a mesh by tetrahedra from a point, 6V = sum a . (b x c); is it closed, does it face outwards?
+ *                                                                                                          [seed 1.3] */
 #ifndef SP__SCENE_MESH_C
 #define SP__SCENE_MESH_C
 

@@ -1,4 +1,5 @@
-/* place: where a stone may be placed: support, seats, resting faces, next-best-object gate [seed 6.1, 6.2] */
+/* place: where a stone may be placed, by geometry and its centre of mass alone: support clearance and cost, seats, resting faces,
+ * next-best-object gate.                                                                                   [seed 6.1, 6.2] */
 #ifndef SP__SCENE_PLACE_C
 #define SP__SCENE_PLACE_C
 

@@ -1,4 +1,5 @@
-/* problem: a scene made ready: rows, lever arms, loads */
+/* problem: the equilibrium Aeq f + p = 0 of a scene's free blocks: rows (F, M about the centroid), contacts with frame and lever
+ * arms, loads p. */
 #ifndef SP__SCENE_PROBLEM_C
 #define SP__SCENE_PROBLEM_C
 

@@ -1,4 +1,4 @@
-/* scene: room for blocks, joints and loads in an arena */
+/* scene: the arrays of a scene (blocks, meshes, joints, loads) in an arena, sized by sp_capacity. */
 #ifndef SP__SCENE_SCENE_C
 #define SP__SCENE_SCENE_C
 
