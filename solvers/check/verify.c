@@ -65,7 +65,7 @@ SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_
 }
 #endif
 
-static size_t sp__verify_memory(const sp_scene *scene)
+SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;

@@ -82,7 +82,7 @@ static void sp__top_sizes_guess(sp__top_sizes *most, const sp_scene *scene)
     }
 }
 
-static size_t sp__contacts_memory(const sp_scene *scene)
+SP__NOINLINE static size_t sp__contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
     union { sp__contact_arrays all; sp__clip clip; sp__pair_buffer pair; } none;

@@ -26,7 +26,7 @@ SP__NOINLINE static int sp__bracket_holds(sp__bracket *b, const sp_limit_result 
     return sp__bracket_falls(b, r->kind == SP_LIMIT_NONE ? 0 : r->upper, 1, NULL);
 }
 
-static size_t sp__limit_verify_memory(const sp_scene *scene)
+SP__NOINLINE static size_t sp__limit_verify_memory(const sp_scene *scene)
 {
     if (!scene) return 0;
     sp_problem pb;
