@@ -7,7 +7,7 @@
 
 #if SP__WITH_LARGE
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* What the coupled check makes of what statics said, of every island and of the whole. */
 SP__NOINLINE static void sp__apply_coupled_verdicts(sp__check *c)
 {

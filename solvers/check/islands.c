@@ -9,7 +9,7 @@
 /* Share of tol up to which the imbalances of islands stand for that of the whole, in spite of rounding. */
 #define SP__ISLANDS_ENOUGH ((sp_real)(sizeof(sp_real) == 4 ? 0.9 : 0.999))
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* Numbers of an island's coupled check into those of the whole. Where it is coupled its forces take the place of the penalty form. */
 SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c)
 {
@@ -30,6 +30,8 @@ SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, s
     c->r.part[k].coupling = from->verdict;
     c->r.part[k].coupling_reason = from->reason;
 }
+#else
+static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c) { (void)k; (void)found; (void)c; }
 #endif
 
 /* y0 of an island at its rows among all free blocks, the large half and the small. */
@@ -68,9 +70,7 @@ SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const s
     r->part[k].reason = from->reason;
     r->part[k].stage = from->stage;
     if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
-#ifndef SP_NO_CRA
-    if (c->set.coupled.asked) sp__island_coupled(k, found, c);
-#endif
+    if (SP__WITH_COUPLED && c->set.coupled.asked) sp__island_coupled(k, found, c);
 }
 
 /* The island whose verdict is that of all: the first that falls, else the first undecided, else the first with forces. */
@@ -85,7 +85,7 @@ static int32_t sp__islands_worst(const sp_result *r)
     return worst;
 }
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* The coupled check of the whole from those of all islands; r->verdict is that of statics. Where all are coupled the triple is
  * judged once more. */
 SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
@@ -119,6 +119,8 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     out->reason = SP_COUPLING_MOTION;
     return SP_OK;
 }
+#else
+static sp_status sp__islands_couple(sp__check *c, sp_arena *a) { return (void)c, (void)a, SP_OK; }
 #endif
 
 /* One verdict of all islands. Where all stand by imbalances up to SP__ISLANDS_ENOUGH tol, each checked by itself, that is the
@@ -149,13 +151,11 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
     r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
     if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
-#ifndef SP_NO_CRA
-    if (c->set.coupled.asked) status = sp__islands_couple(c, a);
-#endif
+    if (SP__WITH_COUPLED && c->set.coupled.asked) status = sp__islands_couple(c, a);
     return status;
 }
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* eps and eta of the whole, for its islands. */
 SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
 {
@@ -167,6 +167,11 @@ SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coup
     if (!(k.eps > 0)) cs->eta = k.L;
     return SP_OK;
 }
+#else
+static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
+{
+    return (void)scene, (void)cs, (void)set, (void)a, SP_OK;
+}
 #endif
 
 /* The loop over all islands, in the arena. */
@@ -174,9 +179,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
 {
     const size_t start = a->used;
     sp_status status = SP_OK;
-#ifndef SP_NO_CRA
-    if (c->set.coupled.asked) status = sp__islands_lengths(scene, &c->set.coupled, &c->set, *a);
-#endif
+    if (SP__WITH_COUPLED && c->set.coupled.asked) status = sp__islands_lengths(scene, &c->set.coupled, &c->set, *a);
     sp__island_loop *w = sp__take(a, 1, sizeof *w);
     if (status || !w) return status ? status : SP_E_MEMORY;
     memset(w, 0, sizeof *w);

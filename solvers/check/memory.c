@@ -19,6 +19,25 @@ typedef struct sp__result_arrays {
     sp_proof proof;
 } sp__result_arrays;
 
+#if SP__WITH_COUPLED
+/* Besides, what a coupled check keeps. */
+static void sp__result_arrays_coupled(sp__result_arrays *r, const sp_scene *scene, const sp__island_counts *counts,
+                                      const sp_settings *set, sp_arena *a)
+{
+    r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
+    r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
+    if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
+    r->used = a->used;
+    sp__proof_carve(&r->proof, counts->points, counts->blocks, set, a);
+}
+#else
+static void sp__result_arrays_coupled(sp__result_arrays *r, const sp_scene *scene, const sp__island_counts *counts,
+                                      const sp_settings *set, sp_arena *a)
+{
+    (void)r; (void)scene; (void)counts; (void)set; (void)a;
+}
+#endif
+
 static void sp__result_arrays_carve(sp__result_arrays *r, const sp_scene *scene, int32_t free_blocks,
                                     const sp__island_counts *counts, const sp_settings *set, sp_arena *a)
 {
@@ -32,16 +51,7 @@ static void sp__result_arrays_carve(sp__result_arrays *r, const sp_scene *scene,
         r->part = sp__take(a, (size_t)counts->islands, sizeof *r->part);
     }
     r->used = a->used;
-#ifndef SP_NO_CRA
-    if (!set || !set->coupled.asked) return;
-    r->cdq = sp__take(a, (size_t)scene->count.blocks, 6 * sizeof *r->cdq);
-    r->alpha = sp__take(a, (size_t)scene->count.points, sizeof *r->alpha);
-    if (set->localise) r->penalty = sp__take(a, (size_t)scene->count.points, 4 * sizeof *r->penalty);
-    r->used = a->used;
-    sp__proof_carve(&r->proof, counts->points, counts->blocks, set, a);
-#else
-    (void)set;
-#endif
+    if (SP__WITH_COUPLED && set && set->coupled.asked) sp__result_arrays_coupled(r, scene, counts, set, a);
 }
 
 /* Bytes of that. */
@@ -82,24 +92,19 @@ typedef struct sp__check { sp_settings set; sp_problem pb; sp_result r; } sp__ch
 static size_t sp__whole_scratch(const sp_scene *scene, const sp_settings *settings)
 {
     sp_problem pb;
-    (void)settings;
     sp__problem_count(scene, &pb);
     size_t most = sp__system_scratch(&pb);
-#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
-    for (int32_t k = 0; settings && k < settings->stage_count; k++) {
+    for (int32_t k = 0; SP__WITH_ADMM && settings && k < settings->stage_count; k++) {
         if (settings->stage[k] != SP_STAGE_ADMM) continue;
         const size_t need = sp__admm_scratch(&pb, settings);
         if (need == 0) return 0;
         if (need > most) most = need;
     }
-#ifndef SP_NO_CRA
-    if (settings && settings->coupled.asked && settings->coupled.rounds) {
+    if (SP__WITH_ADMM && SP__WITH_COUPLED && settings && settings->coupled.asked && settings->coupled.rounds) {
         const size_t need = sp__alt_scratch(&pb, settings);
         if (need == 0) return 0;
         if (need > most) most = need;
     }
-#endif
-#endif
     return sp__problem_memory(scene) + SP_ALIGN + most;
 }
 
@@ -152,12 +157,10 @@ static size_t sp__problem_need(const sp_problem *pb, const sp_settings *set, int
 SP__NOINLINE static sp_status sp__built_need(sp__check *c, int part, sp_arena scratch, size_t *bytes)
 {
     size_t work = sp__stages_need(&c->pb, &c->set, scratch);
-#ifndef SP_NO_CRA
-    if (c->set.coupled.asked) {
+    if (SP__WITH_COUPLED && c->set.coupled.asked) {
         const size_t need = sp__coupled_need(&c->pb, &c->set, sp__alt_need(&c->pb, &c->set, scratch), scratch);
         if (need > work) work = need;
     }
-#endif
     *bytes = sp__problem_need(&c->pb, &c->set, part, work);
     return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
 }
@@ -240,11 +243,11 @@ typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <
 typedef char sp__memory_bytes_holds_reduction[sizeof(sp_real) > 8 || SP__REDUCTION_G <= 20 ? 1 : -1];
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__cra) <= 448 && sizeof(sp__branch) <= 448
                                             && sizeof(sp__refute) <= 448 && SP__ROWS <= 21 && SP__PROOF_DEPTH <= 32) ? 1 : -1];
 #endif
-#if !defined SP_NO_QP && !defined SP_NO_ADMM
+#if SP__WITH_ADMM
 typedef char sp__memory_bytes_holds_program[sizeof(sp_real) > 8 || sizeof(sp__program) + sizeof(sp__qp) <= 1280 ? 1 : -1];
 #endif
 

@@ -34,7 +34,7 @@ static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_
     return sp__check_demand(pb, set, state, a, r);
 }
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* eps and eta in force. */
 SP__NOINLINE static void sp__report_lengths(sp__check *c)
 {

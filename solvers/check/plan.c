@@ -21,17 +21,16 @@ typedef struct sp__work {
     int64_t search;                     /* flops of such searches */
 } sp__work;
 
-/* Is no search for a motion planned? */
-static int sp__plan_hangs(const sp_problem *pb, const sp_settings *set, sp_arena a)
+/* Is the coupled check asked, and are its joints a forest, for which no motion is searched? */
+#if SP__WITH_COUPLED
+static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_arena a)
 {
-#ifndef SP_NO_CRA
     sp__forest g;
     return set->coupled.asked && sp__hangs(set) && sp__forest_of(pb, &g, &a);
-#else
-    (void)pb; (void)set; (void)a;
-    return 0;
-#endif
 }
+#else
+static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_arena a) { return (void)pb, (void)set, (void)a, 0; }
+#endif
 
 /* What a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
 static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64_t full, int64_t factor, sp__work *o)
@@ -48,7 +47,7 @@ static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64
 /* Adds the work of a problem. */
 SP__NOINLINE static sp_status sp__plan_problem(const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp__work *o)
 {
-    const int hangs = sp__plan_hangs(pb, set, scratch);
+    const int hangs = sp__plan_forest(pb, set, scratch);
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t blocks = w ? sp__system_analyse(w, pb, &scratch) : -1;
     if (blocks < 0) return SP_E_MEMORY;

@@ -4,7 +4,7 @@
 
 #include "memory.c"
 
-#ifndef SP_NO_CRA
+#if SP__WITH_COUPLED
 /* Tables of islands, the problem of one, and what judges it; `hint`: its share of y0. */
 typedef struct sp__island_claim { sp__islands t; sp_problem pb; sp__certificate j; sp_real *hint; } sp__island_claim;
 
@@ -63,6 +63,42 @@ SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_
     *margin = sp__certify_refutation(&p->j, k, &claim->coupled.proof, &a);
     return SP_OK;
 }
+
+/* The triple of a coupled check, and a proof that there is none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
+SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certificate *j, const sp_result *claim, sp_real *dq,
+                                    sp_arena *scratch, sp_arena room, sp_evidence *e)
+{
+    sp_status status = SP_OK;
+    if (c->set.coupled.asked && claim->coupled.dq && claim->coupled.alpha) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        sp__verify_motion(&c->pb, claim->coupled.dq, dq);
+        e->residual = sp__certify_coupled(j, &k, claim->f, dq, claim->coupled.alpha);
+        if (e->level && e->residual <= 1) e->level = SP_COUPLED;
+    }
+    if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
+        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
+        if (!claim->coupled.proof.island) e->margin = sp__certify_refutation(j, &k, &claim->coupled.proof, scratch);
+        else status = sp__verify_island(scene, &c->set, &k, claim, room, &e->margin);
+        if (status) return status;
+        if (e->margin > 0) { e->verdict = SP_UNSTABLE; e->level = SP_NONE; }
+    }
+    return SP_OK;
+}
+
+/* Bytes of a proof of the whole scene; 0: it is too large for one. */
+static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb)
+{
+    const int32_t points = sp__points_count(scene);
+    return points <= SP_EXACT_POINTS ? sp__refute_need(points, pb->blocks) : 0;
+}
+#else
+static size_t sp__verify_island_need(const sp_scene *scene, const sp_settings *set) { return (void)scene, (void)set, 0; }
+static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb) { return (void)scene, (void)pb, 0; }
+static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certificate *j, const sp_result *claim, sp_real *dq,
+                                    sp_arena *scratch, sp_arena room, sp_evidence *e)
+{
+    return (void)scene, (void)c, (void)j, (void)claim, (void)dq, (void)scratch, (void)room, (void)e, SP_OK;
+}
 #endif
 
 SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
@@ -74,18 +110,13 @@ SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
     sp__problem_count(scene, &pb);
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof(sp__check));
-#ifndef SP_NO_CRA
     const size_t part = dry.used + sp__verify_island_need(scene, &set);
-#endif
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, 1, sp__certificate_need(&pb, &set));
-#ifndef SP_NO_CRA
-    const int32_t points = sp__points_count(scene);
-    if (points <= SP_EXACT_POINTS) sp__take(&dry, 1, sp__refute_need(points, pb.blocks));
-    if (part > dry.used) return part;
-#endif
-    return dry.used;
+    const size_t proof = sp__verify_proof_need(scene, &pb);
+    if (proof) sp__take(&dry, 1, proof);
+    return part > dry.used ? part : dry.used;
 }
 
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
@@ -100,9 +131,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     if (triple && !sp__all_finite(claim->coupled.alpha, (size_t)scene->count.points)) return SP_E_NOT_FINITE;
     sp__check *c = sp__take(&scratch, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
-#ifndef SP_NO_CRA
     const sp_arena room = scratch;
-#endif
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
@@ -117,21 +146,8 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;
-#ifndef SP_NO_CRA
-    if (triple) {
-        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        sp__verify_motion(&c->pb, claim->coupled.dq, dq);
-        e.residual = sp__certify_coupled(&j, &k, claim->f, dq, claim->coupled.alpha);
-        if (e.level && e.residual <= 1) e.level = SP_COUPLED;
-    }
-    if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
-        const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        if (!claim->coupled.proof.island) e.margin = sp__certify_refutation(&j, &k, &claim->coupled.proof, &scratch);
-        else status = sp__verify_island(scene, &c->set, &k, claim, room, &e.margin);
-        if (status) return status;
-        if (e.margin > 0) { e.verdict = SP_UNSTABLE; e.level = SP_NONE; }
-    }
-#endif
+    if (SP__WITH_COUPLED) status = sp__verify_coupled(scene, c, &j, claim, dq, &scratch, room, &e);
+    if (status) return status;
     *evidence = e;
     return SP_OK;
 }

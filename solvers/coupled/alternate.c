@@ -8,7 +8,7 @@
 
 #if SP__WITH_COUPLED
 
-#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+#if SP__WITH_ADMM
 /* The seed's own search, settings.coupled.rounds > 0: forces and motion take turns.                        [seed 3.2, 3.3]
  *
  *     E: fn > max(floor, engaged max fn)     F: |ft| above the same     w^2 = fn / max fn     h = ft / |ft|
@@ -488,8 +488,17 @@ static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_aren
     return 0;
 }
 
+static size_t sp__alt_scratch(const sp_problem *pb, const sp_settings *set) { return (void)pb, (void)set, 0; }
 static int sp__alternate(sp__cra *c, sp_arena *a) { (void)c; (void)a; return 0; }
 #endif
+
+#elif SP__WITH_LARGE
+
+static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
+{
+    return (void)pb, (void)set, (void)scratch, 0;
+}
+static size_t sp__alt_scratch(const sp_problem *pb, const sp_settings *set) { return (void)pb, (void)set, 0; }
 
 #endif
 

@@ -60,6 +60,13 @@ static void sp__cra_rest(sp__cra *c, sp_real imbalance)
     c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
 }
 
+#elif SP__WITH_LARGE
+
+static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
+{
+    return (void)pb, (void)set, (void)turns, (void)scratch, 0;
+}
+
 #endif
 
 #endif /* SP__COUPLED_OPEN_C */

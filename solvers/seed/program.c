@@ -287,6 +287,7 @@ static size_t sp__admm_need(const sp_problem *pb, const sp_settings *set, sp_are
 {
     return (void)pb, (void)set, (void)scratch, 0;
 }
+static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set) { return (void)pb, (void)set, 0; }
 
 #endif
 

@@ -97,7 +97,7 @@ bodies() {
         /^\{/ { body = 1 }
         /^\}/ { body = 0 }
         /^#[ ]*(if|elif)/ && !/SP_REAL_/ && body { print FILENAME ":" FNR ": " $0; n++ }
-        END { print n + 0 " conditionals inside bodies, at most " most; exit n > most }' stonepack.c solvers/*/*.c
+        END { print n + 0 " conditionals inside bodies, at most " most + 0; exit n > most }' stonepack.c solvers/*/*.c
 }
 
 part "floors: folders include only what stands below" downward
@@ -107,5 +107,5 @@ part "floors: every part compiles alone" alone
 part "floors: every part compiles alone, float" alone -DSP_REAL_FLOAT
 part "floors: no private name twice" once
 part "floors: no file over $most lines" short
-part "floors: no switch inside a body" bodies 15
+part "floors: no switch inside a body" bodies 0
 total
