@@ -4,10 +4,12 @@
  * B (its opposite on A); n points from A into B, fn > 0 presses, |ft| <= mu fn. The library looks for forces that hold every free
  * block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
  *
- *   units      SI: m, kg, s, N; angles never appear; gravity is an argument. Any consistent set works as well.
+ *   units      SI: m, kg, s, N; angles never appear. Any consistent set works as well. Gravity is (0, 0, -9.80665) unless
+ *              scene.gravity is set.
  *   memory     one arena given by the caller; no call allocates, prints, reads a clock or keeps state of its own.
  *   errors     every call returns an sp_status; on failure outputs are untouched unless its text says otherwise.
- *   pointers   are not NULL and their arrays are read, not kept, unless the text says otherwise; id may be NULL everywhere.
+ *   pointers   are not NULL and their arrays are read, not kept, unless the text says otherwise.
+ *   numbers    of blocks and joints are 0, 1, 2 ... as they are added; a call writes them to *id, which may be NULL.
  *   results    the same input gives the same bits, on every machine, when built with -ffp-contract=off.
  *   licence    MIT
  *
@@ -70,13 +72,11 @@ typedef enum sp_status {
     SP_E_UNSUPPORTED = -15,     /* legal, but not in this version or build: strength of a joint in a coupled check */
     SP_E_INDEFINITE  = -16      /* P of a quadratic program is not positive semidefinite */
 } sp_status;
-
 /* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
 typedef struct sp_arena {
     unsigned char *base;        /* aligned start */
     size_t cap, used, peak;     /* [byte] */
 } sp_arena;
-
 /* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
  * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
  *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
@@ -89,10 +89,12 @@ typedef struct sp_strength sp_strength;                 /* of a joint: friction 
 typedef struct sp_contact_settings sp_contact_settings;
 typedef struct sp_contact_report sp_contact_report;     /* joints, points found; overlaps */
 typedef struct sp_settings sp_settings;                 /* of a check; NULL everywhere: the default ones */
-typedef struct sp_result sp_result;                     /* verdict, reason; forces f, of an UNSTABLE the mechanism dq */
-typedef struct sp_evidence sp_evidence;                 /* verdict as proved once more */
-typedef struct sp_joint_force sp_joint_force;           /* force[3], point[3], utilisation */
-
+typedef struct sp_result sp_result;                     /* verdict, reason; f[3 i .. 3 i + 2] = fn, ft1, ft2 of corner i, corners in
+                                                           the order of joints as added; of an UNSTABLE f balances nothing, and dq
+                                                           is the motion of the collapse */
+typedef struct sp_evidence sp_evidence;                 /* verdict that the evidence proves; verified: it is the result's */
+typedef struct sp_joint_force sp_joint_force;           /* force[3] on b in x y z, its point[3]; utilisation |ft| / (mu fn) of the
+                                                           joint as a whole */
 /* What a scene has room for. Each number >= 0. */
 typedef struct sp_capacity {
     int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
@@ -114,7 +116,9 @@ SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_are
 /* Add a block of uniform density [kg/m^3]. fixed: held directions; a support (SP_FIXED) may be open or flat. id may be NULL.
  *   returns what sp_mesh_mass returns, SP_E_RANGE (density <= 0, fixed > SP_FIXED), SP_E_CAPACITY */
 SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id);
-
+/* Add a block without a mesh, known by its mass [kg] (> 0, or >= 0 for a support) and centroid [m].
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
+SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
 SP_API sp_strength sp_strength_friction(sp_real mu);     /* friction mu and nothing else */
 /* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
  * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
@@ -129,7 +133,6 @@ SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t p
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY; SP_E_UNSUPPORTED of SP_SMALL */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch, sp_contact_report *report);
-
 typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
 /* Does it stand? The arrays of the result live in the arena, which wants what sp_memory tells for SP_FOR_CHECK.
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
@@ -137,14 +140,12 @@ typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_
  *             this build leaves out) */
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
 
-/* Re-check a claim: reads its f, dq and (if not NULL) y0, and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
- * NULL) and coupled.proof (if it has nodes), nothing else. tol, force_bound, eps and eta are those of the settings.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (as sp_check),
- *           SP_E_NOT_FINITE (in f, a dq or alpha; such a y0 is ignored) */
+/* Re-check the evidence of a result from the scene, now or later.
+ *   returns as sp_check; SP_E_NOT_FINITE (in f, a dq or alpha) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 
-/* Resultant of one joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+/* Resultant of one joint on its block b.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
 SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint, sp_joint_force *out);
 /* ================================================= You can stop here. ================================================= */
 #endif /* SP_QP_ONLY */
@@ -278,10 +279,6 @@ typedef struct sp_mass {
  * A polygon is fanned about its vertex mean (a triangle is taken as it is). Vertices with equal coordinates are the same.
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_DEGENERATE, SP_E_WARPED, SP_E_OPEN, SP_E_INWARD */
 SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass);
-
-/* Add a block without a mesh, known by its mass [kg] (> 0, or >= 0 for a support) and centroid [m].
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
-SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
 
 /* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
  *   returns as sp_scene_joint; SP_E_AREA: also strength without an area */
@@ -497,7 +494,10 @@ struct sp_result {
     size_t peak_bytes;          /* of the arena */
 };
 
-/* What the evidence of a claim proves, recomputed from the scene by code that shares nothing with the search. */
+/* What the evidence of a claim proves, recomputed from the scene by code that shares no step with the search. sp_verify reads the
+ * claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, which is believed as far as it can be checked; and if
+ * settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
+ * force_bound, eps and eta are those of the settings. A y0 that is not finite is ignored. */
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;
