@@ -8,7 +8,7 @@
 #if SP__WITH_LARGE
 
 #if SP__WITH_COUPLED
-/* What the coupled check makes of what statics said, of every island and of the whole. */
+/* The coupled check's answers change the verdicts of statics, of every island and of the whole. */
 SP__NOINLINE static void sp__apply_coupled_verdicts(sp__check *c)
 {
     sp_result *r = &c->r;
@@ -24,7 +24,7 @@ SP__NOINLINE static void sp__apply_coupled_verdicts(sp__check *c)
 static void sp__apply_coupled_verdicts(sp__check *c) { (void)c; }
 #endif
 
-/* What a check starts with: room for its result and, where there are several islands, the loop over them. */
+/* Begin a check: room for its result and, if there are several islands, for the loop over them. */
 SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_settings *settings, sp_arena *a, sp__check **c,
                                            sp__island_loop **w)
 {
@@ -36,7 +36,7 @@ SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_se
     return sp__island_loop_begin(scene, *c, a, w);
 }
 
-/* Words and resultants of what was found. */
+/* End a check: verdict, level, extremes of the forces, why each effect was on or off. */
 SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
 {
     sp_result *r = &c->r;
@@ -50,7 +50,7 @@ SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
             r->effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));
 }
 
-/* What sp_check cannot work with. */
+/* The status of arguments that sp_check can't work with. */
 static sp_status sp__check_arguments(const sp_scene *scene, const sp_settings *settings, const sp_arena *arena, const sp_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;

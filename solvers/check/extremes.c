@@ -1,4 +1,4 @@
-/* extremes: extremes of a force state, the weakest joint */
+/* extremes: the largest compression, tension and friction of a force state, and the weakest joint. */
 #ifndef SP__CHECK_EXTREMES_C
 #define SP__CHECK_EXTREMES_C
 

@@ -1,4 +1,7 @@
-/* islands: the check of all islands, one after the other */
+/* islands: a scene whose blocks fall into several islands: each is checked by itself, then the verdicts become one.
+ *
+ *   imbalance = max over islands;  verdict: UNSTABLE if one falls, else UNDECIDED if one is, else STABLE
+ */
 #ifndef SP__CHECK_ISLANDS_C
 #define SP__CHECK_ISLANDS_C
 
@@ -45,14 +48,14 @@ static void sp__island_potential(const int32_t *rank, const sp__check *found, sp
     c->state.has_y0 |= found->state.has_y0;
 }
 
-/* What stands has no motion. */
+/* An island that stands has no motion. */
 static void sp__island_rest(const sp__check *found)
 {
     for (int32_t i = 0; i < found->pb.blocks && found->r.verdict == SP_STABLE; i++)
         memset(found->r.dq + 6 * (size_t)found->pb.block[i], 0, 6 * sizeof *found->r.dq);
 }
 
-/* What was found about island k beside the arrays, which are the whole's. */
+/* Add the result of island k to that of the whole; forces and motion are in its arrays already. */
 SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_result *from = &found->r;
@@ -87,7 +90,7 @@ static int32_t sp__islands_worst(const sp_result *r)
 
 #if SP__WITH_COUPLED
 /* The coupled check of the whole from those of all islands; r->verdict is that of statics. Where all are coupled the triple is
- * judged once more. */
+ * checked once more on the whole. */
 SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
@@ -132,7 +135,7 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     if (w->proof.nodes) r->coupled.proof = w->proof;
     r->coupled.margin = w->margin;
     const sp_island *worst = &r->part[sp__islands_worst(r)];
-    for (int32_t i = 0; i < scene->count.blocks; i++)                   /* what falls tells, not what may */
+    for (int32_t i = 0; i < scene->count.blocks; i++)                   /* only the motion of the islands that gave the verdict */
         if (label[i] >= 0 && r->part[label[i]].verdict != worst->verdict)
             memset(r->dq + 6 * (size_t)i, 0, 6 * sizeof *r->dq);
     a->used = w->start;                                                 /* the tables are no longer needed */
@@ -192,7 +195,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
     return SP_OK;
 }
 
-/* Where another search came after the last that was refuted, whose proof has gone, that is sought again. */
+/* Is there an island left? A proof that a later search overwrote is sought once more, after the last island. */
 static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, int32_t k)
 {
     return k < c->r.islands + (w->proof.nodes && !w->lies);
@@ -222,7 +225,7 @@ SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__is
     return status;
 }
 
-/* What it found. */
+/* The island's result into that of the whole. */
 SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__check *found, sp__check *c, sp_arena *a)
 {
     const sp_coupled *o = &found->r.coupled;

@@ -1,4 +1,11 @@
-/* ladder: one stage after the other, and the judgement of each */
+/* ladder: the stages of a check in their order, each followed by the certificate check of what it found.
+ *
+ *   sp__check_run        (one.c) for every stage until one is decided:
+ *     sp__check_reduced    before the exact stage: the search in 3 rows a block, the usual way for walls and arches
+ *     sp__check_stage      runs the stage, which leaves forces or a motion in the state and a claim
+ *       sp__check_claim      opens the certificate check and asks it
+ *         sp__check_certify    the verdict: STABLE, UNSTABLE or UNDECIDED comes from here and nowhere else in this file
+ */
 #ifndef SP__CHECK_LADDER_C
 #define SP__CHECK_LADDER_C
 
@@ -11,7 +18,8 @@ static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
     return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
 }
 
-/* Forces smaller than `share` of the largest component are none: dust on what is not loaded no balance of its own forgives. */
+/* Drop forces smaller than `share` of the largest component: on a block without load even tiny ones spoil its balance, which is
+ * measured by its own forces. */
 static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
 {
     const size_t n = 3 * (size_t)points;
@@ -20,8 +28,9 @@ static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
     for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
 }
 
-/* What the state proves, whatever was claimed; its evidence into the result, at the scene's numbers; `best`, on a budget: if it is
- * better than what is there. Forces are judged unless a motion is claimed, and a motion unless forces are. */
+/* The verdict that the state's forces and motion prove, whatever was claimed. The forces are checked first; the motion, too, unless
+ * they prove STABLE or were all that was claimed. Both go to the result at the scene's numbers; with `best` (on a budget) only if
+ * they are better than what it has. */
 SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
@@ -68,7 +77,8 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
     return close ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
-/* The judgement of what a stage left in the state, `most` sweeps for the scales: r->verdict. */
+/* Certificate check of what a stage left in the state: r->verdict. `most`: sweeps for the scales, 0: scales of the loads alone,
+ * which no true scale is below, so that STABLE by them is STABLE. */
 SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
                                            sp_state *state, sp_arena *a, sp_result *r)
 {
@@ -81,14 +91,15 @@ SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_set
     return SP_OK;
 }
 
-/* What a search in 3 rows came to. */
+/* Outcome of a search in 3 rows. */
 typedef struct sp__reduced_outcome {
     sp_verdict claim;
-    int plane, known;                   /* in the plane; its bilateral force is the scene's */
+    int plane;                          /* in the plane, not with pressure alone */
+    int known;                          /* its bilateral force is that of all 6 rows, so scales follow from it */
     int spent;                          /* the budget ended it */
 } sp__reduced_outcome;
 
-/* The search in 3 rows, where one is planned, in the memory of the whole search, before it. */
+/* Run the search in 3 rows, if one is planned, in the memory that the search in 6 rows takes after it. */
 SP__NOINLINE static sp_status sp__check_reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
                                             sp_arena *a, sp__reduced_outcome *s)
 {
@@ -105,14 +116,15 @@ SP__NOINLINE static sp_status sp__check_reduced_search(const sp_problem *pb, con
     return status;
 }
 
-/* f0 by all 6 rows. */
+/* A first guess of f0 from all 6 rows, into the state. */
 SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
 {
     return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
 }
 
-/* What it claims, judged in full. Where its bilateral force is not the scene's: forces by least scales, then all by those of 6 rows,
- * unless there is a budget. What a budget ended is judged, too. */
+/* Certificate check, in 6 rows, of what the search in 3 rows found. If its bilateral force is not that of 6 rows, forces are first
+ * checked by the scales of the loads alone; if that proves nothing, f0 is found in 6 rows and all is checked again, unless there
+ * is a budget. A search that the budget ended is checked, too. */
 SP__NOINLINE static sp_status sp__check_reduced_outcome(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
                                             sp_arena *a, sp_result *r)
 {
@@ -127,7 +139,8 @@ SP__NOINLINE static sp_status sp__check_reduced_outcome(const sp_problem *pb, co
     return status ? status : sp__check_claim(pb, set, INT32_MAX, s->claim, state, a, r);
 }
 
-/* What is planar is not tried without friction. Where the third dimension is left out by force nothing comes after. */
+/* The search in 3 rows and its certificate check; *done: the check is decided. A planar scene is not tried without friction. Where
+ * the settings leave out the third dimension no search in 6 rows follows. */
 SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                              sp_arena *a, sp_result *r, int *done)
 {

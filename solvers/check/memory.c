@@ -1,4 +1,4 @@
-/* memory: what a check keeps, and what its stages need */
+/* memory: the arrays a check keeps, the needs of its stages, and both carved in an arena, dry or for real. */
 #ifndef SP__CHECK_MEMORY_C
 #define SP__CHECK_MEMORY_C
 

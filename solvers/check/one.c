@@ -1,4 +1,4 @@
-/* one: the check of one part */
+/* one: the check of one part of a scene: stages, then help where it does not stand, then the coupled check. */
 #ifndef SP__CHECK_ONE_C
 #define SP__CHECK_ONE_C
 
@@ -8,7 +8,7 @@
 
 #if SP__WITH_LARGE
 
-/* Where tension is wanted, of what did not turn out stable. */
+/* Where tension is missing in a part that is not stable: the penalty form's demand on each joint. */
 SP__NOINLINE static sp_status sp__check_demand(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
     memset(&state->cost, 0, sizeof state->cost);
@@ -67,7 +67,7 @@ SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
     return status;
 }
 
-/* What that makes of the verdict of statics.     returns 1: another one */
+/* The verdict after the coupled check.     returns 1: it is another one */
 static int sp__apply_coupled_verdict(const sp_settings *set, sp_coupling coupling, sp_coupling_reason why, sp_verdict *verdict,
                             sp_reason *reason)
 {
@@ -147,7 +147,7 @@ SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_set
     return SP_OK;
 }
 
-/* What stages leave: nothing yet. */
+/* The state that stages fill: empty. */
 static sp_status sp__state_open(sp__check *c, int part, sp_arena *a)
 {
     sp_state *state = &c->state;

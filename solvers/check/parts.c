@@ -1,4 +1,4 @@
-/* parts: into how many islands a check takes a scene apart */
+/* parts: how many islands a check solves one by one; on a budget or where asked, all blocks are one part. */
 #ifndef SP__CHECK_PARTS_C
 #define SP__CHECK_PARTS_C
 

@@ -1,4 +1,4 @@
-/* plan: sp_plan: which effects a scene calls for, and what that saves */
+/* plan: sp_plan: which effects a scene calls for, why, and the unknowns and flops that leaving out the others saves. */
 #ifndef SP__CHECK_PLAN_C
 #define SP__CHECK_PLAN_C
 
@@ -6,7 +6,7 @@
 #include "memory.c"
 
 #if !defined(SP_NO_PLAN) && !defined(SP_SMALL)
-/* What the full simulation of a problem comes to: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
+/* Work of the full simulation of a problem: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
  * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
  * near a limit), what a step costs is known. */
 #define SP__PLAN_STEPS 5
@@ -17,7 +17,7 @@ typedef struct sp__work {
     int64_t unknowns, flops;            /* of all rows and forces */
     int64_t less[2], fewer[2];          /* flops and unknowns that each sp__mode saves */
     int32_t problems, reduced[2];       /* how many problems, how many of them a reduction is planned for */
-    int32_t forests;                    /* how many of them are told to be coupled without a search */
+    int32_t forests;                    /* forests, which the coupled check answers without a search */
     int64_t search;                     /* flops of such searches */
 } sp__work;
 
@@ -32,7 +32,7 @@ static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_aren
 static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_arena a) { return (void)pb, (void)set, (void)a, 0; }
 #endif
 
-/* What a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
+/* Work that a reduction saves, a planar one with corners in pairs, a level one with a first guess that is mostly right. */
 static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64_t full, int64_t factor, sp__work *o)
 {
     const int plane = f->mode == SP__PLANE;
@@ -73,7 +73,7 @@ SP__NOINLINE static sp_status sp__plan_whole(const sp_scene *scene, const sp_set
     return status ? status : sp__plan_problem(&pb, set, scratch, o);
 }
 
-/* The same, island by island. */
+/* The work of a scene, island by island. */
 SP__NOINLINE static sp_status sp__plan_islands(const sp_scene *scene, int32_t count, const sp_settings *set, sp_arena scratch,
                                              sp__work *o)
 {
@@ -92,7 +92,7 @@ SP__NOINLINE static sp_status sp__plan_islands(const sp_scene *scene, int32_t co
     return status;
 }
 
-/* What a plan works on, in the arena. */
+/* Memory of a plan, in the arena. */
 typedef struct sp__planner {
     sp_settings set;
     sp_outlook o;

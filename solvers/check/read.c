@@ -1,4 +1,4 @@
-/* read: resultants of joints and blocks */
+/* read: the resultant of a joint's forces, and the force and moment that all joints put on a block. */
 #ifndef SP__CHECK_READ_C
 #define SP__CHECK_READ_C
 

@@ -1,4 +1,4 @@
-/* settings: settings, resolved against the scene */
+/* settings: defaults, and settings checked and resolved against the scene: tol, force_bound, stages, effects. */
 #ifndef SP__CHECK_SETTINGS_C
 #define SP__CHECK_SETTINGS_C
 
@@ -47,7 +47,7 @@ SP_API sp_settings sp_settings_seed(void)
 
 #define SP__FORCES_LEAST ((sp_real)4)   /* least force_bound: eight times what a stone on one point takes */
 
-/* What rounding and the scene have a say in.
+/* Settings that follow from rounding and the scene.
  *
  *     force_bound   min(1e6, tol / (10 u)): larger forces round to more than tol. A finer tol brings it down no further than
  *                   SP__FORCES_LEAST: a proof below that says nothing of what stands.
@@ -64,7 +64,7 @@ static void sp__settings_fit(const sp_scene *scene, sp_settings *s)
 }
 
 #ifndef SP_SMALL
-/* What of a table of constants could break a loop or a pyramid. */
+/* Do these constants keep loops finite and pyramids whole? */
 static int sp__seed_fits(const sp_seed *s)
 {
     return s->faces >= SP__FACES_MIN && s->faces <= SP__FACES_MAX && s->window > 0 && s->rounds >= 0 && s->tension >= 0
@@ -118,7 +118,7 @@ static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 }
 
 #else
-/* The same of the smallest check: what it does not know it refuses. */
+/* Settings of SP_SMALL, checked and resolved; what it does not support it refuses. */
 static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *in, sp_settings *out)
 {
     *out = in ? *in : sp_settings_default();
@@ -135,7 +135,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 #endif
 
 #if SP__WITH_LARGE || !defined SP_NO_PLAN
-/* What of an effect is in the scene. */
+/* Does the scene have an effect, before settings leave it out? */
 static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
 {
     int friction = 0;

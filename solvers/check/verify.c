@@ -1,4 +1,4 @@
-/* verify: sp_verify */
+/* verify: sp_verify: the certificate check of a stored result, its forces, motion, triple or proof, from the scene alone. */
 #ifndef SP__CHECK_VERIFY_C
 #define SP__CHECK_VERIFY_C
 

@@ -1,4 +1,4 @@
-/* exact: the exact stage as the engine that a limit asks */
+/* exact: does dead + lambda live stand? The exact stage as the engine that the bracket of a limit asks. */
 #ifndef SP__LIMIT_EXACT_C
 #define SP__LIMIT_EXACT_C
 

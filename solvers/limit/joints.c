@@ -1,4 +1,4 @@
-/* joints: hinges and sliding joints of a motion */
+/* joints: how joints move in a collapse: at rest, sliding, open; an edge that stays in touch while it opens is a hinge. */
 #ifndef SP__LIMIT_JOINTS_C
 #define SP__LIMIT_JOINTS_C
 

@@ -1,4 +1,4 @@
-/* limit: sp_limit: both ends, what they say, and from where on it stands */
+/* limit: sp_limit: both ends of the bracket, the verdict they give, and from which multiple on a scene stands. */
 #ifndef SP__LIMIT_LIMIT_C
 #define SP__LIMIT_LIMIT_C
 

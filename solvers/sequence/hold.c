@@ -1,4 +1,4 @@
-/* hold: the smallest sets of blocks to hold */
+/* hold: the smallest set of blocks that must be held so that all others stand: every set up to 8 blocks, then a minimal one. */
 #ifndef SP__SEQUENCE_HOLD_C
 #define SP__SEQUENCE_HOLD_C
 

@@ -1,4 +1,5 @@
-/* local: forces of the step before, changed near the change only */
+/* local: after a step, only blocks that are no longer balanced and those straight below them are solved anew; all other forces
+ * are loads on them. */
 #ifndef SP__SEQUENCE_LOCAL_C
 #define SP__SEQUENCE_LOCAL_C
 

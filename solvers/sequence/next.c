@@ -1,4 +1,4 @@
-/* next: a next stone after which everything stands */
+/* next: a stone that may come, or go, next so that everything stands after it; lowest first to add, highest first to remove. */
 #ifndef SP__SEQUENCE_NEXT_C
 #define SP__SEQUENCE_NEXT_C
 

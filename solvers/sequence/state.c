@@ -1,4 +1,4 @@
-/* state: a build order under way */
+/* state: what a build order keeps: presence, forces and motion of each block, and whether its balance is proved. */
 #ifndef SP__SEQUENCE_STATE_C
 #define SP__SEQUENCE_STATE_C
 
@@ -6,8 +6,8 @@
 
 #if SP__WITH_LARGE
 
-/* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a scene of its
- * own, the part: its blocks, the held ones and supports that they touch, the joints between.
+/* The finished scene, some of its blocks absent. An island (free blocks that touch each other) is checked as a
+ * part (scene/part.c): its blocks, the held ones and supports that they touch, the joints between.
  *
  * Before that the forces of the step before are tried. A block is called certified if its forces f pass sp_check's certificate
  * whatever f0 is, so that it can be seen from the block alone: sbar >= |load|, s >= 1.8 |load| (what balances a load is no

@@ -1,4 +1,4 @@
-/* steps: a step: what came, went or is held */
+/* steps: a block comes, goes, is held or let go; islands that this touches are checked again. */
 #ifndef SP__SEQUENCE_STEPS_C
 #define SP__SEQUENCE_STEPS_C
 

@@ -1,4 +1,4 @@
-/* constants: tolerances of the search */
+/* constants: tolerances of the search. */
 #ifndef SP__STATICS_CONSTANTS_C
 #define SP__STATICS_CONSTANTS_C
 

@@ -1,4 +1,4 @@
-/* interior: interior points, where Newton stalls */
+/* interior: a homogeneous self-dual interior-point method, where Newton stalls.      [Nesterov, Todd 1997; Ye, Todd, Mizuno 1994] */
 #ifndef SP__STATICS_INTERIOR_C
 #define SP__STATICS_INTERIOR_C
 
@@ -6,7 +6,7 @@
 
 #if SP__WITH_LARGE
 
-/* Where Newton stalls, with thousands of joints about to slide or open at once. Forces f = E x of any size (E: sp__ipm_edge):
+/* Newton stalls with thousands of joints about to slide or open at once. Forces f = E x of any size (E: sp__ipm_edge):
  *
  *   Aeq E x + tau p = theta r0,  z + E' Aeq' y = theta e,  kappa + p.y = k theta,  x o z = mu e,  tau kappa = k mu,
  *
