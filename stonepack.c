@@ -198,8 +198,8 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     status = sp__check_begin(scene, settings, &a, &whole, &islands);
     for (int32_t k = 0; !status && sp__check_more(islands, whole, k); k++) {
         status = sp__check_part(scene, islands, k, whole, &a, &part);
-        if (!status && part->pb.blocks) status = sp__check_run(&part->pb, &part->set, &part->state, &a, &part->r);
-        if (!status && part->set.coupled.asked) status = sp__check_coupled(part, &a);
+        if (!status && part->pb.blocks) status = sp__run_stages(&part->pb, &part->set, &part->state, &a, &part->r);
+        if (!status && part->set.coupled.asked) status = sp__run_coupled(part, &a);
         if (!status && islands) sp__island_loop_collect(islands, part, whole, &a);
     }
     if (!status && islands) status = sp__islands_certify(scene, islands, whole, &a);

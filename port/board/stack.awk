@@ -7,7 +7,7 @@
 # theirs. A pointer called from elsewhere, a frame of unknown size and a chain without end are errors: status 1.
 BEGIN {
     through["sp__sort_sink"]   = "^sp__[a-z_]+_before$"
-    through["sp__check_stage"] = "^sp__(gates|least_squares|dense|polish|exact|admm|penalty)_run$"
+    through["sp__run_stage"] = "^sp__(gates|least_squares|dense|polish|exact|admm|penalty)_run$"
     through["sp__stages_need"] = "^sp__(gates|sparse|dense|exact|admm|penalty)_need$"
     through["sp__admm_run"]    = "^sp__qp_plug_solve$"
     through["sp__alt_explain"] = "^sp__qp_plug_solve$"

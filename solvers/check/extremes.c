@@ -7,7 +7,7 @@
 #if SP__WITH_LARGE
 
 /* Reading the force state: extremes over the joints, and the weakest of them. */
-SP__NOINLINE static void sp__check_read(const sp_scene *scene, sp_result *r)
+SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
 {
     sp_real worst = -1;
     int wants = 0;

@@ -108,9 +108,9 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
                 : open >= 0 ? r->part[open].coupling_reason : SP_COUPLING_LIMIT;
     if (refuted || open >= 0 || r->verdict != SP_STABLE) return SP_OK;
-    sp__certificate j;
+    sp__certifier j;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-    if (!sp__certificate_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
+    if (!sp__certifier_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
     sp__verify_motion(&c->pb, out->dq, c->state.y);
     r->imbalance = sp__certify_forces(&j, r->f, r->f);
     out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
@@ -142,11 +142,11 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     sp_status status = sp__check_problem(c, a);
     const size_t mark = a->used;
     if (!status) sp__verify_motion(&c->pb, r->dq, c->state.dq);
-    if (!status && !sp__take(a, 1, sp__certificate_need(&c->pb, &c->set))) status = SP_E_MEMORY;
+    if (!status && !sp__take(a, 1, sp__certifier_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
     r->verdict = SP_STABLE;                                             /* all stand: every block has been checked */
     if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ISLANDS_ENOUGH * r->tol))
-        status = sp__check_claim(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
+        status = sp__check_evidence(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
     sp__cost_add(&r->cost, &c->state.cost);
     sp__cost_add(&r->by_stage[c->set.stage_count - 1], &c->state.cost);

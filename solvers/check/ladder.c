@@ -1,10 +1,10 @@
 /* ladder: the stages of a check in their order, each followed by the certificate check of what it found.
  *
- *   sp__check_run        (one.c) for every stage until one is decided:
- *     sp__check_reduced    before the exact stage: the search in 3 rows a block, the usual way for walls and arches
- *     sp__check_stage      runs the stage, which leaves forces or a motion in the state and a claim
- *       sp__check_claim      opens the certificate check and asks it
- *         sp__check_certify    the verdict: STABLE, UNSTABLE or UNDECIDED comes from here and nowhere else in this file
+ *   sp__run_stages           (one.c) for every stage until one is decided:
+ *     sp__run_reduced          before the exact stage: the search in 3 rows a block, the usual way for walls and arches
+ *     sp__run_stage            runs the stage, which leaves forces or a motion in the state and a claim
+ *       sp__check_evidence     opens the certificate check and asks it
+ *         sp__verdict_proved   the verdict: STABLE, UNSTABLE or UNDECIDED comes from here and nowhere else in this file
  */
 #ifndef SP__CHECK_LADDER_C
 #define SP__CHECK_LADDER_C
@@ -20,7 +20,7 @@ static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
 
 /* Drop forces smaller than `share` of the largest component: on a block without load even tiny ones spoil its balance, which is
  * measured by its own forces. */
-static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
+static void sp__drop_tiny_forces(sp_real *f, int32_t points, sp_real share)
 {
     const size_t n = 3 * (size_t)points;
     sp_real most = 0;
@@ -31,7 +31,7 @@ static void sp__forces_dust(sp_real *f, int32_t points, sp_real share)
 /* The verdict that the state's forces and motion prove, whatever was claimed. The forces are checked first; the motion, too, unless
  * they prove STABLE or were all that was claimed. Both go to the result at the scene's numbers; with `best` (on a budget) only if
  * they are better than what it has. */
-SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
+SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
     const size_t f = 3 * (size_t)j->pb->points, dq = 6 * (size_t)j->pb->blocks;
@@ -39,7 +39,7 @@ SP__NOINLINE static sp_verdict sp__check_certify(sp__certificate *j, int best, s
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     sp_real imbalance = sp__certify_forces(j, state->f, state->f);
     if (imbalance > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
-        sp__forces_dust(state->f, j->pb->points, (sp_real)1e-6);
+        sp__drop_tiny_forces(state->f, j->pb->points, (sp_real)1e-6);
         imbalance = sp__certify_forces(j, state->f, state->f);
     }
     if (!best || imbalance < r->imbalance) {
@@ -79,13 +79,13 @@ static sp_reason sp__check_reason(sp_stage_id stage, sp_verdict claim, const sp_
 
 /* Certificate check of what a stage left in the state: r->verdict. `most`: sweeps for the scales, 0: scales of the loads alone,
  * which no true scale is below, so that STABLE by them is STABLE. */
-SP__NOINLINE static sp_status sp__check_claim(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
-                                           sp_state *state, sp_arena *a, sp_result *r)
+SP__NOINLINE static sp_status sp__check_evidence(const sp_problem *pb, const sp_settings *set, int32_t most, sp_verdict claim,
+                                              sp_state *state, sp_arena *a, sp_result *r)
 {
-    sp__certificate j;
+    sp__certifier j;
     const size_t mark = a->used;
-    if (!sp__certificate_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
-    r->verdict = sp__check_certify(&j, set->budget > 0, state, claim, r);
+    if (!sp__certifier_open(&j, pb, set, state->has_y0 ? state->y0 : NULL, most, a)) return SP_E_MEMORY;
+    r->verdict = sp__verdict_proved(&j, set->budget > 0, state, claim, r);
     a->used = mark;
     state->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * pb->points;
     return SP_OK;
@@ -100,7 +100,7 @@ typedef struct sp__reduced_outcome {
 } sp__reduced_outcome;
 
 /* Run the search in 3 rows, if one is planned, in the memory that the search in 6 rows takes after it. */
-SP__NOINLINE static sp_status sp__check_reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
+SP__NOINLINE static sp_status sp__reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
                                             sp_arena *a, sp__reduced_outcome *s)
 {
     sp_arena room = sp__work_open(set, a);
@@ -117,7 +117,7 @@ SP__NOINLINE static sp_status sp__check_reduced_search(const sp_problem *pb, con
 }
 
 /* A first guess of f0 from all 6 rows, into the state. */
-SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
+SP__NOINLINE static sp_status sp__hint_in_full(const sp_problem *pb, const sp_settings *set, sp_state *state, const sp_arena *a)
 {
     return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
 }
@@ -125,31 +125,31 @@ SP__NOINLINE static sp_status sp__check_hint(const sp_problem *pb, const sp_sett
 /* Certificate check, in 6 rows, of what the search in 3 rows found. If its bilateral force is not that of 6 rows, forces are first
  * checked by the scales of the loads alone; if that proves nothing, f0 is found in 6 rows and all is checked again, unless there
  * is a budget. A search that the budget ended is checked, too. */
-SP__NOINLINE static sp_status sp__check_reduced_outcome(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
+SP__NOINLINE static sp_status sp__reduced_evidence(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
                                             sp_arena *a, sp_result *r)
 {
     const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
-    if (s->known) return sp__check_claim(pb, set, most, s->claim, state, a, r);
+    if (s->known) return sp__check_evidence(pb, set, most, s->claim, state, a, r);
     if (s->claim != SP_UNSTABLE) {
-        const sp_status status = sp__check_claim(pb, set, 0, SP_STABLE, state, a, r);
+        const sp_status status = sp__check_evidence(pb, set, 0, SP_STABLE, state, a, r);
         if (status || r->verdict == SP_STABLE || !s->claim) return status;
     }
     if (set->budget > 0) return SP_OK;
-    const sp_status status = sp__check_hint(pb, set, state, a);
-    return status ? status : sp__check_claim(pb, set, INT32_MAX, s->claim, state, a, r);
+    const sp_status status = sp__hint_in_full(pb, set, state, a);
+    return status ? status : sp__check_evidence(pb, set, INT32_MAX, s->claim, state, a, r);
 }
 
 /* The search in 3 rows and its certificate check; *done: the check is decided. A planar scene is not tried without friction. Where
  * the settings leave out the third dimension no search in 6 rows follows. */
-SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
-                                             sp_arena *a, sp_result *r, int *done)
+SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+                                           sp_arena *a, sp_result *r, int *done)
 {
     sp__reduced_outcome s = { SP_UNDECIDED, 0, 0, 0 };
     memset(&state->cost, 0, sizeof state->cost);
-    sp_status status = sp__check_reduced_search(pb, set, r, state, a, &s);
+    sp_status status = sp__reduced_search(pb, set, r, state, a, &s);
     if (!status && (s.claim || s.spent)) {
         r->verdict = SP_UNDECIDED;
-        status = sp__check_reduced_outcome(pb, set, &s, state, a, r);
+        status = sp__reduced_evidence(pb, set, &s, state, a, r);
         if (r->verdict == SP_UNDECIDED) r->final = 0;
         if (r->verdict == SP_UNDECIDED && !s.spent) r->least_imbalance = 0;
         *done = s.spent || r->verdict != SP_UNDECIDED;
@@ -170,8 +170,8 @@ SP__NOINLINE static sp_status sp__check_reduced(const sp_problem *pb, const sp_s
 }
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
-SP__NOINLINE static sp_status sp__check_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
-                                           sp_result *r, int *done)
+SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
+                                         sp_result *r, int *done)
 {
     sp_verdict claim = SP_UNDECIDED;
     const int last = k + 1 == set->stage_count;
@@ -189,7 +189,7 @@ SP__NOINLINE static sp_status sp__check_stage(const sp_problem *pb, const sp_set
     r->tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
-        const sp_status judged = sp__check_claim(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
+        const sp_status judged = sp__check_evidence(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
         if (judged) return judged;
         *done = r->verdict != SP_UNDECIDED;
         r->verified = *done;

@@ -129,7 +129,7 @@ static size_t sp__check_scratch(const sp_scene *scene, const sp_settings *settin
 /* The largest need of the chosen stages and of what judges them, SIZE_MAX: scratch too small. */
 SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    const size_t most = sp__certificate_need(pb, set);
+    const size_t most = sp__certifier_need(pb, set);
     size_t work = 0;
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
         if (k == set->stage_count && !set->localise) break;
@@ -231,7 +231,7 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 {
     if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
     sp__problem_count(scene, &c->pb);
-    const size_t judged = sp__problem_need(&c->pb, &c->set, 0, sp__certificate_need(&c->pb, &c->set));
+    const size_t judged = sp__problem_need(&c->pb, &c->set, 0, sp__certifier_need(&c->pb, &c->set));
     const sp_status status = sp__islands_need(scene, islands, c, scratch, bytes);
     if (judged > *bytes) *bytes = judged;
     return status;

@@ -9,7 +9,7 @@
 #if SP__WITH_LARGE
 
 /* Where tension is missing in a part that is not stable: the penalty form's demand on each joint. */
-SP__NOINLINE static sp_status sp__check_demand(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+SP__NOINLINE static sp_status sp__find_missing_tension(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
@@ -21,17 +21,17 @@ SP__NOINLINE static sp_status sp__check_demand(const sp_problem *pb, const sp_se
 }
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
-static sp_status sp__check_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+static sp_status sp__run_stages(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
     int done = 0;
     for (int32_t k = 0; k < set->stage_count && !done; k++) {
         sp_status status = SP_OK;
-        if (SP__WITH_PLAN && set->stage[k] == SP_STAGE_EXACT) status = sp__check_reduced(pb, set, k, state, a, r, &done);
-        if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__check_stage(pb, set, k, state, a, r, &done);
+        if (SP__WITH_PLAN && set->stage[k] == SP_STAGE_EXACT) status = sp__run_reduced(pb, set, k, state, a, r, &done);
+        if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__run_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
     if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
-    return sp__check_demand(pb, set, state, a, r);
+    return sp__find_missing_tension(pb, set, state, a, r);
 }
 
 #if SP__WITH_COUPLED
@@ -44,7 +44,7 @@ SP__NOINLINE static void sp__report_lengths(sp__check *c)
 }
 
 /* The coupled check, where forces were found; its answer, its cost and its forces into the result. */
-SP__NOINLINE static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
+SP__NOINLINE static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
 {
     sp_result *r = &c->r;
     sp_coupled *out = &r->coupled;
@@ -79,7 +79,7 @@ static int sp__apply_coupled_verdict(const sp_settings *set, sp_coupling couplin
 }
 #else
 /* sp__settings_resolve has refused to ask for it. */
-static sp_status sp__check_coupled(sp__check *c, sp_arena *a)
+static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
 {
     (void)c;
     (void)a;

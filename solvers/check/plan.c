@@ -26,7 +26,7 @@ typedef struct sp__work {
 static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_arena a)
 {
     sp__forest g;
-    return set->coupled.asked && sp__hangs(set) && sp__forest_of(pb, &g, &a);
+    return set->coupled.asked && sp__forest_allowed(set) && sp__forest_of(pb, &g, &a);
 }
 #else
 static int sp__plan_forest(const sp_problem *pb, const sp_settings *set, sp_arena a) { return (void)pb, (void)set, (void)a, 0; }

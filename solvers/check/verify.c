@@ -6,7 +6,7 @@
 
 #if SP__WITH_COUPLED
 /* Tables of islands, the problem of one, and what judges it; `hint`: its share of y0. */
-typedef struct sp__island_claim { sp__islands t; sp_problem pb; sp__certificate j; sp_real *hint; } sp__island_claim;
+typedef struct sp__island_claim { sp__islands t; sp_problem pb; sp__certifier j; sp_real *hint; } sp__island_claim;
 
 /* Bytes of that, at most: what is refuted has few vertices and blocks. */
 SP__NOINLINE static size_t sp__verify_island_need(const sp_scene *scene, const sp_settings *set)
@@ -23,7 +23,7 @@ SP__NOINLINE static size_t sp__verify_island_need(const sp_scene *scene, const s
     sp__islands_carve(&t, scene, scene->count.blocks, NULL, &dry);
     sp__part_carve(&pb, sp__scene_live(scene), &dry);
     sp__take(&dry, (size_t)pb.blocks, 12 * sizeof(sp_real));
-    sp__take(&dry, 1, sp__certificate_need(&pb, set));
+    sp__take(&dry, 1, sp__certifier_need(&pb, set));
     sp__take(&dry, 1, sp__refute_need(pb.points, pb.blocks));
     return dry.used;
 }
@@ -59,13 +59,13 @@ SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_
     p->hint = sp__take(&a, (size_t)p->pb.blocks, 12 * sizeof *p->hint);
     if (!p->hint) return SP_E_MEMORY;
     if (claim->y0) sp__island_hint(p, scene, claim->y0);
-    if (!sp__certificate_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
+    if (!sp__certifier_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
     *margin = sp__certify_refutation(&p->j, k, &claim->coupled.proof, &a);
     return SP_OK;
 }
 
 /* The triple of a coupled check, and a proof that there is none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
-SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certificate *j, const sp_result *claim, sp_real *dq,
+SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim, sp_real *dq,
                                     sp_arena *scratch, sp_arena room, sp_evidence *e)
 {
     sp_status status = SP_OK;
@@ -94,7 +94,7 @@ static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb)
 #else
 static size_t sp__verify_island_need(const sp_scene *scene, const sp_settings *set) { return (void)scene, (void)set, 0; }
 static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb) { return (void)scene, (void)pb, 0; }
-static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certificate *j, const sp_result *claim, sp_real *dq,
+static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim, sp_real *dq,
                                     sp_arena *scratch, sp_arena room, sp_evidence *e)
 {
     return (void)scene, (void)c, (void)j, (void)claim, (void)dq, (void)scratch, (void)room, (void)e, SP_OK;
@@ -113,7 +113,7 @@ SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
     const size_t part = dry.used + sp__verify_island_need(scene, &set);
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
-    sp__take(&dry, 1, sp__certificate_need(&pb, &set));
+    sp__take(&dry, 1, sp__certifier_need(&pb, &set));
     const size_t proof = sp__verify_proof_need(scene, &pb);
     if (proof) sp__take(&dry, 1, proof);
     return part > dry.used ? part : dry.used;
@@ -135,9 +135,9 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
-    sp__certificate j;
+    sp__certifier j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
-    if (sp__failed(&scratch) || !sp__certificate_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
+    if (sp__failed(&scratch) || !sp__certifier_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__verify_motion(&c->pb, claim->dq, dq);
     e.imbalance = sp__certify_forces(&j, claim->f, NULL);

@@ -15,7 +15,7 @@ static void sp__cra_spread(const sp__cra *c)
     const sp_problem *pb = c->pb;
     const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;
     for (int32_t i = 0; i < pb->blocks; i++) {
-        if (few) sp__certificate_remove_spin(&c->j, i, c->t.dq + 6 * (size_t)i);
+        if (few) sp__certifier_remove_spin(&c->j, i, c->t.dq + 6 * (size_t)i);
         memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
     }
     sp__points_write(pb, 1, c->t.alpha, c->out->alpha);
@@ -34,7 +34,7 @@ static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *imbalance)
 static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 {
     const int32_t before = c->j.sweeps;
-    sp__certificate_scales(&c->j, y0);
+    sp__certifier_scales(&c->j, y0);
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)(c->j.sweeps - before) * c->pb->points;
 }
 
@@ -147,7 +147,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp__triple_carve(&c->t, pb, a);
     sp__cra_carve(c, pb, set->localise, a);
     const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
-    if (!sp__certificate_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
+    if (!sp__certifier_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;

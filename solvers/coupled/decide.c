@@ -39,7 +39,7 @@ typedef struct sp__frame { int32_t vertex, state, child; } sp__frame;
 typedef struct sp__branch {
     const sp_problem *pb;
     const sp_settings *set;
-    const sp__certificate *j;                 /* for the scales of blocks */
+    const sp__certifier *j;                   /* for the scales of blocks */
     sp__lengths k;
     sp__lp lp;
     int32_t points;                     /* V: vertices that take part */
@@ -528,7 +528,7 @@ static void sp__branch_point(const sp__branch *s, const sp__triple *t)
 
 /* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL): gets
  * the point, if there is one; it is a triple where mu = 0. */
-SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__certificate *j, const sp__lengths *k,
+SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__certifier *j, const sp__lengths *k,
                                              int64_t left, const sp__triple *t, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;

@@ -9,7 +9,7 @@
 #if SP__WITH_COUPLED
 
 /* May a forest be answered without a search? Not where nothing may be left out, or the seed's search is asked for. */
-static int sp__hangs(const sp_settings *set) { return !set->coupled.rounds && set->iterations >= SP__ITERATIONS; }
+static int sp__forest_allowed(const sp_settings *set) { return !set->coupled.rounds && set->iterations >= SP__ITERATIONS; }
 
 /* The contact graph: supports one node, the joints of two nodes one edge if they have one normal, a seam. */
 typedef struct sp__forest {
@@ -197,7 +197,7 @@ SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
     const sp_problem *pb = c->pb;
     const sp_real imbalance = c->imbalance;
     sp__forest g;
-    if (!sp__hangs(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
+    if (!sp__forest_allowed(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
     for (int32_t k = pb->blocks; k-- > 0;) {
         sp__plate p;
         const sp_real most = sp__plate_of(c, &g, g.join[g.order[k]], &p), slip = c->k.L * (c->k.eta < 2 ? c->k.eta / 2 : 1);

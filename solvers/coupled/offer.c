@@ -51,7 +51,7 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
             const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
             const sp_real x = rubs ? -d[1] / slip : 0, y = rubs ? -d[2] / slip : 0;
             const sp_real wt = rim ? wn * reach * reach : rubs ? wn : 0, cross = rim ? wn * reach : 0;
-            if (!rubs && ft > 100 * SP__DUST * s) c->tiny = 1;
+            if (!rubs && ft > 100 * SP__TINY_FORCE * s) c->tiny = 1;
             D[0] = f[0] > 0 ? wn : 0;
             D[1] = cross * x; D[2] = cross * y;
             D[3] = wt * x * x; D[4] = wt * x * y; D[5] = wt * y * y;
@@ -104,7 +104,7 @@ SP__NOINLINE static int sp__cra_polish(sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            if (c->f[3 * (size_t)v] <= SP__DUST * s) memset(c->f + 3 * (size_t)v, 0, 3 * sizeof *c->f);
+            if (c->f[3 * (size_t)v] <= SP__TINY_FORCE * s) memset(c->f + 3 * (size_t)v, 0, 3 * sizeof *c->f);
     }
     sp__cra_press(c);
     sp__cra_freedoms(c);

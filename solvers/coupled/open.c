@@ -42,7 +42,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     sp__take(&dry, 1, sizeof *c);
     sp__triple_carve(&c->t, pb, &dry);
     sp__cra_carve(c, pb, set->localise, &dry);
-    sp__take(&dry, 1, sp__certificate_need(pb, set));
+    sp__take(&dry, 1, sp__certifier_need(pb, set));
     sp_arena branch = dry;
     sp__take(&branch, 1, sp__branch_need(pb, set));
     sp__take(&dry, 1, dual);

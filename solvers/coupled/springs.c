@@ -24,7 +24,7 @@ typedef struct sp__cra {
     const sp_problem *pb;
     const sp_settings *set;
     sp__lengths k;
-    sp__certificate j;
+    sp__certifier j;
     sp__triple t;                       /* on offer */
     sp_real imbalance, residual;            /* its residuals in the certificate check */
     int offered;                        /* there was one */
@@ -52,11 +52,11 @@ typedef struct sp__cra {
 #ifdef SP_REAL_FLOAT
 #define SP__AGREE ((sp_real)1e-3)       /* forces and slips agree so far when their other digits are tried */
 #define SP__STIFF ((sp_real)100)        /* kn: of joints, in sbar / L */
-#define SP__DUST ((sp_real)1e-5)        /* forces below it, relative to sbar, are taken for none */
+#define SP__TINY_FORCE ((sp_real)1e-5)  /* forces below it, relative to sbar, are taken for none */
 #else
 #define SP__AGREE ((sp_real)1e-7)
 #define SP__STIFF ((sp_real)1e4)
-#define SP__DUST ((sp_real)1e-8)
+#define SP__TINY_FORCE ((sp_real)1e-8)
 #endif
 #define SP__CRA_FLOPS 4000000000        /* work after which the search gives up */
 #define SP__HOLD_SHIFT ((sp_real)(sizeof(sp_real) == 8 ? 1e-8 : 1e-5))          /* SP__SHIFT for a motion held fast */

@@ -21,7 +21,7 @@ typedef struct sp__bracket {
     sp_cost cost;
     sp_arena room;                      /* for certifying */
     sp_problem pb;                      /* p: some multiples of both loads */
-    sp__certificate certificate;        /* the one at hand */
+    sp__certifier certificate;          /* the one at hand */
     sp_settings set, wide;              /* resolved; with a pyramid around the cone: `final` then tells of it */
     sp_scene scene;                     /* without live loads in p */
 } sp__bracket;
@@ -82,7 +82,7 @@ static int sp__bracket_certify_begin(sp__bracket *b, sp_real d, sp_real l)
     sp_arena room = b->room;
     if (!sweeps) { b->spent = 1; return 0; }
     sp__bracket_load(b, d, l);
-    return sp__certificate_open(&b->certificate, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
+    return sp__certifier_open(&b->certificate, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
 }
 
 SP__NOINLINE_SMALL static void sp__bracket_certify_end(sp__bracket *b)

@@ -126,7 +126,7 @@ static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
  * so small?     returns 1: f does */
 SP__NOINLINE static int sp__engine_unbounded(sp__bracket *b, sp_real *f, sp_real lambda, sp_real ref)
 {
-    sp__forces_dust(f, b->pb.points, 100 * ref / lambda);
+    sp__drop_tiny_forces(f, b->pb.points, 100 * ref / lambda);
     for (size_t k = 0; k < 3 * (size_t)b->pb.points; k++) f[k] /= lambda;
     return sp__bracket_stands(b, 0, 1, f, f);
 }

@@ -141,7 +141,7 @@ static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *sett
     sp_real *at[5];
     sp__bracket_carve(at, pb->blocks, &dry);
     if (!sp__limit_carve(L, &scratch, &dry)) return SP_E_MEMORY;
-    sp__take(&dry, 1, sp__certificate_need(pb, &L->bracket.set));
+    sp__take(&dry, 1, sp__certifier_need(pb, &L->bracket.set));
     if (!sp__limit_start_need(L, scratch, &dry)) return SP_E_MEMORY;
     *bytes = dry.used;
     return SP_OK;
@@ -154,7 +154,7 @@ static sp_status sp__limit_build(sp__limit *L, const sp_scene *scene, const sp_s
     const sp_status status = sp__bracket_build(scene, settings, &L->bracket, a);
     if (status) return status;
     if (!sp__limit_carve(L, a, a)) return SP_E_MEMORY;
-    const size_t need = sp__certificate_need(&L->bracket.pb, &L->bracket.set);
+    const size_t need = sp__certifier_need(&L->bracket.pb, &L->bracket.set);
     L->bracket.room.base = sp__take(a, 1, need);
     L->bracket.room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
     if (sp__failed(a)) return SP_E_MEMORY;

@@ -31,14 +31,14 @@ SP__NOINLINE static size_t sp__limit_verify_memory(const sp_scene *scene)
     if (!scene) return 0;
     sp_problem pb;
     sp_real *at[5];
-    sp__certificate j;
+    sp__certifier j;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &pb);
     sp__take(&dry, 1, sizeof(sp__bracket));
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__bracket_carve(at, pb.blocks, &dry);
     sp_arena certificate = sp__arena_dry();
-    sp__certificate_carve(&j, &pb, SP__FACES_MAX, &certificate);
+    sp__certifier_carve(&j, &pb, SP__FACES_MAX, &certificate);
     sp__take(&dry, 1, certificate.peak);
     return sp__failed(&dry) ? 0 : dry.used;
 }
@@ -59,7 +59,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     b->y0 = claim->y0;
     sp_arena room = scratch;
     b->room = scratch;
-    sp__take(&room, 1, sp__certificate_need(&b->pb, &b->set));
+    sp__take(&room, 1, sp__certifier_need(&b->pb, &b->set));
     if (sp__failed(&room)) return SP_E_MEMORY;
     *held = claim->kind != SP_LIMIT_UNDECIDED && sp__bracket_holds(b, claim);
     return SP_OK;

@@ -19,7 +19,7 @@
  * and every |d| is bounded.
  */
 typedef struct sp__refute {
-    sp__certificate *j;
+    sp__certifier *j;
     const sp__lengths *k;
     const sp_proof *proof;
     int32_t points;                     /* V: vertices that take part */
@@ -82,18 +82,18 @@ static sp_real sp__refute_stretch(const sp__refute *w)
 }
 
 /* e_r without the spin of its block. */
-static void sp__refute_unit(const sp__certificate *j, int32_t r, sp_real *e)
+static void sp__refute_unit(const sp__certifier *j, int32_t r, sp_real *e)
 {
     sp_real k[6];
     for (int32_t q = 0; q < 6 * j->pb->blocks; q++) e[q] = q == r;
-    if (!sp__certificate_free_spin(j, r / 6, k)) return;
+    if (!sp__certifier_free_spin(j, r / 6, k)) return;
     for (int32_t q = 0; q < 6; q++) e[r / 6 * 6 + q] -= k[r % 6] * k[q];
 }
 
 /* M: |z_r| <= S_r + |G x_r - e_r| max |z|, z = dq / W, and z has no spin.     returns 0: contacts do not bound every motion */
 SP__NOINLINE static int sp__refute_reach(sp__refute *w)
 {
-    sp__certificate *j = w->j;
+    sp__certifier *j = w->j;
     const int32_t n = 6 * j->pb->blocks;
     sp_real farthest = 0, worst = 0;
     for (int pass = 0; pass < 2; pass++) {
@@ -105,8 +105,8 @@ SP__NOINLINE static int sp__refute_reach(sp__refute *w)
             if (sp__held(j->pb, r / 6, r % 6)) continue;
             sp__refute_unit(j, r, j->r);
             for (int32_t q = 0; q < n; q++) j->x[q] = 0;
-            sp__certificate_least_squares(j, j->x);
-            sp__certificate_normal_product(j, j->x, j->g);
+            sp__certifier_least_squares(j, j->x);
+            sp__certifier_normal_product(j, j->x, j->g);
             sp__refute_unit(j, r, j->r);
             for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - j->r[q]);
             const sp_real stretch = sp__refute_stretch(w);
@@ -121,20 +121,20 @@ SP__NOINLINE static int sp__refute_reach(sp__refute *w)
 /* F and its sum, by the caps and by work: g sum fn <= p . dq; and what that row may be out by. */
 static void sp__refute_forces(sp__refute *w)
 {
-    sp__certificate *j = w->j;
+    sp__certifier *j = w->j;
     const sp_problem *pb = j->pb;
     sp_real work = 0;
     w->slack_of_work = w->total = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = w->reach + 6 * (size_t)i;
         sp_real p[6];
-        sp__certificate_load(j, i, p);
+        sp__certifier_load(j, i, p);
         for (int k = 0; k < 6; k++) work += sp__abs(p[k]) * m[k];
         w->slack_of_work += j->set->tol * (j->scale[i].s * (m[0] + m[1] + m[2]) + j->scale[i].S * (m[3] + m[4] + m[5]));
     }
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
-        w->most[v] = sp__certificate_cap(j, t);
+        w->most[v] = sp__certifier_cap(j, t);
         w->total += w->most[v];
         w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
         w->slack_of_work += 2 * w->any_friction[v] * w->k->eta;
@@ -190,7 +190,7 @@ static void sp__refute_right(sp__refute *w, sp_real y, sp_real b)
 /* Rows of the sector of a vertex: slip and friction between its ends, friction's cone near it.     returns 0: no such row */
 SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row, sp_real y)
 {
-    const sp__certificate *j = w->j;
+    const sp__certifier *j = w->j;
     const sp_contact *t = &j->pb->contact[w->contact[v]];
     const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = j->set->faces;
@@ -229,7 +229,7 @@ SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row,
 /* Any row of a vertex, for its state.     returns 0: no such row, or not with this sign */
 SP__NOINLINE static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row, sp_real y)
 {
-    const sp__certificate *j = w->j;
+    const sp__certifier *j = w->j;
     const int32_t state = w->state[v], faces = j->set->faces;
     sp_real d[2];
     if (row >= 5 && row < 13) return sp__refute_sector(w, v, row, y);
@@ -263,7 +263,7 @@ static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
     if (row < n) {                                      /* Aeq f = -p */
         sp_real p[6];
         if (sp__held(w->j->pb, row / 6, row % 6)) return 0;
-        sp__certificate_load(w->j, row / 6, p);
+        sp__certifier_load(w->j, row / 6, p);
         w->motion[row] += y;
         sp__refute_right(w, y, -p[row % 6]);
         return 1;
@@ -275,7 +275,7 @@ static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
 /* c on f: what the multipliers of balance and work add, then the least c f over the box; taken off `right`. */
 static sp_real sp__refute_least_force(sp__refute *w)
 {
-    sp__certificate *j = w->j;
+    sp__certifier *j = w->j;
     const sp_problem *pb = j->pb;
     sp_real least = 0;
     for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->x[k] = w->motion[k];
@@ -287,7 +287,7 @@ static sp_real sp__refute_least_force(sp__refute *w)
         f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;
         f[1] += sp__dot3(u, t->joint->t1);
         f[2] += sp__dot3(u, t->joint->t2);
-        w->fsize[v] += sp__certificate_displacement(j, t->a) + sp__certificate_displacement(j, t->b) + w->work * w->k->eps;
+        w->fsize[v] += sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b) + w->work * w->k->eps;
         least += w->most[v] * ((f[0] < 0 ? f[0] : 0) - mu * (sp__abs(f[1]) + sp__abs(f[2])));
         w->size += (1 + mu) * w->most[v] * w->fsize[v];
     }
@@ -297,12 +297,12 @@ static sp_real sp__refute_least_force(sp__refute *w)
 /* c on dq, and the least c dq over the box. */
 static sp_real sp__refute_least_motion(sp__refute *w)
 {
-    const sp__certificate *j = w->j;
+    const sp__certifier *j = w->j;
     const sp_problem *pb = j->pb;
     sp_real least = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp_real p[6];
-        sp__certificate_load(j, i, p);
+        sp__certifier_load(j, i, p);
         for (size_t k = 0; k < 6; k++) {
             w->motion[6 * (size_t)i + k] = -w->work * p[k];
             w->size += sp__abs(w->work * p[k]) * w->reach[6 * (size_t)i + k];
@@ -331,7 +331,7 @@ static sp_real sp__refute_least_motion(sp__refute *w)
 /* A leaf: multipliers from..to. How far it is from proving nothing, relative to sum |y b|: above 0 is a proof; 0: none */
 SP__NOINLINE static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t to)
 {
-    const sp__certificate *j = w->j;
+    const sp__certifier *j = w->j;
     for (int32_t v = 0; v < w->points; v++) {
         for (int k = 0; k < 3; k++) w->f[v][k] = w->d[v][k] = 0;
         w->fsize[v] = w->dsize[v] = 0;
@@ -382,7 +382,7 @@ SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
 }
 
 /* Does the proof hold?     returns its least margin, 0: no */
-SP__NOINLINE static sp_real sp__certify_refutation(sp__certificate *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
+SP__NOINLINE static sp_real sp__certify_refutation(sp__certifier *j, const sp__lengths *k, const sp_proof *proof, sp_arena *a)
 {
     if (proof->nodes < 1 || proof->entries < 0 || !proof->node || !proof->row || !proof->y) return 0;
     if (sp__problem_points(j->pb) > SP_EXACT_POINTS) return 0;

@@ -36,8 +36,8 @@ typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 :
 
 #define SP__FLOPS_CERTIFICATE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
 
-/* The certificate check at work: the scene it checks against, its scales and scratch. What is proved stays in the result. */
-typedef struct sp__certificate {
+/* A certificate check at work: the scene it checks against, its scales and scratch. The certificate itself is the result. */
+typedef struct sp__certifier {
     const sp_problem *pb;
     const sp_settings *set;             /* tol and force_bound resolved */
     sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
@@ -50,9 +50,9 @@ typedef struct sp__certificate {
     sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
     int32_t most;                       /* passes that the scales may take; 0: scales of the loads alone */
-} sp__certificate;
+} sp__certifier;
 
-static void sp__certificate_carve(sp__certificate *j, const sp_problem *pb, int32_t faces, sp_arena *a)
+static void sp__certifier_carve(sp__certifier *j, const sp_problem *pb, int32_t faces, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
     j->pb = pb;
@@ -66,11 +66,11 @@ static void sp__certificate_carve(sp__certificate *j, const sp_problem *pb, int3
     j->g = sp__take(a, b, 6 * sizeof *j->g);
 }
 
-SP__NOINLINE static size_t sp__certificate_need(const sp_problem *pb, const sp_settings *set)
+SP__NOINLINE static size_t sp__certifier_need(const sp_problem *pb, const sp_settings *set)
 {
-    sp__certificate j;
+    sp__certifier j;
     sp_arena dry = sp__arena_dry();
-    sp__certificate_carve(&j, pb, set->faces, &dry);
+    sp__certifier_carve(&j, pb, set->faces, &dry);
     return dry.peak;
 }
 
@@ -108,13 +108,13 @@ static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t 
 }
 
 /* The load of free block i in units. */
-static void sp__certificate_load(const sp__certificate *j, int32_t i, sp_real p[6])
+static void sp__certifier_load(const sp__certifier *j, int32_t i, sp_real p[6])
 {
     for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
 }
 
 /* r = p, q = 0: where balances and their sums start. */
-static void sp__certificate_load_rows(sp__certificate *j)
+static void sp__certifier_load_rows(sp__certifier *j)
 {
     for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
         j->r[k] = j->pb->p[k] / j->unit;
@@ -124,14 +124,14 @@ static void sp__certificate_load_rows(sp__certificate *j)
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
  * not depend on units or axes. */
-static void sp__certificate_row_weights(sp__certificate *j)
+static void sp__certifier_row_weights(sp__certifier *j)
 {
     const sp_problem *pb = j->pb;
     j->total = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         sp_real p[6];
-        sp__certificate_load(j, i, p);
+        sp__certifier_load(j, i, p);
         s->load = sp__norm3(p);
         s->couple = sp__norm3(p + 3);
         s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
@@ -160,17 +160,17 @@ static void sp__certificate_row_weights(sp__certificate *j)
 }
 
 /* row <- W row, held rows to zero. */
-static void sp__certificate_scale_rows(const sp__certificate *j, sp_real *row)
+static void sp__certifier_scale_rows(const sp__certifier *j, sp_real *row)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *w = row + 6 * (size_t)i;
         for (int k = 0; k < 3; k++) { w[k] *= j->scale[i].wf; w[k + 3] *= j->scale[i].wm; }
-        sp__release(j->pb, i, w);
+        sp__drop_held(j->pb, i, w);
     }
 }
 
 /* out = W Aeq Aeq' W in; Aeq Aeq' needs no frames because a vertex's three forces are orthonormal. */
-static void sp__certificate_normal_product(sp__certificate *j, const sp_real *in, sp_real *out)
+static void sp__certifier_normal_product(sp__certifier *j, const sp_real *in, sp_real *out)
 {
     const sp_problem *pb = j->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
@@ -182,18 +182,18 @@ static void sp__certificate_normal_product(sp__certificate *j, const sp_real *in
             sp__vertex_force(pb, t, v, u, out, NULL);
         }
     }
-    sp__certificate_scale_rows(j, out);
+    sp__certifier_scale_rows(j, out);
     j->sweeps++;
 }
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when r
  * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: it takes that
  * many to reach across half the structure.                                                                      [Stiefel 1955] */
-SP__NOINLINE static void sp__certificate_least_squares(sp__certificate *j, sp_real *to)
+SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
-    sp__certificate_normal_product(j, j->r, j->g);
+    sp__certifier_normal_product(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
     sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
@@ -208,7 +208,7 @@ SP__NOINLINE static void sp__certificate_least_squares(sp__certificate *j, sp_re
         const sp_real alpha = rg / qq;
         sp__add(to, 1, alpha, j->p, n);
         sp__add(j->r, 1, -alpha, j->q, n);
-        sp__certificate_normal_product(j, j->r, j->g);
+        sp__certifier_normal_product(j, j->r, j->g);
         const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
         sp__add(j->p, beta, 1, j->r, n);
         sp__add(j->q, beta, 1, j->g, n);
@@ -226,11 +226,11 @@ static int sp__scale_is_balanced(const sp_real r[6], sp_real load, sp_real f0, s
 
 /* f0 = Aeq' W (x + e), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's potential is not lost in
  * rounding. j->r = Aeq f0 + p; every block's sums, and whether they are its scale.     returns how many blocks are not known */
-static int32_t sp__certificate_sums(sp__certificate *j)
+static int32_t sp__certifier_sums(sp__certifier *j)
 {
     const sp_problem *pb = j->pb;
     int32_t unknown = 0;
-    sp__certificate_load_rows(j);
+    sp__certifier_load_rows(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
@@ -243,7 +243,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
     }
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
-        sp__release(pb, i, j->r + 6 * (size_t)i);
+        sp__drop_held(pb, i, j->r + 6 * (size_t)i);
         s->f0 = j->q[2 * (size_t)i];
         s->m0 = j->q[2 * (size_t)i + 1];
         s->known = (sp_real)sp__scale_is_balanced(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
@@ -254,7 +254,7 @@ static int32_t sp__certificate_sums(sp__certificate *j)
 }
 
 /* One of the two parts of a hint y0 = W x into `to`; entries that are not finite become 0. */
-static void sp__certificate_read_hint(const sp__certificate *j, const sp_real *y0, sp_real *to)
+static void sp__certifier_read_hint(const sp__certifier *j, const sp_real *y0, sp_real *to)
 {
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp_real *x = to + 6 * (size_t)i;
@@ -263,13 +263,13 @@ static void sp__certificate_read_hint(const sp__certificate *j, const sp_real *y
             x[k] = y0 && w > 0 ? y0[6 * (size_t)i + k] / j->unit / w : 0;
             if (!sp__finite(x[k] * x[k])) x[k] = 0;
         }
-        sp__release(j->pb, i, x);
+        sp__drop_held(j->pb, i, x);
     }
 }
 
 /* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
  * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
-static int sp__certificate_is_optimal(sp__certificate *j, int last)
+static int sp__certifier_is_optimal(sp__certifier *j, int last)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     sp_real sum = 0;
@@ -278,7 +278,7 @@ static int sp__certificate_is_optimal(sp__certificate *j, int last)
         const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
         sum += f * f + m * m;
     }
-    sp__certificate_normal_product(j, j->r, j->g);
+    sp__certifier_normal_product(j, j->r, j->g);
     const sp_real gg = sp__dot(j->g, j->g, n);
     return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
         || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
@@ -286,26 +286,26 @@ static int sp__certificate_is_optimal(sp__certificate *j, int last)
 
 /* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0 if its residual shows that it
  * does, else solved for here and corrected twice.     returns 0 when neither settled */
-static int sp__certificate_bilateral(sp__certificate *j, const sp_real *y0)
+static int sp__certifier_bilateral(sp__certifier *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     for (int own = !y0; own < 2; own++) {
-        sp__certificate_read_hint(j, own ? NULL : y0, j->x);
-        sp__certificate_read_hint(j, own ? NULL : y0 + n, j->e);
+        sp__certifier_read_hint(j, own ? NULL : y0, j->x);
+        sp__certifier_read_hint(j, own ? NULL : y0 + n, j->e);
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
-            if (!sp__certificate_sums(j)) return 1;
-            sp__certificate_scale_rows(j, j->r);
-            if ((round || !own) && sp__certificate_is_optimal(j, round == 3)) return 1;
+            if (!sp__certifier_sums(j)) return 1;
+            sp__certifier_scale_rows(j, j->r);
+            if ((round || !own) && sp__certifier_is_optimal(j, round == 3)) return 1;
             if (!own || round == 3 || j->sweeps + 2 > j->most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
-            sp__certificate_least_squares(j, round ? j->e : j->x);
+            sp__certifier_least_squares(j, round ? j->e : j->x);
         }
     }
     return 0;
 }
 
 /* |couple| + m + 16 u sbar max |r_v - c| / tol. */
-static sp_real sp__scale_couple(const sp__certificate *j, const sp__scale *s, sp_real m)
+static sp_real sp__scale_couple(const sp__certifier *j, const sp__scale *s, sp_real m)
 {
     return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
 }
@@ -315,10 +315,10 @@ static sp_real sp__scale_couple(const sp__certificate *j, const sp__scale *s, sp
  * which rounding may hide in f0; where f0 has not converged, from a thousand times all loads, more than any bilateral force.
  * With j->most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that pass by them
  * pass by those. */
-static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
+static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
 {
-    sp__certificate_row_weights(j);
-    const int settled = j->most ? sp__certificate_bilateral(j, y0) : 1;
+    sp__certifier_row_weights(j);
+    const int settled = j->most ? sp__certifier_bilateral(j, y0) : 1;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         if (!j->most) s->known = 1;
@@ -334,17 +334,17 @@ static void sp__certificate_scales(sp__certificate *j, const sp_real *y0)
 }
 
 /* c_v, the largest force at a vertex of a contact that a proof counts with. */
-static sp_real sp__certificate_cap(const sp__certificate *j, const sp_contact *t)
+static sp_real sp__certifier_cap(const sp__certifier *j, const sp_contact *t)
 {
     return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
 }
 
 /* Strength of a vertex in units; none where the joint has none. */
-static sp__strength sp__certificate_strength(const sp__certificate *j, const sp_contact *t)
+static sp__vertex_limits sp__certifier_strength(const sp__certifier *j, const sp_contact *t)
 {
-    const sp__strength none = { 0, 0, SP__HUGE };
+    const sp__vertex_limits none = { 0, 0, SP__HUGE };
     if (!SP__HAS_STRENGTH || !sp__contact_strong(j->pb, t)) return none;
-    sp__strength k = sp__vertex_strength(t->joint, j->pb->ignore_strength);
+    sp__vertex_limits k = sp__vertex_strength(t->joint, j->pb->ignore_strength);
     k.C *= j->mu_factor / j->unit;
     k.T /= j->unit;
     k.N = sp__ratio(k.N, j->unit);

@@ -12,7 +12,7 @@
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension beyond strength, no more than the cap (K_v is
  * convex and holds 0, so a shortened force stays in it). out may be f. */
-static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
+static void sp__certifier_admit(const sp__certifier *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -23,7 +23,7 @@ static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t,
         const sp_real s = d[0] * f[1] + d[1] * f[2];
         if (s > most) most = s;
     }
-    const sp__strength k = sp__certificate_strength(j, t);
+    const sp__vertex_limits k = sp__certifier_strength(j, t);
     const sp_real fn = f[0] > k.N ? k.N : f[0] > -k.T ? f[0] : -k.T, room = sp__max(0, k.C + mu * fn);
     const sp_real share = most > room ? room / most : 1;
     out[0] = fn;
@@ -35,17 +35,17 @@ static void sp__certificate_admit(const sp__certificate *j, const sp_contact *t,
 
 /* Imbalance of a force state. Every force is first made admissible; the imbalance is then the largest of |r_i| / s_i
  * and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|), S_i likewise. `admitted` (may be NULL) gets the admissible forces, 3 x points. */
-SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real *f, sp_real *admitted)
+SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
-    sp__certificate_load_rows(j);
+    sp__certifier_load_rows(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        j->cap = sp__certificate_cap(j, t);
+        j->cap = sp__certifier_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
             for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
-            sp__certificate_admit(j, t, g, g);
+            sp__certifier_admit(j, t, g, g);
             sp__joint_force(t->joint, g, F);
             sp__vertex_force(pb, t, v, F, j->r, j->q);
             if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
@@ -58,7 +58,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real
         const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
         const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0), Si = sp__scale_couple(j, s, m1 < s->m0 ? m1 : s->m0);
         sp_real *row = j->r + 6 * (size_t)i;
-        sp__release(pb, i, row);
+        sp__drop_held(pb, i, row);
         imbalance = sp__max(imbalance, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
     }
     return imbalance;
@@ -66,7 +66,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certificate *j, const sp_real
 
 /* |P_K(u)|, the largest u.g over unit g in K. Of a pyramid it is the largest over its edges, and over the feet of u that fall
  * inside their faces. */
-SP__NOINLINE static sp_real sp__certificate_cone_resistance(const sp__certificate *j, const sp_contact *t, const sp_real u[3])
+SP__NOINLINE static sp_real sp__certifier_cone_resistance(const sp__certifier *j, const sp_contact *t, const sp_real u[3])
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -97,11 +97,11 @@ SP__NOINLINE static sp_real sp__certificate_cone_resistance(const sp__certificat
  *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
  *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
-SP__NOINLINE static sp_real sp__certificate_strength_resistance(const sp__certificate *j, const sp_contact *t, const sp_real u[3],
-                                                               sp_real P, sp_real cap, int *capped)
+SP__NOINLINE static sp_real sp__certifier_strength_resistance(const sp__certifier *j, const sp_contact *t, const sp_real u[3],
+                                                             sp_real P, sp_real cap, int *capped)
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
-    const sp__strength k = sp__certificate_strength(j, t);
+    const sp__vertex_limits k = sp__certifier_strength(j, t);
     sp_real a = j->set->faces ? 0 : SP_SQRT(u[1] * u[1] + u[2] * u[2]);
     for (int32_t q = 0; q < j->set->faces; q++) {
         const sp_real *d = j->direction[q];
@@ -114,19 +114,19 @@ SP__NOINLINE static sp_real sp__certificate_strength_resistance(const sp__certif
 }
 
 /* Longest arm of block i to a joint; where nothing touches it 1, for it may turn. */
-static sp_real sp__certificate_arm(const sp__certificate *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
+static sp_real sp__certifier_arm(const sp__certifier *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
 
 /* Largest displacement of a joint of block i. */
-static sp_real sp__certificate_displacement(const sp__certificate *j, int32_t i)
+static sp_real sp__certifier_displacement(const sp__certifier *j, int32_t i)
 {
     if (i < 0) return 0;
     const sp_real *m = j->x + 6 * (size_t)i;
-    return sp__norm3(m) + sp__norm3(m + 3) * sp__certificate_arm(j, i);
+    return sp__norm3(m) + sp__norm3(m + 3) * sp__certifier_arm(j, i);
 }
 
 /* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
  * held.     returns how many are; -1: nothing moves */
-SP__NOINLINE static int32_t sp__certificate_hold_small(sp__certificate *j, const sp_real *dq, sp_real rest)
+SP__NOINLINE static int32_t sp__certifier_hold_small(sp__certifier *j, const sp_real *dq, sp_real rest)
 {
     sp_real largest = 0;
     int32_t held = 0;
@@ -134,8 +134,8 @@ SP__NOINLINE static int32_t sp__certificate_hold_small(sp__certificate *j, const
         for (int32_t i = 0; i < j->pb->blocks; i++) {
             sp_real *m = j->x + 6 * (size_t)i;
             for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
-            sp__release(j->pb, i, m);
-            const sp_real size = sp__certificate_displacement(j, i);
+            sp__drop_held(j->pb, i, m);
+            const sp_real size = sp__certifier_displacement(j, i);
             if (!pass) largest = sp__max(largest, size);
             else if (size <= rest) { memset(m, 0, 6 * sizeof *m); held++; }
         }
@@ -145,13 +145,13 @@ SP__NOINLINE static int32_t sp__certificate_hold_small(sp__certificate *j, const
 }
 
 /* Work p . x of the loads; *scale: sum (sbar_i |v_i| + Sbar_i |w_i|). */
-SP__NOINLINE static sp_real sp__certificate_work(const sp__certificate *j, sp_real *scale)
+SP__NOINLINE static sp_real sp__certifier_work(const sp__certifier *j, sp_real *scale)
 {
     sp_real work = 0, p[6];
     *scale = 0;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
-        sp__certificate_load(j, i, p);
+        sp__certifier_load(j, i, p);
         work += sp__dot(p, m, 6);
         *scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
     }
@@ -162,27 +162,27 @@ SP__NOINLINE static sp_real sp__certificate_work(const sp__certificate *j, sp_re
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
  * The held motion is left in j->x. */
-SP__NOINLINE static sp_real sp__certify_motion(sp__certificate *j, const sp_real *dq, sp_real rest, int32_t *final)
+SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int32_t *final)
 {
     const sp_problem *pb = j->pb;
     *final = 0;
     j->resist = 0;
-    if (sp__certificate_hold_small(j, dq, rest) < 0) return 0;
+    if (sp__certifier_hold_small(j, dq, rest) < 0) return 0;
     sp_real scale, resist = 0;
-    const sp_real work = sp__certificate_work(j, &scale);
+    const sp_real work = sp__certifier_work(j, &scale);
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real cap = sp__certificate_cap(j, t);
-        const sp_real moved = sp__certificate_displacement(j, t->a) + sp__certificate_displacement(j, t->b);
+        const sp_real cap = sp__certifier_cap(j, t);
+        const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];
             sp__vertex_velocity(pb, NULL, t, v, j->x, w);
             sp__joint_frame(t->joint, w, w);
-            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certificate_cone_resistance(j, t, u);
+            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certifier_cone_resistance(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
             if (!SP__HAS_STRENGTH || !sp__contact_strong(pb, t)) resist += cap * P;
-            else resist += sp__certificate_strength_resistance(j, t, u, P, cap, &capped);
+            else resist += sp__certifier_strength_resistance(j, t, u, P, cap, &capped);
             if (capped) *final = 0;
         }
     }
@@ -196,12 +196,12 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certificate *j, const sp_real
 static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
-static sp_real sp__certify_mechanism(sp__certificate *j, const sp_real *dq, int32_t *final)
+static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_t *final)
 {
     sp_real best = -1, held = 0, value = -1;
     int32_t sure = 0, last = 0, before = -2;
     for (int k = 0; k < 6; k++) {
-        const int32_t still = sp__certificate_hold_small(j, dq, sp__certify_rest[k]);
+        const int32_t still = sp__certifier_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
         value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
@@ -213,7 +213,7 @@ static sp_real sp__certify_mechanism(sp__certificate *j, const sp_real *dq, int3
 }
 
 /* Units, friction cone and its directions. */
-static void sp__certificate_cone(sp__certificate *j, const sp_problem *pb, const sp_settings *set)
+static void sp__certifier_cone(sp__certifier *j, const sp_problem *pb, const sp_settings *set)
 {
     j->unit = sp__load_unit(pb);
     j->set = set;
@@ -229,14 +229,14 @@ static void sp__certificate_cone(sp__certificate *j, const sp_problem *pb, const
 
 /* Set up a certificate check in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
  *     returns 0 when the arena is too small */
-SP__NOINLINE static int sp__certificate_open(sp__certificate *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
+SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
                                     sp_arena *a)
 {
-    sp__certificate_carve(j, pb, set->faces, a);
+    sp__certifier_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
-    sp__certificate_cone(j, pb, set);
+    sp__certifier_cone(j, pb, set);
     j->most = most;
-    sp__certificate_scales(j, y0);
+    sp__certifier_scales(j, y0);
     return 1;
 }
 
@@ -252,14 +252,14 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
 
 /* The motion of the check at the scene's numbers, scaled so that no point of a block moves farther than the largest block reaches;
  * dq of other blocks stays as it is. */
-static void sp__check_motion(const sp__certificate *j, sp_real *dq)
+static void sp__check_motion(const sp__certifier *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
     sp_real largest = 0, block = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->x + 6 * (size_t)i;
         block = sp__max(block, j->scale[i].arm);
-        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certificate_arm(j, i)));
+        largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certifier_arm(j, i)));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
     for (int32_t i = 0; i < pb->blocks; i++)

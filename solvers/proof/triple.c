@@ -65,7 +65,7 @@ static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *
 }
 
 /* dd of vertex v of contact t in its frame, for the motion j->x. */
-static void sp__certificate_rate_at(const sp__certificate *j, const sp_contact *t, int32_t v, sp_real d[3])
+static void sp__certifier_rate_at(const sp__certifier *j, const sp_contact *t, int32_t v, sp_real d[3])
 {
     sp_real w[3];
     sp__vertex_velocity(j->pb, NULL, t, v, j->x, w);
@@ -74,7 +74,7 @@ static void sp__certificate_rate_at(const sp__certificate *j, const sp_contact *
 
 /* The spin of block i about the line through all its contact points, if they lie on one: it moves no contact, so motions are
  * judged without it, and proofs need not bound it. In weighted rows z = dq / W, |k| = 1.     returns 0: there is none */
-SP__NOINLINE static int sp__certificate_free_spin(const sp__certificate *j, int32_t i, sp_real k[6])
+SP__NOINLINE static int sp__certifier_free_spin(const sp__certifier *j, int32_t i, sp_real k[6])
 {
     const sp_problem *pb = j->pb;
     sp_real first[3] = { 0, 0, 0 }, line[3] = { 0, 0, 0 }, longest = 0;
@@ -109,10 +109,10 @@ SP__NOINLINE static int sp__certificate_free_spin(const sp__certificate *j, int3
 }
 
 /* dq of block i without that spin; twice, for what rounding leaves of a fast one. */
-static void sp__certificate_remove_spin(const sp__certificate *j, int32_t i, sp_real *dq)
+static void sp__certifier_remove_spin(const sp__certifier *j, int32_t i, sp_real *dq)
 {
     sp_real k[6];
-    if (!sp__certificate_free_spin(j, i, k)) return;
+    if (!sp__certifier_free_spin(j, i, k)) return;
     for (int round = 0; round < 2; round++) {
         sp_real along = 0;
         for (int q = 0; q < 6; q++) along += k[q] * dq[q] / (q < 3 ? j->scale[i].wf : j->scale[i].wm);
@@ -141,27 +141,27 @@ static sp_real sp__coupled_vertex(const sp__lengths *k, int box, const sp_real f
 }
 
 /* Residual of a triple: f (3 x points), dq (6b), alpha (points).                                       [Kao 2022, Eqs. 8-10] */
-SP__NOINLINE static sp_real sp__certify_coupled(sp__certificate *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
+SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__lengths *k, const sp_real *f, const sp_real *dq,
                                            const sp_real *alpha)
 {
     const sp_problem *pb = j->pb;
     const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;       /* only then there are proofs */
     for (int32_t i = 0; i < pb->blocks; i++) {
         for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
-        sp__release(pb, i, j->x + 6 * (size_t)i);
-        if (few) sp__certificate_remove_spin(j, i, j->x + 6 * (size_t)i);
+        sp__drop_held(pb, i, j->x + 6 * (size_t)i);
+        if (few) sp__certifier_remove_spin(j, i, j->x + 6 * (size_t)i);
     }
     sp_real worst = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real moved = sp__certificate_displacement(j, t->a) + sp__certificate_displacement(j, t->b);
+        const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
-        j->cap = sp__certificate_cap(j, t);
+        j->cap = sp__certifier_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], d[3];
             for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;
-            sp__certificate_admit(j, t, g, g);
-            sp__certificate_rate_at(j, t, v, d);
+            sp__certifier_admit(j, t, g, g);
+            sp__certifier_rate_at(j, t, v, d);
             worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
         }
     }

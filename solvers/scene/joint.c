@@ -36,12 +36,12 @@ static int sp__scene_strong(const sp_scene *scene)
 /* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
  *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb]
  * ignore_strength: only friction is kept, as if the joint had no area: forces that may grow without end. */
-typedef struct sp__strength { sp_real C, T, N; } sp__strength;
+typedef struct sp__vertex_limits { sp_real C, T, N; } sp__vertex_limits;
 
-static sp__strength sp__vertex_strength(const sp_joint *f, int ignore_strength)
+static sp__vertex_limits sp__vertex_strength(const sp_joint *f, int ignore_strength)
 {
     const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
-    sp__strength k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.cap > 0 ? f->strength.cap * share : SP__HUGE };
+    sp__vertex_limits k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.cap > 0 ? f->strength.cap * share : SP__HUGE };
     if (k.T * f->strength.mu > k.C) k.T = k.C / f->strength.mu;
     return k;
 }

@@ -296,13 +296,14 @@ static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
     return a < b ? a : b;
 }
 
-/* The directions in which free block i is held do not count. */
+/* Is free block i held in direction k? */
 static int sp__held(const sp_problem *pb, int32_t i, int k)
 {
     return (int)(pb->scene->block[pb->block[i]].fixed >> k & 1u);
 }
 
-static void sp__release(const sp_problem *pb, int32_t i, sp_real row[6])
+/* Zero in a row of block i the directions in which it is held: forces there are the support's, motions none. */
+static void sp__drop_held(const sp_problem *pb, int32_t i, sp_real row[6])
 {
     for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
 }

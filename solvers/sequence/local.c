@@ -123,7 +123,7 @@ SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
             sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(t->point + v), g);
-            sp__certificate_admit(&q->certificate, t, g, g);
+            sp__certifier_admit(&q->certificate, t, g, g);
             sp__scale3(q->certificate.unit, g, f);
         }
     }

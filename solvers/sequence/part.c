@@ -74,7 +74,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real
     sp_arena a = q->work;
     sp_status status = sp__part_begin(q, f, dq, &a, c);
     if (status) return status;
-    if ((*c)->pb.blocks) status = sp__check_run(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
+    if ((*c)->pb.blocks) status = sp__run_stages(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
     sp__cost_add(&q->cost, &(*c)->r.cost);
     return status;
 }
@@ -98,7 +98,7 @@ static sp_real sp__contact_least_load(const sp_sequence *q, const sp_contact *t)
         const int32_t b = side ? t->joint->b : t->joint->a;
         sp_real p[6];
         if (!sp__free_now(q, b)) continue;
-        sp__certificate_load(&q->certificate, q->row[b], p);
+        sp__certifier_load(&q->certificate, q->row[b], p);
         const sp_real load = sp__norm3(p);
         if (load < least) least = load;
     }
@@ -111,7 +111,7 @@ SP__NOINLINE static void sp__block_certify(sp_sequence *q, int32_t b)
     sp__block_state *s = &q->state[b];
     sp_real r[6], m1 = 0;
     int large = 0;
-    sp__certificate_load(&q->certificate, q->row[b], r);
+    sp__certifier_load(&q->certificate, q->row[b], r);
     const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];

@@ -49,7 +49,7 @@ struct sp_sequence {
     const sp_scene *scene;
     sp_settings set;
     sp_problem pb;                      /* of the finished scene, all blocks there */
-    sp__certificate certificate;                    /* its units and cone */
+    sp__certifier certificate;                      /* its units and cone */
     sp__part part;                      /* the blocks at hand, in the order of elimination, and their joints and loads */
     sp__block_state *state, *state_saved;      /* per block */
     int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
@@ -261,7 +261,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     sp__sequence_carve(q, scene, &q->pb, work, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     q->certificate.pb = &q->pb;
-    sp__certificate_cone(&q->certificate, &q->pb, &q->set);
+    sp__certifier_cone(&q->certificate, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;
     memset(q->state, 0, n * sizeof *q->state);
     memset(q->was, 0, n * sizeof *q->was);

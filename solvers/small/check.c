@@ -33,7 +33,7 @@ typedef struct sp__small {
     int32_t sweeps, left;               /* passes over the vertices so far; factorisations that may follow */
     int32_t stalled;                    /* the imbalance no longer falls with prox: something moves */
     sp_result *to;                      /* forces and motion tried last; verdict once decided */
-    sp__certificate j;
+    sp__certifier j;
 } sp__small;
 
 /* Rows of the envelope.                                                            returns its size, -1: too large to count */
@@ -164,12 +164,12 @@ SP__NOINLINE static void sp__small_sweep(sp__small *w, const sp_real *y, sp__wan
 {
     const sp_problem *pb = w->pb;
     const int32_t n = 6 * pb->blocks;
-    for (int32_t i = 0; i < pb->blocks; i++) sp__certificate_load(&w->j, i, w->r + 6 * i);
+    for (int32_t i = 0; i < pb->blocks; i++) sp__certifier_load(&w->j, i, w->r + 6 * i);
     sp__small_motion(w, y);
     if (want & SP__HESSIAN) memset(w->H, 0, (size_t)(w->row[n - 1] + n) * sizeof *w->H);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        w->S = w->metric > 0 ? w->metric * sp__certificate_cap(&w->j, t) : 1;
+        w->S = w->metric > 0 ? w->metric * sp__certifier_cap(&w->j, t) : 1;
         if (!(w->S > 0)) w->S = 1;
         w->side[0] = t->a < t->b ? t->a : t->b;
         w->side[1] = t->a < t->b ? t->b : t->a;
@@ -270,9 +270,9 @@ SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
         w->to->y0[k] = w->j.unit * w->z[k] * w->y[k];
         w->to->y0[n + k] = -w->j.unit * w->z[k] * w->d[k];
     }
-    if (!sp__certificate_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
+    if (!sp__certifier_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
-        const sp_real cap = sp__certificate_cap(&w->j, &w->pb->contact[c]);
+        const sp_real cap = sp__certifier_cap(&w->j, &w->pb->contact[c]);
         if (cap < least) least = cap;
         if (cap > most) most = cap;
     }
@@ -490,7 +490,7 @@ static int sp__small_need(sp__small *w, const sp_problem *pb, const sp_settings 
 {
     sp__take(dry, (size_t)pb->blocks, 6 * sizeof *w->row);
     if (!sp__small_carve(w, pb, &scratch, dry)) return 0;
-    if (pb->blocks) sp__take(dry, 1, sp__certificate_need(pb, set));
+    if (pb->blocks) sp__take(dry, 1, sp__certifier_need(pb, set));
     return 1;
 }
 

@@ -83,7 +83,7 @@ static void sp__system_weights(sp__system *w)
 static void sp__system_release(const sp__system *w, sp_real *r)
 {
     for (int32_t i = 0; i < w->pb->blocks; i++)
-        if (w->pb->scene->block[w->pb->block[i]].fixed) sp__release(w->pb, i, r + 6 * (size_t)i);
+        if (w->pb->scene->block[w->pb->block[i]].fixed) sp__drop_held(w->pb, i, r + 6 * (size_t)i);
 }
 
 /* Force (k even) or moment of the load of block k / 2 in units, in the axes of the rows. */
@@ -140,7 +140,7 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
     k->C = k->T = 0;
     k->N = SP__HUGE;
     if (k->plain) return k;
-    const sp__strength strength = sp__vertex_strength(t->joint, w->pb->ignore_strength);
+    const sp__vertex_limits strength = sp__vertex_strength(t->joint, w->pb->ignore_strength);
     const sp_real scale = 1 / (w->measure.unit * sp__system_S(w, c));
     k->C = strength.C * scale * w->law.friction;
     k->T = strength.T * scale;

@@ -19,7 +19,7 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
     for (int32_t c = 0; c < w->pb->contacts; c++) {
         const sp_contact *t = &w->pb->contact[c];
         const sp__yield *yield = sp__system_yield(w, c);
-        const sp__strength k = sp__vertex_strength(t->joint, 0);
+        const sp__vertex_limits k = sp__vertex_strength(t->joint, 0);
         sp_demand *o = &demand[t->id];
         sp_real V[3], W[3];
         sp__system_twist(w, t, w->y, V, W);

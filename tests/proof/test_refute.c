@@ -16,7 +16,7 @@
 static sp_scene scene;
 static sp_problem pb;
 static sp_settings set;
-static sp__certificate judge;
+static sp__certifier judge;
 static sp__lengths length;
 static sp__refute *w;
 static double mu_effective;
@@ -41,7 +41,7 @@ static int begin(int32_t faces, int32_t inscribed, int32_t box)
     if (!CHECK_INT(sp_scene_body(&scene, 1, at, 0, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_joint(&scene, 0, 1, 4, corner, &strength, NULL), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&scene, &test_arena, &pb), SP_OK)) return 0;
-    if (!CHECK(sp__certificate_open(&judge, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
+    if (!CHECK(sp__certifier_open(&judge, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
     length = sp__coupled_lengths(&pb, &set);
     w = sp__take(&test_arena, 1, sizeof *w);
     if (!CHECK(w)) return 0;

@@ -14,7 +14,7 @@ typedef struct one_block {
     sp_scene scene;
     sp_problem pb;
     sp_settings set;
-    sp__certificate j;
+    sp__certifier j;
 } one_block;
 
 static int place(one_block *o, double mass, double a, double h, double angle, double mu)
@@ -43,7 +43,7 @@ static int place(one_block *o, double mass, double a, double h, double angle, do
 
 static int judge(one_block *o, const sp_real *hint)
 {
-    return CHECK(sp__certificate_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena));
+    return CHECK(sp__certifier_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena));
 }
 
 /* The bilateral force under a block in the middle is a quarter of its weight at each corner: sbar = 2 W, and each quarter has
@@ -65,7 +65,7 @@ TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
             CHECK_NEAR(s->arm, arm, TOL(1e-12, 1e-6));
             CHECK_NEAR(s->S, side[q] / sqrt(2.0) + slack, TOL(1e-9, 1e-4));
             CHECK_NEAR(s->cap, 2, TOL(1e-9, 1e-4));
-            CHECK_NEAR(sp__certificate_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
+            CHECK_NEAR(sp__certifier_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
             test_arena = mark;
         }
 }
@@ -105,7 +105,7 @@ TEST(admitted_force_is_in_the_cone)
         for (int k = 0; k < 500; k++) {
             const sp_real f[3] = { test_random_real(-1, 60), test_random_real(-9, 9), test_random_real(-9, 9) };
             sp_real g[3];
-            sp__certificate_admit(&o.j, t, f, g);
+            sp__certifier_admit(&o.j, t, f, g);
             const double mu = 0.6 * (faces[q] && q % 2 ? cos(3.14159265358979323846 / faces[q]) : 1), u = TOL(1e-12, 1e-5);
             double most = faces[q] ? 0 : hypot((double)g[1], (double)g[2]);
             for (int32_t d = 0; d < faces[q]; d++) {
@@ -119,7 +119,7 @@ TEST(admitted_force_is_in_the_cone)
             CHECK(g[1] * f[1] + g[2] * f[2] >= 0);
             if (f[0] > 0 && f[0] < 40) CHECK_NEAR(g[0], f[0], u);
             sp_real again[3];
-            sp__certificate_admit(&o.j, t, g, again);
+            sp__certifier_admit(&o.j, t, g, again);
             for (int i = 0; i < 3; i++) CHECK_WITHIN(again[i], g[i], u * 60);
         }
         test_arena = mark;
@@ -139,12 +139,12 @@ TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
         o.j.cap = 1e6f;
         for (int k = 0; k < 60; k++) {
             const sp_real u[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
-            const double got = (double)sp__certificate_cone_resistance(&o.j, o.pb.contact, u);
+            const double got = (double)sp__certifier_cone_resistance(&o.j, o.pb.contact, u);
             double best = 0;
             for (int i = 0; i < 4000; i++) {
                 const sp_real wild[3] = { test_random_real(0, 1), test_random_real(-2, 2), test_random_real(-2, 2) };
                 sp_real g[3];
-                sp__certificate_admit(&o.j, o.pb.contact, wild, g);
+                sp__certifier_admit(&o.j, o.pb.contact, wild, g);
                 const double size = (double)sp__norm3(g);
                 if (size > 0) best = fmax(best, (double)sp__dot3(g, u) / size);
             }
