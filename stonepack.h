@@ -85,7 +85,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 #ifndef SP_QP_ONLY
 /* In full below. */
 typedef struct sp_scene sp_scene;                       /* blocks, joints, loads; lives in an arena, which must outlive it */
-typedef struct sp_strength sp_strength;                 /* of a joint: friction mu, cohesion, tension, cap */
+typedef struct sp_strength sp_strength;                 /* of a joint: friction mu, cohesion, tension, crushing */
 typedef struct sp_contact_settings sp_contact_settings;
 typedef struct sp_contact_report sp_contact_report;     /* joints, points found; overlaps */
 typedef struct sp_settings sp_settings;                 /* of a check; NULL everywhere: the default ones */
@@ -214,7 +214,7 @@ struct sp_strength {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
     sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
     sp_real tension;            /* tensile strength, >= 0 [Pa] */
-    sp_real cap;                /* crushing strength, >= 0 [Pa]; 0: unlimited */
+    sp_real crushing;           /* compressive strength, >= 0 [Pa]; 0: unlimited */
 };
 
 typedef struct sp_block {
@@ -1283,7 +1283,7 @@ typedef struct sp_seed {
     int32_t window, rounds;     /* and after so many rounds                                                250, 20000 [2.2] */
     sp_real engaged, floor;     /* a joint is engaged, rubs, above so much of the largest fn; and above it 0.01, 1e-9 [3.2] */
     sp_real reg;                /* added to 2J'J of the motion's least squares                             1e-9     [3.2] */
-    sp_real gate, peel;         /* residual that passes; joints beyond it and so much of the worst go      0.5, 0.75 [3.3] */
+    sp_real gate, drop;         /* residual that passes; joints beyond it and so much of the worst go      0.5, 0.75 [3.3] */
     sp_real slip_error;         /* friction so far off its slip goes, in eps                               2        [3.3] */
     int32_t turns;              /* settings.coupled.rounds                                                 12       [3.3] */
     sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,

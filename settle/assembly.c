@@ -67,7 +67,7 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
         if (scene->count.loads || scene->body[c] < 0 || scene->body[c] > 0) return SETTLE_E_LOAD;
     for (int32_t i = 0; i < scene->count.joints; i++) {
         const sp_strength *j = &scene->joint[i].strength;
-        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SETTLE_E_LOAD;
+        if (j->cohesion > 0 || j->tension > 0 || j->crushing > 0) return SETTLE_E_LOAD;
     }
     for (int32_t b = 0; b < scene->count.blocks; b++) {
         if (scene->block[b].fixed) continue;

@@ -457,7 +457,7 @@ sp_status ipopt_cra_solve(const sp_scene *scene, const sp_settings *settings, co
     if (!(q->eps >= 0) || !(q->eta > 0)) return SP_E_RANGE;
     for (int32_t i = 0; i < scene->count.joints; i++) {
         const sp_strength *j = &scene->joint[i].strength;
-        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return SP_E_UNSUPPORTED;
+        if (j->cohesion > 0 || j->tension > 0 || j->crushing > 0) return SP_E_UNSUPPORTED;
     }
     memset(&p, 0, sizeof p);
     memset(f, 0, 3 * (size_t)scene->count.points * sizeof *f);

@@ -69,7 +69,7 @@ static int sp__seed_fits(const sp_seed *s)
 {
     return s->faces >= SP__FACES_MIN && s->faces <= SP__FACES_MAX && s->window > 0 && s->rounds >= 0 && s->tension >= 0
         && s->balance > 0 && s->cone >= 0 && s->gain >= 0 && s->gain < 1 && s->engaged >= 0 && s->floor >= 0 && s->reg > 0
-        && s->gate >= 0 && s->peel >= 0 && s->slip_error >= 0;
+        && s->gate >= 0 && s->drop >= 0 && s->slip_error >= 0;
 }
 
 /* The caller's settings, checked and with the automatic values filled in. */

@@ -336,7 +336,7 @@ static sp_real sp__alt_gap(const sp__alt *m, size_t v)
 /* What the motion does not explain loses its force: of E the worst, of F those off their slip.     returns how many were pinned */
 static int32_t sp__alt_remove_worst(sp__alt *m, sp_real worst)
 {
-    const sp_real most = sp__max(m->seed->gate, m->seed->peel * worst);
+    const sp_real most = sp__max(m->seed->gate, m->seed->drop * worst);
     int32_t pinned = 0;
     for (size_t v = 0; v < (size_t)m->c->pb->points; v++) {
         const sp_real *d = m->c->d + 3 * v, beta = sp__max(sp__alt_beta(m, v), 0);

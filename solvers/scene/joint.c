@@ -16,7 +16,7 @@ SP_API sp_strength sp_strength_friction(sp_real mu)
 
 static sp_status sp__strength_check(const sp_strength *strength)
 {
-    const sp_real rest[3] = { strength->cohesion, strength->tension, strength->cap };
+    const sp_real rest[3] = { strength->cohesion, strength->tension, strength->crushing };
     if (!sp__finite(strength->mu) || !sp__finite3(rest)) return SP_E_NOT_FINITE;
     return strength->mu >= 0 && rest[0] >= 0 && rest[1] >= 0 && rest[2] >= 0 ? SP_OK : SP_E_RANGE;
 }
@@ -24,7 +24,7 @@ static sp_status sp__strength_check(const sp_strength *strength)
 /* Has a joint strength beyond friction, or less than any? */
 SP__NOINLINE_SMALL static int sp__strength_more(const sp_strength *strength)
 {
-    return strength->cohesion > 0 || strength->tension > 0 || strength->cap > 0;
+    return strength->cohesion > 0 || strength->tension > 0 || strength->crushing > 0;
 }
 
 static int sp__scene_strong(const sp_scene *scene)
@@ -41,7 +41,7 @@ typedef struct sp__vertex_limits { sp_real C, T, N; } sp__vertex_limits;
 static sp__vertex_limits sp__vertex_strength(const sp_joint *f, int ignore_strength)
 {
     const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
-    sp__vertex_limits k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.cap > 0 ? f->strength.cap * share : SP__HUGE };
+    sp__vertex_limits k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.crushing > 0 ? f->strength.crushing * share : SP__HUGE };
     if (k.T * f->strength.mu > k.C) k.T = k.C / f->strength.mu;
     return k;
 }
@@ -49,7 +49,7 @@ static sp__vertex_limits sp__vertex_strength(const sp_joint *f, int ignore_stren
 /* Is K_v of a contact more or less than a cone? */
 static int sp__contact_strong(const sp_problem *pb, const sp_contact *t)
 {
-    return pb->ignore_strength ? t->joint->strength.cap > 0 : sp__strength_more(&t->joint->strength);
+    return pb->ignore_strength ? t->joint->strength.crushing > 0 : sp__strength_more(&t->joint->strength);
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */

@@ -20,7 +20,7 @@ static const sp_seed sp__seed = {
     .balance = SP__SEED(1e-6, 1e-5), .cone = SP__SEED(1e-7, 1e-5),              /* [2.1] */
     .gain = (sp_real)0.05, .window = 250, .rounds = 20000,                      /* [2.2] */
     .engaged = (sp_real)0.01, .floor = (sp_real)1e-9, .reg = SP__SEED(1e-9, 1e-6),                      /* [3.2] */
-    .gate = (sp_real)0.5, .peel = (sp_real)0.75, .slip_error = (sp_real)2, .turns = 12,           /* [3.3] */
+    .gate = (sp_real)0.5, .drop = (sp_real)0.75, .slip_error = (sp_real)2, .turns = 12,           /* [3.3] */
     .admm = {
         .backend = SP_QP_SPARSE,
         .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4,                     /* [4.2] the checker's */

@@ -166,7 +166,7 @@ TEST(more_strength_never_turns_stable_into_unstable)
             const sp_verdict v = check(&s).verdict;
             CHECK(!(stood && v == SP_UNSTABLE));
             stood |= v == SP_STABLE;
-            strength.cohesion *= R(1.5); strength.tension *= R(1.5); strength.cap *= R(1.5);
+            strength.cohesion *= R(1.5); strength.tension *= R(1.5); strength.crushing *= R(1.5);
         }
     }
 }
@@ -178,7 +178,7 @@ TEST(strength_has_no_unit_of_its_own)
         for (int i = 0; i < (k < 0 ? -k : k); i++) unit *= k < 0 ? R(1e-3) : R(1e3);
         for (int side = -1; side <= 1; side += 2) {
             sp_strength strength = mortar(0.84, 5 * weight, weight * (1 - side * CLOSE), 4 * weight);
-            strength.cohesion *= unit; strength.tension *= unit; strength.cap *= unit;
+            strength.cohesion *= unit; strength.tension *= unit; strength.crushing *= unit;
             sp_scene s = cube(1, strength);
             s.block[1].mass *= unit;
             CHECK_INT(check(&s).verdict, side < 0 ? SP_STABLE : SP_UNSTABLE);

@@ -74,7 +74,7 @@ static int strong(const sp_scene *s)
 {
     for (int32_t k = 0; k < s->count.joints; k++) {
         const sp_strength *j = &s->joint[k].strength;
-        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0) return 1;
+        if (j->cohesion > 0 || j->tension > 0 || j->crushing > 0) return 1;
     }
     return 0;
 }

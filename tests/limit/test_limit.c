@@ -190,7 +190,7 @@ TEST(a_load_that_presses_on_glue_has_no_end_but_a_cap)
         const sp_strength glue = { R(0.5), R(1e3 * pow(10, k % 3)), k < 3 ? 0 : R(500), 0 };
         const double cap = 1.6 * weight;
         sp_strength soft = glue;
-        soft.cap = R(cap);
+        soft.crushing = R(cap);
         sp_scene s = cube(glue);
         push(&s, 1, 0, 0, -weight, 0.5, 0.5, 1);
         const sp_limit_result x = limit_of(&s, NULL);
@@ -525,7 +525,7 @@ TEST(what_its_own_weight_crushes_has_no_multiplier)
         sp_scene s;
         test_arena.used = 0;
         CHECK_INT(gen_make("tower", "lean", 0.08, &test_arena, &s), SP_OK);
-        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.cap = R(20000);
+        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.crushing = R(20000);
         s.body[0] = R(back ? -9.80665 : 9.80665);
         CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
     }
@@ -705,7 +705,7 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
         for (int32_t i = 0; i < s.count.joints; i++) {
             s.joint[i].strength.cohesion = type & 1 ? R(c) : 0;
             s.joint[i].strength.tension = (type & 3) == 3 ? R(c / 4) : 0;
-            s.joint[i].strength.cap = type & 4 ? R(cap) : 0;
+            s.joint[i].strength.crushing = type & 4 ? R(cap) : 0;
         }
         int32_t b = test_random_int(0, s.count.blocks - 1);
         if (trial % 3 == 0 && s.block[b].fixed != SP_FIXED) s.block[b].fixed = test_random_int(1, 62);

@@ -870,8 +870,8 @@ TEST(bad_joints_leave_the_scene_alone)
         j.mu = nan_;     REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
         j = good; j.cohesion = R(-1); REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
         j = good; j.tension = R(-1);  REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
-        j = good; j.cap = R(-1);      REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
-        j = good; j.cap = inf;        REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
+        j = good; j.crushing = R(-1);      REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_RANGE);
+        j = good; j.crushing = inf;        REFUSED(ADD(&scene, 0, 1, 4, xyz, &j), SP_E_NOT_FINITE);
         xyz[7] = nan_;   REFUSED(ADD(&scene, 0, 1, 4, xyz, &good), SP_E_NOT_FINITE);
         xyz[7] = -inf;   REFUSED(ADD(&scene, 0, 1, 4, xyz, &good), SP_E_NOT_FINITE);
         xyz[7] = 1;
@@ -943,7 +943,7 @@ TEST(friction_is_set_for_all_or_none)
     sp_scene scene = two_cubes();
     int32_t id;
     CHECK_NEAR(strength.mu, 0.25, 0);
-    CHECK_NEAR((double)strength.cohesion + (double)strength.tension + (double)strength.cap, 0, 0);
+    CHECK_NEAR((double)strength.cohesion + (double)strength.tension + (double)strength.crushing, 0, 0);
     for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_joint(&scene, 0, 1, 4, xyz, &strength, NULL), SP_OK);
     CHECK_INT(sp_scene_friction(&scene, R(0.75)), SP_OK);
     for (int k = 0; k < 3; k++) CHECK_NEAR(scene.joint[k].strength.mu, 0.75, 0);

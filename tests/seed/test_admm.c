@@ -63,7 +63,7 @@ TEST(the_table_holds_the_seeds_numbers)
     CHECK_NEAR(s->floor, 1e-9, SP_EPSILON);
     CHECK_NEAR(s->reg, TOL(1e-9, 1e-6), SP_EPSILON);
     CHECK_NEAR(s->gate, 0.5, 0);                        /* 3.3 */
-    CHECK_NEAR(s->peel, 0.75, 0);
+    CHECK_NEAR(s->drop, 0.75, 0);
     CHECK_NEAR(s->slip_error, 2, 0);
     CHECK_INT(s->turns, 12);
     CHECK_NEAR(s->admm.sigma, TOL(1e-6, 1e-3), SP_EPSILON);     /* 4.2 */

@@ -19,7 +19,7 @@ static int refuse_others(const host_scene *s, failure *error)
     }
     for (int32_t k = 0; k < s->scene.count.joints; k++) {
         const sp_strength *j = &s->scene.joint[k].strength;
-        if (j->cohesion > 0 || j->tension > 0 || j->cap > 0)
+        if (j->cohesion > 0 || j->tension > 0 || j->crushing > 0)
             return fail_with(error, EXIT_USAGE, s->path, 0,
                              "--tilt-margin is for joints without strength; check --tilt takes it along");
     }

@@ -60,7 +60,7 @@ static void write_contact(FILE *out, const sp_scene *s, int32_t i, const char *c
     if (own_mu) write_setting(out, "mu", c->strength.mu);
     if (c->strength.cohesion > 0) write_setting(out, "cohesion", c->strength.cohesion);
     if (c->strength.tension > 0) write_setting(out, "tension", c->strength.tension);
-    if (c->strength.cap > 0) write_setting(out, "crushing", c->strength.cap);
+    if (c->strength.crushing > 0) write_setting(out, "crushing", c->strength.crushing);
 }
 
 static int is_zero(const sp_real x[3])

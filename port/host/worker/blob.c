@@ -265,7 +265,7 @@ static void io_joint(io *s, sp_joint *f)
     io_real(s, &f->strength.mu);
     io_real(s, &f->strength.cohesion);
     io_real(s, &f->strength.tension);
-    io_real(s, &f->strength.cap);
+    io_real(s, &f->strength.crushing);
     io_reals(s, f->n, 3);
     io_reals(s, f->t1, 3);
     io_reals(s, f->t2, 3);
