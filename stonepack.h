@@ -167,7 +167,7 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 #error "SP_REAL_FLOAT and SP_REAL_QUAD: numbers have one precision"
 #endif
 
-/* What follows from the switches; each is told at the end. */
+/* What follows from the switches, which are explained at the end. */
 #ifdef SP_EXACT_ONLY
 #undef SP_SMALL
 #define SP_SMALL
@@ -366,7 +366,7 @@ typedef enum sp_effect {
     SP_EFFECT_FRICTION = 0,     /* friction in the joints */
     SP_EFFECT_DEPTH,            /* the third dimension: what goes out of the plane of a mirror */
     SP_EFFECT_TOGETHER,         /* all blocks as one problem; left out, each island of free blocks that touch is solved alone */
-    SP_EFFECT_STRENGTH,         /* cohesion, tension and crushing of joints; from here on told, not chosen */
+    SP_EFFECT_STRENGTH,         /* cohesion, tension and crushing of joints; from here on reported, not chosen */
     SP_EFFECT_LOADS,            /* loads besides weight */
     SP_EFFECT_LIVE,             /* loads that count scene.live times */
     SP_EFFECT_COUPLED,          /* the motion that explains the forces */
@@ -392,7 +392,7 @@ typedef enum sp_effect_why {
     SP_WHY_STAGES,              /* on: stages that take the scene as it is (ADMM, the seed's, custom), or a budget */
     SP_WHY_MIRROR,              /* off: one mirror plane for everything; not where a motion had to be sought in space */
     SP_WHY_PRESSURE,            /* off: what presses on level joints decides without */
-    SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple is told without a search */
+    SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple follows without a search */
 } sp_effect_why;
 
 /* What was found about one joint's share of help, from the penalty form; joined with a motion where that was asked and one
@@ -448,8 +448,8 @@ typedef struct sp_coupled {
     sp_cost cost;               /* of this check alone; also in result.cost */
 } sp_coupled;
 
-/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. What is told of
- * it is what a check of it alone says, with eps and eta of the whole scene. */
+/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. Its
+ * report is what a check of it alone says, with eps and eta of the whole scene. */
 typedef struct sp_island {
     sp_verdict verdict;
     sp_reason reason;
@@ -488,14 +488,14 @@ struct sp_result {
     sp_coupled coupled;
     sp_effect_why effect[SP_EFFECTS];           /* what was simulated and what not, by sp_effect */
     sp_effect missing;          /* of SP_REASON_EFFECT: what was left out */
-    int32_t islands;            /* told apart: the verdict is that of the worst; 1: solved as one, 0: nothing to solve */
+    int32_t islands;            /* checked one by one: the verdict is that of the worst; 1: solved as one, 0: nothing to solve */
     int32_t *island;            /* per block of the scene: its island, -1: a support; NULL where islands < 2 */
     sp_island *part;            /* islands of them, in the order of their first blocks; NULL where islands < 2 */
     size_t peak_bytes;          /* of the arena */
 };
 
-/* What the evidence of a claim proves, recomputed from the scene by code that shares no step with the search. sp_verify reads the
- * claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, which is believed as far as it can be checked; and if
+/* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search. sp_verify reads the
+ * claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual allows; and if
  * settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
  * force_bound, eps and eta are those of the settings. A y0 that is not finite is ignored. */
 struct sp_evidence {
@@ -714,7 +714,7 @@ static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_
 /* --------------------------------------------------------------------------------------------------------- a build order
  *
  * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
- * is told step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
+ * is set step by step, the joints of the others count for nothing. After each step only islands that it touched are looked at
  * again, an island being free blocks that touch each other; all others keep their verdict and forces.
  *
  *     sp_memory(&scene, SP_FOR_SEQUENCE, NULL, scratch, &bytes);
@@ -917,7 +917,7 @@ typedef struct sp_rest {
 
 /* Stable resting faces of a stone of uniform density, in the order of its faces.                [Goldberg, Mirtich 1999]
  * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
- * is told to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
+ * is recognised to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
  *   scratch  sp_support_memory(mesh->vertices)
  *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
  *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
@@ -1324,7 +1324,7 @@ SP_API sp_settings sp_settings_seed(void);
  *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
  *                   out is a hull narrower than the distance, and a piece as narrow of two faces that are both more than four
  *                   times as wide, where other builds ask each polygon. A hull of very many corners is several contacts.
- *                   Contacts of two blocks are in the order of faces. Overlaps are told of convex blocks only; every pair of
+ *                   Contacts of two blocks are in the order of faces. Overlaps are found of convex blocks only; every pair of
  *                   blocks is asked for contacts, every pair of their faces. Texts of statuses are shorter.
  *                   sp_limit leaves more undecided, and has no y0; what another build's sp_limit claims is for that build's
  *                   sp_limit_verify, for this one may leave it open. sp_sequence checks all that is there at every step, and
@@ -1352,7 +1352,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1552    1498
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3678    3500
  *   SP_QP_ONLY        all that knows of stones                                                       153087  147941
- *   SP_SMALL          what is told above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
+ *   SP_SMALL          what is said above;  SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
  *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       142583  137969
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:

@@ -20,13 +20,13 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
         r->max_tension = sp__max(r->max_tension, r->demand[k].tension);
         r->max_utilisation = sp__max(r->max_utilisation, f.utilisation);
     }
-    const sp_real dust = 16 * SP__SCALE_TOL * r->max_compression;
+    const sp_real tiny = 16 * SP__SCALE_TOL * r->max_compression;
     for (int32_t k = 0; k < scene->count.joints; k++) {
         sp_joint_force f;
         if (!sp__contact_counts(scene, &scene->joint[k])) continue;
         sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
-        const int wanted = help > dust;
+        const int wanted = help > tiny;
         const sp_real score = wanted ? help : f.utilisation;
         if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; r->weakest = k; }
     }

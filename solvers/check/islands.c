@@ -198,7 +198,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
 /* Is there an island left? A proof that a later search overwrote is sought once more, after the last island. */
 static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, int32_t k)
 {
-    return k < c->r.islands + (w->proof.nodes && !w->lies);
+    return k < c->r.islands + (w->proof.nodes && !w->proof_kept);
 }
 
 /* An island writes into the arrays of the whole, and a proof into the room that has. */
@@ -232,12 +232,12 @@ SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__c
     sp__island_rest(found);
     if (!w->again) sp__island_keep(w->t.rank, w->at, found, c);
     else sp__cost_add(&c->r.cost, &found->r.cost);
-    w->lies &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
+    w->proof_kept &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
     if (o->proof.nodes) {
         w->proof = o->proof;
         w->proof.island = w->at + 1;
         w->margin = o->margin;
-        w->lies = 1;
+        w->proof_kept = 1;
     }
     a->used = w->mark;
 }

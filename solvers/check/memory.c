@@ -8,7 +8,7 @@
 #include "settings.c"
 
 #ifndef SP_SMALL
-/* What a check keeps: the result's arrays, in front of everything that goes again. */
+/* The arrays of a result, which a check keeps, in front of everything that goes again. */
 typedef struct sp__result_arrays {
     sp_real *f, *dq, *y0;
     sp_demand *demand;
@@ -64,7 +64,7 @@ SP__NOINLINE static size_t sp__result_arrays_need(const sp_scene *scene, int32_t
     return dry.used;
 }
 
-/* What stages work on, numbered as the problem is; what has been judged of it is written at the scene's numbers. The forces of a
+/* The state that stages work on, numbered as the problem is; what has been checked of it is written at the scene's numbers. The forces of a
  * whole scene are the result's own unless there is a budget, where the result keeps the best of all stages. */
 static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, int part, sp_arena *a)
 {
@@ -74,7 +74,7 @@ static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings
     if (part) s->y0 = sp__take(a, (size_t)pb->blocks, 12 * sizeof *s->y0);
 }
 
-/* What a check works on; lies in the arena, behind what it keeps, because it is too large for a small stack. */
+/* Everything that a check works on. It is in the arena, behind what it keeps, because it is too large for a small stack. */
 typedef struct sp__check {
     sp_settings set;
     sp_problem pb;
@@ -165,7 +165,7 @@ SP__NOINLINE static sp_status sp__built_need(sp__check *c, int part, sp_arena sc
     return *bytes == SIZE_MAX ? SP_E_MEMORY : SP_OK;
 }
 
-/* The same of a whole scene. */
+/* Bytes of the stages and the coupled check of a whole scene. */
 static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena scratch, size_t *bytes)
 {
     const sp_status status = sp_problem_build(scene, &scratch, &c->pb);
@@ -189,7 +189,7 @@ SP__NOINLINE static sp_status sp__part_need(const sp_scene *scene, const sp__par
 typedef struct sp__island_loop {
     sp__islands t;
     int32_t at, again;                  /* the island, 1: only for its proof */
-    int32_t lies;                       /* the proof is still in the room that all share */
+    int32_t proof_kept;                 /* the proof is still in the room that all share */
     sp_proof proof;                     /* of the last that was refuted */
     sp_real margin;
     size_t start, mark;                 /* of the arena: before this, behind the tables */
@@ -237,7 +237,7 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
     return status;
 }
 
-/* What SP_MEMORY_BYTES takes for granted of structs and sizes that the header does not show, in double and float. */
+/* SP_MEMORY_BYTES holds only if structs and sizes that the header does not show are no larger than this, in double and float. */
 typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <= 400 && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real) && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
 typedef char sp__memory_bytes_holds_reduction[sizeof(sp_real) > 8 || SP__REDUCTION_G <= 20 ? 1 : -1];
@@ -287,7 +287,7 @@ static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *setti
     return status;
 }
 
-/* Where stages work: memory of its own, or what is left of the check's. */
+/* The memory that stages work in: settings.work, or the rest of the check's. */
 static sp_arena sp__work_open(const sp_settings *set, const sp_arena *a) { return set->work ? *set->work : *a; }
 
 static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *room)

@@ -30,7 +30,7 @@ typedef struct sp__yield { sp_real mu, C, T, N; int plain; } sp__yield;
 typedef enum sp__region { SP__APEX, SP__INSIDE, SP__FACE, SP__EDGE, SP__WALL, SP__RIM,
                          SP__CORNER } sp__region;
 
-/* Where u lies, and its local frame: w the unit vector of its face, b how far along the face (>= 0), side +-1. */
+/* Position of u in the cone, and its local frame: w the unit vector of its face, b how far along the face (>= 0), side +-1. */
 typedef struct sp__foot { sp__region region; sp_real w[2], a, b, side, t; } sp__foot;
 
 static void sp__cone_carve(sp__cone *k, int32_t faces, sp_arena *a)
@@ -99,7 +99,7 @@ static void sp__yield_foot(const sp__cone *k, const sp__yield *y, sp_real x, sp_
     o->region = o->b > k->tan_half * sp__max(0, y->C + mu * o->t) ? SP__CORNER : SP__RIM;
 }
 
-/* Where u lies; plain: of the cone or pyramid |ft| <= mu fn, whatever the strength. */
+/* Position of u; plain: in the cone or pyramid |ft| <= mu fn, whatever the strength. */
 static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, int plain, const sp_real u[3], sp__foot *o)
 {
     const sp_real mu = yield->mu, e = mu * k->tan_half;

@@ -55,7 +55,7 @@ static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, 
     if (sp__pair_meets(t, p, q, t->pair.point, size)) sp__pair_gather(t, p);
 }
 
-/* What patch u of A and q of B share, in the plane of patch p, the first of A in u's plane. */
+/* The polygon that patch u of A and q of B share, in the plane of patch p, the first of A in u's plane. */
 static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, const sp__patch *q)
 {
     sp__pair_plane(t, p);

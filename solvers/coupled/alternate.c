@@ -333,7 +333,7 @@ static sp_real sp__alt_gap(const sp__alt *m, size_t v)
     return m->weight[v] * sp__abs(m->c->d[3 * v] + m->c->k.eps);
 }
 
-/* What the motion does not explain loses its force: of E the worst, of F those off their slip.     returns how many were pinned */
+/* Corners that the motion does not explain lose their force: of E the worst, of F those off their slip.     returns how many were pinned */
 static int32_t sp__alt_remove_worst(sp__alt *m, sp_real worst)
 {
     const sp_real most = sp__max(m->seed->gate, m->seed->drop * worst);

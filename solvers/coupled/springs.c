@@ -152,7 +152,7 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
 }
 
-/* The same of a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
+/* Forces in a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
  * the nearest to -(dn, e . dt / sqrt(tau)) in the wedge between (1, 0) and (1, m). */
 static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
 {
@@ -232,7 +232,7 @@ static sp_real sp__cra_at(sp__cra *c, sp_real step)
     return sp__cra_springs(c);
 }
 
-/* Where between 0 and `high` along d the energy is least; it falls by `down` at first, and rises at `step`. */
+/* Line search: the step between 0 and `high` along d at which the energy is least; it falls by `down` at first, and rises at `step`. */
 static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real down)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
@@ -276,7 +276,7 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
     return !w->budget.spent;
 }
 
-/* Where friction exceeds its cone it is cut; lam follows fn.     returns 1 when forces and slips agree */
+/* Cut friction that exceeds its cone; lam follows fn.     returns 1 when forces and slips agree */
 SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
 {
     c->violation = c->change = 0;

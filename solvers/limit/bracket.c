@@ -1,4 +1,4 @@
-/* bracket: what proves each end of the bracket */
+/* bracket: the certificate check of both ends of the bracket: forces at the lower, a collapse at the upper. */
 #ifndef SP__LIMIT_BRACKET_C
 #define SP__LIMIT_BRACKET_C
 

@@ -14,7 +14,7 @@ static void sp__bracket_keep(sp__bracket *b)
     sp__bracket_certify_end(b);
 }
 
-/* What joints resist of b->dq at lambda.     returns 0: no budget, no memory */
+/* Most work that joints can do against b->dq at lambda.     returns 0: no budget, no memory */
 SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
 {
     int32_t final;

@@ -1,4 +1,4 @@
-/* interior: interior points in forces, motion and multiplier at once */
+/* interior: largest multiple lambda by interior points in forces, motion and lambda at once.     [Ye, Todd, Mizuno 1994] */
 #ifndef SP__LIMIT_INTERIOR_C
 #define SP__LIMIT_INTERIOR_C
 
@@ -44,7 +44,7 @@ static void sp__limit_loads_sized(sp__limit *L, sp_real a)
     if (16 * both < dead) sp__limit_loads(L, a + 1);
 }
 
-/* Sizes of the certificate check for the loads at hand; with a metric E hangs on them, and they stay. */
+/* Sizes of the certificate check for the loads at hand; with a metric E depends on them, so they stay. */
 static void sp__limit_sizes(sp__limit *L)
 {
     sp__engine *g = &L->engine;

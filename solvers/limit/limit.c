@@ -32,7 +32,7 @@ SP__NOINLINE static void sp__limit_upper(sp__limit *L)
     }
 }
 
-/* What both ends say. */
+/* The result that both ends of the bracket give. */
 static void sp__limit_conclude(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
@@ -107,7 +107,7 @@ static size_t sp__limit_numbers(const sp_scene *scene, int32_t blocks)
     return 6 * ((size_t)scene->count.points + (size_t)scene->count.blocks) + (SP__WITH_INTERIOR ? 24 * (size_t)blocks : 0);
 }
 
-/* What a limit works on besides the bracket's own. */
+/* Memory of a limit besides the bracket's own. */
 static int sp__limit_carve(sp__limit *L, sp_arena *rows, sp_arena *a)
 {
     const sp_problem *pb = &L->bracket.pb;

@@ -1,4 +1,4 @@
-/* newton: the bracket, by Newton's method on the power balance */
+/* newton: the bracket of lambda, by Newton's method on the power balance -(p . dq) / (q . dq) of motions.      [Dinkelbach 1967] */
 #ifndef SP__LIMIT_NEWTON_C
 #define SP__LIMIT_NEWTON_C
 
@@ -22,7 +22,7 @@ typedef struct sp__limit {
 
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked for */
-#define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist hangs on caps, and those on the multiple */
+#define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist depends on caps, and those on the multiple */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
 #ifdef SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */

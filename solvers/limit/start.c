@@ -1,4 +1,4 @@
-/* start: both ends by the quick ways: interior points, and the dual with the multiplier in it */
+/* start: first values of both ends: interior points for joints of friction, climb on the dual (strong.c) for joints with strength. */
 #ifndef SP__LIMIT_START_C
 #define SP__LIMIT_START_C
 
@@ -112,7 +112,7 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
 
 static size_t sp__limit_start_scratch(const sp_problem *pb) { return sp__system_scratch(pb); }
 
-/* What that takes from an arena: two searches, one after the other, of the loads at hand.       returns 0: no memory */
+/* Memory of these starts: two searches, one after the other, of the loads at hand.       returns 0: no memory */
 static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
 {
     const sp_problem *pb = &L->bracket.pb;

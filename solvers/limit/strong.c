@@ -1,4 +1,4 @@
-/* strong: joints with strength: Newton's method with the multiplier in it */
+/* strong: joints with strength: max c lambda - 1/2 sum |f_v|^2 / S_v for growing c, by Newton's method on its dual. */
 #ifndef SP__LIMIT_STRONG_C
 #define SP__LIMIT_STRONG_C
 

@@ -1,4 +1,4 @@
-/* verify: sp_limit_verify: every end that a claim has */
+/* verify: sp_limit_verify: the certificate check of every end that a result claims. */
 #ifndef SP__LIMIT_VERIFY_C
 #define SP__LIMIT_VERIFY_C
 

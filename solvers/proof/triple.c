@@ -14,7 +14,7 @@
 
 #if SP__WITH_COUPLED
 
-/* What a triple (f, dq, alpha) of the coupled check may be out by, in units of its length L: a pressing joint by SP__GIVE, slip
+/* Tolerances of a triple (f, dq, alpha) of the coupled check, in units of its length L: a pressing joint by SP__GIVE, slip
  * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap SP__GIVE_MOST
  * at most, or a block that spins about the points it is held at would hide all of it. */
 #ifdef SP_REAL_FLOAT

@@ -34,7 +34,7 @@ enum { SP__DYKSTRA_ROUNDS = 500 };
 #endif
 
 #ifdef SP_SMALL
-/* The same without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement: slower, and no row
+/* Dykstra's projections without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement: slower, and no row
  * is told to be lost. */
 
 /* Row i at x in X, its weight a W^-1 a' in *d; then x <- x - W^-1 a' t. */

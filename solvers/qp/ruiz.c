@@ -13,7 +13,7 @@
 
 #if SP__WITH_QP
 
-/* Where column j of P and of A starts; a matrix may be left out. */
+/* Start of column j of P and of A; a matrix may be left out. */
 static int32_t sp__qp_p0(const sp_qp *qp, int32_t j) { return qp->Pp ? qp->Pp[j] : 0; }
 static int32_t sp__qp_a0(const sp_qp *qp, int32_t j) { return qp->m ? qp->Ap[j] : 0; }
 

@@ -33,7 +33,7 @@ static int sp__scene_strong(const sp_scene *scene)
     return 0;
 }
 
-/* What one vertex of a joint can carry [N]: the joint's strength over its share of the area, the same for every vertex.
+/* Limits of the force at one vertex of a joint [N]: its strength [Pa] times its share of the area, the same for every vertex.
  *   |ft| <= C + mu fn,  -T <= fn <= N,  T <= C / mu                                                       [Mohr, Coulomb]
  * ignore_strength: only friction is kept, as if the joint had no area: forces that may grow without end. */
 typedef struct sp__vertex_limits { sp_real C, T, N; } sp__vertex_limits;

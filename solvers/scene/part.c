@@ -18,7 +18,7 @@ typedef struct sp__part {
     const int32_t *row;                                             /* per block of the scene: row in the part, -1: it has none */
 } sp__part;
 
-/* What a part has, into a problem of it. */
+/* A problem of a part's blocks, contacts and loads. */
 static void sp__part_count(const sp_scene *scene, const sp__part *part, sp_problem *pb)
 {
     memset(pb, 0, sizeof *pb);
@@ -157,7 +157,7 @@ static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
 /* How many islands a scene is solved in; the most vertices and blocks of those that are small enough for a proof that no triple exists. */
 typedef struct sp__island_counts { int32_t islands, points, blocks; } sp__island_counts;
 
-/* The most that a proof may have to deal with; `up` tells islands, `points` and `blocks` are scratch, a number per block. */
+/* The most that a proof may have to deal with; `up` labels islands, `points` and `blocks` are scratch, a number per block. */
 SP__NOINLINE static void sp__islands_proof_size(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks, sp__island_counts *o)
 {
     const sp_capacity *n = &scene->count;
@@ -175,7 +175,7 @@ SP__NOINLINE static void sp__islands_proof_size(const sp_scene *scene, int32_t *
     }
 }
 
-/* Tables for up to `count` islands. `label` (may be NULL) lies elsewhere. */
+/* Tables for up to `count` islands. `label` (may be NULL) is memory of the caller. */
 SP__NOINLINE static void sp__islands_carve(sp__islands *t, const sp_scene *scene, int32_t count, int32_t *label, sp_arena *a)
 {
     const size_t b = (size_t)scene->count.blocks, n = (size_t)count;

@@ -6,7 +6,7 @@
 
 #if SP__WITH_LARGE
 
-/* What the seed asks of the bilateral force before it calls it forces: no tension, no friction beyond the cone. */
+/* Conditions of the specification for the bilateral force to count as forces: no tension, no friction beyond the cone. */
 typedef struct sp__gate { int tension, friction; } sp__gate;
 
 /* Largest compression and tension of f, and friction beyond the cone, by f's own size.                  [seed 2.1] */

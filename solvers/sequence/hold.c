@@ -107,7 +107,8 @@ SP__NOINLINE static sp_held_proof sp__hold_one(sp__hold *h)
     return h->over ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
 }
 
-/* What must be held and what was held last; then what moves most, until it stands; then each let go that can be. */
+/* A set for large islands: hold what must be held and was held last, add the block that moves most until all stand, then let go
+ * each that can be. */
 SP__NOINLINE static sp_held_proof sp__hold_guided(sp__hold *h)
 {
     sp_sequence *q = h->q;

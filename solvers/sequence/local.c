@@ -7,7 +7,7 @@
 
 #if SP__WITH_LARGE
 
-/* What a check of the part found, forces and motion in place, becomes what is known of its blocks. */
+/* Keep what a check of the part found about its blocks; forces and motion are in place. */
 SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
 {
     for (int32_t k = 0; k < c->pb.blocks; k++) {
@@ -62,7 +62,7 @@ SP__NOINLINE static void sp__local_below(sp_sequence *q, int32_t b, int32_t o, i
         }
 }
 
-/* All loose blocks that block b touches. */
+/* All free blocks that block b touches. */
 static void sp__local_neighbours(sp_sequence *q, int32_t b, int32_t *n)
 {
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
@@ -89,7 +89,8 @@ SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int w
     return 2 * n > size ? -1 : n;
 }
 
-/* Forces of joints with loose blocks outside the part are loads on it; where they cancel, what rounding left goes: it has no mirror. */
+/* Forces of joints with free blocks outside the part are loads on it. Where they cancel, the rest from rounding is dropped, for it
+ * has no mirror image. */
 SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 {
     for (int32_t i = 0; i < pb->blocks; i++) {

@@ -1,4 +1,4 @@
-/* part: some blocks of what is there, as a part */
+/* part: some of the blocks that are present become a part (scene/part.c) and are checked. */
 #ifndef SP__SEQUENCE_PART_C
 #define SP__SEQUENCE_PART_C
 
@@ -7,7 +7,7 @@
 
 #if SP__WITH_LARGE
 
-/* Which loose blocks hang together. */
+/* Islands of the free blocks that are present and not held. */
 static void sp__sequence_islands(sp_sequence *q)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->up[b] = b;
@@ -68,7 +68,7 @@ SP__NOINLINE static sp_status sp__part_begin(sp_sequence *q, sp_real *f, sp_real
     return SP_OK;
 }
 
-/* Does the part stand? sp_check without what only tells more. */
+/* Does the part stand? sp_check without its reports. */
 SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real *dq, sp__check **c)
 {
     sp_arena a = q->work;
@@ -90,7 +90,7 @@ static void sp__block_force(const sp_sequence *q, const sp_contact *t, int32_t b
     sp__cross3(arm, F, m);
 }
 
-/* |load| of the free blocks of a contact, the lesser, in units; SP__HUGE: none of them is loose. */
+/* |load| of the free blocks of a contact, the lesser, in units; SP__HUGE: none of them is free. */
 static sp_real sp__contact_least_load(const sp_sequence *q, const sp_contact *t)
 {
     sp_real least = SP__HUGE;

@@ -67,7 +67,7 @@ static int sp__worse(sp_verdict a, sp_verdict b)
     return a == SP_STABLE ? 0 : b == SP_STABLE || (a == SP_UNSTABLE && b == SP_UNDECIDED);
 }
 
-/* What the step found. */
+/* The result of the step. */
 SP__NOINLINE static void sp__sequence_report(sp_sequence *q, sp_step *step)
 {
     sp_real most = -1;

@@ -1,4 +1,4 @@
-/* check: sp_check, sp_memory, sp_plan by the smallest search */
+/* check: sp_check, sp_memory and sp_plan in SP_SMALL; the full build's are in check/. */
 #ifndef SP__SMALL_CHECK_C
 #define SP__SMALL_CHECK_C
 
@@ -485,7 +485,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
-/* What a search on problem pb takes from an arena: its own arrays, then those of the check; rows in scratch.     returns 0: no memory */
+/* Memory of a search on problem pb: its own arrays, then those of the check; rows in scratch.     returns 0: no memory */
 static int sp__small_need(sp__small *w, const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp_arena *dry)
 {
     sp__take(dry, (size_t)pb->blocks, 6 * sizeof *w->row);

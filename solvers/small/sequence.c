@@ -1,4 +1,4 @@
-/* sequence: sp_sequence by the smallest search */
+/* sequence: sp_sequence in SP_SMALL: each step is one check of all that is there. */
 #ifndef SP__SMALL_SEQUENCE_C
 #define SP__SMALL_SEQUENCE_C
 
@@ -85,7 +85,7 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     return SP_OK;
 }
 
-/* What is there, checked. */
+/* Check of all that is there. */
 SP__NOINLINE static sp_verdict sp__sequence_check(sp_sequence *q)
 {
     const sp_scene *s = q->scene;

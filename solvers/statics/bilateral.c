@@ -2,7 +2,7 @@
  *
  *   (G + shift) y = -p,   G = Aeq S Aeq',   f0 = S Aeq' y         in the metric S
  *
- * Where p has a part that no contact resists at all y would run off by it; that part is taken out again:
+ * If p has a part that no contact resists at all, y would run off by it; that part is taken out again:
  * y <- y - shift (G + shift)^-1 y.
  */
 #ifndef SP__STATICS_BILATERAL_C

@@ -276,7 +276,7 @@ SP__NOINLINE static void sp__ipm_step(sp__system *w, sp__ipm *m, const sp_state 
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
-/* x = z = e, y = 0. force_scale is a quarter of what an average block bears. */
+/* x = z = e, y = 0. force_scale is a quarter of the forces at an average block. */
 static void sp__ipm_start(sp__system *w, sp__ipm *m)
 {
     const int32_t faces = w->law.cone.faces;

@@ -72,7 +72,7 @@ SP__NOINLINE static sp_real sp__newton_search(sp__system *w, const sp__line *l, 
  * sum (sbar |v| + Sbar |w|). */
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 
-/* What the vertices of contact c can resist motion y with: sum of f.u over the f in K no longer than their cap that does most;
+/* Most that the vertices of contact c resist motion y with: sum of f.u over the f in K no longer than their cap that does most;
  * where K is a wedge that is the cap times |P_K(u)|. */
 SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, const sp_real *y)
 {

@@ -23,7 +23,7 @@ typedef struct sp__view {
     const sp_real *g;                   /* frame of the narrow kernel, 3 numbers a motion, 2 a vertex; NULL: the wide one, 6 and 3 */
 } sp__view;
 
-/* K of its vertices lies in w->law.yield from now on. */
+/* From now on w->law.yield is K of its vertices. */
 static sp__view sp__view_of(const sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];

@@ -59,7 +59,7 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
     sp__newton_look(w, &n, state);
     n.shift = SP__SHIFT;
     while (sp__newton_left(w, &n) && n.imbalance > n.goal) sp__newton_step(w, &n, state);
-    if (n.imbalance <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: no friction, a loose stone */
+    if (n.imbalance <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: no friction, a stone that touches nothing */
     return SP_OK;
 }
 

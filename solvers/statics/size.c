@@ -101,7 +101,7 @@ static int sp__system_metric(sp__system *w)
  * MOTION: exact, with no such room. */
 typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC, SP__LIMIT, SP__MOTION } sp__form;
 
-/* Where every contact's block off the diagonal is. */
+/* Position of every contact's block off the diagonal. */
 static void sp__system_slots(sp__system *w)
 {
     for (int32_t c = 0; c < w->pb->contacts; c++) {

@@ -35,7 +35,7 @@ typedef struct sp__ipm {
     int ray;                            /* forces are asked for the live loads alone */
 } sp__ipm;
 
-/* What a pass over the vertices of a contact works with. Twists are V and W of sp__system_twist. */
+/* Scratch of a pass over the vertices of a contact. Twists are V and W of sp__system_twist. */
 typedef struct sp__visit {
     sp_real twist[3][6];                /* motions, of B seen from A: one, or a point, its change and that one's change */
     sp_real u[3][3];                    /* rates of the vertex at hand in them */
@@ -89,7 +89,7 @@ typedef struct sp__joint_law {
     sp_real friction;                   /* coefficient in force / mu */
 } sp__joint_law;
 
-/* What numbers are measured by. */
+/* Scales by which numbers are measured. */
 typedef struct sp__measure {
     sp_real unit, load;                 /* force of one unit [N]; norm of the weighted load */
     sp_real metric;                     /* 1 / largest sbar of a contact, or 0: S = 1 everywhere */
