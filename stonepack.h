@@ -448,8 +448,8 @@ typedef struct sp_coupled {
     sp_cost cost;               /* of this check alone; also in result.cost */
 } sp_coupled;
 
-/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. Its
- * report is what a check of it alone says, with eps and eta of the whole scene. */
+/* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. An
+ * island's report is what a check of it alone says, with eps and eta of the whole scene. */
 typedef struct sp_island {
     sp_verdict verdict;
     sp_reason reason;
@@ -494,8 +494,8 @@ struct sp_result {
     size_t peak_bytes;          /* of the arena */
 };
 
-/* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search. sp_verify reads the
- * claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual allows; and if
+/* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
+ * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual allows; and if
  * settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
  * force_bound, eps and eta are those of the settings. A y0 that is not finite is ignored. */
 struct sp_evidence {
@@ -1352,7 +1352,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1552    1498
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3678    3500
  *   SP_QP_ONLY        all that knows of stones                                                       153087  147941
- *   SP_SMALL          what is said above;  SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
+ *   SP_SMALL          what is said above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
  *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       142583  137969
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:
