@@ -495,8 +495,8 @@ struct sp_result {
 };
 
 /* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
- * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual allows; and if
- * settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
+ * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual
+ * allows; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
  * force_bound, eps and eta are those of the settings. A y0 that is not finite is ignored. */
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
