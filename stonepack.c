@@ -105,7 +105,7 @@
 #include "solvers/contacts/find.c"              /* what touches what, over the whole scene */
 
 #include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */
-#include "solvers/proof/statics.c"              /* what forces prove, and what a motion proves */
+#include "solvers/proof/forces.c"               /* what forces prove, and what a motion proves */
 #include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
 #include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
 

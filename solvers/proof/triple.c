@@ -6,7 +6,7 @@
 #define SP__PROOF_TRIPLE_C
 
 #include "../scene/part.c"
-#include "statics.c"
+#include "forces.c"
 
 /* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
  * and no proof would reach as far. */

@@ -5,7 +5,7 @@
 #include "../../solvers/base/words.c"
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
-#include "../../solvers/proof/statics.c"
+#include "../../solvers/proof/forces.c"
 
 #include <math.h>
 

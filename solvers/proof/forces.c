@@ -1,11 +1,11 @@
-/* statics: imbalance of a force state, and whether a motion proves that no forces balance the loads.
+/* forces: imbalance of a force state, and whether a motion proves that no forces balance the loads.
  *
  *   forces    omega = max over blocks of |r_i| / s_i, |m_i| / S_i,  r = Aeq f + p,  f_v in K_v, |f_v| <= c_v
  *   motion    p . dq  -  sum c_v |P_K(u_v)|   >   tol sum (sbar_i |v_i| + Sbar_i |w_i|),   u = -Aeq' dq, dq_i = (v_i, w_i)
  *                                                                                      [solvers/README.md, what proves a verdict]
  */
-#ifndef SP__PROOF_STATICS_C
-#define SP__PROOF_STATICS_C
+#ifndef SP__PROOF_FORCES_C
+#define SP__PROOF_FORCES_C
 
 #include "../cone/pyramids.c"
 #include "scale.c"
@@ -272,4 +272,4 @@ static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real 
     for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
 }
 
-#endif /* SP__PROOF_STATICS_C */
+#endif /* SP__PROOF_FORCES_C */
