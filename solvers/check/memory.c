@@ -274,12 +274,12 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
     return SP_OK;
 }
 
-static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     return sp__memory(scene, settings, NULL, scratch, bytes);
 }
 
-static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     sp_arena work = sp__arena_dry();
     const sp_status status = sp__memory(scene, settings, &work, scratch, bytes);

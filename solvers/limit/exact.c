@@ -90,13 +90,10 @@ SP__NOINLINE static sp_status sp__engine_stage(sp__engine *g, sp__bracket *b, sp
     return sp__exact_run(&b->pb, &b->set, &g->state, &room, claim);
 }
 
-/* Gates and the exact stage at d dead + l live.     returns STABLE where f carries it for certain, UNSTABLE where
- * b->dq is said to fall */
-SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_real d, sp_real l, sp_real *f)
+/* The gates, before the exact stage, under the loads at hand; forces go to f. */
+SP__NOINLINE static sp_status sp__engine_gates(sp__engine *g, sp__bracket *b, sp_real *f, sp_verdict *claim)
 {
-    sp_verdict claim = SP_UNDECIDED;
     sp_arena room = g->rest;
-    sp__bracket_load(b, d, l);
     b->set.iterations = g->n.left;
     b->set.localise = 1;
     g->state.f = f;
@@ -104,8 +101,18 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     g->state.y0 = b->hint;
     memset(&g->state.cost, 0, sizeof g->state.cost);
     g->state.left = sp__engine_flops(b);
-    if (g->state.left <= 0) { b->spent = 1; return SP_UNDECIDED; }
-    sp_status status = sp__gates_run(&b->pb, &b->set, &g->state, &room, &claim);
+    if (g->state.left <= 0) { b->spent = 1; return SP_OK; }
+    return sp__gates_run(&b->pb, &b->set, &g->state, &room, claim);
+}
+
+/* Gates and the exact stage at d dead + l live.     returns STABLE where f carries it for certain, UNSTABLE where
+ * b->dq is said to fall */
+SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_real d, sp_real l, sp_real *f)
+{
+    sp_verdict claim = SP_UNDECIDED;
+    sp__bracket_load(b, d, l);
+    sp_status status = sp__engine_gates(g, b, f, &claim);
+    if (g->state.left <= 0) return SP_UNDECIDED;
     if (!status && !claim) status = sp__engine_stage(g, b, g->rest, &claim);
     g->n.left -= g->state.cost.factorisations;
     sp__cost_add(&b->cost, &g->state.cost);

@@ -125,7 +125,7 @@ static size_t sp__limit_scratch(const sp_scene *scene)
     return sizeof(sp__limit) + SP_ALIGN + sp__limit_verify_memory(scene) + SP_ALIGN + sp__limit_start_scratch(&pb);
 }
 
-static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -171,14 +171,20 @@ static sp_status sp__limit_build(sp__limit *L, const sp_scene *scene, const sp_s
     return SP_OK;
 }
 
+/* How many numbers a result of this scene has. */
+SP__NOINLINE static size_t sp__limit_room(const sp_scene *scene)
+{
+    sp_problem count;
+    sp__problem_count(scene, &count);
+    return sp__limit_numbers(scene, count.blocks);
+}
+
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
-    sp_problem count;
-    sp__problem_count(scene, &count);
     sp_arena a = *arena;
-    const size_t numbers = sp__limit_numbers(scene, count.blocks);
+    const size_t numbers = sp__limit_room(scene);
     sp_real *number = sp__take(&a, numbers, sizeof *number);
     const size_t kept = a.used;
     sp__limit *L = sp__take(&a, 1, sizeof *L);

@@ -17,12 +17,12 @@ static sp_status sp__memory_counted(size_t need, size_t *bytes)
 }
 
 #ifndef SP_NO_PLAN
-static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+SP__NOINLINE static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
 {
     return sp__memory_counted(sp__plan_memory(scene, settings), bytes);
 }
 #else
-static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
+SP__NOINLINE static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
 {
     (void)scene, (void)settings, (void)bytes;
     return SP_E_UNSUPPORTED;
@@ -37,7 +37,7 @@ static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *s
     return sp__limit_memory(scene, settings, scratch, bytes);
 }
 
-static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
+SP__NOINLINE static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
 {
     return sp__memory_counted(sp__limit_verify_memory(scene), bytes);
 }
@@ -50,7 +50,7 @@ static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *s
     return SP_E_UNSUPPORTED;
 }
 
-static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
+SP__NOINLINE static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
 {
     (void)scene, (void)bytes;
     return SP_E_UNSUPPORTED;

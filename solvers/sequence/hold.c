@@ -10,6 +10,19 @@
  * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
  * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
 
+/* h->worst: the block that moves farthest in what was found, of equals the first. */
+SP__NOINLINE static void sp__hold_farthest(sp__hold *h, const sp__check *c)
+{
+    sp_real most = -1;
+    for (int32_t i = 0; i < c->pb.blocks; i++) {
+        const int32_t b = c->pb.block[i];
+        const sp_real size = sp__norm3(c->r.dq + 6 * (size_t)b);
+        if (!(size > most) && !(size >= most && b < h->worst)) continue;
+        most = size;
+        h->worst = b;
+    }
+}
+
 /* Do the members stand that are not held now?     returns 0 also when the budget is spent */
 SP__NOINLINE static int sp__hold_stands(sp__hold *h)
 {
@@ -27,14 +40,7 @@ SP__NOINLINE static int sp__hold_stands(sp__hold *h)
         if (h->status) { h->over = 1; return 0; }
         if (c->r.verdict == SP_STABLE) continue;
         h->unsure |= c->r.verdict == SP_UNDECIDED;
-        sp_real most = -1;
-        for (int32_t i = 0; i < c->pb.blocks; i++) {
-            const int32_t b = c->pb.block[i];
-            const sp_real size = sp__norm3(c->r.dq + 6 * (size_t)b);
-            if (!(size > most) && !(size >= most && b < h->worst)) continue;
-            most = size;
-            h->worst = b;
-        }
+        sp__hold_farthest(h, c);
         return 0;
     }
     return 1;

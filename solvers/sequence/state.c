@@ -134,14 +134,10 @@ SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_
     return symbolic ? SP_OK : SP_E_MEMORY;
 }
 
-static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+/* Bytes of all that a sequence keeps, its checks' work among them. */
+SP__NOINLINE static sp_status sp__sequence_count(const sp_scene *scene, sp_arena *scratch, size_t work, size_t *bytes)
 {
-    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
-    if (scene->count.blocks < 1) return SP_E_EMPTY;
-    size_t work = 0;
-    const sp_status status = sp__sequence_work(scene, settings, scratch, &work);
-    if (status) return status;
-    sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
+    sp_sequence *q = sp__take(scratch, 1, sizeof *q);
     sp_arena dry = sp__arena_dry();
     if (!q) return SP_E_MEMORY;
     sp__take(&dry, 1, sizeof *q);
@@ -151,6 +147,15 @@ static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *s
     if (sp__failed(&dry)) return SP_E_MEMORY;
     *bytes = dry.used;
     return SP_OK;
+}
+
+SP__NOINLINE static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    size_t work = 0;
+    const sp_status status = sp__sequence_work(scene, settings, scratch, &work);
+    return status ? status : sp__sequence_count(scene, &scratch, work, bytes);
 }
 
 /* A free block that is there and not held. */

@@ -63,24 +63,24 @@ static void sp__system_gradient(sp__system *w, sp__law law, const sp_real *y, sp
     sp__system_release(w, r);
 }
 
-/* A contact's share of sp__system_slope. */
-SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, const sp__view *k, const sp_real *y, const sp_real *d, sp_real s)
+/* A contact's share of sp__system_slope. All that outlives a call is in memory: the line search stands deep in the stack. */
+SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, int32_t c, const sp_real *y, const sp_real *d, sp_real s)
 {
-    const sp_contact *t = k->t;
+    const sp__view view = sp__view_of(w, c), *k = &view;
     sp__visit *o = sp__visit_of(w);
-    sp_real *X = o->twist[0], *dX = o->twist[1], *u = o->u[0], *du = o->u[1], *f = o->f, sum = 0;
-    sp__view_motion(w, k, y, X);
-    sp__view_motion(w, k, d, dX);
-    for (int q = 0; q < (k->g ? 3 : 6); q++) X[q] += s * dX[q];
-    for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
-        if (!(times > 0)) continue;
-        sp__view_rates(w, k, l, X, u);
-        sp__view_rates(w, k, l, dX, du);
-        sp__view_force(w, k, SP__ADMISSIBLE, u, f);
-        sum += times * sp__view_power(w, k, f, du);
+    o->sum[0] = 0;
+    sp__view_motion(w, k, y, o->twist[0]);
+    sp__view_motion(w, k, d, o->twist[1]);
+    for (int q = 0; q < (k->g ? 3 : 6); q++) o->twist[0][q] += s * o->twist[1][q];
+    for (int32_t v = k->t->point; v < k->t->point + k->t->points; v++) {
+        if (!(sp__system_counts(w, v) > 0)) continue;
+        sp__view_rates(w, k, w->pb->local[v], o->twist[0], o->u[0]);
+        sp__view_rates(w, k, w->pb->local[v], o->twist[1], o->u[1]);
+        if (k->g) sp__view_wedge(w, k, o->u[0], o->f);
+        else sp__system_force(w, k->c, w->law.yield, o->u[0], o->f);
+        o->sum[0] += sp__system_counts(w, v) * sp__view_power(w, k, o->f, o->u[1]);
     }
-    return sum;
+    return o->sum[0];
 }
 
 /* d/ds D(y + s d) = f(u + s du) . du + p . d. */
@@ -88,10 +88,7 @@ SP__NOINLINE static sp_real sp__system_slope(sp__system *w, const sp_real *y, co
 {
     sp_real sum = 0;
     if (!sp__system_sweep(w, 1, 2)) return 0;
-    for (int32_t c = 0; c < w->pb->contacts; c++) {
-        const sp__view k = sp__view_of(w, c);
-        sum += sp__contact_slope(w, &k, y, d, s);
-    }
+    for (int32_t c = 0; c < w->pb->contacts; c++) sum += sp__contact_slope(w, c, y, d, s);
     return sum + sp__system_work(w, d);
 }
 

@@ -85,7 +85,7 @@ SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, co
         const sp_real times = sp__system_counts(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, &k, w->pb->local[v], X, u);
-        if (k.g) sp__view_force(w, &k, SP__ADMISSIBLE, u, f);
+        if (k.g) sp__view_wedge(w, &k, u, f);
         sum += times * (k.g ? sp__view_norm(&k, f) : sp__cone_support(&w->law.cone, w->law.yield, u, most));
     }
     return (k.g ? most : S) * sum;

@@ -61,6 +61,12 @@ static void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, 
     for (int q = 0; q < 3; q++) f[q] = sp__system_S(w, k->c) * (q ? w->law.slide * u[q] : u[q]);
 }
 
+/* That of the narrow kernel in the cone. */
+SP__NOINLINE static void sp__view_wedge(const sp__system *w, const sp__view *k, const sp_real *u, sp_real *f)
+{
+    sp__wedge_law(w, SP__ADMISSIBLE, k->c, k->g, u, f, NULL);
+}
+
 /* f as (fn, ft1, ft2) */
 static void sp__view_widen(const sp__system *w, const sp__view *k, const sp_real f[3], sp_real out[3])
 {

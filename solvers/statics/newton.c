@@ -21,10 +21,13 @@ static void sp__newton_record(const sp__system *w, sp__newton *n, sp_state *stat
     }
 }
 
+/* r of the y at hand. */
+SP__NOINLINE static void sp__newton_residual(sp__system *w) { sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL); }
+
 /* r and the imbalance of the y at hand. */
 static void sp__newton_look(sp__system *w, sp__newton *n, sp_state *state)
 {
-    sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__newton_residual(w);
     sp__newton_record(w, n, state);
 }
 
@@ -47,13 +50,13 @@ SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, sp_sta
     sp__line_begin(w, n, &l);
     memcpy(start, w->y, size * sizeof *w->y);
     sp__system_axpy(w, 1, w->d, w->y);
-    sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+    sp__newton_residual(w);
     const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
     if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
         memcpy(w->y, start, size * sizeof *w->y);
         s = sp__newton_search(w, &l, f);
         sp__system_axpy(w, s, w->d, w->y);
-        sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
+        sp__newton_residual(w);
     }
     sp__newton_record(w, n, state);
     return s;
