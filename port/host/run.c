@@ -73,6 +73,7 @@ sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_se
     return status;
 }
 
+#ifndef SP_NO_PLAN
 sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outlook *outlook)
 {
     void *memory;
@@ -82,6 +83,7 @@ sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outloo
     free(memory);
     return status;
 }
+#endif
 
 sp_status run_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_evidence *evidence)
 {

@@ -30,8 +30,10 @@ sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit
 sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
                        void **memory);
 
-/* sp_plan, sp_verify */
+/* sp_plan, but in a library without it, as the battery of tests/instruments has it; sp_verify */
+#ifndef SP_NO_PLAN
 sp_status run_plan(const sp_scene *scene, const sp_settings *settings, sp_outlook *outlook);
+#endif
 sp_status run_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_evidence *evidence);
 
 /* The `solve` of a solver of quadratic programs, its time with the count of its memory. */
