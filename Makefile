@@ -59,7 +59,7 @@ SUITE_C := $(wildcard $(if $(THESE),tests/$(THESE)/test_*.c tests/*/test_$(THESE
 SMALL_C  = $(filter $(addsuffix .c,$(addprefix %/test_,$(file < tests/small/suites.txt))),$(SUITE_C))
 OF      := $(if $(THESE),_of_$(THESE))
 
-.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check help clean
+.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -69,7 +69,8 @@ help:
 	@echo "make demo      checks some scenes, draws them into build/demo/"
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
-	@echo "make check     everything this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
+	@echo "make check     everything else this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
+	@echo "make nightly   what takes longer still; its table becomes tests/NIGHTLY.md"
 	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/board/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
 	@echo "make regions   a check whose factor lies in another memory than scene and answer, on the same two"
@@ -223,8 +224,16 @@ install: build/libstonepack.a build/stonepack
 	for f in stonepackConfig stonepackConfigVersion; do \
 	    sh port/package/package.sh --fill port/package/$$f.cmake $(PREFIX) > $(TO)/lib/cmake/stonepack/$$f.cmake || exit 1; done
 
-check: all pair build/run build/run_float build/bench
+# The library under sanitizers, for several groups of check.
+build/asan.o: $(PARTS)
+	@mkdir -p build
+	$(CC) $(STRICTC) -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -c stonepack.c -o $@
+
+check: all pair build/run build/run_float build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench
 	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh
+
+nightly: all build/corpus-double.txt build/corpus-float.txt
+	@sh tests/checks/nightly.sh
 
 deps:
 	sh tests/checks/deps.sh

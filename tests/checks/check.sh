@@ -1,13 +1,15 @@
 #!/bin/sh
-# check: everything this machine can test. Ends with what it could not run, and `N passed, N failed`.
+# check: everything this machine can test but what `make test` does. Ends with the seconds of every group, what could not be
+# run, and `N passed, N failed`.
 #
 #     STRICT=1     what could not be run counts as a failure
 #     ONLY=text    only groups whose names contain the text
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
-groups='warnings switches combinations cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
-longest='switches sanitizers pair instruments warnings settle oracle'  # these begin first
+TIMES=1
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
+longest='switches sanitizers instruments long pair combinations oracle cases'  # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out
 CC=${CC:-gcc}
@@ -18,18 +20,29 @@ base='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
 gcc_only='-Wfloat-conversion -Wlogical-op -Wduplicated-cond -Wjump-misses-init'
 host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wvla -Wstrict-prototypes -Wpointer-arith
  -Wwrite-strings -Werror'
-suites=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')
-core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')
-suite_c() { for sc in "$@"; do ls tests/*/test_$sc.c; done | tr '\n' ' '; }
+all=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
+core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')      # these need no program
+quick=$(echo "$core" | grep -vxE 'budget|coupled|exact|hard|limit|plan|sequence|settle')       # a fifth of the time of all
+stems() { for st in "$@"; do printf 'X(%s) ' "$st"; done; }
+suite_c() { for sc in "$@"; do ls tests/*/test_"$sc".c; done | tr '\n' ' '; }
 host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
-test_c="tests/run.c $(ls tests/*/test_*.c | tr '\n' ' ')"
+plain='-std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function'
 
-run_build() {                                           # run_build COMPILER LIBRARY.c OUTPUT FLAGS...
-    rb_cc=$1 rb_lib=$2 rb_out=$3
-    shift 3
-    # shellcheck disable=SC2086
-    $rb_cc -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES="$suites" "$@" \
-        $test_c $host_c ${rb_lib:+"$rb_lib"} -lm -o "$rb_out"
+# The tests of some suites: the library optimised as told, or an object that is there; what stands on it not at all.
+tests_of() {                                            # tests_of "STEMS" LIBRARY "OPTIMISATION" COMPILER FLAGS...
+    to_stems=$1 to_object=$2 to_opt=$3 to_cc=$4
+    shift 4
+    case " $to_stems " in *obj*|*worker*|*plugins*) to_more=$host_c ;; *) to_more=tests/scenes/gen.c ;; esac
+    case " $* " in *SP_QP_ONLY*) to_more='' ;; esac
+    case $to_object in
+    *.c)
+        # shellcheck disable=SC2086
+        $to_cc $plain $to_opt "$@" -c "$to_object" -o $out/library.o || return 1
+        to_object=$out/library.o ;;
+    esac
+    # shellcheck disable=SC2086,SC2046
+    $to_cc $plain -O0 "$@" -DTEST_SUITES="$(stems $to_stems)" tests/run.c $(suite_c $to_stems) $to_more "$to_object" -lm \
+        -o $out/run && $out/run
 }
 cli_build() {                                           # cli_build COMPILER OUTPUT FLAGS...
     cb_cc=$1 cb_out=$2
@@ -39,56 +52,39 @@ cli_build() {                                           # cli_build COMPILER OUT
 }
 
 # ---------------------------------------------------------------------------------------------------------- warnings
-warn() {                                                # warn COMPILER EXTRA...
-    w_cc=$1
-    shift
+warn() {                                                # the objects that come of it are looked at, too
     for w_real in '' -DSP_REAL_FLOAT -DSP_REAL_MIXED; do
         for w_opt in -O0 -O2; do
             # shellcheck disable=SC2086
-            $w_cc $base "$@" $w_real $w_opt -c stonepack.c -o $out/warn.o || return 1
+            gcc $base $gcc_only $w_real $w_opt -c stonepack.c -o $out/warn.o && symbols $out/warn.o '' || return 1
         done
     done
 }
-warn_host() {
-    for w_real in '' -DSP_REAL_FLOAT; do
-        for w_file in $host_c port/host/main.c $test_c tests/bench/*.c; do
-            [ -f "$w_file" ] || continue
-            # shellcheck disable=SC2086
-            "$1" $host $w_real -O2 -Wno-unused-function -DTEST_SUITES="$suites" -c "$w_file" -o $out/warn.o || return 1
-        done
+warn_clang() {                                          # its warnings come from the text alone
+    for w_real in '' -DSP_REAL_FLOAT -DSP_REAL_MIXED; do
+        # shellcheck disable=SC2086
+        clang $base $w_real -fsyntax-only stonepack.c || return 1
+    done
+}
+warn_host() {                                           # warn_host COMPILER PRECISION FLAGS...
+    wh_cc=$1 wh_real=$2
+    shift 2
+    for w_file in $host_c port/host/main.c tests/run.c tests/*/test_*.c tests/bench/*.c; do
+        # shellcheck disable=SC2086
+        "$wh_cc" $host ${wh_real:+"$wh_real"} -Wno-unused-function -DTEST_SUITES="$(stems $all)" "$@" "$w_file" || return 1
     done
 }
 # Parts that can be left out: nothing of them stays behind, and the tests of all others pass without the program.
 without() {                                             # without GONE-REGEX FLAGS...
     wo_gone=$1
     shift
-    for wo_real in '' -DSP_REAL_FLOAT; do
-        # shellcheck disable=SC2086
-        $CC $base $wo_real "$@" -Os -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
-        nm $out/without.o | grep -E "$wo_gone" && return 1
-    done
-    return 0
+    # shellcheck disable=SC2086
+    $CC $base "$@" -Os -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
+    ! nm $out/without.o | grep -E "$wo_gone"
 }
-tests_without() {                                       # tests_without "SUITES" "MORE.c" FLAGS...
-    tw_suites=$1 tw_more=$2
-    shift 2
-    # shellcheck disable=SC2086,SC2046
-    $CC -std=c99 -ffp-contract=off -fno-math-errno -O1 -Wno-unused-function \
-        -DTEST_SUITES="$(for s in $tw_suites; do printf 'X(%s) ' $s; done)" "$@" \
-        tests/run.c $(suite_c $tw_suites) $tw_more stonepack.c -lm -o $out/run_without && $out/run_without
-}
-qp_parts() {                                            # the switches of its parts, alone and together, double and float
-    for qs_real in '' -DSP_REAL_FLOAT; do
-        for qs in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH'; do
-            # shellcheck disable=SC2086
-            $CC $base $qs $qs_real -Os -c stonepack.c -o $out/qp_part.o &&
-            $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -O2 $qs $qs_real '-DTEST_SUITES=X(qp)' \
-                tests/run.c tests/qp/test_qp.c $host_c stonepack.c -lm -o $out/run_qp && $out/run_qp qp/ || return 1
-        done
-    done
-}
+tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
 check_switches() {
-    no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl')
+    no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
     no_ipm=$(echo "$core" | grep -vx limit)
     no_plan=$(echo "$core" | grep -vx plan)
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
@@ -98,33 +94,39 @@ check_switches() {
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_|engine)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
-    small=$(cat tests/small/suites.txt)
     part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
         'sp_sequence|sp__(polish|penalty|rigid|dense|sparse|yield|chol_|admm|ipm|cra|flat|dual|newton|bchol|order|island|gates)' \
         -DSP_EXACT_ONLY
     part "SP_NO_QP, SP_NO_CRA: both gone" without 'sp_qp|sp__(qp|cra)' -DSP_NO_QP -DSP_NO_CRA
-    count "tests of quadratic programs without conjugate gradients, without polish" qp_parts
-    for sw_real in '' -DSP_REAL_FLOAT; do
-        count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' '' -DSP_QP_ONLY $sw_real
-        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene contacts matrices closed verify near gen' \
-            tests/scenes/gen.c -DSP_EXACT_ONLY $sw_real
-        count "tests, SP_SMALL $sw_real" tests_without "$small" tests/scenes/gen.c -DSP_SMALL $sw_real
-        count "tests, SP_NO_QP $sw_real" tests_without "$no_qp" tests/scenes/gen.c -DSP_NO_QP $sw_real
-        count "tests, SP_NO_IPM $sw_real" tests_without "$no_ipm" tests/scenes/gen.c -DSP_NO_IPM $sw_real
-        count "tests, SP_NO_PLAN $sw_real" tests_without "$no_plan" tests/scenes/gen.c -DSP_NO_PLAN $sw_real
-        count "tests, SP_NO_ADMM, SP_NO_DYKSTRA $sw_real" tests_without "$core" tests/scenes/gen.c -DSP_NO_ADMM -DSP_NO_DYKSTRA $sw_real
+    for sw in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_REAL_FLOAT'; do
+        # shellcheck disable=SC2086
+        count "tests of quadratic programs, $sw" tests_without qp $sw
     done
+    for sw_real in '' -DSP_REAL_FLOAT; do
+        count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' -DSP_QP_ONLY $sw_real
+        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene contacts matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
+    done
+    count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
+    # In double all, in float those near what is left out.
+    count "tests, SP_NO_QP" tests_without "$no_qp" -DSP_NO_QP
+    count "tests, SP_NO_QP, float" tests_without 'admm stages fence coupled' -DSP_NO_QP -DSP_REAL_FLOAT
+    count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
+    count "tests, SP_NO_IPM, float" tests_without 'stages closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
+    count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
+    count "tests, SP_NO_PLAN, float" tests_without 'limit memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
+    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA
+    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA, float" tests_without 'admm dykstra qp stages' -DSP_NO_ADMM -DSP_NO_DYKSTRA -DSP_REAL_FLOAT
 }
 check_combinations() { count "switches, alone and in pairs, three ways" sh tests/checks/switches.sh; }
 check_warnings() {
-    # shellcheck disable=SC2086
-    part "warnings: gcc, library" warn gcc $gcc_only
-    part "warnings: gcc, program and tests" warn_host gcc
+    part "warnings: gcc, library; no data, no foreign calls" warn
+    part "warnings: gcc, program and tests" warn_host gcc '' -O1 -c -o $out/warn.o
+    part "warnings: gcc, program and tests, float" warn_host gcc -DSP_REAL_FLOAT -fsyntax-only
     if have clang; then
-        part "warnings: clang, library" warn clang
-        part "warnings: clang, program and tests" warn_host clang
+        part "warnings: clang, library" warn_clang
+        part "warnings: clang, program and tests" warn_host clang '' -fsyntax-only
     else
         skip "warnings of clang" clang
     fi
@@ -166,18 +168,15 @@ symbols() {                                             # symbols OBJECT ALLOWED
             echo "calls:"; cat $out/undefined; return 1; }
     return 0
 }
-symbols_host() {
+symbols_small() {                                       # at -O0 and -O2 warn looks
     for sh_real in '' -DSP_REAL_FLOAT; do
-        for sh_opt in -O0 -O2 -Os; do
-            # shellcheck disable=SC2086
-            $CC -std=c99 -ffp-contract=off -fno-math-errno $sh_opt $sh_real -c stonepack.c -o $out/symbols.o &&
-            symbols $out/symbols.o '' || return 1
-        done
+        # shellcheck disable=SC2086
+        $CC -std=c99 -ffp-contract=off -fno-math-errno -Os $sh_real -c stonepack.c -o $out/symbols.o && symbols $out/symbols.o '' || return 1
     done
 }
 freestanding() {
     # shellcheck disable=SC2086
-    $CC -std=c99 -ffreestanding -ffp-contract=off -O2 -DSP_SQRT=__builtin_sqrt -c stonepack.c -o $out/free.o &&
+    $CC -std=c99 -ffreestanding -ffp-contract=off -O1 -DSP_SQRT=__builtin_sqrt -c stonepack.c -o $out/free.o &&
     symbols $out/free.o ''
 }
 # gcc's own record of calls: no function reaches itself.
@@ -195,7 +194,7 @@ double_in_float() {
         $out/float.s
 }
 check_symbols() {
-    part "no data, no foreign calls" symbols_host
+    part "no data, no foreign calls, -Os" symbols_small
     part "freestanding" freestanding
     part "no recursion" recursion
     case $(uname -m) in x86_64) part "no double in the float build" double_in_float ;; esac
@@ -282,39 +281,46 @@ pair_static() {
     for ps_std in c99 c11 c2x; do
         for ps_real in '' -DSP_REAL_FLOAT; do
             # shellcheck disable=SC2086
-            $CC -std=$ps_std -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 $ps_real -c build/pair/static.c -o $out/static.o ||
+            $CC -std=$ps_std -pedantic-errors -Wall -Wextra -Wshadow -Werror -O0 $ps_real -c build/pair/static.c -o $out/static.o ||
                 return 1
             nm $out/static.o | awk '$2 == "T" { print "visible: " $0; bad = 1 } END { exit bad }' || return 1
         done
     done
 }
-pair_standards() {
+pair_standards() {                                      # a standard changes what is said of the text, not what is made of it
     for pp_std in c99 c11 c2x; do
         for pp_real in '' -DSP_REAL_FLOAT; do
             # shellcheck disable=SC2086
-            $CC -std=$pp_std -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 $pp_real -c build/pair/stonepack.c -o $out/pair.o ||
-                return 1
+            $CC -std=$pp_std -pedantic-errors -Wall -Wextra -Wshadow -Werror $pp_real -fsyntax-only build/pair/stonepack.c || return 1
         done
     done
+    $CC -std=c99 -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 -c build/pair/stonepack.c -o $out/pair.o
 }
-pair_tests() {
-    run_build "$CC" build/pair/stonepack.c $out/run_pair -O2 "$@" && $out/run_pair
-}
-# Each file of the tests with a library of its own inside; fence has it anyway.
-pair_private() {                                        # pair_private FLAGS...
-    pp_suites=$(echo "$core" | grep -vx fence)
+pair_tests() { tests_of "$core" build/pair/stonepack.c -O1 "$CC"; }
+# The library inside a file of the caller's: no name of it may stand in the way. Every suite compiles so (fence and convex hold
+# parts of it under other names), one wing runs so.
+pair_private() {
+    for pp_file in $(suite_c $(echo "$core" | grep -vxE "fence|convex")); do
+        $CC -std=c11 -w -DSP_API=static -include build/pair/stonepack.c -fsyntax-only "$pp_file" || return 1
+    done
     # shellcheck disable=SC2086,SC2046
-    $CC -ffp-contract=off -fno-math-errno -O0 -Wno-unused-function -DSP_API=static -include build/pair/stonepack.c "$@" \
-        -DTEST_SUITES="$(printf 'X(%s) ' $pp_suites)" tests/run.c $(suite_c $pp_suites) tests/scenes/gen.c -lm \
+    $CC -std=c11 -ffp-contract=off -fno-math-errno -O0 -Wno-unused-function -DSP_API=static -include build/pair/stonepack.c \
+        -DTEST_SUITES="$(stems scene matrices loads)" tests/run.c $(suite_c scene matrices loads) tests/scenes/gen.c -lm \
         -o $out/run_private && $out/run_private
 }
-pair_bits() {
-    for pb_std in c99 c11 c2x; do (export LIBRARY=build/pair/stonepack.c STD=$pb_std; corpus "$CC" -O2 "$@") || return 1; done
+pair_bits() {                                           # pair_bits STANDARD PRECISION FLAGS...
+    pb_std=$1 pb_real=$2
+    shift 2
+    DIFFER=1 LIBRARY=build/pair/stonepack.c STD=$pb_std sh tests/corpus/corpus.sh "$pb_real" "$CC" "$@"
+}
+pair_bits_standards() {
+    for pt_std in c99 c11 c2x; do for pt_real in double float; do pair_bits $pt_std $pt_real -O0 || return 1; done; done
+    pair_bits c99 double -O2
 }
 pair_small() {                                          # its searches are others: the tree's own bits
     for ps_real in double float; do
         sh tests/corpus/corpus.sh $ps_real "$CC" -O0 -DSP_SMALL > $out/small.txt || return 1
-        LIBRARY=build/pair/stonepack.c sh tests/corpus/corpus.sh $ps_real "$CC" -O2 -DSP_SMALL | diff $out/small.txt - || return 1
+        LIBRARY=build/pair/stonepack.c sh tests/corpus/corpus.sh $ps_real "$CC" -O1 -DSP_SMALL | diff $out/small.txt - || return 1
     done
 }
 check_pair() {
@@ -322,11 +328,10 @@ check_pair() {
     part "pair: C99, C11, C2x, float" pair_standards
     part "pair: static, nothing left over" pair_static
     count "pair: tests" pair_tests
-    count "pair: tests, C2x, float" pair_tests -std=c2x -DSP_REAL_FLOAT
-    count "pair: tests, SP_API static, C11" pair_private -std=c11
-    part "pair: the bits of the tree, C99, C11, C2x" pair_bits
+    count "pair: tests, SP_API static, C11" pair_private
+    part "pair: the bits of the tree, C99, C11, C2x" pair_bits_standards
     for pa_switch in $(grep -oE 'SP_NO_[A-Z_]*' stonepack.h | sort -u | grep -vxE 'SP_NO_(IPM|PLAN)'); do    # these find other forces
-        part "pair: the bits of the tree with $pa_switch" pair_bits -D"$pa_switch"
+        part "pair: the bits of the tree with $pa_switch" pair_bits c99 double -O0 -D"$pa_switch"
     done
     part "pair: the bits of the tree with SP_SMALL, not optimised" pair_small
 }
@@ -334,20 +339,39 @@ check_pair() {
 check_package() { count "packages" sh port/package/check.sh; }
 
 # ------------------------------------------------------------------------------------------------- sanitizers, valgrind
-sanitized() {                                           # sanitized COMPILER FLAGS...
-    sa_cc=$1
-    shift
-    run_build "$sa_cc" stonepack.c $out/run_san -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$@" && $out/run_san
+san='-g -fsanitize=address,undefined -fno-sanitize-recover=all'
+# shellcheck disable=SC2086
+sanitized() { tests_of "$all" build/asan.o '' "$CC" $san; }
+# shellcheck disable=SC2086
+sanitized_float() { tests_of "$quick" stonepack.c -O1 "$CC" $san -DSP_REAL_FLOAT; }
+# clang's looks at pointers, too, where gcc's takes an offset for signed.
+undefined() { tests_of "$quick" stonepack.c -O1 clang -g -fsanitize=undefined -fno-sanitize-recover=all; }
+undefined_scenes() {
+    # shellcheck disable=SC2086
+    clang $plain -w -O0 -g -fsanitize=undefined -fno-sanitize-recover=all port/host/main.c $host_c $out/library.o -lm -o $out/stonepack_ub || return 1
+    for us in tests/scenes/*.obj; do
+        for us_what in check 'check --coupled' limit tilt sequence; do
+            # shellcheck disable=SC2086
+            $out/stonepack_ub $us_what "$us" > $out/ub.txt 2>&1
+            if grep 'runtime error' $out/ub.txt; then echo "$us_what $us"; return 1; fi
+        done
+    done
 }
 bad_sanitized() {
-    cli_build "$CC" $out/stonepack_san -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all &&
-    sh tests/checks/bad.sh $out/stonepack_san
+    # shellcheck disable=SC2086
+    $CC $plain -O0 $san port/host/main.c $host_c build/asan.o -lm -o $out/stonepack_san && sh tests/checks/bad.sh $out/stonepack_san
 }
 valgrind_run() { valgrind -q --error-exitcode=9 build/run "$1"; }
 check_sanitizers() {
-    count "tests under ASan and UBSan" sanitized "$CC"
-    count "tests under ASan and UBSan, float" sanitized "$CC" -DSP_REAL_FLOAT
-    if [ -f tests/checks/bad.sh ]; then count "bad scenes under ASan and UBSan" bad_sanitized; fi
+    count "tests under ASan and UBSan" sanitized
+    count "tests under ASan and UBSan, float" sanitized_float
+    count "bad scenes under ASan and UBSan" bad_sanitized
+    if have clang; then
+        count "tests under clang's UBSan" undefined
+        part "bundled scenes under clang's UBSan" undefined_scenes
+    else
+        skip "clang's UBSan" clang
+    fi
     if have valgrind; then
         for vg in scene contacts verify memory; do
             count "valgrind: $vg" valgrind_run $vg/
@@ -362,25 +386,49 @@ check_sanitizers() {
 corpus() {                                              # corpus COMPILER [FLAGS...], in both precisions
     for co_real in double float; do DIFFER=1 sh tests/corpus/corpus.sh $co_real "$@" || return 1; done
 }
-unfused() {                                             # what gcc's vectoriser of straight lines fuses although it may not
-    for un_real in '' -DSP_REAL_FLOAT; do
+# gcc's vectoriser of straight lines fuses although it may not: none of it is in the object, and it has the bits.
+unfused() {
+    for un_real in double float; do
+        un_flag=''
+        if [ $un_real = float ]; then un_flag=-DSP_REAL_FLOAT; fi
         # shellcheck disable=SC2086
-        gcc -std=c99 -ffp-contract=off -fno-math-errno -O3 -march=x86-64-v3 $un_real -S stonepack.c -o $out/unfused.s || return 1
-        grep -E 'vfn?m(add|sub)' $out/unfused.s && return 1
+        gcc $plain -O3 -march=x86-64-v3 $un_flag -c stonepack.c -o $out/unfused.o || return 1
+        objdump -d $out/unfused.o | grep -E 'vfn?m(add|sub)' && return 1
+        if grep -qw avx2 /proc/cpuinfo; then DIFFER=1 LIBRARY=$out/unfused.o sh tests/corpus/corpus.sh $un_real gcc -O1 || return 1; fi
     done
     return 0
 }
 check_bits() {
-    part "same bits: gcc -O1" corpus gcc -O1
+    part "same bits: gcc -O1, double" env DIFFER=1 sh tests/corpus/corpus.sh double gcc -O1
+    part "same bits: gcc -O2, float" env DIFFER=1 sh tests/corpus/corpus.sh float gcc -O2
     part "same bits: gcc -Os" corpus gcc -Os
-    part "same bits: gcc -O3" corpus gcc -O3
-    part "same bits: gcc -O3 -march=native" corpus gcc -O3 -march=native
     case $(uname -m) in
-    x86_64) part "same bits: no fused multiply-add, gcc -O3" unfused ;;
-    *) skip "same bits: no fused multiply-add" "x86-64" ;;
+    x86_64) part "same bits: gcc -O3 for AVX2, no fused multiply-add" unfused ;;
+    *) part "same bits: gcc -O3 -march=native" corpus gcc -O3 -march=native
+       skip "same bits: no fused multiply-add" "x86-64" ;;
     esac
     if have clang; then part "same bits: clang -O2" corpus clang -O2; else skip "same bits: clang" clang; fi
     if have tcc; then part "same bits: tcc" corpus tcc; else skip "same bits: tcc" tcc; fi
+}
+
+# --------------------------------------------------------------------------------------------------------------- long
+# Of suites that ask few samples of a claim in daily work all of them, and those of packages that `make test` had not yet.
+long() {                                                # long RUNNER
+    lo_p=0 lo_f=0
+    for lo in $(grep -l SOME_OF tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|') plugins settle; do
+        LONG=1 "$1" "$lo/" > $out/long.txt 2>&1
+        # shellcheck disable=SC2046
+        set -- "$1" $(sed -n '$p' $out/long.txt)
+        [ "${3:-}" = passed, ] || { cat $out/long.txt; return 1; }
+        lo_p=$((lo_p + $2)) lo_f=$((lo_f + $4))
+        grep -A 9 '^FAILED' $out/long.txt
+        set -- "$1"
+    done
+    echo "$lo_p passed, $lo_f failed"
+}
+check_long() {
+    count "all samples of every claim" long build/run
+    count "all samples of every claim, float" long build/run_float
 }
 
 # ------------------------------------------------------------------------------------------------------------- the rest
@@ -394,15 +442,14 @@ warn_plugins() {                                        # warn_plugins COMPILER 
     for wp_real in '' -DSP_REAL_FLOAT; do
         for wp_file in "$2"/*.c port/host/command/solvers.c tests/host/test_plugins.c; do
             # shellcheck disable=SC2086
-            "$1" $host $wp_real $PLUG_C -O2 -Wno-unused-function -c "$wp_file" -o $out/warn.o || return 1
+            "$1" $host $wp_real $PLUG_C -O1 -Wno-unused-function -c "$wp_file" -o $out/warn.o || return 1
         done
     done
 }
 sanitized_plugins() {                                   # sanitized_plugins FILTER
     # shellcheck disable=SC2086
-    $CC -std=c99 -ffp-contract=off -fno-math-errno -Wno-unused-function -DTEST_SUITES='X(plugins)' -O1 -g \
-        -fsanitize=address,undefined -fno-sanitize-recover=all $PLUG_C -UWITH_BULLET tests/run.c tests/host/test_plugins.c $host_c \
-        $(for sp in ${PLUGINS:-}; do ls "$sp"/*.c; done) stonepack.c $PLUG_L -lm -o $out/run_plugins && $out/run_plugins "$1"
+    $CC $plain -DTEST_SUITES='X(plugins)' -O1 $san $PLUG_C -UWITH_BULLET tests/run.c tests/host/test_plugins.c $host_c \
+        $(for sp in ${PLUGINS:-}; do ls "$sp"/*.c; done) build/asan.o $PLUG_L -lm -o $out/run_plugins && $out/run_plugins "$1"
 }
 plugin() {                                              # plugin NAME DIRECTORY
     part "$1: warnings" warn_plugins "$CC" "$2"
@@ -437,8 +484,8 @@ settle_flags() {
 settle_warnings() {
     for sw_real in '' -DSP_REAL_FLOAT; do
         # shellcheck disable=SC2086
-        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c port/host/command/settle.c -o $out/warn.o &&
-        "$1" $host $sw_real -O2 -DWITH_BULLET -Wno-unused-function -c tests/settle/test_settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O1 -DWITH_BULLET -Wno-unused-function -c port/host/command/settle.c -o $out/warn.o &&
+        "$1" $host $sw_real -O1 -DWITH_BULLET -Wno-unused-function -c tests/settle/test_settle.c -o $out/warn.o &&
         for sw_c in settle/*.c; do "$1" $host $sw_real -O2 -c $sw_c -o $out/warn.o || return 1; done || return 1
     done
     # shellcheck disable=SC2086
@@ -446,9 +493,9 @@ settle_warnings() {
 }
 settle_sanitized() {
     # shellcheck disable=SC2086
-    g++ -std=c++11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all $bullet_i -c settle/bullet.cpp -o $out/settle_san.o &&
-    run_build gcc stonepack.c $out/run_settle -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -DWITH_BULLET \
-        settle/*.c $out/settle_san.o $bullet_l -lstdc++ && $out/run_settle settle/
+    g++ -std=c++11 -O1 $san $bullet_i -c settle/bullet.cpp -o $out/settle_san.o &&
+    $CC $plain -O0 $san -DWITH_BULLET -DTEST_SUITES='X(settle)' tests/run.c tests/settle/test_settle.c settle/*.c $host_c build/asan.o \
+        $out/settle_san.o $bullet_l -lstdc++ -lm -o $out/run_settle && $out/run_settle
 }
 settle_cases() { python3 tests/checks/settle_cases.py build/stonepack ../shared/cases; }
 check_settle() {
@@ -463,7 +510,7 @@ check_settle() {
         SHOW=1
         part "settle agrees with statics on cases of known truth" settle_cases
         SHOW=
-    fi
+    else lack "settle on cases of known truth" ../shared/cases; fi
 }
 cases() { python3 ../shared/tools/run_cases.py --cli build/stonepack --jobs 2; }
 pictures() {
@@ -479,7 +526,10 @@ check_cases() {
     if [ -d ../shared/cases ]; then
         part "cases of known truth" cases
         part "coupled check on cases of known truth: shares, 113 bits, monotone, invariant" coupled ../shared/cases
-    else part "coupled check on the bundled scenes: 113 bits, monotone, invariant" coupled tests/scenes; fi
+    else
+        lack "cases of known truth" ../shared/cases
+        part "coupled check on the bundled scenes: 113 bits, monotone, invariant" coupled tests/scenes
+    fi
     SHOW=
 }
 once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494,17,58,128,461,5327,5575,6141,6148
@@ -495,8 +545,8 @@ check_oracle() {
         skip "random scenes against linear programming" "python3-numpy python3-scipy"
     fi
 }
-mixed_tests() { run_build "$CC" stonepack.c $out/run_mixed -O2 -DSP_REAL_MIXED && $out/run_mixed; }
-check_instruments() {                                   # the battery of hard scenes in other arithmetic
+mixed_tests() { tests_of "$all" stonepack.c -O1 "$CC" -DSP_REAL_MIXED; }
+check_instruments() {                                   # the battery of hard scenes in other arithmetic; nightly.sh has more
     for in_name in float mixed rounding traps flush near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
@@ -509,17 +559,9 @@ check_instruments() {                                   # the battery of hard sc
     if [ -d ../shared/cases ] && have python3; then
         SHOW=1
         part "cases of known truth in other arithmetic" sh tests/instruments/instruments.sh cases
-        part "cases: quad; each one's omega, growth of rounding, time" sh tests/instruments/instruments.sh cases-quad
         SHOW=
-        cases_in='mixed'
-        if have g++; then cases_in="$cases_in chance"; fi
-        if have clang-19; then cases_in="$cases_in shadows"; fi
-        for in_name in $cases_in; do part "cases: $in_name" sh tests/instruments/instruments.sh cases-$in_name; done
+        part "cases: mixed" sh tests/instruments/instruments.sh cases-mixed
     fi
-    if have clang-19; then part "battery: shadows of 113 bits" sh tests/instruments/instruments.sh shadows
-    else skip "battery: shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi
-    if have g++; then part "battery: 20 samples of random rounding" sh tests/instruments/instruments.sh chance
-    else skip "battery: random rounding" g++; fi
 }
 check_bench() {
     part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"
@@ -543,7 +585,7 @@ side_by_side() {
 joined() {                                              # joined GROUP: what it printed, and its numbers added
     jo_line=$(sed -n '$p' "$out/$1.log")
     if echo "$jo_line" | grep -qxE '[0-9]+ passed, [0-9]+ failed'; then
-        sed '$d' "$out/$1.log" | grep -v '^skipped: '
+        sed '$d' "$out/$1.log" | grep -vE '^(skipped|seconds): '
         # shellcheck disable=SC2086
         set -- "$1" $jo_line
         passed=$((passed + $2)) failed=$((failed + $4))
@@ -555,14 +597,25 @@ $jo_skipped"
         tail -n 20 "$out/$1.log"
     fi
 }
+# What each group took, slowest first.
+slowest_first() {
+    echo "seconds of processor, and by the clock:"
+    for sf in $groups; do sed -n 's/^seconds: //p' "$out/$sf.log"; done | sort -k2,2 -n -r |
+        awk '{ printf "    %-14s %7.0f %7.0f\n", $1, $2, $3; a += $2 } END { printf "    %-14s %7.0f\n", "all", a }'
+}
 
 if [ "${ONLY:-}" ]; then
     for group in $groups; do
-        case $group in *"$ONLY"*) check_$group ;; esac
+        case $group in *"$ONLY"*) ;; *) continue ;; esac
+        spent
+        before=$spent clock=$(date +%s)
+        check_"$group"
+        spent
+        echo "seconds: $group $(awk -v a="$before" -v b="$spent" 'BEGIN { print b - a }') $(($(date +%s) - clock))"
     done
 else
-    count "tests, as make test" sh tests/checks/test.sh
     side_by_side
     for group in $groups; do joined "$group"; done
+    slowest_first
 fi
 total

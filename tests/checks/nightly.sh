@@ -1,0 +1,67 @@
+#!/bin/sh
+# nightly: what takes too long for every change: more samples, slower arithmetic, all boards. Ends with `N passed, N failed`.
+#
+#     ONLY=text    only lines whose names contain the text; without it the table becomes tests/NIGHTLY.md, to be committed
+#     STRICT=1     what could not be run counts as a failure
+#
+# The figure of a line is the last that its command said.
+. tests/checks/tally.sh
+TIMES=1
+out=build/nightly
+mkdir -p $out
+: > $out/table
+instrument() { sh tests/instruments/instruments.sh "$1"; }
+
+line() {                                                # line NAME COMMAND...
+    line_name=$1
+    shift
+    case $line_name in *"${ONLY:-}"*) ;; *) return ;; esac
+    line_failed=$failed
+    begun
+    line_from=$since
+    part "$line_name" sh -c '"$@" > "$0" 2>&1 || { tail -n 40 "$0"; exit 1; }' "$out/said" "$@"
+    spent
+    line_figure=$(grep -v '^ *$' "$out/said" | tail -n 1 | tr '|' '/' | sed 's/^ *//')
+    if [ "$failed" -gt "$line_failed" ]; then line_figure="FAILED: $line_figure"; fi
+    awk -v n="$line_name" -v a="$line_from" -v b="$spent" -v f="$line_figure" \
+        'BEGIN { printf "| %s | %.0f | %s |\n", n, b - a, f }' >> $out/table
+}
+long_san() {                                            # long_san COMPILER SANITIZERS PRECISION
+    ${1:-gcc} -std=c99 -w -ffp-contract=off -fno-math-errno -O1 -g -fsanitize="$2" -fno-sanitize-recover=all ${3:+"$3"} \
+        -DTEST_SUITES="$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')" tests/run.c tests/*/test_*.c \
+        $(ls port/host/*.c port/host/*/*.c | grep -v /main.c) tests/scenes/gen.c stonepack.c -lm -o $out/run && LONG=1 $out/run
+}
+case ${1:-} in
+long_san | instrument) "$@"; exit ;;
+esac
+
+line "all samples, ASan and UBSan" sh "$0" long_san gcc address,undefined
+line "all samples, ASan and UBSan, float" sh "$0" long_san gcc address,undefined -DSP_REAL_FLOAT
+if have clang; then line "all samples, clang's UBSan" sh "$0" long_san clang undefined; else skip "clang's UBSan" clang; fi
+if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
+    line "300 random scenes against linear programming" /usr/bin/python3 -B tests/oracle/random.py --seed "$(date +%Y%m%d)"
+else skip "random scenes against linear programming" "python3-numpy python3-scipy"; fi
+if have g++; then line "battery: 20 samples of random rounding" sh "$0" instrument chance; else skip "random rounding" g++; fi
+if have clang-19; then line "battery: shadows of 113 bits" sh "$0" instrument shadows
+else skip "shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi
+if [ -d ../shared/cases ]; then
+    line "cases: 113 bits" sh "$0" instrument cases-quad
+    if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi
+    if have clang-19; then line "cases: shadows of 113 bits" sh "$0" instrument cases-shadows; fi
+else lack "cases of known truth" ../shared/cases; fi
+line "gcc -fanalyzer" gcc -std=c99 -O1 -fanalyzer -Wanalyzer-too-complex -Werror -c stonepack.c -o $out/analyzed.o
+if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
+else skip "boards" "qemu-system-arm"; fi
+
+if [ -z "${ONLY:-}" ]; then
+    {   echo "# The last night"
+        echo
+        echo "\`make nightly\` on $(date +%Y-%m-%d) at commit $(git rev-parse --short HEAD): seconds of processor, and what each ended with."
+        echo
+        echo "| what | seconds | figure |"
+        echo "|--|--:|--|"
+        cat $out/table
+    } > tests/NIGHTLY.md
+    cat tests/NIGHTLY.md
+fi
+total
