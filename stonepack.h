@@ -1341,19 +1341,19 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 
-/* Switches: what is lost, and the code saved of 174846 bytes on a Cortex-M7, of 169086 on an M4F in float.
+/* Switches: what is lost, and the code saved of 172877 bytes on a Cortex-M7, of 167387 on an M4F in float.
  *
- *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         22432   21330
- *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    15392   14976
- *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       35694   34336
- *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8596    8342
+ *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         21476   20450
+ *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    12894   12690
+ *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       35448   34142
+ *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8600    8364
  *   SP_NO_DYKSTRA     sp_qp_dykstra                                                                    3132    3056
- *   SP_NO_QP          all quadratic programs; SP_NO_ADMM, SP_NO_DYKSTRA with them                     28021   27147
- *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1552    1498
- *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3678    3500
- *   SP_QP_ONLY        all that knows of stones                                                       153087  147941
- *   SP_SMALL          what is said above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            125751  121571
- *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       142583  137969
+ *   SP_NO_QP          all quadratic programs; SP_NO_ADMM, SP_NO_DYKSTRA with them                     27916   27068
+ *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1532    1482
+ *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3662    3488
+ *   SP_QP_ONLY        all that knows of stones                                                       149864  144980
+ *   SP_SMALL          what is told above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            123748  119874
+ *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       140302  135946
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:
  * SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY, SP_REAL_MIXED with SP_REAL_FLOAT or SP_REAL_QUAD, these two. All others go together. */
