@@ -26,7 +26,7 @@ table() {
             alone("SP_QP_NO_CG", "SP_QP_CG, the back end without a matrix")
             alone("SP_QP_NO_POLISH", "sp_qp_settings.polish: the last digits, sharper certificates")
             alone("SP_QP_ONLY", "all that knows of stones")
-            saved("SP_SMALL", "text: everything, SP_SMALL", "what is told above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it")
+            saved("SP_SMALL", "text: everything, SP_SMALL", "what is said above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it")
             alone("SP_EXACT_ONLY", "of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN")
             print " *"
             print " * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:"
