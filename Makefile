@@ -144,7 +144,8 @@ RUN_L    = $(if $(LOOKS),$(PLUG_L)) -lm
 build/run$(OF) build/run_float$(OF) build/run_small$(OF): Makefile
 $(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
   build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
-build/run$(OF): $(RUN_O:%=build/double/%) $(if $(LOOKS),$(SETTLE_O))
+# In double the library of the program, which is there anyway; of one wing one that is made sooner.
+build/run$(OF): $(if $(THESE),$(RUN_O:%=build/double/%),$(filter-out %stonepack.o,$(RUN_O:%=build/double/%)) build/stonepack.o) $(if $(LOOKS),$(SETTLE_O))
 	$(Q)$(CC) $(filter %.o,$^) $(RUN_L) -o $@
 
 build/run_float$(OF): $(RUN_O:%=build/float/%) $(if $(LOOKS),$(SETTLE_O))

@@ -46,6 +46,9 @@ static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
 #define ENDED (r.cost.factorisations <= 120 && r.cost.flops <= (int64_t)4e9)
 #endif
 
+/* The two of 1000 stones, half the work of the battery; in double they are always asked. */
+#define ARCHES(c) ((c)->flags & HARD_HEAVY && (c)->flags & HARD_FORCES_FLOAT)
+
 /* No wrong verdict, undecided only where its row allows it. */
 TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
 {
@@ -56,7 +59,7 @@ TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
         sp_result r;
         test_arena.used = 0;
         if (c->flags & REFUSED) CHECK(c->build(c, &test_arena, &s) != SP_OK);
-        if (c->flags & SKIP || !hard_check(c, &set, &r)) continue;
+        if (c->flags & SKIP || (ARCHES(c) && sizeof(sp_real) == 4 && !test_long) || !hard_check(c, &set, &r)) continue;
         const int held = CHECK(hard_right(c, &r) || c->flags & HARD_LIMIT || (c->flags & OPEN && !r.verdict));
         if (r.verdict) CHECK(r.verified);
         if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.cost.factorisations, (double)r.cost.flops);
