@@ -70,8 +70,8 @@ static void sp__bracket_load(sp__bracket *b, sp_real d, sp_real l)
 /* Passes over the vertices that are left of the budget; SP_SMALL refuses budgets. */
 static int32_t sp__bracket_sweeps(const sp__bracket *b)
 {
-    const int64_t sweep = SP__WITH_INTERIOR ? SP__FLOPS_CERTIFICATE * (int64_t)b->pb.points : 0, left = b->limit - b->cost.flops;
-    const int64_t sweeps = sweep ? left / sweep - 8 : INT32_MAX;
+    if (!SP__WITH_INTERIOR || b->pb.points < 1) return INT32_MAX;
+    const int64_t sweeps = (b->limit - b->cost.flops) / (SP__FLOPS_CERTIFICATE * (int64_t)b->pb.points) - 8;
     return sweeps > INT32_MAX ? INT32_MAX : sweeps < 2 ? 0 : (int32_t)sweeps;
 }
 
