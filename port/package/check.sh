@@ -17,7 +17,7 @@ E2
 cat > "$to/user/CMakeLists.txt" <<'E2'
 cmake_minimum_required(VERSION 3.13)
 project(user C)
-find_package(stonepack 0.1 REQUIRED)
+find_package(stonepack 0.2 REQUIRED)
 add_executable(user main.c)
 target_link_libraries(user stonepack::stonepack)
 E2
@@ -29,7 +29,7 @@ E2
 installed() { make -s install DESTDIR="$to/dest" PREFIX=/opt/stonepack && "$to/dest/opt/stonepack/bin/stonepack" --version; }
 pkgconfig() {
     export PKG_CONFIG_LIBDIR="$to/dest/opt/stonepack/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$to/dest"
-    pkg-config --exists 'stonepack >= 0.1' &&
+    pkg-config --exists 'stonepack >= 0.2' &&
     # shellcheck disable=SC2046
     ${CC:-gcc} "$to/user/main.c" $(pkg-config --cflags --libs --static stonepack) -o "$to/by_pkgconfig" && "$to/by_pkgconfig"
 }
