@@ -1352,7 +1352,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1532    1482
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3662    3488
  *   SP_QP_ONLY        all that knows of stones                                                       149864  144980
- *   SP_SMALL          what is told above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            123748  119874
+ *   SP_SMALL          what is said above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            123748  119874
  *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       140302  135946
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:
