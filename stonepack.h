@@ -195,7 +195,7 @@ typedef enum sp_words {
 } sp_words;
 
 /* What a value of that enumeration is called, lower case; an unknown one "unknown". Never NULL; static storage. C and C++ call
- * sp_verdict_text and its kin, which look after the type. */
+ * sp_verdict_text and its kin, which look after the type. With SP_QP_ONLY words from SP_WORDS_VERDICT on are "unknown". */
 SP_API const char *sp_text(sp_words of, int32_t value);
 
 /* One sentence on a status, for a message. */

@@ -74,6 +74,7 @@ static const char *sp__word(const char *words, int32_t k, int32_t count)
 
 SP_API const char *sp_text(sp_words of, int32_t value)
 {
+    if (!SP__WITH_STONES && of > SP_WORDS_QP_STATUS) return "unknown";
     switch (of) {
     case SP_WORDS_STATUS: return sp__word(SP__WORDS_STATUS, -value, 17);
     case SP_WORDS_QP_STATUS: return sp__word(SP__WORDS_QP_STATUS, value, 7);

@@ -5,6 +5,8 @@
  * q = -P x - A'y makes (x, y) optimal. An infeasible one holds a Farkas vector, an unbounded one a direction. */
 #include "../test.h"
 
+#include <string.h>
+
 enum { N = 40, M = 90, MOST = 3600 };
 
 static const sp_qp_backend all[] = { SP_QP_SPARSE, SP_QP_DENSE,
@@ -678,7 +680,21 @@ TEST(plugged_in_our_solver_is_the_same)
     for (int32_t j = 0; j < s.qp.n; j++) CHECK_WITHIN(a.x[j], b.x[j], 0);
 }
 
+TEST(words_of_quadratic_programs_are_there_without_stones)
+{
+    CHECK_TEXT(sp_qp_status_text(SP_QP_SOLVED), "solved");
+    CHECK_TEXT(sp_qp_status_text((sp_qp_status)99), "unknown");
+    CHECK_TEXT(sp_status_text(SP_OK), "no error");
+    CHECK_TEXT(sp_text((sp_words)99, 0), "unknown");
+#ifdef SP_QP_ONLY
+    for (int of = SP_WORDS_VERDICT; of <= SP_WORDS_NBO; of++) CHECK_TEXT(sp_text((sp_words)of, 0), "unknown");
+#else
+    for (int of = SP_WORDS_VERDICT; of <= SP_WORDS_NBO; of++) CHECK(strcmp(sp_text((sp_words)of, 0), "unknown") != 0);
+#endif
+}
+
 TEST_LIST(qp)
+    RUN(words_of_quadratic_programs_are_there_without_stones)
     RUN(a_point_on_a_line_is_found)
     RUN(no_rows_and_no_P_are_fine)
     RUN(one_feasible_point_is_not_none)
