@@ -48,10 +48,15 @@
 #else
 #define SP__WITH_ADMM 1                                 /* the seed's preset; of the large build a stage, too */
 #endif
-#if !SP__WITH_LARGE || defined SP_NO_PLAN
+#if !SP__WITH_STONES || defined SP_NO_PLAN
 #define SP__WITH_PLAN 0
 #else
-#define SP__WITH_PLAN 1                                 /* sp_plan; planar and level scenes in 3 rows a block */
+#define SP__WITH_PLAN 1
+#endif
+#if SP__WITH_LARGE && SP__WITH_PLAN
+#define SP__WITH_REDUCTION 1                            /* planar and level scenes in 3 rows a block */
+#else
+#define SP__WITH_REDUCTION 0
 #endif
 #if defined SP_QP_ONLY || defined SP_NO_CRA
 #define SP__WITH_COUPLED 0

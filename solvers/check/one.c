@@ -26,7 +26,7 @@ static sp_status sp__run_stages(const sp_problem *pb, const sp_settings *set, sp
     int done = 0;
     for (int32_t k = 0; k < set->stage_count && !done; k++) {
         sp_status status = SP_OK;
-        if (SP__WITH_PLAN && set->stage[k] == SP_STAGE_EXACT) status = sp__run_reduced(pb, set, k, state, a, r, &done);
+        if (SP__WITH_REDUCTION && set->stage[k] == SP_STAGE_EXACT) status = sp__run_reduced(pb, set, k, state, a, r, &done);
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__run_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }

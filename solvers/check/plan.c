@@ -5,7 +5,7 @@
 #include "../coupled/forest.c"
 #include "memory.c"
 
-#if !defined(SP_NO_PLAN) && !defined(SP_SMALL)
+#if SP__WITH_LARGE && SP__WITH_PLAN
 /* Work of the full simulation of a problem: 6 rows a block, 3 forces a vertex; and in flops SP__PLAN_STEPS Newton steps,
  * each an assembly, a factor, SP__PLAN_SWEEPS passes over the contacts and a solve. Steps are a guess (3 to 5 for a wall, more
  * near a limit), what a step costs is known. */
@@ -127,7 +127,7 @@ static void sp__plan_effects(const sp_scene *scene, sp__planner *p)
     o->unknowns -= w->fewer[SP__PLANE] + w->fewer[SP__LEVEL_JOINTS];
 }
 
-static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings)
+SP__NOINLINE static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings)
 {
     const size_t need = sp__check_scratch(scene, settings);
     return need ? need + sizeof(sp__planner) + sizeof(sp__system) + 2 * SP_ALIGN : 0;
@@ -166,6 +166,10 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
     return SP_OK;
 }
 
-#endif /* SP_NO_PLAN */
+#elif SP__WITH_LARGE
+
+static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings) { return (void)scene, (void)settings, 0; }
+
+#endif
 
 #endif /* SP__CHECK_PLAN_C */

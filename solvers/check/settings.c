@@ -99,7 +99,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
         const int32_t choice = (int32_t)out->effect[k];
         if (choice < (int32_t)SP_PLANNED || choice > (int32_t)SP_WITHOUT) return SP_E_ARGUMENT;
     }
-    if (!SP__WITH_PLAN && out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
+    if (!SP__WITH_REDUCTION && out->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_E_UNSUPPORTED;
     if (out->coupled.asked && sp__scene_strong(scene)) return SP_E_UNSUPPORTED;
     sp__settings_fit(scene, out);
     return SP_OK;
@@ -134,7 +134,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 }
 #endif
 
-#if SP__WITH_LARGE || !defined SP_NO_PLAN
+#if SP__WITH_LARGE || SP__WITH_PLAN
 /* Does the scene have an effect, before settings leave it out? */
 static int sp__effect_present(const sp_scene *scene, const sp_settings *set, int32_t islands, sp_effect effect)
 {

@@ -116,7 +116,7 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
 {
     const int found = c->residual <= 1 || sp__cra_hang(c, *a);
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
-    const int plane = found || !SP__WITH_PLAN ? 0 : sp__cra_plane(c, state->left, a);
+    const int plane = found || !SP__WITH_REDUCTION ? 0 : sp__cra_plane(c, state->left, a);
     if (plane < 0) return SP_E_MEMORY;
     if (plane) {
         c->out->residual = c->residual;

@@ -205,6 +205,14 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     return SP_OK;
 }
 
+#elif SP__WITH_STONES
+
+static size_t sp__limit_scratch(const sp_scene *scene) { return scene ? SP_ALIGN : 0; }
+static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return (void)scene, (void)settings, (void)scratch, (void)bytes, SP_E_UNSUPPORTED;
+}
+
 #endif
 
 #endif /* SP__LIMIT_LIMIT_C */

@@ -14,7 +14,7 @@ static void sp__limit_reduction(sp__limit *L, sp_arena *a)
     sp__bracket *b = &L->bracket;
     g->reduction = NULL;
     const size_t start = a->used;
-    sp__reduction *o = SP__WITH_PLAN ? sp__take(a, 1, sizeof *o) : NULL;
+    sp__reduction *o = SP__WITH_REDUCTION ? sp__take(a, 1, sizeof *o) : NULL;
     int planar = o != NULL;
     for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
         sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
@@ -120,7 +120,7 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     L->ref = sp__engine_reference(&L->bracket);
     sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
-    if (SP__WITH_PLAN && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
+    if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
     const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);

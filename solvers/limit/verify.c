@@ -65,6 +65,10 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     return SP_OK;
 }
 
+#elif SP__WITH_STONES
+
+static size_t sp__limit_verify_memory(const sp_scene *scene) { return (void)scene, 0; }
+
 #endif
 
 #endif /* SP__LIMIT_VERIFY_C */

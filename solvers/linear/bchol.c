@@ -339,7 +339,7 @@ SP__NOINLINE static void sp__bchol_unbalance(sp__bchol *f)
 
 static void sp__bchol_zero(sp__bchol *f)
 {
-    if (SP__WITH_PLAN && f->rows == 3) {
+    if (SP__WITH_REDUCTION && f->rows == 3) {
         memset(sp__bchol_d(f), 0, (size_t)f->n * 6 * sizeof(sp_real));
         memset(sp__bchol_x(f), 0, (size_t)f->p[f->n] * 9 * sizeof(sp_real));
         return;

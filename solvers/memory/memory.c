@@ -16,76 +16,11 @@ static sp_status sp__memory_counted(size_t need, size_t *bytes)
     return need ? SP_OK : SP_E_MEMORY;
 }
 
-#ifndef SP_NO_PLAN
-SP__NOINLINE static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
-{
-    return sp__memory_counted(sp__plan_memory(scene, settings), bytes);
-}
-#else
-SP__NOINLINE static sp_status sp__memory_of_plan(const sp_scene *scene, const sp_settings *settings, size_t *bytes)
-{
-    (void)scene, (void)settings, (void)bytes;
-    return SP_E_UNSUPPORTED;
-}
-#endif
-
-#if SP__WITH_LIMIT
-static size_t sp__scratch_of_limit(const sp_scene *scene) { return sp__limit_scratch(scene); }
-
-static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
-{
-    return sp__limit_memory(scene, settings, scratch, bytes);
-}
-
-SP__NOINLINE static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
-{
-    return sp__memory_counted(sp__limit_verify_memory(scene), bytes);
-}
-#else
-static size_t sp__scratch_of_limit(const sp_scene *scene) { return scene ? SP_ALIGN : 0; }
-
-static sp_status sp__memory_of_limit(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
-{
-    (void)scene, (void)settings, (void)scratch, (void)bytes;
-    return SP_E_UNSUPPORTED;
-}
-
-SP__NOINLINE static sp_status sp__memory_of_limit_verify(const sp_scene *scene, size_t *bytes)
-{
-    (void)scene, (void)bytes;
-    return SP_E_UNSUPPORTED;
-}
-#endif
-
-#if SP__WITH_SEQUENCE
-static size_t sp__scratch_of_sequence(const sp_scene *scene, const sp_settings *settings)
-{
-    return sp__sequence_scratch(scene, settings);
-}
-
-static sp_status sp__memory_of_sequence(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
-{
-    return sp__sequence_memory(scene, settings, scratch, bytes);
-}
-#else
-static size_t sp__scratch_of_sequence(const sp_scene *scene, const sp_settings *settings)
-{
-    (void)settings;
-    return scene ? SP_ALIGN : 0;
-}
-
-static sp_status sp__memory_of_sequence(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
-{
-    (void)scene, (void)settings, (void)scratch, (void)bytes;
-    return SP_E_UNSUPPORTED;
-}
-#endif
-
 SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings)
 {
     if (what == SP_FOR_CHECK || what == SP_FOR_WORK) return sp__check_scratch(scene, settings);
-    if (what == SP_FOR_LIMIT) return sp__scratch_of_limit(scene);
-    if (what == SP_FOR_SEQUENCE) return sp__scratch_of_sequence(scene, settings);
+    if (what == SP_FOR_LIMIT) return sp__limit_scratch(scene);
+    if (what == SP_FOR_SEQUENCE) return sp__sequence_scratch(scene, settings);
     return scene ? SP_ALIGN : 0;
 }
 
@@ -97,10 +32,10 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
     case SP_FOR_WORK: return sp__work_memory(scene, settings, scratch, bytes);
     case SP_FOR_VERIFY: return sp__memory_counted(sp__verify_memory(scene), bytes);
     case SP_FOR_CONTACTS: return sp__memory_counted(sp__contacts_memory(scene), bytes);
-    case SP_FOR_PLAN: return sp__memory_of_plan(scene, settings, bytes);
-    case SP_FOR_LIMIT: return sp__memory_of_limit(scene, settings, scratch, bytes);
-    case SP_FOR_LIMIT_VERIFY: return sp__memory_of_limit_verify(scene, bytes);
-    case SP_FOR_SEQUENCE: return sp__memory_of_sequence(scene, settings, scratch, bytes);
+    case SP_FOR_PLAN: return SP__WITH_PLAN ? sp__memory_counted(sp__plan_memory(scene, settings), bytes) : SP_E_UNSUPPORTED;
+    case SP_FOR_LIMIT: return sp__limit_memory(scene, settings, scratch, bytes);
+    case SP_FOR_LIMIT_VERIFY: return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
+    case SP_FOR_SEQUENCE: return sp__sequence_memory(scene, settings, scratch, bytes);
     case SP_FOR_PROBLEM: return sp__memory_counted(sp__problem_memory(scene), bytes);
     }
     return SP_E_ARGUMENT;

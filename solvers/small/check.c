@@ -546,7 +546,7 @@ static size_t sp__check_scratch(const sp_scene *scene, const sp_settings *settin
     return sizeof(sp__check) + sizeof(sp__small) + sp__problem_memory(scene) + 24 * (size_t)scene->count.blocks + 5 * SP_ALIGN;
 }
 
-#ifndef SP_NO_PLAN
+#if SP__WITH_PLAN
 /* A check by this search takes everything there is, all blocks together; its factor is known, its steps are a guess. */
 static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings) { return sp__check_scratch(scene, settings); }
 
@@ -570,6 +570,8 @@ SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_
     out->flops = out->full_flops = 5 * flops + 20 * SP__FLOPS_VERTEX * points;
     return SP_OK;
 }
+#else
+static size_t sp__plan_memory(const sp_scene *scene, const sp_settings *settings) { return (void)scene, (void)settings, 0; }
 #endif
 
 #endif

@@ -244,6 +244,14 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
     return SP_OK;
 }
 
+#elif SP__WITH_SMALL
+
+static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings) { return (void)settings, scene ? SP_ALIGN : 0; }
+static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return (void)scene, (void)settings, (void)scratch, (void)bytes, SP_E_UNSUPPORTED;
+}
+
 #endif
 
 #endif /* SP__SMALL_SEQUENCE_C */

@@ -94,7 +94,7 @@ static void sp__reduction_lift(sp__system *w, sp_real *m)
 /* Motions into the axes e, planar rows alone; o NULL: nothing to do. */
 static void sp__reduction_drop(const sp__reduction *o, int32_t blocks, sp_real *m)
 {
-    if (!SP__WITH_PLAN || !o) return;
+    if (!SP__WITH_REDUCTION || !o) return;
     for (int32_t i = 0; i < 2 * blocks; i++, m += 3) {
         sp__reduction_turn(o, m, m);
         if (i % 2) m[0] = m[1] = 0; else m[2] = 0;
@@ -126,7 +126,7 @@ SP__NOINLINE static void sp__reduction_make(sp__system *w)
  * o NULL: nothing to do. */
 static void sp__reduction_copy_forces(const sp__reduction *o, const sp_problem *pb, sp_real *f)
 {
-    if (!SP__WITH_PLAN || !o) return;
+    if (!SP__WITH_REDUCTION || !o) return;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real *g = o->g + SP__REDUCTION_G * (size_t)c;

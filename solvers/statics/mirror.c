@@ -210,7 +210,7 @@ static int sp__reduction_choose(const sp_problem *pb, const sp_settings *set, sp
 {
     const sp_choice *choice = set->effect;
     memset(o, 0, sizeof *o);
-    if (!SP__WITH_PLAN || !pb->blocks || !sp__plan_stages(set)) return 0;
+    if (!SP__WITH_REDUCTION || !pb->blocks || !sp__plan_stages(set)) return 0;
     const int planar = choice[SP_EFFECT_DEPTH] != SP_WITH && choice[SP_EFFECT_FRICTION] != SP_WITHOUT
                     && sp__reduction_planar(pb, set, o->e[2]);
     o->mode = planar ? SP__PLANE : SP__LEVEL_JOINTS;

@@ -130,9 +130,9 @@ typedef struct sp__system {
 #define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
 #endif
 
-/* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_PLAN the compiler knows that, and all
+/* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_REDUCTION the compiler knows that, and all
  * that stands under it is gone. */
-static const sp__reduction *sp__reduced(const sp__system *w) { return SP__WITH_PLAN ? w->reduction : NULL; }
+static const sp__reduction *sp__reduced(const sp__system *w) { return SP__WITH_REDUCTION ? w->reduction : NULL; }
 
 /* Temporaries of the pass at hand. */
 static sp__visit *sp__visit_of(const sp__system *w) { return &w->scratch->of.visit; }

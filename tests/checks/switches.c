@@ -40,6 +40,21 @@ static void expect(const char *what, long got, long want)
 #else
 #define LARGE SP_OK
 #endif
+#ifdef SP_NO_PLAN
+#define PLAN SP_E_UNSUPPORTED
+#else
+#define PLAN SP_OK
+#endif
+#ifdef SP_NO_IPM
+#define LIMIT SP_E_UNSUPPORTED
+#else
+#define LIMIT SP_OK
+#endif
+#ifdef SP_EXACT_ONLY
+#define SEQUENCE SP_E_UNSUPPORTED
+#else
+#define SEQUENCE SP_OK
+#endif
 
 #ifndef SP_QP_ONLY
 
@@ -103,6 +118,27 @@ static void check(void)
     settings = sp_settings_seed();
     expect("preset of the seed", ask(&settings, (sp_real)0.25, &result), LARGE);
 #endif
+}
+
+/* Bytes are told of every call there is; of what is left out it is said that it is. */
+static void bytes(void)
+{
+    static const struct { sp_memory_for what; const char *name; sp_status status; } all[] = {
+        { SP_FOR_CHECK, "bytes of a check", SP_OK }, { SP_FOR_WORK, "bytes of its work", SP_OK },
+        { SP_FOR_VERIFY, "bytes of sp_verify", SP_OK }, { SP_FOR_CONTACTS, "bytes of contacts", SP_OK },
+        { SP_FOR_PLAN, "bytes of a plan", PLAN }, { SP_FOR_LIMIT, "bytes of a limit", LIMIT },
+        { SP_FOR_LIMIT_VERIFY, "bytes of its verification", LIMIT }, { SP_FOR_SEQUENCE, "bytes of a sequence", SEQUENCE },
+        { SP_FOR_PROBLEM, "bytes of a problem", SP_OK }
+    };
+    sp_arena arena;
+    sp_scene scene;
+    expect("scene", cubes(&scene, &arena, (sp_real)0.25), SP_OK);
+    for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
+        size_t told = 0;
+        expect(all[k].name, sp_memory(&scene, all[k].what, NULL, arena, &told), all[k].status);
+        expect(all[k].name, told > 0, all[k].status == SP_OK);
+        expect(all[k].name, sp_memory_scratch(&scene, all[k].what, NULL) > 0, 1);
+    }
 }
 
 static void others(void)
@@ -170,6 +206,7 @@ int main(void)
     expect("calls", sizeof every_call / sizeof *every_call > 10, 1);
 #ifndef SP_QP_ONLY
     check();
+    bytes();
     others();
 #endif
 #ifndef SP_NO_QP
