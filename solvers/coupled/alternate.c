@@ -246,30 +246,30 @@ SP__NOINLINE static void sp__alt_squares(sp__alt *m)
 {
     const sp__cra *c = m->c;
     const sp_real weak = SP__ALT_WEAK;
-    memset(c->d, 0, 3 * (size_t)c->pb->points * sizeof *c->d);
-    memset(c->D, 0, 6 * (size_t)c->pb->points * sizeof *c->D);
+    memset(c->spring.d, 0, 3 * (size_t)c->pb->points * sizeof *c->spring.d);
+    memset(c->spring.D, 0, 6 * (size_t)c->pb->points * sizeof *c->spring.D);
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
         const sp_real w = m->weight[v], x = m->h[v][0], y = m->h[v][1];
-        sp_real *D = c->D + 6 * v, *d = c->d + 3 * v;
+        sp_real *D = c->spring.D + 6 * v, *pull = c->spring.d + 3 * v;      /* right-hand sides in the place of rates */
         D[0] = sp__alt_pull(m, v);
-        d[0] = -D[0] * c->k.eps;
+        pull[0] = -D[0] * c->k.eps;
         if (!(w > 0 && x * x + y * y > 0)) continue;
         D[3] = y * y + weak * x * x;
         D[4] = (weak - 1) * x * y;
         D[5] = x * x + weak * y * y;
-        d[1] = -weak * m->slip * x;
-        d[2] = -weak * m->slip * y;
+        pull[1] = -weak * m->slip * x;
+        pull[2] = -weak * m->slip * y;
     }
     sp__system_factor(c->w, SP__GIVEN, c->w->y, m->seed->reg);
-    sp__cra_balance(c, c->d, 0);
+    sp__cra_balance(c, c->spring.d, 0);
     sp__system_solve(c->w, c->w->r, c->w->y);
-    sp__cra_rates(c, c->w->y, c->d);
+    sp__cra_rates(c, c->w->y, c->spring.d);
 }
 
 /* beta of vertex v that suits its slip. */
 static sp_real sp__alt_beta(const sp__alt *m, size_t v)
 {
-    const sp_real *d = m->c->d + 3 * v;
+    const sp_real *d = m->c->spring.d + 3 * v;
     return -(d[1] * m->h[v][0] + d[2] * m->h[v][1]);
 }
 
@@ -278,7 +278,7 @@ static int sp__alt_within_bounds(const sp__alt *m)
 {
     const sp__lengths *k = &m->c->k;
     for (size_t v = 0; v < (size_t)m->c->pb->points; v++) {
-        const sp_real *d = m->c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+        const sp_real *d = m->c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
         const sp_real most = m->c->set->coupled.box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
         if (d[0] < -k->eps - (sp_real)1e-3 || sp__max(d[0], most) > k->eta) return 0;
         if (m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0 && sp__alt_beta(m, v) < m->least) return 0;
@@ -315,7 +315,7 @@ SP__NOINLINE static int sp__alt_explain(sp__alt *m)
     const sp_qp_solver solver = sp__alt_solver(c->set);
     if (!g) return 0;
     memcpy(g->x, c->w->y, n * sizeof *g->x);
-    memcpy(g->x + n, c->d, d * sizeof *g->x);
+    memcpy(g->x + n, c->spring.d, d * sizeof *g->x);
     for (size_t v = 0; v < d / 3; v++) g->x[n + d + v] = sp__max(sp__alt_beta(m, v), m->least);
     g->set = m->seed->native;
     if (!sp__alt_left(c, &g->qp, &g->set)) return 0;
@@ -323,14 +323,14 @@ SP__NOINLINE static int sp__alt_explain(sp__alt *m)
     if (!sp__alt_solved(c, &g->r, 1)) return 0;
     for (size_t k = 0; k < n; k++) if (!sp__finite(g->r.x[k])) return 0;
     memcpy(c->w->y, g->r.x, n * sizeof *c->w->y);
-    sp__cra_rates(c, c->w->y, c->d);
+    sp__cra_rates(c, c->w->y, c->spring.d);
     return 1;
 }
 
 /* w |dn + eps| at vertex v, in L. */
 static sp_real sp__alt_gap(const sp__alt *m, size_t v)
 {
-    return m->weight[v] * sp__abs(m->c->d[3 * v] + m->c->k.eps);
+    return m->weight[v] * sp__abs(m->c->spring.d[3 * v] + m->c->k.eps);
 }
 
 /* Corners that the motion does not explain lose their force: of E the worst, of F those off their slip.     returns how many were pinned */
@@ -339,7 +339,7 @@ static int32_t sp__alt_remove_worst(sp__alt *m, sp_real worst)
     const sp_real most = sp__max(m->seed->gate, m->seed->drop * worst);
     int32_t pinned = 0;
     for (size_t v = 0; v < (size_t)m->c->pb->points; v++) {
-        const sp_real *d = m->c->d + 3 * v, beta = sp__max(sp__alt_beta(m, v), 0);
+        const sp_real *d = m->c->spring.d + 3 * v, beta = sp__max(sp__alt_beta(m, v), 0);
         const sp_real x = d[1] + beta * m->h[v][0], y = d[2] + beta * m->h[v][1];
         const int rubs = m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0;
         const int32_t pin = sp__alt_gap(m, v) > most ? 2 : rubs && SP_SQRT(x * x + y * y) > m->seed->slip_error ? 1 : 0;
@@ -376,29 +376,31 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
     return sp__ratio(pull, press) <= m->seed->tension;
 }
 
-/* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a in lam, b in cap, from the round's forces.
+/* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a, b first from the round's forces. They stand where the
+ * other search has lam and cap, which this one has not.
  * The derivative for a step in proportion to a and b:  D = a e e' + b g g'. */
 SP__NOINLINE static void sp__alt_spread(const sp__alt *m, int first)
 {
     const sp__cra *c = m->c;
+    sp_real *a = c->spring.lam, *b = c->drag.cap;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
             const int rubs = slip > 2 * SP__SLIP && reach > 0;
             const sp_real x = rubs ? -reach * d[1] / slip : 0, y = rubs ? -reach * d[2] / slip : 0;
-            sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+            sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
             if (first) {
                 const sp_real along = rubs ? sp__max(m->f[v][1] * x + m->f[v][2] * y, 0) / (reach * reach) : 0;
                 const int closed = sp__abs(d[0] + c->k.eps) <= SP__GIVE / 2;
-                c->cap[v] = closed && rubs ? sp__max(along, (sp_real)0.01 * s) : 0;
-                c->lam[v] = closed ? sp__max(m->f[v][0] - along, (sp_real)0.01 * s) : 0;
+                b[v] = closed && rubs ? sp__max(along, (sp_real)0.01 * s) : 0;
+                a[v] = closed ? sp__max(m->f[v][0] - along, (sp_real)0.01 * s) : 0;
             }
-            const sp_real a = c->lam[v], b = c->cap[v], A = a / c->most, B = b / c->most;
-            f[0] = a + b;
-            f[1] = b * x;
-            f[2] = b * y;
+            const sp_real A = a[v] / c->most, B = b[v] / c->most;
+            f[0] = a[v] + b[v];
+            f[1] = b[v] * x;
+            f[2] = b[v] * y;
             D[0] = A + B;
             D[1] = B * x; D[2] = B * y;
             D[3] = B * x * x; D[4] = B * x * y; D[5] = B * y * y;
@@ -411,7 +413,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
 {
     const sp__cra *c = m->c;
     sp__system *w = c->w;
-    sp_real least = -1;
+    sp_real *a = c->spring.lam, *b = c->drag.cap, least = -1;
     sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
     sp__system_solve(w, w->r, w->d);
     for (int pass = 0; pass < 2; pass++)
@@ -420,14 +422,14 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
             sp_real V[3], W[3], u[3];
             sp__system_twist(w, t, w->d, V, W);
             for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-                const sp_real *f = c->f + 3 * v, b = c->cap[v];
+                const sp_real *f = c->spring.f + 3 * v;
                 sp__system_rate(w, V, W, c->pb->local[v], u);
-                const sp_real ge = u[0], gg = u[0] + (b > 0 ? (f[1] * u[1] + f[2] * u[2]) / b : 0), k = 1 / c->most;
+                const sp_real ge = u[0], gg = u[0] + (b[v] > 0 ? (f[1] * u[1] + f[2] * u[2]) / b[v] : 0), k = 1 / c->most;
                 if (!pass) least = sp__max(least, sp__max(ge, gg) * k);
                 else {
                     const sp_real by = least > (sp_real)0.9 ? (sp_real)0.9 / least : 1;
-                    c->lam[v] -= by * k * c->lam[v] * ge;
-                    c->cap[v] -= by * k * b * gg;
+                    a[v] -= by * k * a[v] * ge;
+                    b[v] -= by * k * b[v] * gg;
                 }
             }
         }
@@ -438,11 +440,12 @@ static int sp__alt_offer(sp__alt *m)
 {
     sp__cra *c = m->c;
     for (size_t v = 0; v < (size_t)c->pb->points; v++)
-        c->f[3 * v] = m->weight[v] > 0 || (sp__alt_pull(m, v) > 0 && sp__abs(c->d[3 * v] + c->k.eps) <= (sp_real)0.01);
+        c->spring.f[3 * v] = m->weight[v] > 0
+                          || (sp__alt_pull(m, v) > 0 && sp__abs(c->spring.d[3 * v] + c->k.eps) <= (sp_real)0.01);
     sp__cra_press(c);
     for (int step = 0; step < SP__ALT_STEPS; step++) {
         sp__alt_spread(m, !step);
-        sp__cra_balance(c, c->f, 1);
+        sp__cra_balance(c, c->spring.f, 1);
         if (sp__system_norm(c->w, c->w->r) <= 32 * (sp_real)SP_EPSILON * c->w->measure.load) break;
         sp__alt_step(m);
     }
@@ -476,7 +479,7 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
         const int passes = worst <= m->seed->gate;
         if (passes && sp__alt_offer(m)) return 1;
         if (!pinned && !passes) return 0;
-        if (!pinned) memcpy(m->f, c->f, (size_t)c->pb->points * sizeof *m->f);
+        if (!pinned) memcpy(m->f, c->spring.f, (size_t)c->pb->points * sizeof *m->f);
         else if (!sp__alt_forces(m)) return 0;
     }
     return 0;

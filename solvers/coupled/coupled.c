@@ -15,10 +15,10 @@ static void sp__cra_spread(const sp__cra *c)
     const sp_problem *pb = c->pb;
     const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;
     for (int32_t i = 0; i < pb->blocks; i++) {
-        if (few) sp__certifier_remove_spin(&c->j, i, c->t.dq + 6 * (size_t)i);
-        memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->t.dq + 6 * (size_t)i, 6 * sizeof *c->t.dq);
+        if (few) sp__certifier_remove_spin(&c->j, i, c->offer.t.dq + 6 * (size_t)i);
+        memcpy(c->out->dq + 6 * (size_t)pb->block[i], c->offer.t.dq + 6 * (size_t)i, 6 * sizeof *c->offer.t.dq);
     }
-    sp__points_write(pb, 1, c->t.alpha, c->out->alpha);
+    sp__points_write(pb, 1, c->offer.t.alpha, c->out->alpha);
 }
 
 /* The triple on offer is verified: into the result. */
@@ -26,8 +26,8 @@ static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *imbalance)
 {
     c->out->verdict = SP_COUPLING_COUPLED;
     c->out->reason = SP_COUPLING_MOTION;
-    memcpy(state->f, c->t.f, (size_t)c->pb->points * 3 * sizeof *c->t.f);
-    *imbalance = c->imbalance;
+    memcpy(state->f, c->offer.t.f, (size_t)c->pb->points * 3 * sizeof *c->offer.t.f);
+    *imbalance = c->offer.imbalance;
 }
 
 /* Scales of the certificate check once more, from a hint or none. */
@@ -47,14 +47,15 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->strength.mu > 0) frictionless = 0;
     const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
     if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before must not change its tree */
-    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, frictionless ? &c->t : NULL, a, c->out);
+    sp__triple *t = frictionless ? &c->offer.t : NULL;
+    const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, t, a, c->out);
     if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
-    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
+    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
     c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
-    c->out->residual = c->residual;
-    if (c->imbalance <= c->set->tol && c->residual <= 1) sp__cra_found(c, state, imbalance);
+    c->out->residual = c->offer.residual;
+    if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) sp__cra_found(c, state, imbalance);
     return SP_OK;
 }
 
@@ -69,14 +70,14 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
 SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
 {
     const size_t mark = a->used;
-    const sp_real imbalance = c->imbalance;
+    const sp_real imbalance = c->offer.imbalance;
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
     sp__reduction *o = sp__take(a, 1, sizeof *o);
     int found = 0;
     if (!o) return -1;
     if (sp__cra_mirror(c->pb, c->set, o)) {
         if (!sp__cra_open(c, limit < left ? limit : left, o, a)) return -1;
-        memset(c->f, 0, 3 * (size_t)c->pb->points * sizeof *c->f);      /* images keep it */
+        memset(c->spring.f, 0, 3 * (size_t)c->pb->points * sizeof *c->spring.f);      /* images keep it */
         sp__cra_begin(c);
         found = sp__cra_search(c);
         c->mirror = 1;
@@ -84,7 +85,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     }
     a->used = mark;
     if (found || !c->mirror) return found;
-    c->offered = c->tiny = 0;
+    c->offer.made = c->offer.tiny = 0;
     sp__cra_rest(c, imbalance);
     return 0;
 }
@@ -103,9 +104,9 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
         found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
     }
     if (found < 0) return SP_E_MEMORY;
-    c->out->residual = c->residual;
+    c->out->residual = c->offer.residual;
     if (found) sp__cra_found(c, state, imbalance);
-    else if (c->offered && c->tiny) c->out->reason = SP_COUPLING_LIMIT;
+    else if (c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
     c->spent = c->w->budget.spent && limit >= state->left;
     a->used = mark;
     return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
@@ -114,12 +115,12 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */
 static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_arena *a)
 {
-    const int found = c->residual <= 1 || sp__cra_hang(c, *a);
+    const int found = c->offer.residual <= 1 || sp__cra_hang(c, *a);
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
     const int plane = found || !SP__WITH_REDUCTION ? 0 : sp__cra_plane(c, state->left, a);
     if (plane < 0) return SP_E_MEMORY;
     if (plane) {
-        c->out->residual = c->residual;
+        c->out->residual = c->offer.residual;
         sp__cra_found(c, state, &r->imbalance);
         return SP_OK;
     }
@@ -144,7 +145,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp__cra *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
-    sp__triple_carve(&c->t, pb, a);
+    sp__triple_carve(&c->offer.t, pb, a);
     sp__cra_carve(c, pb, set->localise, a);
     const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
     if (!sp__certifier_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
@@ -158,7 +159,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     c->k = sp__coupled_lengths(pb, set);
     c->statics = state->f;
     for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
-    memset(c->d, 0, (size_t)pb->points * 3 * sizeof *c->d);
+    memset(c->spring.d, 0, (size_t)pb->points * 3 * sizeof *c->spring.d);
     sp__cra_rest(c, r->imbalance);
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);

@@ -151,14 +151,14 @@ SP__NOINLINE static void sp__plate_carry(const sp__cra *c, int32_t v, const sp__
     const sp_problem *pb = c->pb;
     const int32_t u = t->a == v ? t->b : t->a;
     const sp_real sign = t->b == v ? (sp_real)1 : (sp_real)-1, *at = pb->scene->block[pb->block[v]].centroid;
-    sp_real *m = c->t.dq + 6 * (size_t)v, g[3];
+    sp_real *m = c->offer.t.dq + 6 * (size_t)v, g[3];
     sp__plate_at(p, at, g);
     for (int k = 0; k < 3; k++) {
         m[k] = -sign * (c->k.eps * c->k.L * t->joint->n[k] + s * g[k]);
         m[k + 3] = -sign * s * p->w[k];
     }
     if (u < 0) return;
-    const sp_real *from = c->t.dq + 6 * (size_t)u;
+    const sp_real *from = c->offer.t.dq + 6 * (size_t)u;
     sp_real arm[3], x[3];
     sp__sub3(at, pb->scene->block[pb->block[u]].centroid, arm);
     sp__cross3(from + 3, arm, x);
@@ -171,12 +171,12 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
     for (int32_t k = p->from; k < p->to; k++) {
         const sp_contact *t = &c->pb->contact[g->seam[k]];
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            sp_real *f = c->t.f + 3 * v, x[3];
+            sp_real *f = c->offer.t.f + 3 * v, x[3];
             sp__plate_at(p, c->pb->point[v], x);
             f[0] = c->statics[3 * v];
             f[1] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t1);
             f[2] = sp__plate_side(p, t) * f[0] * sp__dot3(x, t->joint->t2);
-            c->t.alpha[v] = s > 0 ? f[0] / s : 0;
+            c->offer.t.alpha[v] = s > 0 ? f[0] / s : 0;
         }
     }
 }
@@ -195,7 +195,7 @@ SP__NOINLINE static void sp__plate_lay(const sp__cra *c, const sp__forest *g, co
 SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
 {
     const sp_problem *pb = c->pb;
-    const sp_real imbalance = c->imbalance;
+    const sp_real imbalance = c->offer.imbalance;
     sp__forest g;
     if (!sp__forest_allowed(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
     for (int32_t k = pb->blocks; k-- > 0;) {
@@ -206,9 +206,9 @@ SP__NOINLINE static int sp__cra_hang(sp__cra *c, sp_arena a)
         sp__plate_lay(c, &g, &p, s);
     }
     c->out->cost.flops += 240 * (int64_t)pb->points;
-    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
-    if (c->imbalance <= c->set->tol && c->residual <= 1) return 1;
+    c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
+    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
+    if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) return 1;
     sp__cra_rest(c, imbalance);
     return 0;
 }

@@ -14,22 +14,23 @@ SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
         deep = 0;
         sp__cra_press(c);
         for (size_t v = 0; v < (size_t)c->pb->points; v++) {
-            if (c->d[3 * v] + c->k.eps >= -SP__GIVE) continue;
-            deep = !(c->f[3 * v] > 0);
-            c->f[3 * v] = 1;
+            if (c->spring.d[3 * v] + c->k.eps >= -SP__GIVE) continue;
+            deep = !(c->spring.f[3 * v] > 0);
+            c->spring.f[3 * v] = 1;
         }
     }
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), gap = d[0] + c->k.eps;
+            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), gap = d[0] + c->k.eps;
             const sp_real most = c->set->coupled.box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
             const int rubs = slip > 2 * SP__SLIP;
             if (gap < -SP__GIVE || sp__max(d[0], most) > c->k.eta) return 0;
-            c->held[v][0] = gap > SP__GIVE ? -1 : rubs ? sp__cra_reach(c, t, d) : 0;
-            c->held[v][1] = rubs ? -d[1] / slip : 0;
-            c->held[v][2] = rubs ? -d[2] / slip : 0;
-            c->held[v][3] = rubs ? 1 / slip : 0;
+            sp__held_vertex *h = &c->held.vertex[v];
+            h->reach = gap > SP__GIVE ? -1 : rubs ? sp__cra_reach(c, t, d) : 0;
+            h->against[0] = rubs ? -d[1] / slip : 0;
+            h->against[1] = rubs ? -d[2] / slip : 0;
+            h->per_slip = rubs ? 1 / slip : 0;
         }
     }
     return 1;
@@ -40,16 +41,16 @@ SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 {
     const sp__system *w = c->w;
     const sp_real soft = 1 / c->set->gamma;
-    c->least = -c->energy;
-    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->measure.weight[k / 3] * c->still[k];
+    c->held.least = -c->descent.energy;
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->offer.t.dq[k] = c->k.L * w->measure.weight[k / 3] * c->held.y[k];
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_size(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real fm = s * soft * sp__max(c->d[3 * v], 0), *f = c->f + 3 * v;
+            const sp_real fm = s * soft * sp__max(c->spring.d[3 * v], 0), *f = c->spring.f + 3 * v;
             sp_real *to = c->out->penalty + 4 * (v + (size_t)t->joint->point - (size_t)t->point);
-            c->t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held[v][3];
-            to[0] = c->held[v][0] < 0 ? 0 : w->measure.unit * sp__max(f[0] + fm, 0);
+            c->offer.t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held.vertex[v].per_slip;
+            to[0] = c->held.vertex[v].reach < 0 ? 0 : w->measure.unit * sp__max(f[0] + fm, 0);
             to[1] = w->measure.unit * fm;
             to[2] = w->measure.unit * f[1];
             to[3] = w->measure.unit * f[2];
@@ -63,14 +64,15 @@ SP__NOINLINE static int sp__cra_hold(sp__cra *c)
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__system *w = c->w;
     if (!sp__cra_fasten(c)) return 0;
-    memcpy(c->still, w->y, n * sizeof *w->y);
+    memcpy(c->held.y, w->y, n * sizeof *w->y);
     memset(w->y, 0, n * sizeof *w->y);
-    c->holds = 1;
-    c->goal = SP__AGREE;
-    const int better = sp__cra_descend(c) && sp__system_norm(w, w->r) <= SP__AGREE * w->measure.load && -c->energy < c->least;
+    c->held.on = 1;
+    c->descent.goal = SP__AGREE;
+    const int balanced = sp__cra_descend(c) && sp__system_norm(w, w->r) <= SP__AGREE * w->measure.load;
+    const int better = balanced && -c->descent.energy < c->held.least;
     if (better) sp__cra_keep(c);
-    c->holds = 0;
-    memcpy(w->y, c->still, n * sizeof *w->y);
+    c->held.on = 0;
+    memcpy(w->y, c->held.y, n * sizeof *w->y);
     return better;
 }
 

@@ -15,7 +15,7 @@ SP__NOINLINE static int sp__cra_lay(sp__cra *c)
 {
     sp__system *w = c->w;
     for (int round = 0; round < 4; round++) {
-        sp__cra_balance(c, c->f, 1);
+        sp__cra_balance(c, c->spring.f, 1);
         if (!round) sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
         sp__system_solve(w, w->r, w->d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
@@ -23,14 +23,14 @@ SP__NOINLINE static int sp__cra_lay(sp__cra *c)
             sp_real *V = sp__visit_of(w)->twist[0], *W = V + 3, *u = sp__visit_of(w)->u[0];
             sp__system_twist(w, t, w->d, V, W);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
-                const sp_real *D = c->D + 6 * (size_t)v;
-                sp_real *f = c->f + 3 * (size_t)v;
+                const sp_real *D = c->spring.D + 6 * (size_t)v;
+                sp_real *f = c->spring.f + 3 * (size_t)v;
                 if (!(f[0] > 0)) continue;
                 sp__system_rate(w, V, W, c->pb->local[v], u);
                 f[0] -= D[0] * u[0] + D[1] * u[1] + D[2] * u[2];
                 f[1] -= D[1] * u[0] + D[3] * u[1] + D[4] * u[2];
                 f[2] -= D[2] * u[0] + D[4] * u[1] + D[5] * u[2];
-                if (!(f[0] > 0) || f[1] * c->d[3 * (size_t)v + 1] + f[2] * c->d[3 * (size_t)v + 2] > 0) return 0;
+                if (!(f[0] > 0) || f[1] * c->spring.d[3 * (size_t)v + 1] + f[2] * c->spring.d[3 * (size_t)v + 2] > 0) return 0;
             }
         }
     }
@@ -45,13 +45,13 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
-            const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
+            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
             const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), wn = sp__max(sp__max(f[0], ft) / c->most, (sp_real)1e-6 * s / c->most);
             const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
             const sp_real x = rubs ? -d[1] / slip : 0, y = rubs ? -d[2] / slip : 0;
             const sp_real wt = rim ? wn * reach * reach : rubs ? wn : 0, cross = rim ? wn * reach : 0;
-            if (!rubs && ft > 100 * SP__TINY_FORCE * s) c->tiny = 1;
+            if (!rubs && ft > 100 * SP__TINY_FORCE * s) c->offer.tiny = 1;
             D[0] = f[0] > 0 ? wn : 0;
             D[1] = cross * x; D[2] = cross * y;
             D[3] = wt * x * x; D[4] = wt * x * y; D[5] = wt * y * y;
@@ -66,45 +66,45 @@ static void sp__cra_lift(const sp__cra *c)
 {
     const sp__reduction *o = sp__reduced(c->w);
     if (!o) return;
-    sp__reduction_lift(c->w, c->t.dq);
-    sp__reduction_copy_forces(o, c->pb, c->t.f);
-    for (int32_t v = 0; v < c->pb->points; v++) c->t.alpha[v] = c->t.alpha[o->image[v] < v ? o->image[v] : v];
+    sp__reduction_lift(c->w, c->offer.t.dq);
+    sp__reduction_copy_forces(o, c->pb, c->offer.t.f);
+    for (int32_t v = 0; v < c->pb->points; v++) c->offer.t.alpha[v] = c->offer.t.alpha[o->image[v] < v ? o->image[v] : v];
 }
 
 /* The triple in metres and newtons.     returns 1 when it is verified */
 SP__NOINLINE static int sp__cra_offer(sp__cra *c)
 {
     const sp__system *w = c->w;
-    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->t.dq[k] = c->k.L * w->measure.weight[k / 3] * w->y[k];
-    memset(c->t.f, 0, 3 * (size_t)c->pb->points * sizeof *c->t.f);
-    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
+    for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->offer.t.dq[k] = c->k.L * w->measure.weight[k / 3] * w->y[k];
+    memset(c->offer.t.f, 0, 3 * (size_t)c->pb->points * sizeof *c->offer.t.f);
+    memset(c->offer.t.alpha, 0, (size_t)c->pb->points * sizeof *c->offer.t.alpha);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real *f = c->f + 3 * v, *d = c->d + 3 * v;
+            const sp_real *f = c->spring.f + 3 * v, *d = c->spring.d + 3 * v;
             const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
-            sp__scale3(w->measure.unit, f, c->t.f + 3 * v);
-            if (slip > 0) c->t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
+            sp__scale3(w->measure.unit, f, c->offer.t.f + 3 * v);
+            if (slip > 0) c->offer.t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
         }
     }
     sp__cra_lift(c);
     if (!sp__system_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
-    c->imbalance = sp__certify_forces(&c->j, c->t.f, c->t.f);
-    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
-    c->offered = 1;
-    return c->imbalance <= c->set->tol && c->residual <= 1;
+    c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
+    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
+    c->offer.made = 1;
+    return c->offer.imbalance <= c->set->tol && c->offer.residual <= 1;
 }
 
 /* Forces and slips agree to some digits: the rest of the digits.     returns 1 when a triple is verified */
 SP__NOINLINE static int sp__cra_polish(sp__cra *c)
 {
-    memcpy(c->kept, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
-    c->tiny = 0;
+    memcpy(c->descent.from, c->w->y, 6 * (size_t)c->pb->blocks * sizeof *c->descent.from);
+    c->offer.tiny = 0;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            if (c->f[3 * (size_t)v] <= SP__TINY_FORCE * s) memset(c->f + 3 * (size_t)v, 0, 3 * sizeof *c->f);
+            if (c->spring.f[3 * (size_t)v] <= SP__TINY_FORCE * s) memset(c->spring.f + 3 * (size_t)v, 0, 3 * sizeof *c->spring.f);
     }
     sp__cra_press(c);
     sp__cra_freedoms(c);

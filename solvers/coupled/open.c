@@ -12,7 +12,7 @@ static int sp__cra_open(sp__cra *c, int64_t limit, sp__reduction *reduction, sp_
     c->w = sp__system_make(c->pb, c->set, SP__MOTION, reduction, &c->out->cost, a);
     if (!c->w) return 0;
     c->w->budget.limit = limit;
-    c->w->law.given = c->D;
+    c->w->law.given = c->spring.D;
     return 1;
 }
 
@@ -40,7 +40,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *c);
-    sp__triple_carve(&c->t, pb, &dry);
+    sp__triple_carve(&c->offer.t, pb, &dry);
     sp__cra_carve(c, pb, set->localise, &dry);
     sp__take(&dry, 1, sp__certifier_need(pb, set));
     sp_arena branch = dry;
@@ -53,11 +53,11 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
 /* The forces of statics, all at rest. */
 static void sp__cra_rest(sp__cra *c, sp_real imbalance)
 {
-    memcpy(c->t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->t.f);
-    memset(c->t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->t.dq);
-    memset(c->t.alpha, 0, (size_t)c->pb->points * sizeof *c->t.alpha);
-    c->imbalance = imbalance;
-    c->residual = sp__certify_coupled(&c->j, &c->k, c->t.f, c->t.dq, c->t.alpha);
+    memcpy(c->offer.t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->offer.t.f);
+    memset(c->offer.t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->offer.t.dq);
+    memset(c->offer.t.alpha, 0, (size_t)c->pb->points * sizeof *c->offer.t.alpha);
+    c->offer.imbalance = imbalance;
+    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
 }
 
 #elif SP__WITH_LARGE

@@ -13,22 +13,22 @@
 SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
 {
     sp_real last = SP__HUGE;
-    c->goal = SP__AGREE;
+    c->descent.goal = SP__AGREE;
     for (int round = 0; round < 25; round++) {
         c->out->rounds++;
         if (!sp__cra_descend(c)) return -1;
-        if (c->soft > 0 && sp__cra_hold(c)) return 1;
-        c->too_far = 0;
+        if (c->spring.soft > 0 && sp__cra_hold(c)) return 1;
+        c->descent.too_far = 0;
         if (sp__cra_update(c, damp)) {
-            c->too_far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
-            if (c->too_far || c->soft > 0) return 0;
+            c->descent.too_far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
+            if (c->descent.too_far || c->spring.soft > 0) return 0;
             if (sp__cra_polish(c)) return 1;
-            memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
-            c->goal /= 1000;
-            if (c->goal < 100 * (sp_real)SP_EPSILON) return 0;
+            memcpy(c->w->y, c->descent.from, 6 * (size_t)c->pb->blocks * sizeof *c->descent.from);
+            c->descent.goal /= 1000;
+            if (c->descent.goal < 100 * (sp_real)SP_EPSILON) return 0;
         }
-        if (c->violation > last) damp = sp__max((sp_real)0.1, damp * (sp_real)0.7);
-        last = c->violation;
+        if (c->descent.violation > last) damp = sp__max((sp_real)0.1, damp * (sp_real)0.7);
+        last = c->descent.violation;
     }
     return 0;
 }
@@ -38,17 +38,17 @@ SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
 static void sp__cra_close(sp__cra *c, sp_real drag)
 {
     const int gives = c->k.eps > 0;
-    c->drag = drag;
-    c->goal = SP__AGREE;
+    c->drag.size = drag;
+    c->descent.goal = SP__AGREE;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real press = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            c->lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->measure.unit;
+            c->spring.lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->measure.unit;
     }
     if (!gives) return;
     sp__cra_descend(c);
-    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->lam[v] = sp__max(c->f[3 * v], 0);
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) c->spring.lam[v] = sp__max(c->spring.f[3 * v], 0);
     sp__cra_press(c);
 }
 
@@ -57,7 +57,7 @@ SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
 {
     memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
     sp__cra_close(c, drag);
-    for (c->drag = drag; c->drag < 200 || (c->too_far && c->drag < 20000); c->drag *= 10) {
+    for (c->drag.size = drag; c->drag.size < 200 || (c->descent.too_far && c->drag.size < 20000); c->drag.size *= 10) {
         const int found = sp__cra_rounds(c, damp);
         if (found) return found > 0;
     }
@@ -70,14 +70,14 @@ typedef enum sp__start { SP__START_FREE, SP__START_STATICS, SP__START_DRAG, SP__
 
 static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
 {
-    c->viscous = how >= SP__START_DRAG;
-    c->grow = how == SP__START_DRAG ? 2 : 1;
+    c->drag.viscous = how >= SP__START_DRAG;
+    c->drag.grow = how == SP__START_DRAG ? 2 : 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->measure.unit);
-            c->cap[v] = c->viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
+            c->drag.cap[v] = c->drag.viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
         }
     }
 }

@@ -20,33 +20,67 @@
  * by Newton steps on the block matrix of the dual; lam <- fn, cap <- mu fn. Where forces and slips then agree, the motion is
  * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
 
+/* Springs at the vertices, in units of force and of L; D, of a vertex: nn n1 n2 11 12 22. */
+typedef struct sp__springs {
+    sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
+    sp_real *lam;                       /* points: multiplier of the normal */
+    sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
+} sp__springs;
+
+/* What friction carries: drag of the slip, up to a bound. */
+typedef struct sp__drag {
+    sp_real size;                       /* of slip, in sbar / L */
+    sp_real *cap;                       /* points: bound of the friction; viscous: a factor on the drag */
+    int viscous;                        /* friction beyond its cone is lessened by its drag; else cut */
+    sp_real grow;                       /* how fast a drag that was lessened may grow again */
+} sp__drag;
+
+/* Newton steps on the energy of both, and how far forces and slips are from agreeing. */
+typedef struct sp__descent {
+    sp_real *from;                      /* 6b: y before the step, or before the last digits */
+    sp_real energy;                     /* at the end of a descent */
+    sp_real goal, violation, change;    /* friction beyond its cone, change of fn, relative to sbar */
+    int too_far;                        /* forces and slips agree, but a slip or opening exceeds eta */
+} sp__descent;
+
+/* What a vertex may carry in a motion held fast. */
+typedef struct sp__held_vertex {
+    sp_real reach;                      /* largest |ft| / fp, -1: open */
+    sp_real against[2];                 /* direction of friction */
+    sp_real per_slip;                   /* 1 / |dt| */
+} sp__held_vertex;
+
+/* A motion held fast, whose forces are those of the penalty form. */
+typedef struct sp__held_motion {
+    sp_real *y;                         /* 6b: that motion */
+    sp__held_vertex *vertex;            /* points */
+    sp_real least;                      /* of the penalty form so far */
+    int on;                             /* forces are those of this motion */
+} sp__held_motion;
+
+/* The triple on offer. */
+typedef struct sp__offer {
+    sp__triple t;
+    sp_real imbalance, residual;        /* in the certificate check */
+    int made;                           /* the search made one */
+    int tiny;                           /* friction had to be dropped because its slip was too short */
+} sp__offer;
+
 typedef struct sp__cra {
     const sp_problem *pb;
     const sp_settings *set;
-    sp__lengths k;
-    sp__certifier j;
-    sp__triple t;                       /* on offer */
-    sp_real imbalance, residual;            /* its residuals in the certificate check */
-    int offered;                        /* there was one */
     sp_coupled *out;
-    sp__system *w;                        /* block matrix, rows, weights; w->y is the motion in L, forces are in units */
-    sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
-    sp_real *lam, *cap;                 /* points: multiplier of the normal, bound of the friction */
-    sp_real *kept;                      /* 6b */
     const sp_real *statics;             /* 3 x points: the forces that were found [N] */
-    sp_real drag;                       /* of slip, in sbar / L */
+    sp__lengths k;
     sp_real most;                       /* largest sbar of a contact */
-    sp_real goal, violation, change;    /* friction beyond its cone, change of fn, relative to sbar */
-    int viscous;                        /* friction beyond its cone is lessened by its drag, cap is a factor on it; else cut */
-    int too_far;                        /* forces and slips agree, but a slip or opening exceeds eta */
-    sp_real grow;                       /* how fast a drag that was lessened may grow again */
-    int tiny;                           /* friction had to be dropped because its slip was too short */
+    sp__certifier j;
+    sp__system *w;                      /* block matrix, rows, weights; w->y is the motion in L */
+    sp__springs spring;
+    sp__drag drag;
+    sp__descent descent;
+    sp__held_motion held;
+    sp__offer offer;
     int mirror, spent;                  /* it was searched for in the plane; the budget ended the search */
-    sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
-    sp_real (*held)[4];                 /* points, of a motion held fast: largest |ft| / fp, -1: open; direction; 1 / |dt| */
-    sp_real *still;                     /* 6b: that motion */
-    int holds;                          /* forces are those of the penalty form in the motion held fast */
-    sp_real energy, least;              /* at the end of a descent; of the penalty form so far */
 } sp__cra;
 
 #ifdef SP_REAL_FLOAT
@@ -71,14 +105,14 @@ static void sp__triple_carve(sp__triple *t, const sp_problem *pb, sp_arena *a)
 static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_arena *a)
 {
     const size_t v = (size_t)pb->points;
-    c->f = sp__take(a, v, 3 * sizeof *c->f);
-    c->d = sp__take(a, v, 3 * sizeof *c->d);
-    c->D = sp__take(a, v, 6 * sizeof *c->D);
-    c->lam = sp__take(a, v, sizeof *c->lam);
-    c->cap = sp__take(a, v, sizeof *c->cap);
-    c->kept = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->kept);
-    c->still = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->still);
-    c->held = sp__take(a, localise ? v : 0, sizeof *c->held);
+    c->spring.f = sp__take(a, v, 3 * sizeof *c->spring.f);
+    c->spring.d = sp__take(a, v, 3 * sizeof *c->spring.d);
+    c->spring.D = sp__take(a, v, 6 * sizeof *c->spring.D);
+    c->spring.lam = sp__take(a, v, sizeof *c->spring.lam);
+    c->drag.cap = sp__take(a, v, sizeof *c->drag.cap);
+    c->descent.from = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->descent.from);
+    c->held.y = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->held.y);
+    c->held.vertex = sp__take(a, localise ? v : 0, sizeof *c->held.vertex);
 }
 
 /* sbar of the vertices of contact c, the smaller. */
@@ -135,16 +169,18 @@ SP__NOINLINE static void sp__cra_balance(const sp__cra *c, const sp_real *f, int
 /* Force and derivative of one vertex that moves by d; the energy stored in it is added to *energy. */
 static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
 {
-    const sp_real *d = c->d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), cap = c->viscous ? SP__HUGE : c->cap[v];
-    const sp_real drag = c->drag * s * (c->viscous ? c->cap[v] : 1), fn = c->lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
-    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    const int viscous = c->drag.viscous;
+    const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    const sp_real drag = c->drag.size * s * (viscous ? c->drag.cap[v] : 1), cap = viscous ? SP__HUGE : c->drag.cap[v];
+    const sp_real fn = c->spring.lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
+    sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
     const int slides = drag * slip > cap;
     const sp_real al = slides ? cap / slip : drag, z = al / (SP__STIFF * c->most);
     const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
-    f[0] = fn > 0 ? fn : c->soft * fn;
+    f[0] = fn > 0 ? fn : c->spring.soft * fn;
     f[1] = -al * d[1];
     f[2] = -al * d[2];
-    D[0] = (fn > 0 ? 1 : c->soft) * s / c->most;
+    D[0] = (fn > 0 ? 1 : c->spring.soft) * s / c->most;
     D[1] = D[2] = 0;
     D[3] = z * (1 - x * x);
     D[4] = -z * x * y;
@@ -156,26 +192,27 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
  * the nearest to -(dn, e . dt / sqrt(tau)) in the wedge between (1, 0) and (1, m). */
 static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
 {
-    const sp_real *d = c->d + 3 * v, *held = c->held[v], soft = 1 / c->set->gamma, slide = 1 / SP_SQRT(c->set->tau);
-    const sp_real m = held[0] / slide, x = -d[0], z = -slide * (held[1] * d[1] + held[2] * d[2]);
+    const sp__held_vertex *held = &c->held.vertex[v];
+    const sp_real *d = c->spring.d + 3 * v, *e = held->against, soft = 1 / c->set->gamma, slide = 1 / SP_SQRT(c->set->tau);
+    const sp_real m = held->reach / slide, x = -d[0], z = -slide * (e[0] * d[1] + e[1] * d[2]);
     const sp_real on = (x + m * z) / (1 + m * m);
-    const int open = held[0] < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
+    const int open = held->reach < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
     const int axis = !open && z <= 0 && x > 0;
     const sp_real nn = inside || axis ? 1 : rim ? 1 / (1 + m * m) : 0;
     const sp_real nt = rim ? m * nn : 0, tt = inside ? 1 : rim ? m * nt : 0;
     const sp_real fp = inside || axis ? x : rim ? on : 0, ft = inside ? z : rim ? m * on : 0, fm = soft * sp__max(-x, 0);
-    sp_real *f = c->f + 3 * v, *D = c->D + 6 * v;
+    sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
     f[0] = s * (fp - fm);
-    f[1] = s * slide * ft * held[1];
-    f[2] = s * slide * ft * held[2];
+    f[1] = s * slide * ft * e[0];
+    f[2] = s * slide * ft * e[1];
     s /= c->most;
     D[0] = s * (nn + (x < 0 ? soft : 0));
-    D[1] = s * slide * nt * held[1];
-    D[2] = s * slide * nt * held[2];
+    D[1] = s * slide * nt * e[0];
+    D[2] = s * slide * nt * e[1];
     s *= slide * slide * tt;
-    D[3] = s * held[1] * held[1];
-    D[4] = s * held[1] * held[2];
-    D[5] = s * held[2] * held[2];
+    D[3] = s * e[0] * e[0];
+    D[4] = s * e[0] * e[1];
+    D[5] = s * e[1] * e[1];
     *energy += (f[0] * x + f[1] * -d[1] + f[2] * -d[2]) / 2;
 }
 
@@ -189,20 +226,20 @@ static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
 SP__NOINLINE static sp_real sp__cra_springs(sp__cra *c)
 {
     sp_real energy = 0;
-    sp__cra_rates(c, c->w->y, c->d);
+    sp__cra_rates(c, c->w->y, c->spring.d);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = c->holds ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
+        const sp_real s = c->held.on ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real times = sp__system_counts(c->w, (int32_t)v);
             sp_real part = 0;
             if (!(times > 0)) continue;
-            if (c->holds) sp__cra_wedge(c, v, s, &part);
+            if (c->held.on) sp__cra_wedge(c, v, s, &part);
             else sp__cra_vertex(c, v, s, &part);
             energy += times * part;
         }
     }
-    sp__cra_balance(c, c->f, 1);
+    sp__cra_balance(c, c->spring.f, 1);
     return energy - sp__system_work(c->w, c->w->y);
 }
 
@@ -227,7 +264,7 @@ SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 /* y <- kept + step d */
 static sp_real sp__cra_at(sp__cra *c, sp_real step)
 {
-    memcpy(c->w->y, c->kept, 6 * (size_t)c->pb->blocks * sizeof *c->kept);
+    memcpy(c->w->y, c->descent.from, 6 * (size_t)c->pb->blocks * sizeof *c->descent.from);
     sp__system_axpy(c->w, step, c->w->d, c->w->y);
     return sp__cra_springs(c);
 }
@@ -254,52 +291,56 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__system *w = c->w;
-    const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->goal);
-    const sp_real shift = c->holds ? SP__HOLD_SHIFT : SP__SHIFT;
-    const sp_real room = 1 + (c->holds ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((c->holds ? 1 : SP__STIFF) * c->most);
-    c->energy = sp__cra_springs(c);
-    for (int it = 0; it < (c->holds ? 150 : 15) && !w->budget.spent; it++) {
+    const int held = c->held.on;
+    const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->descent.goal);
+    const sp_real shift = held ? SP__HOLD_SHIFT : SP__SHIFT;
+    const sp_real room = 1 + (held ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((held ? 1 : SP__STIFF) * c->most);
+    sp_real energy = sp__cra_springs(c);
+    for (int it = 0; it < (held ? 150 : 15) && !w->budget.spent; it++) {
         if (sp__system_norm(w, w->r) <= enough * w->measure.load) break;
         sp__system_factor(w, SP__GIVEN, w->y, shift);
         sp__system_solve(w, w->r, w->d);
         const sp_real down = sp__dot(w->r, w->d, n), reach = sp__cra_extent(c, w->d);
-        memcpy(c->kept, w->y, n * sizeof *w->y);
-        sp_real step = reach * whole > 20 * room ? 20 * room / reach : whole, next = c->energy;
+        memcpy(c->descent.from, w->y, n * sizeof *w->y);
+        sp_real step = reach * whole > 20 * room ? 20 * room / reach : whole, next = energy;
         for (int half = 0; half < 30; half++, step /= 2) {
             next = sp__cra_at(c, step);
-            if (next <= c->energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(c->energy)) break;
+            if (next <= energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(energy)) break;
         }
-        c->energy = c->holds && step < whole ? sp__cra_valley(c, step, whole, down) : next;
+        energy = held && step < whole ? sp__cra_valley(c, step, whole, down) : next;
         c->out->cost.iterations++;
         if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
     }
+    c->descent.energy = energy;
     return !w->budget.spent;
 }
 
 /* Cut friction that exceeds its cone; lam follows fn.     returns 1 when forces and slips agree */
 SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
 {
-    c->violation = c->change = 0;
+    sp__descent *n = &c->descent;
+    n->violation = n->change = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
             const sp_real s = sp__cra_sbar(c, t);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
-                const sp_real *f = c->f + 3 * (size_t)v;
-                const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->d + 3 * (size_t)v) * fp;
+                const sp_real *f = c->spring.f + 3 * (size_t)v;
+                sp_real *cap = &c->drag.cap[v];
+                const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->spring.d + 3 * (size_t)v) * fp;
                 const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
                 if (!pass) {
-                    c->violation = sp__max(c->violation, (ft - room) / s);
-                    c->change = sp__max(c->change, sp__abs(fp - c->lam[v]) / (SP__STIFF * s));
-                    c->lam[v] = fp;
-                } else if (c->viscous) {
-                    if (ft > 0) c->cap[v] *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->grow);
-                    if (c->cap[v] > 1) c->cap[v] = 1;
-                } else c->cap[v] = c->cap[v] < SP__HUGE ? damp * room + (1 - damp) * c->cap[v] : room;
+                    n->violation = sp__max(n->violation, (ft - room) / s);
+                    n->change = sp__max(n->change, sp__abs(fp - c->spring.lam[v]) / (SP__STIFF * s));
+                    c->spring.lam[v] = fp;
+                } else if (c->drag.viscous) {
+                    if (ft > 0) *cap *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->drag.grow);
+                    if (*cap > 1) *cap = 1;
+                } else *cap = *cap < SP__HUGE ? damp * room + (1 - damp) * *cap : room;
             }
-            if (q + 1 == c->pb->contacts && !pass && c->violation <= c->goal) pass = 1;     /* the caps are good */
+            if (q + 1 == c->pb->contacts && !pass && n->violation <= n->goal) pass = 1;     /* the caps are good */
         }
-    return c->violation <= c->goal && c->change <= c->goal;
+    return n->violation <= n->goal && n->change <= n->goal;
 }
 
 /* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
@@ -307,26 +348,26 @@ SP__NOINLINE static void sp__cra_press(sp__cra *c)
 {
     sp__system *w = c->w;
     for (int round = 0; round < 5; round++) {
-        sp__cra_rates(c, w->y, c->d);
+        sp__cra_rates(c, w->y, c->spring.d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
             const sp_real s = sp__cra_sbar(c, t) / c->most;
             for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-                const int presses = c->f[3 * v] > 0;
-                sp_real *D = c->D + 6 * v;
+                const int presses = c->spring.f[3 * v] > 0;
+                sp_real *D = c->spring.D + 6 * v, *pull = c->spring.d + 3 * v;      /* a force in the place of its rate */
                 D[0] = presses ? s : 0;
                 D[1] = D[2] = D[4] = 0;
                 D[3] = D[5] = (sp_real)1e-6 * s;
-                c->d[3 * v] = presses ? -s * (c->d[3 * v] + c->k.eps) : 0;
-                c->d[3 * v + 1] = c->d[3 * v + 2] = 0;
+                pull[0] = presses ? -s * (pull[0] + c->k.eps) : 0;
+                pull[1] = pull[2] = 0;
             }
         }
         if (!round) sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
-        sp__cra_balance(c, c->d, 0);
+        sp__cra_balance(c, c->spring.d, 0);
         sp__system_solve(w, w->r, w->d);
         sp__system_axpy(w, 1, w->d, w->y);
     }
-    sp__cra_rates(c, w->y, c->d);
+    sp__cra_rates(c, w->y, c->spring.d);
 }
 
 #endif
