@@ -35,7 +35,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     sp_arena room = scratch;
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    const size_t dual = sp__system_most(pb, set, 0, 0, sp__cra_mirror(pb, set, o) ? o : NULL, room);
+    const size_t dual = sp__system_most(pb, set, SP__MOTION, sp__cra_mirror(pb, set, o) ? o : NULL, room);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();

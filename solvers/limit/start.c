@@ -36,8 +36,7 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     g->w = sp__system_make(&b->pb, &b->set, SP__LIMIT, g->reduction, &b->cost, a);
     if (!g->w) return SP_E_MEMORY;
     g->w->budget.limit = sp__engine_flops(b) + b->cost.flops;
-    g->h.m.x = sp__take(a, (size_t)b->pb.points, (size_t)(b->set.faces ? b->set.faces : 3) * sizeof *g->h.m.x);
-    if (sp__failed(a)) return SP_E_MEMORY;
+    g->h.m.x = g->w->x;
     for (int k = 0; k < 2; k++) {
         sp__bracket_load(b, k ? 0 : 1, k ? L->ref : 0);
         if (k) sp__bilateral_solve(g->w); else sp__system_bilateral(g->w);
@@ -116,12 +115,11 @@ static size_t sp__limit_start_scratch(const sp_problem *pb) { return sp__system_
 static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
 {
     const sp_problem *pb = &L->bracket.pb;
-    const int32_t faces = L->bracket.set.faces;
     L->ref = sp__engine_reference(&L->bracket);
     sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
     if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
-    const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, 0, (size_t)(faces ? faces : 3), reduction, scratch) : 0;
+    const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, SP__LIMIT, reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);
     return 1;

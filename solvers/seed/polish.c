@@ -58,17 +58,18 @@ SP__NOINLINE static sp_real sp__polish_look(sp__system *w, sp_real *f, sp_real *
 /* Bytes the stage takes: a factor, and on a budget the best forces so far. */
 static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__system_need(pb, set, 0, set->budget > 0 ? 3 : 0, scratch);
+    return sp__system_need(pb, set, SP__POLISH, scratch);
 }
 
 /* The stage: rounds from the bilateral force until forces in the cones balance, or a window of them gains too little. */
 static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
-    sp__system *w = sp__system_full(pb, set, set->seed ? SP__METRIC : SP__EXACT, &state->cost, arena);
+    sp__system *w = sp__system_full(pb, set, SP__POLISH, &state->cost, arena);
     const size_t n = 6 * (size_t)pb->blocks, size = 3 * (size_t)pb->points;
-    sp_real best = SP__HUGE, *keep = w && set->budget > 0 ? sp__take(arena, size, sizeof *keep) : NULL;
-    if (!w || sp__failed(arena)) return SP_E_MEMORY;
+    sp_real best = SP__HUGE;
+    if (!w) return SP_E_MEMORY;
+    sp_real *keep = set->budget > 0 ? w->x : NULL;
     w->budget.limit = state->left;
     const sp_real goal = set->seed && seed->balance < set->tol / 4 ? seed->balance : set->tol / 4;
     state->reason = SP_REASON_BUDGET;

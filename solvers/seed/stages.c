@@ -58,24 +58,24 @@ static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set,
 static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                        sp_verdict *claim)
 {
-    return sp__bilateral_run(pb, set, set->seed ? SP__METRIC : SP__EXACT, state, arena, claim);
+    return sp__bilateral_run(pb, set, set->seed ? SP__METRIC : SP__LEAST, state, arena, claim);
 }
 
 /* The stage DENSE: the same by a dense factor. */
 static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    return sp__bilateral_run(pb, set, SP__EXACT_DENSE, state, arena, claim);
+    return sp__bilateral_run(pb, set, SP__LEAST_DENSE, state, arena, claim);
 }
 
 /* Bytes of each. */
 static size_t sp__sparse_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__system_need(pb, set, 0, 0, scratch);
+    return sp__system_need(pb, set, SP__LEAST, scratch);
 }
 
 static size_t sp__dense_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__system_need(pb, set, 1, 0, scratch);
+    return sp__system_need(pb, set, SP__LEAST_DENSE, scratch);
 }
 
 #endif

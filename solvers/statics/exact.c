@@ -11,7 +11,7 @@
 /* Bytes of the stage, reduced or not, whichever takes more. */
 static size_t sp__exact_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    return sp__system_need_reduced(pb, set, SP__WITH_INTERIOR ? (size_t)set->faces : 0, scratch);
+    return sp__system_need_reduced(pb, set, SP__EXACT, scratch);
 }
 
 /* Is the bilateral force already inside every cone, that is, P_K of itself up to a little? Then it is the answer, and state->f
@@ -72,8 +72,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__system *w = sp__system_make(pb, set, SP__EXACT, reduction, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
-    if (SP__WITH_INTERIOR) w->inner->x = set->faces ? sp__take(arena, (size_t)pb->points, (size_t)set->faces * sizeof *w->x) : w->x;
-    if (SP__WITH_INTERIOR && !w->inner->x) return SP_E_MEMORY;
+    if (SP__WITH_INTERIOR) w->inner->x = w->x;
     const int whole = sp__system_covers(w);
     const int64_t tail = (int64_t)SP__FLOPS_SWEEP * pb->points + (int64_t)SP__FLOPS_TWIST * pb->contacts;   /* of the forces */
     w->budget.limit = state->left - tail;

@@ -17,9 +17,7 @@ SP__NOINLINE static int sp__system_reserve(const sp_problem *pb, const sp_settin
     sp__system *t = sp__take(&rest, 1, sizeof *t);
     if (!t) return 0;
     t->reduction = NULL;
-    const int none = !SP__WITH_INTERIOR || form == SP__PENALTY || form == SP__MOTION;
-    const size_t rays = none ? 0 : form == SP__LIMIT && !set->faces ? 3 : (size_t)set->faces;
-    const size_t end = sp__system_end(t, pb, set, 0, rays, nnz, from);
+    const size_t end = sp__system_end(t, pb, set, form, nnz, from);
     if (end > a->cap) return 0;
     if (end > a->peak) a->peak = end;
     return 1;
@@ -35,7 +33,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     const int32_t nnz = w ? sp__system_analyse(w, pb, a) : -1;
     if (nnz < 0 || (reduction && !sp__system_reserve(pb, set, form, nnz, reduction, a))) return NULL;
     w->reduction = reduction;
-    sp__system_carve(w, pb, set->faces, nnz, form == SP__EXACT_DENSE, a);
+    sp__system_carve(w, pb, set, form, nnz, a);
     if (sp__failed(a)) return NULL;
     sp__bchol_pattern(&w->L, w->graph.xadj, w->graph.adj, w->graph.parent, w->graph.mark);
     w->set = set;
@@ -44,7 +42,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     w->budget.spent = 0;
     w->law.soft = penalty && !set->net ? 1 / set->gamma : 0;
     w->law.slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
-    if (form == SP__METRIC) w->law.slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma)); /* fp, fm move together */
+    if (form == SP__METRIC || (form == SP__POLISH && set->seed)) w->law.slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma)); /* fp, fm move together */
     sp__cone_make(&w->law.cone);
     sp_real half;
     w->law.friction = 1;

@@ -97,10 +97,6 @@ static int sp__system_metric(sp__system *w)
     return 1;
 }
 
-/* METRIC: H of the penalty form; LIMIT: exact, and room for interior points of 3 numbers a vertex, or one an edge, behind it;
- * MOTION: exact, with no such room. */
-typedef enum sp__form { SP__EXACT, SP__EXACT_DENSE, SP__PENALTY, SP__METRIC, SP__LIMIT, SP__MOTION } sp__form;
-
 /* Position of every contact's block off the diagonal. */
 static void sp__system_slots(sp__system *w)
 {

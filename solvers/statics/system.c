@@ -118,13 +118,25 @@ typedef struct sp__system {
 #endif
     struct sp__reduction *reduction;    /* of a search in 3 rows a block, else NULL: ask sp__reduced */
     struct sp__ipm *inner;              /* of the interior-point method */
-    sp_real *x;                         /* 3 x points: its x for the true cone */
+    sp_real *x;                         /* points x sp__form_numbers */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
     sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
     sp__scratch *scratch;
     sp__purse budget;
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
 } sp__system;
+
+/* What a system is made for. EXACT, LIMIT: with interior points; LEAST, LEAST_DENSE, POLISH: the bilateral force, METRIC with H of the
+ * penalty form, POLISH with the seed's constants, too; MOTION: the coupled check. */
+typedef enum sp__form { SP__EXACT, SP__LEAST, SP__LEAST_DENSE, SP__METRIC, SP__POLISH, SP__PENALTY, SP__LIMIT, SP__MOTION } sp__form;
+
+/* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid; the polish its best forces on a budget. */
+static size_t sp__form_numbers(sp__form form, const sp_settings *set)
+{
+    if (form == SP__POLISH) return set->budget > 0 ? 3 : 0;
+    if (!SP__WITH_INTERIOR || (form != SP__EXACT && form != SP__LIMIT)) return 0;
+    return set->faces ? (size_t)set->faces : 3;
+}
 
 #ifdef SP_REAL_MIXED
 #define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
@@ -150,11 +162,11 @@ static void sp__system_carve_graph(sp__system *w, const sp_problem *pb, sp_arena
 }
 
 /* All other arrays, for nnz blocks of L below the diagonal. */
-static void sp__system_carve(sp__system *w, const sp_problem *pb, int32_t faces, int32_t nnz, int dense, sp_arena *a)
+static void sp__system_carve(sp__system *w, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
-    w->dense = dense ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
-    sp__cone_carve(&w->law.cone, faces, a);
+    w->dense = form == SP__LEAST_DENSE ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
+    sp__cone_carve(&w->law.cone, set->faces, a);
     w->law.yield = sp__take(a, 1, sizeof *w->law.yield);
     w->slot = sp__take(a, c, sizeof *w->slot);
     w->measure.weight = sp__take(a, b, 2 * sizeof *w->measure.weight);
@@ -175,9 +187,8 @@ static void sp__system_carve(sp__system *w, const sp_problem *pb, int32_t faces,
     w->mixed.scale = sp__take(a, b, 6 * sizeof *w->mixed.scale);
     w->mixed.cg = sp__take(a, b, 24 * sizeof *w->mixed.cg);
 #endif
-    if (!SP__WITH_INTERIOR) return;
-    w->inner = sp__take(a, 1, sizeof *w->inner);
-    w->x = sp__take(a, faces ? 0 : (size_t)pb->points, 3 * sizeof *w->x);
+    if (SP__WITH_INTERIOR) w->inner = sp__take(a, 1, sizeof *w->inner);
+    w->x = sp__take(a, (size_t)pb->points, sp__form_numbers(form, set) * sizeof *w->x);
 }
 
 /* Neighbours of every free block, each once. */
@@ -244,10 +255,9 @@ SP__NOINLINE static size_t sp__system_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Where a dual ends that begins at `from`, with so many blocks below the diagonal and rays a vertex: the symbolic step and the
- * factor share the space behind the graph. t is used up; t->reduction: in 3 rows. */
-static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_settings *set, int dense, size_t rays, int32_t nnz,
-                             size_t from)
+/* Where a dual ends that begins at `from`, with so many blocks below the diagonal: the symbolic step and the factor share the space
+ * behind the graph. t is used up; t->reduction: in 3 rows. */
+static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, size_t from)
 {
     sp_arena dry = sp__arena_dry();
     dry.used = from;
@@ -255,39 +265,37 @@ static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_setti
     sp__system_carve_graph(t, pb, &dry);
     sp_arena symbolic = dry;
     sp__system_carve_order(pb, &symbolic);
-    sp__system_carve(t, pb, set->faces, nnz, dense, &dry);
-    if (rays) sp__take(&dry, (size_t)pb->points, rays * sizeof *t->y);
+    sp__system_carve(t, pb, set, form, nnz, &dry);
     return dry.peak > symbolic.peak ? dry.peak : symbolic.peak;
 }
 
 /* Bytes of the whole system; reduction (may be NULL): and of one in 3 rows before it, behind *reduction, which takes more where
  * few blocks have many joints. */
-static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp__reduction *reduction,
-                              sp_arena scratch)
+static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, sp__form form, sp__reduction *reduction, sp_arena scratch)
 {
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__system_analyse(w, pb, &scratch) : -1;
     if (nnz < 0) return SIZE_MAX;
     w->reduction = NULL;
-    const size_t whole = sp__system_end(w, pb, set, dense, rays, nnz, 0);
+    const size_t whole = sp__system_end(w, pb, set, form, nnz, 0);
     w->reduction = reduction;
-    const size_t less = reduction ? sp__system_end(w, pb, set, dense, rays, nnz, sizeof *reduction) : 0;
+    const size_t less = reduction ? sp__system_end(w, pb, set, form, nnz, sizeof *reduction) : 0;
     return less > whole ? less : whole;
 }
 
 /* Bytes of a system in 6 rows. */
-static size_t sp__system_need(const sp_problem *pb, const sp_settings *set, int dense, size_t rays, sp_arena scratch)
+static size_t sp__system_need(const sp_problem *pb, const sp_settings *set, sp__form form, sp_arena scratch)
 {
-    return sp__system_most(pb, set, dense, rays, NULL, scratch);
+    return sp__system_most(pb, set, form, NULL, scratch);
 }
 
 /* Bytes of a system that may be reduced first. */
-static size_t sp__system_need_reduced(const sp_problem *pb, const sp_settings *set, size_t rays, sp_arena scratch)
+static size_t sp__system_need_reduced(const sp_problem *pb, const sp_settings *set, sp__form form, sp_arena scratch)
 {
     sp__reduction *o = sp__take(&scratch, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    if (sp__reduction_choose(pb, set, o)) return sp__system_most(pb, set, 0, rays, o, scratch);
-    return sp__system_need(pb, set, 0, rays, scratch);
+    if (sp__reduction_choose(pb, set, o)) return sp__system_most(pb, set, form, o, scratch);
+    return sp__system_need(pb, set, form, scratch);
 }
 
 /* How often vertex v counts: 0 where its mirror image does for both, or where it takes no part. */
