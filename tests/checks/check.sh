@@ -86,7 +86,7 @@ tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$C
 check_switches() {
     no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
     no_ipm=$(echo "$core" | grep -vx limit)
-    no_plan=$(echo "$core" | grep -vx plan)
+    no_plan=$(echo "$core" | grep -vxE 'plan|map')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM

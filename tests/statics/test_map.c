@@ -1,0 +1,353 @@
+/* Where a scene is planar or level, 3 rows a block say what 6 do: of motions that keep the mirror, or that only press, forces,
+ * gradient, slope, sizes and Hessian of the narrow kernel are those of the wide one. Gradient and Hessian of the wide one are
+ * compared with differences in test_gradient.c. */
+#define SP_API static
+#include "../test.h"
+#include "../../solvers/base/words.c"
+#include "../../solvers/scene/scene.c"
+#include "../../solvers/scene/block.c"
+#include "../../solvers/statics/rigid.c"
+#include "../scenes/gen.h"
+#include "../scenes/change.h"
+
+/* strong: every other joint has mortar; turned: any way in space */
+static const struct { const char *name, *number; double value; sp__mode mode; int32_t faces; int strong, turned; } scene_of[] = {
+    { "arch", "n", 7, SP__PLANE, 0, 0, 0 },       { "arch", "n", 9, SP__PLANE, 0, 0, 1 },
+    { "arch", "n", 8, SP__PLANE, 8, 0, 1 },       { "wall", "tilt", 20, SP__PLANE, 0, 0, 1 },
+    { "wall", "jitter", 0.3, SP__PLANE, 4, 0, 1 }, { "arch", "n", 6, SP__PLANE, 5, 0, 1 },
+    { "arch", "n", 11, SP__PLANE, 0, 1, 1 },
+    { "wall", "jitter", 0.2, SP__PLANE, 4, 1, 0 }, { "tower", "n", 6, SP__LEVEL_JOINTS, 0, 0, 0 },
+    { "diamond", "rows", 4, SP__LEVEL_JOINTS, 0, 0, 1 }, { "wall", "jitter", 0.3, SP__LEVEL_JOINTS, 0, 0, 1 },
+    { "overhang", "n", 5, SP__LEVEL_JOINTS, 6, 0, 1 }
+};
+
+enum { SCENES = sizeof scene_of / sizeof scene_of[0], POINTS = 3 };
+
+/* The two kernels side by side: [0] in 3 rows, [1] in 6. */
+typedef struct both {
+    sp_scene scene;
+    sp_problem pb[2];
+    sp_settings set[2];
+    sp_cost cost;
+    sp__reduction *o;
+    sp__system *w[2];
+    size_t n;
+    sp_real *y[2], *d[2], *r[2], *x[2], *f[2];
+} both;
+
+static void settle(sp_settings *set, int k)
+{
+    memset(set, 0, sizeof *set);
+    set->tol = R(TOL(1e-9, 1e-4f));
+    set->gamma = R(7);
+    set->tau = R(2);
+    set->inscribed = 1;
+    set->iterations = SP__ITERATIONS;
+    set->stage_count = 1;
+    set->stage[0] = SP_STAGE_EXACT;
+    set->faces = scene_of[k].faces;
+    if (scene_of[k].mode == SP__LEVEL_JOINTS) set->effect[SP_EFFECT_DEPTH] = SP_WITH;
+}
+
+/* Tangents of joints in another direction than along an edge: any where cones are round, else a quarter turn further. */
+static void turn_tangents(sp_scene *s, int quarter)
+{
+    for (int32_t j = 0; j < s->count.joints; j++) {
+        sp_joint *t = &s->joint[j];
+        const double a = (double)test_random_real(-3, 3), c = quarter ? 0 : cos(a), r = quarter ? 1 : sin(a);
+        for (int q = 0; q < 3; q++) t->t1[q] = R(c * (double)t->t1[q] + r * (double)t->t2[q]);
+        sp__cross3(t->n, t->t1, t->t2);
+    }
+}
+
+static int make_scene(int k, sp_scene *s)
+{
+    int32_t place[MOST], name[MOST];
+    sp_scene made;
+    change c = none();
+    if (!CHECK_INT(gen_make(scene_of[k].name, scene_of[k].number, scene_of[k].value, &test_arena, &made), SP_OK)) return 0;
+    if (!CHECK(made.count.blocks <= MOST && made.count.joints <= MOST)) return 0;
+    if (scene_of[k].turned) any_turn(&c);
+    copy(&made, &c, s, place, name);
+    if (scene_of[k].faces % 2 || !scene_of[k].faces) turn_tangents(s, scene_of[k].faces);
+    for (int32_t j = 0; j < s->count.joints && scene_of[k].strong; j += 2) {
+        s->joint[j].strength.cohesion = R(3000);
+        s->joint[j].strength.tension = R(1000);
+        s->joint[j].strength.crushing = R(40000);
+    }
+    return 1;
+}
+
+/* Corners of planar joints out of their planes, images alike: by as much as a joint is wide, where the library knows 1e-6 of it. */
+static void warp(both *b)
+{
+    const sp_problem *pb = &b->pb[0];
+    for (int32_t c = 0; c < pb->contacts && b->o->mode == SP__PLANE; c++) {
+        const sp_contact *t = &pb->contact[c];
+        const sp_real h[2] = { sp__dot3(b->o->e[2], t->joint->t1), sp__dot3(b->o->e[2], t->joint->t2) };
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const int32_t image = sp__mirror_image(pb, t, v, h, R(1e-4));
+            if (image >= v) pb->local[v][0] = pb->local[image][0] = test_random_real(-0.2, 0.2);
+        }
+    }
+}
+
+/* The problem that 6 rows get: level ones without joints that stand upright, which 3 rows leave out. */
+static int make_wide(both *b)
+{
+    const sp_problem *all = &b->pb[0];
+    sp_problem *pb = &b->pb[1];
+    *pb = *all;
+    pb->contacts = 0;
+    pb->contact = sp__take(&test_arena, (size_t)all->contacts, sizeof *pb->contact);
+    if (!CHECK(pb->contact != NULL)) return 0;
+    for (int32_t c = 0; c < all->contacts; c++) {
+        const sp_real along = sp__dot3(all->contact[c].joint->n, b->o->e[2]);
+        if (b->o->mode == SP__LEVEL_JOINTS && sp__abs(along) < R(0.5)) continue;
+        pb->contact[pb->contacts++] = all->contact[c];
+    }
+    if (b->o->mode == SP__LEVEL_JOINTS) b->set[1].effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    return 1;
+}
+
+/* The same scales of forces in both: a metric and sizes without pattern. */
+static void scale_both(both *b, int with_metric)
+{
+    for (size_t q = 0; q < 2 * (size_t)b->pb[0].blocks; q++)
+        b->w[0]->measure.size[q] = b->w[1]->measure.size[q] = test_random_real(0.2, 5);
+    for (int i = 0; i < 2; i++) {
+        b->w[i]->measure.metric = with_metric ? R(0.2) : 0;
+        sp__system_weights(b->w[i]);
+    }
+    for (size_t q = 0; q < 2 * (size_t)b->pb[0].blocks; q++)
+        CHECK_NEAR(b->w[0]->measure.weight[q], b->w[1]->measure.weight[q], TOL(1e-10, 1e-4));
+}
+
+/* A motion in 3 rows, and the same in 6. */
+static void same_motion(both *b, sp_real **m)
+{
+    for (size_t q = 0; q < b->n; q++) m[0][q] = 0;
+    for (size_t i = 0; i < b->n; i += 6)
+        for (int q = 0; q < 3; q++) m[0][i + sp__reduction_row(b->o, q)] = test_random_real(-1, 1);
+    memcpy(m[1], m[0], b->n * sizeof **m);
+    for (size_t i = 0; i < b->n; i += 3) sp__reduction_turn_back(b->o, m[1] + i);
+}
+
+static int begin(both *b, int k, sp__form form)
+{
+    sp_arena *a = &test_arena;
+    memset(b, 0, sizeof *b);
+    settle(&b->set[0], k);
+    settle(&b->set[1], k);
+    if (!make_scene(k, &b->scene) || !CHECK_INT(sp_problem_build(&b->scene, a, &b->pb[0]), SP_OK)) return 0;
+    sp__reduction chosen;
+    if (!CHECK(sp__reduction_choose(&b->pb[0], &b->set[0], &chosen)) || !CHECK_INT(chosen.mode, scene_of[k].mode)) return 0;
+    b->o = &chosen;
+    warp(b);
+    if (!make_wide(b)) return 0;
+    b->n = 6 * (size_t)b->pb[0].blocks;
+    sp_real **all[4] = { b->y, b->d, b->r, b->x };
+    for (int q = 0; q < 8; q++) all[q / 2][q % 2] = sp__take(a, b->n, sizeof **b->y);
+    for (int q = 0; q < 2; q++) b->f[q] = sp__take(a, (size_t)b->pb[0].points, 3 * sizeof **b->f);
+    b->w[1] = sp__system_full(&b->pb[1], &b->set[1], form, &b->cost, a);
+    b->o = sp__take(a, 1, sizeof *b->o);
+    if (!CHECK(b->w[1] && b->o)) return 0;
+    *b->o = chosen;
+    b->w[0] = sp__system_make(&b->pb[0], &b->set[0], form, b->o, &b->cost, a);
+    if (!CHECK(b->w[0] != NULL)) return 0;
+    scale_both(b, k % 2);
+    same_motion(b, b->y);
+    same_motion(b, b->d);
+    return 1;
+}
+
+/* n numbers are the same, relative to the norm of `want`, which is not nothing. */
+static void same_numbers(const sp_real *got, const sp_real *want, size_t n, double tol)
+{
+    double off = 0, size = 0;
+    for (size_t q = 0; q < n; q++) {
+        off += pow((double)got[q] - (double)want[q], 2);
+        size += pow((double)want[q], 2);
+    }
+    CHECK(size > 1e-6);
+    CHECK_WITHIN(sqrt(off), 0, tol * sqrt(size));
+}
+
+/* Rows or motions: those of 6 rows in the axes of 3. */
+static void same_rows(both *b, sp_real **r, double tol)
+{
+    for (size_t i = 0; i < b->n; i += 3) sp__reduction_turn(b->o, r[1] + i, r[1] + i);
+    same_numbers(r[0], r[1], b->n, tol);
+}
+
+/* Is this scene planar, or are only forces along the loads asked for? Level ones have no bilateral friction in 3 rows. */
+static int asks(int k, sp__law law) { return scene_of[k].mode == SP__PLANE || law == SP__ADMISSIBLE; }
+
+TEST(gradient_and_forces_in_3_rows_are_those_in_6)
+{
+    static const sp__form form[] = { SP__EXACT, SP__PENALTY };
+    for (int q = 0; q < 2 * SCENES * POINTS; q++) {
+        const int k = q / 2 % SCENES;
+        const sp_arena mark = test_arena;
+        both b;
+        NEED(begin(&b, k, form[q % 2]));
+        for (sp__law law = SP__BILATERAL; law <= SP__ADMISSIBLE; law = (sp__law)(law + 1)) {
+            if (!asks(k, law)) continue;
+            for (int i = 0; i < 2; i++) {
+                memset(b.f[i], 0, 3 * (size_t)b.pb[0].points * sizeof **b.f);
+                sp__system_gradient(b.w[i], law, b.y[i], b.r[i], b.f[i]);
+            }
+            sp__reduction_copy_forces(b.o, &b.pb[0], b.f[0]);
+            same_rows(&b, b.r, TOL(1e-11, 2e-4));
+            same_numbers(b.f[0], b.f[1], 3 * (size_t)b.pb[0].points, TOL(1e-11, 2e-4));
+        }
+        test_arena.used = mark.used;
+    }
+}
+
+TEST(slope_and_work_in_3_rows_are_those_in_6)
+{
+    for (int k = 0; k < SCENES; k++) {
+        const sp_arena mark = test_arena;
+        both b;
+        NEED(begin(&b, k, k % 2 ? SP__EXACT : SP__PENALTY));
+        double size = 0, y = 0;
+        sp__system_load(b.w[1], b.r[1]);
+        for (size_t q = 0; q < b.n; q++) { size += fabs((double)(b.r[1][q] * b.y[1][q])); y += fabs((double)(b.r[1][q] * b.d[1][q])); }
+        CHECK(size > 1e-3);
+        CHECK_WITHIN(sp__system_work(b.w[0], b.y[0]), sp__system_work(b.w[1], b.y[1]), TOL(1e-11, 2e-5) * size);
+        for (int p = 0; p < POINTS; p++) {
+            const sp_real s = test_random_real(-1, 1), at = sp__system_slope(b.w[1], b.y[1], b.d[1], s);
+            CHECK_WITHIN(sp__system_slope(b.w[0], b.y[0], b.d[0], s), at, TOL(1e-11, 1e-4) * (fabs((double)at) + y));
+            for (int i = 0; i < 2; i++) {               /* gradient . d */
+                for (size_t q = 0; q < b.n; q++) b.x[i][q] = b.y[i][q] + s * b.d[i][q];
+                sp__system_gradient(b.w[i], SP__ADMISSIBLE, b.x[i], b.r[i], NULL);
+                CHECK_WITHIN(sp__dot(b.r[i], b.d[i], b.n), at, TOL(1e-11, 1e-4) * (fabs((double)at) + y));
+            }
+        }
+        test_arena.used = mark.used;
+    }
+}
+
+/* Sums and largest arm of what forces put on blocks: sp__carry is asked once for a vertex that stands for two. */
+TEST(blocks_bear_the_same_in_3_rows_as_in_6)
+{
+    for (int k = 0; k < SCENES; k++) {
+        const sp_arena mark = test_arena;
+        both b;
+        NEED(begin(&b, k, SP__EXACT));
+        for (int i = 0; i < 2; i++) {
+            sp__carry_begin(b.w[i]);
+            sp__system_gradient(b.w[i], SP__ADMISSIBLE, b.y[i], b.r[i], NULL);
+        }
+        same_numbers(b.w[0]->carried, b.w[1]->carried, b.n / 2, TOL(1e-11, 2e-4));
+        for (int i = 0; i < 2; i++) {
+            b.w[i]->carried = NULL;
+            b.w[i]->measure.metric = 0;
+            memcpy(b.w[i]->d, b.d[i], b.n * sizeof **b.d);
+            sp__system_sizes(b.w[i], b.y[i]);
+        }
+        if (scene_of[k].mode == SP__PLANE) same_numbers(b.w[0]->measure.size, b.w[1]->measure.size, b.n / 3, TOL(1e-11, 2e-4));
+        test_arena.used = mark.used;
+    }
+}
+
+/* D of every vertex, symmetric as the scene is: along n, and in the plane where there is one. */
+static int give_law(both *b)
+{
+    sp_real *D = sp__take(&test_arena, (size_t)b->pb[0].points, 6 * sizeof *D);
+    if (!CHECK(D != NULL)) return 0;
+    memset(D, 0, 6 * (size_t)b->pb[0].points * sizeof *D);
+    for (int32_t c = 0; c < b->pb[0].contacts; c++) {
+        const sp_contact *t = &b->pb[0].contact[c];
+        for (int32_t v = t->point; v < t->point + t->points; v++) {
+            const int32_t image = b->o->image[v];
+            if (image < v) continue;
+            D[6 * v] = D[6 * image] = test_random_real(0.1, 1);
+            if (b->o->mode != SP__PLANE) continue;
+            D[6 * v + 3] = D[6 * image + 3] = test_random_real(0.1, 1);
+            D[6 * v + 5] = D[6 * image + 5] = D[6 * v + 3];
+        }
+    }
+    b->w[0]->law.given = b->w[1]->law.given = D;
+    return 1;
+}
+
+TEST(Hessian_in_3_rows_is_that_in_6)
+{
+    static const sp__law law[] = { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN };
+    for (int q = 0; q < 3 * SCENES * POINTS; q++) {
+        const int k = q / 3 % SCENES;
+        const sp_arena mark = test_arena;
+        both b;
+        if (law[q % 3] == SP__BILATERAL && !asks(k, SP__BILATERAL)) continue;
+        NEED(begin(&b, k, q % 2 ? SP__EXACT : SP__PENALTY));
+        NEED(give_law(&b));
+        for (int i = 0; i < 2; i++) {
+            sp__system_factor(b.w[i], law[q % 3], b.y[i], R(0.05));
+            sp__system_solve(b.w[i], b.d[i], b.x[i]);
+        }
+        same_rows(&b, b.x, TOL(1e-10, 2e-3));
+        test_arena.used = mark.used;
+    }
+}
+
+/* Gradient at y + h x. */
+static void gradient_at(both *b, int i, const sp_real *x, sp_real h, sp_real *r)
+{
+    for (size_t k = 0; k < b->n; k++) b->d[!i][k] = b->y[i][k] + h * x[k];
+    sp__system_gradient(b->w[i], SP__ADMISSIBLE, b->d[!i], r, NULL);
+}
+
+/* (H + shift) x = d for what the factor makes of d, H x by differences of gradients to both sides; in either kernel and form.
+ * Where those differ a vertex comes to an edge of its cone in between, and there is no H to compare with. */
+TEST(factor_inverts_differences_of_the_gradient)
+{
+    const sp_real h = R(TOL(1e-6, 1e-3f)), shift = R(0.5);
+    int compared = 0;
+    for (int q = 0; q < 4 * SCENES; q++) {
+        const sp_arena mark = test_arena;
+        const int i = q % 2;
+        both b;
+        NEED(begin(&b, q / 4, q / 2 % 2 ? SP__EXACT : SP__PENALTY));
+        sp_real *x = b.x[i], *here = b.x[!i], *above = b.r[i], *below = b.r[!i];
+        sp__system_factor(b.w[i], SP__ADMISSIBLE, b.y[i], shift);
+        sp__system_solve(b.w[i], b.d[i], x);
+        gradient_at(&b, i, x, 0, here);
+        gradient_at(&b, i, x, h, above);
+        gradient_at(&b, i, x, -h, below);
+        double kink = 0, size = 0;
+        for (size_t k = 0; k < b.n; k++) {
+            kink += pow((double)(above[k] - here[k] - (here[k] - below[k])) / (double)h, 2);
+            size += pow((double)b.d[i][k], 2);
+            above[k] = (above[k] - below[k]) / (2 * h) + shift * x[k];
+        }
+        test_arena.used = mark.used;
+        if (kink > TOL(1e-8, 4e-4) * size) continue;
+        same_numbers(above, b.d[i], b.n, TOL(1e-5, 3e-2));
+        compared++;
+    }
+    CHECK(compared > 3 * SCENES);
+}
+
+/* The product that the factor inverts; of the exact form, which is all it is asked for. */
+TEST(product_with_the_Hessian_in_3_rows_is_that_in_6)
+{
+    for (int k = 0; k < SCENES; k++) {
+        const sp_arena mark = test_arena;
+        both b;
+        NEED(begin(&b, k, SP__EXACT));
+        for (int i = 0; i < 2; i++) sp__system_apply(b.w[i], b.y[i], b.d[i], b.r[i]);
+        same_rows(&b, b.r, TOL(1e-11, 2e-4));
+        test_arena.used = mark.used;
+    }
+}
+
+TEST_LIST(map)
+    RUN_FULL(gradient_and_forces_in_3_rows_are_those_in_6)
+    RUN_FULL(slope_and_work_in_3_rows_are_those_in_6)
+    RUN_FULL(blocks_bear_the_same_in_3_rows_as_in_6)
+    RUN_FULL(Hessian_in_3_rows_is_that_in_6)
+    RUN_FULL(factor_inverts_differences_of_the_gradient)
+    RUN_FULL(product_with_the_Hessian_in_3_rows_is_that_in_6)
+TEST_END
