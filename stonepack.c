@@ -205,7 +205,7 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     if (!status && islands) status = sp__islands_certify(scene, islands, whole, &a);
     if (status) return status;
     sp__check_close(scene, whole);
-    whole->r.peak_bytes = arena->peak = a.peak;
+    whole->r.spent.peak_bytes = arena->peak = a.peak;
     arena->used = whole->r.coupled.proof.nodes ? whole->kept : whole->arrays;
     *result = whole->r;
     return SP_OK;

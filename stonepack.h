@@ -445,7 +445,7 @@ typedef struct sp_coupled {
     sp_proof proof;             /* of a refuted, unless statics refute it; behind all other arrays */
     sp_real margin;             /* of the proof, > 0: what is left of its weakest leaf when all that a triple may be
                                    out by, and rounding, are taken off                                                   [1] */
-    sp_cost cost;               /* of this check alone; also in result.cost */
+    sp_cost cost;               /* of this check alone; also in result.spent */
 } sp_coupled;
 
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. An
@@ -459,6 +459,32 @@ typedef struct sp_island {
     int32_t block, blocks;      /* its first block, how many it has */
 } sp_island;
 
+/* What its joints carry at most, and which of them is worst off. */
+typedef struct sp_extremes {
+    sp_real compression;        /* largest fn of a corner [N] */
+    sp_real tension;            /* largest demanded tension [N] */
+    sp_real utilisation;        /* largest of the joints' [1] */
+    sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
+    int32_t weakest;            /* joint: most help demanded, else highest utilisation; -1 if there is none */
+} sp_extremes;
+
+/* What took part: free blocks, the joints that touch one, and their corners. */
+typedef struct sp_counts { int32_t free_blocks, joints, points; } sp_counts;
+
+/* Islands, which are checked one by one: the verdict of all is that of the worst. */
+typedef struct sp_islands {
+    int32_t count;              /* 1: solved as one, 0: nothing to solve */
+    int32_t *of;                /* per block of the scene: its island, -1: a support; NULL where count < 2 */
+    sp_island *each;            /* count of them, in the order of their first blocks; NULL where count < 2 */
+} sp_islands;
+
+/* What a check took. */
+typedef struct sp_spent {
+    sp_cost total;              /* all stages */
+    sp_cost by_stage[SP_STAGES_MAX];        /* in the order of settings.stage */
+    size_t peak_bytes;          /* of the arena */
+} sp_spent;
+
 struct sp_result {
     sp_verdict verdict;
     sp_level level;             /* of a STABLE, else SP_NONE */
@@ -466,32 +492,24 @@ struct sp_result {
     int32_t final;              /* of an UNSTABLE: no force of any size would do, for the true cone */
     int32_t verified;           /* the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided */
-    sp_real tol, force_bound;   /* in force */
-    sp_real imbalance;              /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
+    sp_real imbalance;          /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
                                    (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
     sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
-    int32_t free_blocks, joints, points;    /* that took part */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
                                    of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
                                    displacement is the largest distance of a joint from its block's centroid          [m, 1] */
+    sp_demand *demand;          /* per joint; zero where not asked for */
+    sp_extremes extremes;
+    sp_real tol, force_bound;   /* in force */
+    sp_effect missing;          /* of SP_REASON_EFFECT: what was left out */
+    sp_effect_why effect[SP_EFFECTS];           /* what was simulated and what not, by sp_effect */
+    sp_counts counts;
+    sp_islands islands;
+    sp_coupled coupled;
+    sp_spent spent;
     sp_real *y0;                /* 12 x free blocks: potential of the bilateral force in two parts of 6, large and small (one
                                    part alone loses a pebble beside a cathedral); a hint for sp_verify */
-    sp_demand *demand;          /* per joint; zero where not asked for */
-    sp_real max_compression;    /* largest fn [N] */
-    sp_real max_tension;        /* largest demanded tension [N] */
-    sp_real max_utilisation;    /* largest of the joints' [1] */
-    sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
-    int32_t weakest;            /* joint: most help demanded, else highest utilisation; -1 if there is none */
-    sp_cost cost;               /* all stages */
-    sp_cost by_stage[SP_STAGES_MAX];
-    sp_coupled coupled;
-    sp_effect_why effect[SP_EFFECTS];           /* what was simulated and what not, by sp_effect */
-    sp_effect missing;          /* of SP_REASON_EFFECT: what was left out */
-    int32_t islands;            /* checked one by one: the verdict is that of the worst; 1: solved as one, 0: nothing to solve */
-    int32_t *island;            /* per block of the scene: its island, -1: a support; NULL where islands < 2 */
-    sp_island *part;            /* islands of them, in the order of their first blocks; NULL where islands < 2 */
-    size_t peak_bytes;          /* of the arena */
 };
 
 /* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
@@ -1316,8 +1334,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
  *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
  *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
- *                   is at its LIMIT; demand, effect, max_compression, max_tension and max_utilisation stay 0 and weakest -1
- *                   (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
+ *                   is at its LIMIT; demand, effect and extremes stay 0, weakest -1 (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
  *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
  *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
  *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.

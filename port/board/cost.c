@@ -53,7 +53,7 @@ static void row(const scene_entry *e, int l, double tol)
         return;
     }
     board_print("%-20s %-14s %.0e  %-10s %9lu %8lu %8lu %6u\n", e->title, ladders[l].name, tol, sp_verdict_text(r.verdict),
-                (unsigned long)(work / 1000), (unsigned long)taken, (unsigned long)(r.peak_bytes - taken), board_depth());
+                (unsigned long)(work / 1000), (unsigned long)taken, (unsigned long)(r.spent.peak_bytes - taken), board_depth());
 }
 
 int main(void)

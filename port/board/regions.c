@@ -31,7 +31,7 @@ static sp_status stands(void *memory, sp_arena *work, sp_result *r, size_t *stay
     if (!status) status = sp_memory(&scene, SP_FOR_CHECK, &set, arena, stays);
     if (!status) status = sp_memory(&scene, SP_FOR_WORK, &set, arena, goes);
     if (!status) status = sp_check(&scene, &set, &arena, r);
-    return !status && r->peak_bytes - before != *stays ? SP_E_MEMORY : status;
+    return !status && r->spent.peak_bytes - before != *stays ? SP_E_MEMORY : status;
 }
 
 int main(void)
@@ -42,7 +42,7 @@ int main(void)
     sp_arena_init(&work, fast, sizeof fast);
     const sp_status status = stands(large, &work, &apart, &stays, &goes), again = stands(other, NULL, &one, &all, &none);
     if (status || again) { board_print("%s, %s\n", sp_status_text(status), sp_status_text(again)); return 1; }
-    const int same = apart.verdict == one.verdict && !memcmp(apart.f, one.f, 3 * (size_t)one.points * sizeof *one.f);
+    const int same = apart.verdict == one.verdict && !memcmp(apart.f, one.f, 3 * (size_t)one.counts.points * sizeof *one.f);
     board_print("%s: %u bytes at %lx, %u at %lx; in one: %u, %s\n", sp_verdict_text(apart.verdict), (unsigned)stays,
                 (unsigned long)(uintptr_t)large, (unsigned)goes, (unsigned long)(uintptr_t)fast, (unsigned)all,
                 same ? "the same bits" : "other bits");

@@ -117,8 +117,8 @@ static sp_verdict stands(sp_scene *scene, sp_real x, sp_real y, sp_arena scratch
         return SP_UNDECIDED;
     }
     a->checks++;
-    a->flops += r.cost.flops;
-    a->bytes = r.peak_bytes;
+    a->flops += r.spent.total.flops;
+    a->bytes = r.spent.peak_bytes;
     a->why = sp_reason_text(r.reason);
     return r.verdict;
 }

@@ -12,8 +12,8 @@
 SP__NOINLINE static void sp__apply_coupled_verdicts(sp__check *c)
 {
     sp_result *r = &c->r;
-    for (int32_t k = 0; r->part && k < r->islands; k++) {
-        sp_island *p = &r->part[k];
+    for (int32_t k = 0; r->islands.each && k < r->islands.count; k++) {
+        sp_island *p = &r->islands.each[k];
         sp__apply_coupled_verdict(&c->set, p->coupling, p->coupling_reason, &p->verdict, &p->reason);
     }
     if (!sp__apply_coupled_verdict(&c->set, r->coupled.verdict, r->coupled.reason, &r->verdict, &r->reason)) return;
@@ -32,7 +32,7 @@ SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_se
     sp_status status = sp__islands_count(scene, settings, *a, &counts);
     if (!status) status = sp__check_open(scene, settings, &counts, a, c);
     if (status || counts.islands < 2) return status;
-    (*c)->r.islands = counts.islands;
+    (*c)->r.islands.count = counts.islands;
     return sp__island_loop_begin(scene, *c, a, w);
 }
 
@@ -40,7 +40,7 @@ SP__NOINLINE static sp_status sp__check_begin(const sp_scene *scene, const sp_se
 SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
 {
     sp_result *r = &c->r;
-    const int32_t islands = r->islands > 1 ? r->islands : 1;
+    const int32_t islands = r->islands.count > 1 ? r->islands.count : 1;
     if (c->set.coupled.asked) sp__apply_coupled_verdicts(c);
     if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     if (r->verdict == SP_STABLE) r->level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;

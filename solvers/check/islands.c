@@ -30,8 +30,8 @@ SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, s
     if (from->verdict != SP_COUPLING_COUPLED && out->tension_ratio > -2)               /* -2: of one there is none */
         out->tension_ratio = from->tension_ratio < 0 ? (sp_real)-2 : sp__max(out->tension_ratio, from->tension_ratio);
     sp__cost_add(&out->cost, &from->cost);
-    c->r.part[k].coupling = from->verdict;
-    c->r.part[k].coupling_reason = from->reason;
+    c->r.islands.each[k].coupling = from->verdict;
+    c->r.islands.each[k].coupling_reason = from->reason;
 }
 #else
 static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c) { (void)k; (void)found; (void)c; }
@@ -62,16 +62,16 @@ SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const s
     sp_result *r = &c->r;
     sp__island_potential(rank, found, c);
     r->imbalance = sp__max(r->imbalance, from->imbalance);
-    sp__cost_add(&r->cost, &from->cost);
-    for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->by_stage[q], &from->by_stage[q]);
+    sp__cost_add(&r->spent.total, &from->spent.total);
+    for (int32_t q = 0; q < c->set.stage_count; q++) sp__cost_add(&r->spent.by_stage[q], &from->spent.by_stage[q]);
     for (int q = 0; q < SP_EFFECTS; q++)
         if (k == 0 || r->effect[q] != from->effect[q]) r->effect[q] = k ? SP_WHY_CALLED : from->effect[q];
-    memset(&r->part[k], 0, sizeof r->part[k]);
-    r->part[k].block = found->pb.block[0];
-    r->part[k].blocks = found->pb.blocks;
-    r->part[k].verdict = from->verdict;
-    r->part[k].reason = from->reason;
-    r->part[k].stage = from->stage;
+    memset(&r->islands.each[k], 0, sizeof r->islands.each[k]);
+    r->islands.each[k].block = found->pb.block[0];
+    r->islands.each[k].blocks = found->pb.blocks;
+    r->islands.each[k].verdict = from->verdict;
+    r->islands.each[k].reason = from->reason;
+    r->islands.each[k].stage = from->stage;
     if (from->reason == SP_REASON_EFFECT) r->missing = from->missing;
     if (SP__WITH_COUPLED && c->set.coupled.asked) sp__island_coupled(k, found, c);
 }
@@ -80,10 +80,10 @@ SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const s
 static int32_t sp__islands_worst(const sp_result *r)
 {
     int32_t worst = 0;
-    for (int32_t k = 1; k < r->islands; k++) {
-        const sp_verdict a = r->part[worst].verdict, b = r->part[k].verdict;
+    for (int32_t k = 1; k < r->islands.count; k++) {
+        const sp_verdict a = r->islands.each[worst].verdict, b = r->islands.each[k].verdict;
         if (a == SP_UNSTABLE || (a == SP_UNDECIDED && b != SP_UNSTABLE)) continue;
-        if (b != SP_STABLE || r->part[worst].reason == SP_REASON_NOTHING) worst = k;
+        if (b != SP_STABLE || r->islands.each[worst].reason == SP_REASON_NOTHING) worst = k;
     }
     return worst;
 }
@@ -102,11 +102,11 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
         out->margin = 0;
     }
     const int refuted = out->proof.nodes > 0;
-    for (int32_t k = r->islands - 1; k >= 0; k--)
-        if (r->part[k].coupling == SP_COUPLING_NOT_FOUND && r->part[k].coupling_reason != SP_COUPLING_STATICS) open = k;
+    for (int32_t k = r->islands.count - 1; k >= 0; k--)
+        if (r->islands.each[k].coupling == SP_COUPLING_NOT_FOUND && r->islands.each[k].coupling_reason != SP_COUPLING_STATICS) open = k;
     out->verdict = r->verdict == SP_UNSTABLE || refuted ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
     out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
-                : open >= 0 ? r->part[open].coupling_reason : SP_COUPLING_LIMIT;
+                : open >= 0 ? r->islands.each[open].coupling_reason : SP_COUPLING_LIMIT;
     if (refuted || open >= 0 || r->verdict != SP_STABLE) return SP_OK;
     sp__certifier j;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
@@ -116,7 +116,7 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
     const sp_cost cost = { SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
     sp__cost_add(&out->cost, &cost);
-    sp__cost_add(&r->cost, &cost);
+    sp__cost_add(&r->spent.total, &cost);
     if (r->imbalance > r->tol || out->residual > 1) return SP_OK;
     out->verdict = SP_COUPLING_COUPLED;
     out->reason = SP_COUPLING_MOTION;
@@ -134,9 +134,9 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     const int32_t *label = w->t.label;
     if (w->proof.nodes) r->coupled.proof = w->proof;
     r->coupled.margin = w->margin;
-    const sp_island *worst = &r->part[sp__islands_worst(r)];
+    const sp_island *worst = &r->islands.each[sp__islands_worst(r)];
     for (int32_t i = 0; i < scene->count.blocks; i++)                   /* only the motion of the islands that gave the verdict */
-        if (label[i] >= 0 && r->part[label[i]].verdict != worst->verdict)
+        if (label[i] >= 0 && r->islands.each[label[i]].verdict != worst->verdict)
             memset(r->dq + 6 * (size_t)i, 0, 6 * sizeof *r->dq);
     a->used = w->start;                                                 /* the tables are no longer needed */
     sp_status status = sp__check_problem(c, a);
@@ -148,8 +148,8 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ISLANDS_ENOUGH * r->tol))
         status = sp__check_evidence(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
-    sp__cost_add(&r->cost, &c->state.cost);
-    sp__cost_add(&r->by_stage[c->set.stage_count - 1], &c->state.cost);
+    sp__cost_add(&r->spent.total, &c->state.cost);
+    sp__cost_add(&r->spent.by_stage[c->set.stage_count - 1], &c->state.cost);
     r->verified = r->verdict != SP_UNDECIDED;
     r->stage = r->verified ? worst->stage : SP_STAGE_NONE;
     r->reason = r->verdict == worst->verdict ? worst->reason : SP_REASON_LIMIT;
@@ -186,7 +186,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
     sp__island_loop *w = sp__take(a, 1, sizeof *w);
     if (status || !w) return status ? status : SP_E_MEMORY;
     memset(w, 0, sizeof *w);
-    sp__islands_carve(&w->t, scene, c->r.islands, c->r.island, a);
+    sp__islands_carve(&w->t, scene, c->r.islands.count, c->r.islands.of, a);
     if (sp__failed(a)) return SP_E_MEMORY;
     sp__islands_fill(scene, &w->t);
     w->start = start;
@@ -198,7 +198,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
 /* Is there an island left? A proof that a later search overwrote is sought once more, after the last island. */
 static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, int32_t k)
 {
-    return k < c->r.islands + (w->proof.nodes && !w->proof_kept);
+    return k < c->r.islands.count + (w->proof.nodes && !w->proof_kept);
 }
 
 /* An island writes into the arrays of the whole, and a proof into the room that has. */
@@ -217,8 +217,8 @@ static void sp__island_results(const sp_result *whole, sp_result *r)
 SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__island_loop *w, int32_t k, const sp__check *c, sp_arena *a,
                                          sp__check **found)
 {
-    w->at = k < c->r.islands ? k : w->proof.island - 1;
-    w->again = k == c->r.islands;
+    w->at = k < c->r.islands.count ? k : w->proof.island - 1;
+    w->again = k == c->r.islands.count;
     const sp__part part = sp__islands_part(&w->t, w->at);
     const sp_status status = sp__part_open(scene, &part, &c->set, a, found);
     if (!status) sp__island_results(&c->r, &(*found)->r);
@@ -231,7 +231,7 @@ SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__c
     const sp_coupled *o = &found->r.coupled;
     sp__island_rest(found);
     if (!w->again) sp__island_keep(w->t.rank, w->at, found, c);
-    else sp__cost_add(&c->r.cost, &found->r.cost);
+    else sp__cost_add(&c->r.spent.total, &found->r.spent.total);
     w->proof_kept &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
     if (o->proof.nodes) {
         w->proof = o->proof;

@@ -15,7 +15,7 @@
 /* Flops that are left of the budget. */
 static int64_t sp__budget_left(const sp_settings *set, const sp_result *r)
 {
-    return set->budget > 0 ? set->budget - r->cost.flops : INT64_MAX / 4;
+    return set->budget > 0 ? set->budget - r->spent.total.flops : INT64_MAX / 4;
 }
 
 /* Drop forces smaller than `share` of the largest component: on a block without load even tiny ones spoil its balance, which is
@@ -164,8 +164,8 @@ SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_set
         r->reason = SP_REASON_EFFECT;
         r->missing = SP_EFFECT_DEPTH;
     }
-    sp__cost_add(&r->by_stage[k], &state->cost);
-    sp__cost_add(&r->cost, &state->cost);
+    sp__cost_add(&r->spent.by_stage[k], &state->cost);
+    sp__cost_add(&r->spent.total, &state->cost);
     return status;
 }
 
@@ -186,7 +186,7 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
     const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, &room, &claim);
     if (status) return status;
     sp__work_close(set, a, &room);
-    r->tension_ratio = state->tension_ratio;
+    r->extremes.tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
         const sp_status judged = sp__check_evidence(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
@@ -200,8 +200,8 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
             r->missing = SP_EFFECT_FRICTION;
         }
     }
-    sp__cost_add(&r->by_stage[k], &state->cost);
-    sp__cost_add(&r->cost, &state->cost);
+    sp__cost_add(&r->spent.by_stage[k], &state->cost);
+    sp__cost_add(&r->spent.total, &state->cost);
     return SP_OK;
 }
 

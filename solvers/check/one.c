@@ -15,7 +15,7 @@ SP__NOINLINE static sp_status sp__find_missing_tension(const sp_problem *pb, con
     state->left = sp__budget_left(set, r);
     sp_arena room = sp__work_open(set, a);
     const sp_status status = sp__penalty_run(pb, set, state, &room, r->demand);
-    sp__cost_add(&r->cost, &state->cost);
+    sp__cost_add(&r->spent.total, &state->cost);
     sp__work_close(set, a, &room);
     return status;
 }
@@ -62,7 +62,7 @@ SP__NOINLINE static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
         status = sp__coupled_run(&c->pb, &c->set, &c->state, a, r);
     sp__points_write(&c->pb, 3, c->state.f, r->f);
     a->used = mark;
-    sp__cost_add(&r->cost, &out->cost);
+    sp__cost_add(&r->spent.total, &out->cost);
     if (out->verdict == SP_COUPLING_COUPLED && c->pb.blocks && !out->rounds) r->effect[SP_EFFECT_COUPLED] = SP_WHY_FOREST;
     return status;
 }
@@ -90,17 +90,17 @@ static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
 /* The numbers of a result of which nothing is known yet; b free blocks. */
 static void sp__result_start(sp_result *r, const sp_settings *set, int32_t b, int32_t contacts, int32_t points)
 {
-    r->tension_ratio = r->coupled.tension_ratio = -1;
+    r->extremes.tension_ratio = r->coupled.tension_ratio = -1;
     if (set->budget > 0 || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;         /* of no forces at all */
     r->tol = set->tol;
     r->force_bound = set->force_bound;
-    r->free_blocks = b;
-    r->joints = contacts;
-    r->points = points;
+    r->counts.free_blocks = b;
+    r->counts.joints = contacts;
+    r->counts.points = points;
     r->verdict = b ? SP_UNDECIDED : SP_STABLE;
     r->reason = b ? SP_REASON_STAGES : SP_REASON_NOTHING;
     r->verified = !b;
-    r->islands = b ? 1 : 0;
+    r->islands.count = b ? 1 : 0;
 }
 
 /* Arrays of a result that are there, zero. */
@@ -132,7 +132,7 @@ SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_set
     memset(c, 0, sizeof *c);
     c->pb = count;
     c->r.f = arrays.f; c->r.dq = arrays.dq; c->r.y0 = arrays.y0; c->r.demand = arrays.demand;
-    c->r.island = arrays.island; c->r.part = arrays.part;
+    c->r.islands.of = arrays.island; c->r.islands.each = arrays.part;
     c->r.coupled.dq = arrays.cdq;
     c->r.coupled.alpha = arrays.alpha;
     c->r.coupled.penalty = arrays.penalty;

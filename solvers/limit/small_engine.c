@@ -45,7 +45,7 @@ static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena
 }
 
 static int sp__engine_left(const sp__engine *g, const sp__bracket *b) { (void)g; (void)b; return 1; }
-static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)b; return &g->at.cost; }
+static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)b; return &g->at.spent.total; }
 
 /* Multiple at which the largest dead and live loads are of one size. */
 static sp_real sp__engine_reference(sp__bracket *b)

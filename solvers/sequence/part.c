@@ -75,7 +75,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real
     sp_status status = sp__part_begin(q, f, dq, &a, c);
     if (status) return status;
     if ((*c)->pb.blocks) status = sp__run_stages(&(*c)->pb, &(*c)->set, &(*c)->state, &a, &(*c)->r);
-    sp__cost_add(&q->cost, &(*c)->r.cost);
+    sp__cost_add(&q->cost, &(*c)->r.spent.total);
     return status;
 }
 

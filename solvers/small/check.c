@@ -189,7 +189,7 @@ static void sp__small_factor(sp__small *w, sp_real shift)
         h[i] += shift;
     }
     sp__envelope_factor(w->H, w->row, n, 4 * (sp_real)SP_EPSILON);
-    w->to->cost.factorisations++;
+    w->to->spent.total.factorisations++;
 }
 
 /* x <- (L L')^-1 s b; x may be b. */
@@ -310,7 +310,7 @@ SP__NOINLINE static sp_real sp__small_move(sp__small *w)
 SP__NOINLINE static sp_real sp__small_step(sp__small *w, sp_real shift)
 {
     w->left--;
-    w->to->cost.iterations++;
+    w->to->spent.total.iterations++;
     sp__small_sweep(w, w->y, SP__HESSIAN);
     sp__small_factor(w, w->prox + shift);
     if (w->stalled) {
@@ -416,7 +416,7 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
         if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
         sp__check_motion(&w->j, r->dq);
     }
-    r->cost.flops = w->flops * r->cost.factorisations
+    r->spent.total.flops = w->flops * r->spent.total.factorisations
                   + (SP__FLOPS_VERTEX * (int64_t)w->sweeps + SP__FLOPS_CERTIFICATE * (int64_t)w->j.sweeps) * w->pb->points;
     return 1;
 }
@@ -425,9 +425,9 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 SP__NOINLINE static void sp__small_finish(sp_result *r)
 {
     r->verified = r->verdict != SP_UNDECIDED;
-    r->stage = r->verdict && r->free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;
+    r->stage = r->verdict && r->counts.free_blocks ? SP_STAGE_EXACT : SP_STAGE_NONE;
     r->reason = r->verdict == SP_UNSTABLE ? SP_REASON_MECHANISM : r->verdict != SP_STABLE ? SP_REASON_LIMIT
-              : r->free_blocks ? SP_REASON_FORCES : SP_REASON_NOTHING;
+              : r->counts.free_blocks ? SP_REASON_FORCES : SP_REASON_NOTHING;
     r->level = r->verdict == SP_STABLE ? SP_ADMISSIBLE : SP_NONE;
     if (r->verdict != SP_UNSTABLE) r->final = 0;
 }
@@ -467,19 +467,19 @@ SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp
     r->demand = demand;
     r->tol = c->set.tol;
     r->force_bound = c->set.force_bound;
-    r->free_blocks = c->pb.blocks;
-    r->joints = c->pb.contacts;
-    r->points = sp__points_count(scene);
-    r->tension_ratio = r->coupled.tension_ratio = -1;
-    r->weakest = -1;
-    r->islands = c->pb.blocks > 0;
-    if (!r->islands) r->verdict = SP_STABLE;
+    r->counts.free_blocks = c->pb.blocks;
+    r->counts.joints = c->pb.contacts;
+    r->counts.points = sp__points_count(scene);
+    r->extremes.tension_ratio = r->coupled.tension_ratio = -1;
+    r->extremes.weakest = -1;
+    r->islands.count = c->pb.blocks > 0;
+    if (!r->islands.count) r->verdict = SP_STABLE;
     w->pb = &c->pb; w->set = &c->set; w->to = r;
-    if (!sp__small_carve(w, &c->pb, &a, &a) || (r->islands && !sp__small_run(w, &a))) return SP_E_MEMORY;
+    if (!sp__small_carve(w, &c->pb, &a, &a) || (r->islands.count && !sp__small_run(w, &a))) return SP_E_MEMORY;
     sp__small_finish(r);
-    r->by_stage[c->set.stage_count - 1] = r->cost;
+    r->spent.by_stage[c->set.stage_count - 1] = r->spent.total;
     if (work) work->peak = a.peak; else kept.peak = a.peak;
-    r->peak_bytes = kept.peak;
+    r->spent.peak_bytes = kept.peak;
     *arena = kept;
     *result = *r;
     return SP_OK;

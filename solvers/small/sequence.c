@@ -99,9 +99,9 @@ SP__NOINLINE static sp_verdict sp__sequence_check(sp_sequence *q)
         if (q->who[s->joint[k].a] && q->who[s->joint[k].b]) q->part.joint[q->part.count.joints++] = s->joint[k];
     q->r.verdict = SP_UNDECIDED;
     sp_check(&q->part, &q->set, &a, &q->r);
-    q->cost.flops += q->r.cost.flops;
-    q->cost.iterations += q->r.cost.iterations;
-    q->cost.factorisations += q->r.cost.factorisations;
+    q->cost.flops += q->r.spent.total.flops;
+    q->cost.iterations += q->r.spent.total.iterations;
+    q->cost.factorisations += q->r.spent.total.factorisations;
     q->tries++;
     return q->r.verdict;
 }
@@ -129,8 +129,8 @@ static void sp__sequence_step(sp_sequence *q, sp_step *step)
         const sp_real moves = sp__norm3(r->dq + 6 * (size_t)b);
         if (sp__free_now(q, b) && moves > most) { most = moves; step->block = b; }
     }
-    step->islands = step->checked = r->islands;
-    step->blocks = step->again = r->free_blocks;
+    step->islands = step->checked = r->islands.count;
+    step->blocks = step->again = r->counts.free_blocks;
     step->imbalance = r->imbalance;
     step->least_imbalance = r->least_imbalance;
     step->f = r->f;

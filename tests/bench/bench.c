@@ -249,7 +249,7 @@ static void print(bench *b, job *j)
     if (j->what == CHECK) {
         const sp_result *r = &j->result;
         printf("%s,%d,%.2e,%ld,%ld,%lld", sp_verdict_text(r->verdict), (int)r->verified, (double)r->imbalance,
-               (long)r->cost.factorisations, (long)r->cost.iterations, (long long)r->cost.flops);
+               (long)r->spent.total.factorisations, (long)r->spent.total.iterations, (long long)r->spent.total.flops);
     } else if (j->what == VERIFY) printf("%s,,%.2e,,,", sp_verdict_text(j->evidence.verdict), (double)j->evidence.imbalance);
     else printf(",,,,,");
     printf(",%lu,%.0f,%d,%.4g,%.4g\n", (unsigned long)j->bytes, (double)j->bytes / n->points, b->runs, 1e3 * j->seconds[0], ms);
@@ -380,7 +380,7 @@ static void wall(bench *b, const char *size, const wall_load *l, int quick, tall
     scene(b, flat, quick, t);
     if (flat) {
         const job *j = &b->job[b->claim];
-        const fit f = { b->scene.count.joints, 1e3 * j->seconds[b->runs / 2], (double)j->result.cost.flops };
+        const fit f = { b->scene.count.joints, 1e3 * j->seconds[b->runs / 2], (double)j->result.spent.total.flops };
         growth[(*points)++] = f;
     }
     free(arena.base);

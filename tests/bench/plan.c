@@ -55,7 +55,7 @@ static double run(const sp_scene *s, const sp_settings *set, sp_result *r)
     if (sp_check(s, set, &a, r)) exit(70);
     const double seconds = now() - start;
     free(memory);                                       /* the result's arrays with it */
-    r->peak_bytes = bytes;
+    r->spent.peak_bytes = bytes;
     return seconds;
 }
 
@@ -70,14 +70,14 @@ static row *find(const char *name, int first)
 
 static void count(row *o, const sp_result r[2], const double seconds[2])
 {
-    const double ratio = r[0].cost.flops > 0 ? (double)r[1].cost.flops / (double)r[0].cost.flops : 1;
+    const double ratio = r[0].spent.total.flops > 0 ? (double)r[1].spent.total.flops / (double)r[0].spent.total.flops : 1;
     o->least = o->scenes && o->least < ratio ? o->least : ratio;
     o->scenes++;
     o->agree += r[0].verdict == r[1].verdict;
     for (int k = 0; k < 2; k++) {
         o->seconds[k] += seconds[k];
-        o->flops[k] += (double)r[k].cost.flops;
-        o->bytes[k] += (double)r[k].peak_bytes;
+        o->flops[k] += (double)r[k].spent.total.flops;
+        o->bytes[k] += (double)r[k].spent.peak_bytes;
     }
 }
 
@@ -86,7 +86,7 @@ static const char *decided(const sp_result *r)
     const int plane = r->effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR, plumb = r->effect[SP_EFFECT_FRICTION] == SP_WHY_PRESSURE;
     if (plane) return r->verdict == SP_STABLE ? "in the plane, stable" : "in the plane, unstable";
     if (plumb) return r->verdict == SP_STABLE ? "by pressure alone, stable" : "by pressure alone, unstable";
-    return r->islands > 1 ? "by islands, not all of one kind" : "with all effects";
+    return r->islands.count > 1 ? "by islands, not all of one kind" : "with all effects";
 }
 
 static void check(const char *name, const sp_scene *s, const sp_settings *set, int told)

@@ -49,7 +49,7 @@ static sp_result check(const sp_scene *s, const sp_settings *set)
 static int64_t stages_flops(const sp_result *r)
 {
     int64_t sum = 0;
-    for (int k = 0; k < SP_STAGES_MAX; k++) sum += r->by_stage[k].flops;
+    for (int k = 0; k < SP_STAGES_MAX; k++) sum += r->spent.by_stage[k].flops;
     return sum;
 }
 
@@ -75,11 +75,11 @@ static void sweep(const budget_case *c, int steps, sp_choice choice)
     int better = 0;
     if (slow(c)) steps = SOME_OF(steps, 2);
     for (int k = 1; k <= steps + beyond; k++) {
-        set.budget = (int64_t)((double)all.cost.flops * (k <= steps ? 0.9936 * k / steps : 1.0571 + 2.0 / beyond * (k - steps))) + 1;
+        set.budget = (int64_t)((double)all.spent.total.flops * (k <= steps ? 0.9936 * k / steps : 1.0571 + 2.0 / beyond * (k - steps))) + 1;
         test_arena.used = mark;
         const sp_result r = check(&s, &set);
-        CHECK(r.cost.flops <= set.budget);
-        CHECK(stages_flops(&r) <= r.cost.flops);
+        CHECK(r.spent.total.flops <= set.budget);
+        CHECK(stages_flops(&r) <= r.spent.total.flops);
         if (last.verdict) CHECK_INT(r.verdict, last.verdict);
         if (r.verdict == SP_STABLE || !r.verdict) {
             if (!CHECK(r.imbalance <= R(SLACK) * last.imbalance + 16 * (sp_real)SP_EPSILON))
@@ -87,7 +87,7 @@ static void sweep(const budget_case *c, int steps, sp_choice choice)
             better += r.imbalance < last.imbalance;
         }
         CHECK(r.final >= last.final);
-        if (!r.verdict) CHECK(r.reason == SP_REASON_BUDGET || r.cost.flops == all.cost.flops || r.reason == all.reason);
+        if (!r.verdict) CHECK(r.reason == SP_REASON_BUDGET || r.spent.total.flops == all.spent.total.flops || r.reason == all.reason);
         last = r;
     }
     CHECK(better > 0 || all.verdict == SP_UNSTABLE);
@@ -118,7 +118,7 @@ TEST(a_plan_keeps_to_a_budget_and_decides_with_less_of_it)
         NEED(scene_of(&cases[k], &s));
         const sp_result all = check(&s, &set);
         for (int q = 0; q < SP_EFFECTS_FORCED; q++) planned.effect[q] = SP_PLANNED;
-        planned.budget = set.budget = all.cost.flops / 2;
+        planned.budget = set.budget = all.spent.total.flops / 2;
         const sp_result r = check(&s, &planned);
         CHECK(!r.verdict || !all.verdict || r.verdict == all.verdict);
         less += r.verdict && !check(&s, &set).verdict;
@@ -149,7 +149,7 @@ TEST(a_budget_of_next_to_nothing_is_no_verdict)
         const sp_result r = check(&s, &set);
         CHECK_INT(r.verdict, SP_UNDECIDED);
         CHECK_INT(r.reason, SP_REASON_BUDGET);
-        CHECK(r.cost.flops <= budget);
+        CHECK(r.spent.total.flops <= budget);
         CHECK_NEAR(r.imbalance, 1, 1e-12);
     }
 }
@@ -162,13 +162,13 @@ TEST(the_penalty_program_keeps_to_what_is_left)
     sp_settings set = settings_of(&c);
     test_arena.used = 0;
     NEED(scene_of(&c, &s));
-    const int64_t all = check(&s, &set).cost.flops;
+    const int64_t all = check(&s, &set).spent.total.flops;
     const size_t mark = test_arena.used;
     for (int k = 1; k <= 24; k++) {
         test_arena.used = mark;
         set.budget = all / 20 * k + 1;
         const sp_result r = check(&s, &set);
-        CHECK(r.cost.flops <= set.budget);
+        CHECK(r.spent.total.flops <= set.budget);
     }
 }
 #endif
@@ -192,10 +192,10 @@ TEST(a_coupled_check_keeps_to_its_budget_and_more_of_it_takes_no_answer_back)
         sp_coupling last = SP_COUPLING_NOT_FOUND;
         sp_result r = all;
         for (int n = 1; n <= 24; n++) {
-            set.budget = (int64_t)((double)all.cost.flops * (n < 17 ? 0.0621 * n : 1.0571 + 0.25 * (n - 16))) + 1;
+            set.budget = (int64_t)((double)all.spent.total.flops * (n < 17 ? 0.0621 * n : 1.0571 + 0.25 * (n - 16))) + 1;
             test_arena.used = mark;
             r = check(&s, &set);
-            CHECK(r.cost.flops <= set.budget);
+            CHECK(r.spent.total.flops <= set.budget);
             if (last != SP_COUPLING_NOT_FOUND) CHECK_INT(r.coupled.verdict, last);
             if (r.verdict && r.coupled.verdict == SP_COUPLING_NOT_FOUND) CHECK_INT(r.coupled.reason, SP_COUPLING_BUDGET);
             if (r.level == SP_COUPLED) {

@@ -43,7 +43,7 @@ static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
 #ifdef SP_NO_IPM
 #define ENDED 1
 #else
-#define ENDED (r.cost.factorisations <= 120 && r.cost.flops <= (int64_t)4e9)
+#define ENDED (r.spent.total.factorisations <= 120 && r.spent.total.flops <= (int64_t)4e9)
 #endif
 
 /* The two of 1000 stones, half the work of the battery; in double they are always asked. */
@@ -62,7 +62,7 @@ TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
         if (c->flags & SKIP || (ARCHES(c) && sizeof(sp_real) == 4 && !test_long) || !hard_check(c, &set, &r)) continue;
         const int held = CHECK(hard_right(c, &r) || c->flags & HARD_LIMIT || (c->flags & OPEN && !r.verdict));
         if (r.verdict) CHECK(r.verified);
-        if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.cost.factorisations, (double)r.cost.flops);
+        if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.spent.total.factorisations, (double)r.spent.total.flops);
         if (!held) TEST_PRINT("    %s: %s, omega %.2g, proved %.2g\n", c->name, sp_verdict_text(r.verdict), (double)r.imbalance, (double)r.least_imbalance);
     }
 }

@@ -161,7 +161,7 @@ TEST(the_same_scene_twice_gives_the_same_bits)
         int same = 1;
         for (size_t i = 0; i < sizeof(sp_real) * 3 * (size_t)s.count.points; i++) same = same && a[i] == b[i];
         CHECK(same);
-        CHECK_INT(r1.cost.flops, r2.cost.flops);
+        CHECK_INT(r1.spent.total.flops, r2.spent.total.flops);
     }
 }
 

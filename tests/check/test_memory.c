@@ -58,7 +58,7 @@ TEST(sp_memory_is_exact)
         sp_arena a = fenced_arena(&f);
         CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_OK);
         CHECK(fence_holds(&f));
-        CHECK_INT(result.peak_bytes, bytes);
+        CHECK_INT(result.spent.peak_bytes, bytes);
         CHECK(a.peak <= bytes);
 
         f = fence(bytes - 1);
@@ -68,7 +68,7 @@ TEST(sp_memory_is_exact)
         CHECK(fence_holds(&f));
         CHECK_INT(a.used, 0);
         CHECK_INT(a.cap, bytes - 1);
-        CHECK(result.f == before.f && result.verdict == before.verdict && result.peak_bytes == before.peak_bytes);
+        CHECK(result.f == before.f && result.verdict == before.verdict && result.spent.peak_bytes == before.spent.peak_bytes);
     }
 }
 
@@ -98,10 +98,10 @@ TEST(stages_can_work_in_another_memory)
         sp_arena near = fenced_arena(&f);
         NEED(sp_check(&scene, &set, &near, &two) == SP_OK);
         CHECK(fence_holds(&f));
-        CHECK_INT(two.peak_bytes, bytes);
+        CHECK_INT(two.spent.peak_bytes, bytes);
         CHECK_INT(far.peak, work);
         CHECK_INT(far.used, 0);
-        CHECK(one.verdict == two.verdict && one.reason == two.reason && one.cost.flops == two.cost.flops);
+        CHECK(one.verdict == two.verdict && one.reason == two.reason && one.spent.total.flops == two.spent.total.flops);
         CHECK_INT(memcmp(one.f, two.f, 3 * (size_t)scene.count.points * sizeof *one.f), 0);
         CHECK_INT(memcmp(one.dq, two.dq, 6 * (size_t)scene.count.blocks * sizeof *one.dq), 0);
 
@@ -163,7 +163,7 @@ TEST(what_gates_decide_takes_no_more)
         }
         if (!TEST_SMALL) CHECK_INT(r.reason, kind == 2 ? SP_REASON_NOTHING : SP_REASON_NO_CONTACT);
         if (kind < 2) CHECK_INT(least, bytes);
-        else CHECK(least <= bytes && r.peak_bytes == least);
+        else CHECK(least <= bytes && r.spent.peak_bytes == least);
     }
 }
 

@@ -109,19 +109,19 @@ TEST(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
         int32_t moving = 0;
         CHECK_INT(r.verdict, SP_UNSTABLE);
         CHECK_INT(r.reason, SP_REASON_MECHANISM);
-        CHECK_INT(r.islands, 2);
-        NEED(r.part && r.island);
-        CHECK_INT(r.part[0].verdict, SP_STABLE);
-        CHECK_INT(r.part[0].reason, SP_REASON_FORCES);
-        CHECK_INT(r.part[1].verdict, SP_UNSTABLE);
-        CHECK_INT(r.part[0].blocks + r.part[1].blocks, r.free_blocks);
-        CHECK_INT(r.island[r.part[1].block], 1);
+        CHECK_INT(r.islands.count, 2);
+        NEED(r.islands.each && r.islands.of);
+        CHECK_INT(r.islands.each[0].verdict, SP_STABLE);
+        CHECK_INT(r.islands.each[0].reason, SP_REASON_FORCES);
+        CHECK_INT(r.islands.each[1].verdict, SP_UNSTABLE);
+        CHECK_INT(r.islands.each[0].blocks + r.islands.each[1].blocks, r.counts.free_blocks);
+        CHECK_INT(r.islands.of[r.islands.each[1].block], 1);
         for (int32_t i = 0; i < s.count.blocks; i++) {
             const sp_real *dq = r.dq + 6 * (size_t)i;
             int goes = 0;
             for (int q = 0; q < 6; q++) goes |= dq[q] < 0 || dq[q] > 0;
-            CHECK_INT(r.island[i] < 0, s.block[i].fixed == SP_FIXED);
-            CHECK(!goes || r.island[i] == 1);
+            CHECK_INT(r.islands.of[i] < 0, s.block[i].fixed == SP_FIXED);
+            CHECK(!goes || r.islands.of[i] == 1);
             moving += goes;
         }
         CHECK(moving > 0);
@@ -145,11 +145,11 @@ TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
         add(&s, &b, 10, plain);
         sp_arena rest = test_arena;
         const sp_result r = check(&s, NULL, &rest);
-        NEED(r.part != NULL);
+        NEED(r.islands.each != NULL);
         for (int q = 0; q < 2; q++)
-            if (want[k].verdict[q] != SP_UNDECIDED) CHECK_INT(r.part[q].verdict, want[k].verdict[q]);
+            if (want[k].verdict[q] != SP_UNDECIDED) CHECK_INT(r.islands.each[q].verdict, want[k].verdict[q]);
         if (want[k].verdict[0] != SP_UNDECIDED) CHECK_INT(r.verdict, want[k].verdict[2]);
-        CHECK(r.part[0].verdict != SP_UNSTABLE || r.verdict == SP_UNSTABLE);
+        CHECK(r.islands.each[0].verdict != SP_UNSTABLE || r.verdict == SP_UNSTABLE);
         CHECK_INT(full(&s, NULL, &rest).verdict, r.verdict);
     }
 }
@@ -202,7 +202,7 @@ TEST(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
         const sp_arena fresh = exact;
         sp_result r, other_way;
         CHECK_INT(sp_check(&s, NULL, &exact, &r), SP_OK);
-        CHECK_INT(r.peak_bytes, bytes);
+        CHECK_INT(r.spent.peak_bytes, bytes);
         const sp_verdict verdict = r.verdict;
         exact = fresh;
         exact.cap = bytes - 1;
@@ -228,8 +228,8 @@ TEST(a_coupled_check_of_islands_answers_as_of_the_whole)
         set.coupled.asked = 1;
         sp_arena a = test_arena;
         const sp_result r = check(&s, &set, &a), f = full(&s, &set, &a);
-        CHECK_INT(r.islands, 2);
-        CHECK_INT(f.islands, 1);
+        CHECK_INT(r.islands.count, 2);
+        CHECK_INT(f.islands.count, 1);
         CHECK_INT(r.coupled.verdict, f.coupled.verdict);
         CHECK_INT(r.verdict, f.verdict);
     }
@@ -262,12 +262,12 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
     CHECK_INT(r.reason, SP_REASON_NO_MOTION);
     CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
     CHECK(r.coupled.margin > 0 && r.verified);
-    CHECK_INT(r.islands, 7);
-    for (int32_t k = 0; k < r.islands; k++) {
-        CHECK_INT(r.part[k].verdict, SP_UNSTABLE);
-        CHECK_INT(r.part[k].reason, SP_REASON_NO_MOTION);
-        CHECK_INT(r.part[k].coupling, SP_COUPLING_REFUTED);
-        CHECK_INT(r.part[k].coupling_reason, SP_COUPLING_NO_MOTION);
+    CHECK_INT(r.islands.count, 7);
+    for (int32_t k = 0; k < r.islands.count; k++) {
+        CHECK_INT(r.islands.each[k].verdict, SP_UNSTABLE);
+        CHECK_INT(r.islands.each[k].reason, SP_REASON_NO_MOTION);
+        CHECK_INT(r.islands.each[k].coupling, SP_COUPLING_REFUTED);
+        CHECK_INT(r.islands.each[k].coupling_reason, SP_COUPLING_NO_MOTION);
     }
     test_arena = a;
     a = behind(test_bytes(&s, SP_FOR_VERIFY, NULL));
@@ -297,10 +297,10 @@ TEST(what_refutes_one_island_is_no_proof_against_another)
     for (int32_t k = 0; k < 2; k++) s.joint[s.count.joints - 1 - k].strength.mu = R(1.2);      /* the last of them jams */
     sp_arena a = test_arena;
     sp_result r = check(&s, &set, &a);
-    CHECK_INT(r.islands, 4);
+    CHECK_INT(r.islands.count, 4);
     CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
     CHECK_INT(r.coupled.proof.island, 2);
-    for (int32_t k = 0; k < 4; k++) CHECK_INT(r.part[k].verdict, k == 1 ? SP_UNSTABLE : SP_STABLE);
+    for (int32_t k = 0; k < 4; k++) CHECK_INT(r.islands.each[k].verdict, k == 1 ? SP_UNSTABLE : SP_STABLE);
     for (int32_t k = 1; k <= 4; k++) {
         r.coupled.proof.island = k;
         CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
@@ -347,9 +347,9 @@ static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int 
     CHECK_INT(sp_memory(s, SP_FOR_CHECK, set, test_arena, &bytes), SP_OK);
     sp_arena a = behind(bytes);
     CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
-    if (set->localise) CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
-    CHECK(r.peak_bytes <= bytes);
-    a = behind(r.peak_bytes - 1);
+    if (set->localise) CHECK_INT((int64_t)r.spent.peak_bytes, (int64_t)bytes);
+    CHECK(r.spent.peak_bytes <= bytes);
+    a = behind(r.spent.peak_bytes - 1);
     if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_E_MEMORY);
     a = behind(bytes);
     if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
@@ -371,7 +371,7 @@ static void claim_holds(const sp_scene *s, const sp_settings *set, const sp_resu
 /* Island q of r, whose contact vertices begin at `first`, against a check of that piece alone.     returns its verdict */
 static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const sp_scene *piece, sp_settings set, int32_t seen[4])
 {
-    const sp_island *p = &r->part[q];
+    const sp_island *p = &r->islands.each[q];
     sp_scene alone = room(piece->count.blocks, piece->count.joints, piece->count.points);
     add(&alone, piece, 0, plain);
     set.coupled.eps = r->coupled.eps;
@@ -405,7 +405,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         set.coupled.asked = 1;
         set.localise = k % 3 != 0;
         const sp_result r = checked_exactly(&s, &set, k < 3);
-        NEED(r.islands == pieces);
+        NEED(r.islands.count == pieces);
         claim_holds(&s, &set, &r);
         sp_verdict worst = SP_STABLE;
         for (int32_t q = 0, first = 0; q < pieces; first += piece[q].count.points, q++) {
@@ -422,7 +422,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         set.coupled.nodes = 1000;
         set.localise = 0;
         const sp_result f = check(&s, &set, &rest);
-        CHECK_INT(f.islands, 1);
+        CHECK_INT(f.islands.count, 1);
         CHECK(f.verdict == r.verdict || f.verdict == SP_UNDECIDED);
         whole++;
         beyond += f.verdict != r.verdict;
@@ -452,8 +452,8 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
     sp_arena a = test_arena;
     const sp_result r = check(&s, NULL, &a);
     CHECK_INT(r.verdict, SP_STABLE);
-    CHECK_INT(r.islands, 2);
-    CHECK_INT(r.joints, 2);
+    CHECK_INT(r.islands.count, 2);
+    CHECK_INT(r.counts.joints, 2);
 }
 
 /* Rows 1, 2, 3, 4, 5, 4, 3, 2, 1: all joints level, all loads plumb, and yet only friction holds it. */
@@ -499,11 +499,11 @@ TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
             CHECK_INT(r.verdict, scene[k].verdict);
             CHECK_INT(r.effect[SP_EFFECT_DEPTH], SP_WHY_MIRROR);
             CHECK_INT(all.effect[SP_EFFECT_DEPTH], SP_WHY_ASKED);
-            if (!CHECK(R(2.2) * (sp_real)r.cost.flops <= (sp_real)all.cost.flops))
-                TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.cost.flops, (long)all.cost.flops);
+            if (!CHECK(R(2.2) * (sp_real)r.spent.total.flops <= (sp_real)all.spent.total.flops))
+                TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.spent.total.flops, (long)all.spent.total.flops);
             CHECK(scene[k].verdict == SP_UNSTABLE || r.imbalance <= r.tol / 2);
-            planned += (sp_real)r.cost.flops;
-            whole += (sp_real)all.cost.flops;
+            planned += (sp_real)r.spent.total.flops;
+            whole += (sp_real)all.spent.total.flops;
         }
         CHECK((OPEN ? R(2.5) : 3) * planned <= whole);
     }
@@ -549,7 +549,7 @@ TEST(level_joints_without_a_mirror_stand_by_pressure_alone)
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK_INT(r.effect[SP_EFFECT_FRICTION], SP_WHY_PRESSURE);
     CHECK_INT(all.effect[SP_EFFECT_FRICTION], SP_WHY_ASKED);
-    if (sizeof(sp_real) == 8) CHECK(2 * r.cost.flops <= all.cost.flops);
+    if (sizeof(sp_real) == 8) CHECK(2 * r.spent.total.flops <= all.spent.total.flops);
 }
 
 TEST(the_third_dimension_left_out_of_a_scene_without_a_mirror_is_undecided)
@@ -581,8 +581,8 @@ TEST(planned_and_full_simulation_agree_on_random_scenes)
         const int near = sizeof(sp_real) == 4 && (!r.verdict || !all.verdict);          /* float is undecided sooner */
         if (!CHECK(r.verdict == all.verdict || near))
             TEST_PRINT("    %d, %s: %d as planned, %d\n", k, kinds_table[k % KINDS].name, (int)r.verdict, (int)all.verdict);
-        if (TELLS && r.verdict == SP_STABLE && !r.cost.interior && !CHECK(o.flops < 5 * r.cost.flops && r.cost.flops < 5 * o.flops))
-            TEST_PRINT("    %d, %s: %ld flops of %ld\n", k, kinds_table[k % KINDS].name, (long)r.cost.flops, (long)o.flops);
+        if (TELLS && r.verdict == SP_STABLE && !r.spent.total.interior && !CHECK(o.flops < 5 * r.spent.total.flops && r.spent.total.flops < 5 * o.flops))
+            TEST_PRINT("    %d, %s: %ld flops of %ld\n", k, kinds_table[k % KINDS].name, (long)r.spent.total.flops, (long)o.flops);
         plane[r.verdict] += r.effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR;
         plumb[r.verdict] += r.effect[SP_EFFECT_FRICTION] == SP_WHY_PRESSURE;
         verdict[r.verdict]++;
@@ -638,7 +638,7 @@ TEST(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings
         sp_arena a = test_arena;
         const sp_result r = check(&s, &set, &a), all = full(&s, &set, &a);
         CHECK(r.verdict == all.verdict || (OPEN && !all.verdict));
-        if (sizeof(sp_real) == 8 && r.stage == SP_STAGE_EXACT && r.islands < 2) CHECK_INT(r.effect[SP_EFFECT_FRICTION], SP_WHY_PRESSURE);
+        if (sizeof(sp_real) == 8 && r.stage == SP_STAGE_EXACT && r.islands.count < 2) CHECK_INT(r.effect[SP_EFFECT_FRICTION], SP_WHY_PRESSURE);
         CHECK(r.final || !all.final);
         told[r.verdict]++;
     }

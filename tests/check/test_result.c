@@ -82,8 +82,8 @@ TEST(tension_of_an_overhanging_box_follows_from_its_moments)
             const sp_result r = check(&s, &set, SP_UNSTABLE);
             CHECK_NEAR(r.demand[0].tension, 0.5 * table[k].pull * W, HELP);
             CHECK_WITHIN((double)r.demand[0].friction / W, 0, HELP);
-            CHECK_NEAR(r.max_tension, r.demand[0].tension, 0);
-            CHECK_INT(r.weakest, 0);
+            CHECK_NEAR(r.extremes.tension, r.demand[0].tension, 0);
+            CHECK_INT(r.extremes.weakest, 0);
         }
 }
 
@@ -97,7 +97,7 @@ TEST(net_friction_shows_no_tension)
     const sp_result r = check(&s, &set, SP_UNSTABLE);
     CHECK_WITHIN(r.demand[0].tension, 0, 0);
     CHECK_WITHIN(r.demand[0].friction / R(density * gravity), 0, HELP);
-    CHECK_WITHIN(r.max_tension, 0, 0);
+    CHECK_WITHIN(r.extremes.tension, 0, 0);
 }
 
 TEST(nothing_is_demanded_where_it_stands_or_nobody_asks)
@@ -113,7 +113,7 @@ TEST(nothing_is_demanded_where_it_stands_or_nobody_asks)
     const sp_result silent = check(&s, &set, SP_UNSTABLE);
     CHECK_WITHIN(silent.demand[0].tension, 0, 0);
     const sp_result told = check(&s, NULL, SP_UNSTABLE);
-    CHECK(told.cost.flops > silent.cost.flops);
+    CHECK(told.spent.total.flops > silent.spent.total.flops);
 }
 
 /* A block of height h that slides: its four corners carry N = W cos a and T = W sin a, the lower edge more by
@@ -180,7 +180,7 @@ TEST(a_joint_of_a_stack_carries_the_weight_above_it_below_its_centre)
         CHECK_WITHIN(f.point[1], my / weight, NEAR);
         CHECK_NEAR(f.point[2], z[k], NEAR);
         CHECK_WITHIN(f.utilisation, 0, NEAR);
-        CHECK(f.min_fn > 0 && f.min_fn <= f.max_fn && f.max_fn <= r.max_compression);
+        CHECK(f.min_fn > 0 && f.min_fn <= f.max_fn && f.max_fn <= r.extremes.compression);
     }
 }
 
@@ -197,10 +197,10 @@ TEST(corners_of_an_offset_cube_share_its_weight_by_the_lever)
         CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
         CHECK_NEAR(f.max_fn, W / 4 * (1 + 2 * e / width), NEAR);
         CHECK_NEAR(f.min_fn, W / 4 * (1 - 2 * e / width), NEAR);
-        CHECK_NEAR(r.max_compression, f.max_fn, 0);
+        CHECK_NEAR(r.extremes.compression, f.max_fn, 0);
         CHECK_NEAR(f.point[0], 0.5 + offset, NEAR);
         CHECK_NEAR(f.point[1], 0.5, NEAR);
-        CHECK_INT(r.weakest, 0);
+        CHECK_INT(r.extremes.weakest, 0);
     }
 }
 
@@ -298,7 +298,7 @@ TEST(utilisation_on_a_slope_is_its_tangent_over_mu)
             const sp_result r = check(&s, NULL, SP_STABLE);
             CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
             CHECK_NEAR(f.utilisation, tan(angle[k] / deg) / 0.84, TOL(1e-8, 1e-3));
-            CHECK_NEAR(r.max_utilisation, f.utilisation, 0);
+            CHECK_NEAR(r.extremes.utilisation, f.utilisation, 0);
             CHECK_NEAR(norm(f.force), density * 0.2 * gravity, NEAR);
         }
 }
@@ -319,8 +319,8 @@ TEST(the_weakest_joint_has_the_least_friction_left)
         for (int i = 0; i < 3; i++) level(&s, i, i + 1, 0, 1, 0, 1, 0.2 * i + 0.2, mu[k][i]);
         gen_gravity(12, 70, s.gravity);
         const sp_result r = check(&s, NULL, SP_STABLE);
-        CHECK_INT(r.weakest, weakest[k]);
-        CHECK_NEAR(r.max_utilisation, tan(12 / deg) / mu[k][weakest[k]], TOL(1e-8, 1e-3));
+        CHECK_INT(r.extremes.weakest, weakest[k]);
+        CHECK_NEAR(r.extremes.utilisation, tan(12 / deg) / mu[k][weakest[k]], TOL(1e-8, 1e-3));
     }
 }
 
@@ -338,7 +338,7 @@ TEST(tension_counts_before_utilisation)
     level(&s, 1, 2, 0.7, 1, 0, 1, 0.2, 0.84);
     gen_gravity(2, 90, s.gravity);
     const sp_result r = check(&s, NULL, SP_UNSTABLE);
-    CHECK_INT(r.weakest, 1);
+    CHECK_INT(r.extremes.weakest, 1);
     CHECK(r.demand[1].tension > r.demand[0].tension);
 }
 
@@ -348,14 +348,14 @@ TEST(without_joints_there_is_no_weakest)
     const double lo[3] = { 0, 0, 0 }, hi[3] = { 1, 1, 1 };
     start(&s, 2, 1);
     box(&s, lo, hi, SP_FIXED);
-    CHECK_INT(check(&s, NULL, SP_STABLE).weakest, -1);
+    CHECK_INT(check(&s, NULL, SP_STABLE).extremes.weakest, -1);
     const double up[3] = { 0, 0, 2 }, over[3] = { 1, 1, 3 };
     box(&s, up, over, 0);
     const sp_result r = check(&s, NULL, SP_UNSTABLE);
-    CHECK_INT(r.weakest, -1);
-    CHECK_INT(r.joints, 0);
-    CHECK_WITHIN(r.max_compression, 0, 0);
-    CHECK_WITHIN(r.max_utilisation, 0, 0);
+    CHECK_INT(r.extremes.weakest, -1);
+    CHECK_INT(r.counts.joints, 0);
+    CHECK_WITHIN(r.extremes.compression, 0, 0);
+    CHECK_WITHIN(r.extremes.utilisation, 0, 0);
 }
 
 /* 4 --------------------------------------------------------------------------------------------------------- mechanism */
@@ -477,13 +477,13 @@ TEST(two_runs_give_the_same_bits)
         CHECK_INT(a.verdict, b.verdict);
         CHECK(same_bytes(a.f, b.f, 3 * (size_t)s.count.points * sizeof *a.f));
         CHECK(same_bytes(a.dq, b.dq, 6 * (size_t)s.count.blocks * sizeof *a.dq));
-        CHECK(same_bytes(a.y0, b.y0, 6 * (size_t)a.free_blocks * sizeof *a.y0));
+        CHECK(same_bytes(a.y0, b.y0, 6 * (size_t)a.counts.free_blocks * sizeof *a.y0));
         CHECK(same_bytes(a.demand, b.demand, (size_t)s.count.joints * sizeof *a.demand));
         CHECK(same_bytes(&a.imbalance, &b.imbalance, sizeof a.imbalance) && same_bytes(&a.least_imbalance, &b.least_imbalance, sizeof a.imbalance));
-        CHECK_INT(a.cost.flops, b.cost.flops);
-        CHECK_INT(a.cost.iterations, b.cost.iterations);
-        CHECK_INT(a.cost.factorisations, b.cost.factorisations);
-        CHECK_INT(a.weakest, b.weakest);
+        CHECK_INT(a.spent.total.flops, b.spent.total.flops);
+        CHECK_INT(a.spent.total.iterations, b.spent.total.iterations);
+        CHECK_INT(a.spent.total.factorisations, b.spent.total.factorisations);
+        CHECK_INT(a.extremes.weakest, b.extremes.weakest);
     }
 }
 
@@ -500,15 +500,15 @@ TEST(costs_add_up_and_are_not_nothing)
             int32_t iterations = 0, factorisations = 0;
             CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
             for (int i = 0; i < SP_STAGES_MAX; i++) {
-                flops += r.by_stage[i].flops;
-                iterations += r.by_stage[i].iterations;
-                factorisations += r.by_stage[i].factorisations;
-                CHECK(i < 2 || (!r.by_stage[i].flops && !r.by_stage[i].iterations && !r.by_stage[i].factorisations));
+                flops += r.spent.by_stage[i].flops;
+                iterations += r.spent.by_stage[i].iterations;
+                factorisations += r.spent.by_stage[i].factorisations;
+                CHECK(i < 2 || (!r.spent.by_stage[i].flops && !r.spent.by_stage[i].iterations && !r.spent.by_stage[i].factorisations));
             }
-            CHECK(r.by_stage[1].flops > 0 && r.by_stage[1].factorisations > 0);
-            if (set.localise && r.verdict != SP_STABLE) CHECK(r.cost.flops > flops && r.cost.factorisations > factorisations);
-            else CHECK(r.cost.flops == flops && r.cost.factorisations == factorisations && r.cost.iterations == iterations);
-            CHECK(r.peak_bytes > 0 && r.peak_bytes <= test_arena.cap);
+            CHECK(r.spent.by_stage[1].flops > 0 && r.spent.by_stage[1].factorisations > 0);
+            if (set.localise && r.verdict != SP_STABLE) CHECK(r.spent.total.flops > flops && r.spent.total.factorisations > factorisations);
+            else CHECK(r.spent.total.flops == flops && r.spent.total.factorisations == factorisations && r.spent.total.iterations == iterations);
+            CHECK(r.spent.peak_bytes > 0 && r.spent.peak_bytes <= test_arena.cap);
         }
     }
 }
@@ -526,7 +526,7 @@ TEST(work_on_walls_grows_in_proportion)
         gen_set(&g, "bricks", k ? 60 : 6);
         CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
         const sp_result r = check(&s, NULL, SP_STABLE);
-        per_joint[k] = (double)r.cost.flops / s.count.joints;
+        per_joint[k] = (double)r.spent.total.flops / s.count.joints;
     }
     CHECK(per_joint[1] < 3 * per_joint[0]);
 }
@@ -543,9 +543,9 @@ TEST(counts_are_of_what_took_part)
     level(&s, 0, 1, 0, 1, 0, 1, 0, 0.84);               /* between two supports: takes no part, carries nothing */
     level(&s, 1, 2, 0, 1, 0, 1, 1, 0.84);
     const sp_result r = check(&s, NULL, SP_STABLE);
-    CHECK_INT(r.free_blocks, 1);
-    CHECK_INT(r.joints, 1);
-    CHECK_INT(r.points, 4);
+    CHECK_INT(r.counts.free_blocks, 1);
+    CHECK_INT(r.counts.joints, 1);
+    CHECK_INT(r.counts.points, 4);
     for (int32_t k = 0; k < 12; k++) CHECK_WITHIN(r.f[k], 0, 0);
     for (int32_t k = 12; k < 24; k += 3) CHECK_NEAR(r.f[k], density * gravity / 4, NEAR);
 }

@@ -68,10 +68,10 @@ TEST(a_wrong_hint_neither_helps_nor_breaks)
         sp_scene s;
         sp_result r;
         if (!checked(k, &s, &r)) continue;
-        for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = test_random_real(-1e6, 1e6);
+        for (int32_t i = 0; i < 6 * r.counts.free_blocks; i++) r.y0[i] = test_random_real(-1e6, 1e6);
         const sp_verdict v = judged(&s, &r);
         CHECK(v == r.verdict || v == SP_UNDECIDED);
-        for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = R(NAN);
+        for (int32_t i = 0; i < 6 * r.counts.free_blocks; i++) r.y0[i] = R(NAN);
         const sp_verdict w = judged(&s, &r);
         CHECK(w == r.verdict || w == SP_UNDECIDED);
     }

@@ -36,9 +36,10 @@ static void mix_cost(hashes *h, const sp_cost *cost)
 
 static void mix_result(hashes *h, const sp_scene *scene, const sp_result *r)
 {
-    const sp_real number[6] = { r->imbalance, r->least_imbalance, r->max_compression, r->max_tension, r->max_utilisation, r->coupled.residual };
+    const sp_extremes *most = &r->extremes;
+    const sp_real number[6] = { r->imbalance, r->least_imbalance, most->compression, most->tension, most->utilisation, r->coupled.residual };
     h->evidence = mix(mix(h->evidence, (uint64_t)r->verdict), (uint64_t)r->reason);
-    h->evidence = mix(mix(h->evidence, (uint64_t)(r->final + 2 * r->verified)), (uint64_t)r->weakest);
+    h->evidence = mix(mix(h->evidence, (uint64_t)(r->final + 2 * r->verified)), (uint64_t)r->extremes.weakest);
     h->evidence = mix(mix(h->evidence, (uint64_t)r->level), (uint64_t)r->stage);
     h->evidence = mix(mix(h->evidence, (uint64_t)r->coupled.verdict), (uint64_t)r->coupled.reason);
     h->evidence = mix_reals(h->evidence, number, 6);
@@ -49,8 +50,8 @@ static void mix_result(hashes *h, const sp_scene *scene, const sp_result *r)
         h->evidence = mix_reals(h->evidence, r->coupled.alpha, scene->count.points);
     }
     if (r->coupled.proof.nodes) h->evidence = mix_reals(h->evidence, r->coupled.proof.y, r->coupled.proof.entries);
-    mix_cost(h, &r->cost);
-    h->bytes = mix(h->bytes, (uint64_t)r->peak_bytes);
+    mix_cost(h, &r->spent.total);
+    h->bytes = mix(h->bytes, (uint64_t)r->spent.peak_bytes);
 }
 
 static sp_status ask_check(sp_scene *scene, sp_arena *arena, hashes *h)

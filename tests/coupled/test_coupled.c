@@ -403,8 +403,8 @@ TEST(the_price_of_a_certificate_is_told_and_contains_its_judge)
         build(refuted ? "h-model" : "incline", NULL, 0, &s);
         answer(&s, &set, &r);
         int64_t sum = r.coupled.cost.flops;
-        for (int32_t k = 0; k < set.stage_count; k++) sum += r.by_stage[k].flops;
-        CHECK_INT(r.cost.flops, sum);
+        for (int32_t k = 0; k < set.stage_count; k++) sum += r.spent.by_stage[k].flops;
+        CHECK_INT(r.spent.total.flops, sum);
         CHECK(r.coupled.cost.flops > 2 * 90 * (int64_t)s.count.points);
     }
 }
@@ -835,7 +835,7 @@ TEST(a_block_beyond_its_support_demands_tension_at_the_far_edge)
         if (!explained(&s, &r)) continue;
         const double W = (double)s.block[1].mass * 9.80665, pull = W * (offset[k] - 0.5) / (1 - offset[k]);
         CHECK_NEAR(r.demand[0].tension, pull / 2, TOL(1e-6, 1e-2));
-        CHECK_NEAR(r.max_tension, pull / 2, TOL(1e-6, 1e-2));
+        CHECK_NEAR(r.extremes.tension, pull / 2, TOL(1e-6, 1e-2));
         CHECK_NEAR(r.coupled.tension_ratio, pull / (W + pull), TOL(1e-6, 1e-2));
         for (int32_t v = 0; v < 4; v++) {
             const int far = s.point[v][0] < s.block[1].centroid[0] - R(offset[k]) / 2;
@@ -880,7 +880,7 @@ TEST(friction_that_a_slope_lacks_is_told_along_with_the_slip)
     NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
     if (!explained(&s, &r)) return;
     CHECK(r.demand[0].friction > 0);
-    CHECK_INT(r.weakest, 0);
+    CHECK_INT(r.extremes.weakest, 0);
     for (int32_t v = 0; v < 4; v++) CHECK(r.coupled.alpha[v] > 0 && r.coupled.penalty[4 * v + 1] > 0);
 }
 
@@ -894,7 +894,7 @@ TEST(nothing_is_demanded_where_a_motion_is_found_or_nobody_asks)
         set.localise = !k;
         build(k ? "h-model" : "incline", NULL, 0, &s);
         CHECK(answer(&s, &set, &r) == (k ? TOL(SP_COUPLING_REFUTED, r.coupled.verdict) : SP_COUPLING_COUPLED));
-        CHECK(r.coupled.tension_ratio < 0 && !(r.max_tension > 0));
+        CHECK(r.coupled.tension_ratio < 0 && !(r.extremes.tension > 0));
         for (int32_t i = 0; i < s.count.joints; i++) CHECK(!(r.demand[i].tension > 0) && !(r.demand[i].friction > 0));
         for (int32_t v = 0; !k && v < 4 * s.count.points; v++) CHECK_WITHIN(r.coupled.penalty[v], 0, 0);
     }
@@ -1018,7 +1018,7 @@ TEST(the_coupled_check_takes_exactly_the_memory_it_says)
         NEED(bytes <= a.cap);
         a.cap = bytes;
         CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
-        CHECK_INT((int64_t)r.peak_bytes, (int64_t)bytes);
+        CHECK_INT((int64_t)r.spent.peak_bytes, (int64_t)bytes);
         a.used = 0;
         a.cap = bytes - 1;
         CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_MEMORY);

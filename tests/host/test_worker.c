@@ -113,15 +113,21 @@ static void same_settings(const sp_settings *a, const sp_settings *b)
     CHECK(a->seed == b->seed);
 }
 
+static int same_islands(const sp_islands *a, const sp_islands *b, size_t blocks)
+{
+    if (a->count != b->count || !a->each != !b->each) return 0;
+    return !a->each || (memcmp(a->of, b->of, blocks * sizeof *a->of) == 0
+                        && memcmp(a->each, b->each, (size_t)a->count * sizeof *a->each) == 0);
+}
+
 /* Numbers of two results, all of them. */
 static int same_numbers(const sp_scene *s, const sp_result *a, const sp_result *b)
 {
     const size_t r = sizeof(sp_real), v = (size_t)s->count.points, n = (size_t)s->count.blocks, i = (size_t)s->count.joints;
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
     return memcmp(a->f, b->f, 3 * v * r) == 0 && memcmp(a->dq, b->dq, 6 * n * r) == 0
-        && memcmp(a->y0, b->y0, 12 * (size_t)a->free_blocks * r) == 0 && memcmp(a->demand, b->demand, i * sizeof *a->demand) == 0
-        && !a->part == !b->part && (!a->part || (memcmp(a->island, b->island, n * sizeof *a->island) == 0
-                                                 && memcmp(a->part, b->part, (size_t)a->islands * sizeof *a->part) == 0))
+        && memcmp(a->y0, b->y0, 12 * (size_t)a->counts.free_blocks * r) == 0 && memcmp(a->demand, b->demand, i * sizeof *a->demand) == 0
+        && same_islands(&a->islands, &b->islands, n)
         && !c->dq == !d->dq && (!c->dq || memcmp(c->dq, d->dq, 6 * n * r) == 0)
         && !c->alpha == !d->alpha && (!c->alpha || memcmp(c->alpha, d->alpha, v * r) == 0)
         && !c->penalty == !d->penalty && (!c->penalty || memcmp(c->penalty, d->penalty, 4 * v * r) == 0)
@@ -140,17 +146,17 @@ static int same_cost(const sp_cost *a, const sp_cost *b)
 static int same_words(const sp_result *a, const sp_result *b)
 {
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
-    const sp_real x[] = { a->tol, a->force_bound, a->imbalance, a->least_imbalance, a->max_compression, a->max_tension,
-                          a->max_utilisation, a->tension_ratio, c->residual, c->eps, c->eta, c->margin, c->tension_ratio };
-    const sp_real y[] = { b->tol, b->force_bound, b->imbalance, b->least_imbalance, b->max_compression, b->max_tension,
-                          b->max_utilisation, b->tension_ratio, d->residual, d->eps, d->eta, d->margin, d->tension_ratio };
-    int same = memcmp(x, y, sizeof x) == 0 && same_cost(&a->cost, &b->cost) && same_cost(&c->cost, &d->cost);
-    for (int k = 0; k < SP_STAGES_MAX; k++) same = same && same_cost(&a->by_stage[k], &b->by_stage[k]);
+    const sp_real x[] = { a->tol, a->force_bound, a->imbalance, a->least_imbalance, a->extremes.compression, a->extremes.tension,
+                          a->extremes.utilisation, a->extremes.tension_ratio, c->residual, c->eps, c->eta, c->margin, c->tension_ratio };
+    const sp_real y[] = { b->tol, b->force_bound, b->imbalance, b->least_imbalance, b->extremes.compression, b->extremes.tension,
+                          b->extremes.utilisation, b->extremes.tension_ratio, d->residual, d->eps, d->eta, d->margin, d->tension_ratio };
+    int same = memcmp(x, y, sizeof x) == 0 && same_cost(&a->spent.total, &b->spent.total) && same_cost(&c->cost, &d->cost);
+    for (int k = 0; k < SP_STAGES_MAX; k++) same = same && same_cost(&a->spent.by_stage[k], &b->spent.by_stage[k]);
     return same && a->verdict == b->verdict && a->level == b->level && a->reason == b->reason && a->final == b->final
-        && a->verified == b->verified && a->stage == b->stage && a->free_blocks == b->free_blocks
-        && memcmp(a->effect, b->effect, sizeof a->effect) == 0 && a->missing == b->missing && a->islands == b->islands
-        && a->joints == b->joints && a->points == b->points && a->weakest == b->weakest
-        && c->verdict == d->verdict && c->reason == d->reason && c->rounds == d->rounds && a->peak_bytes == b->peak_bytes;
+        && a->verified == b->verified && a->stage == b->stage && a->counts.free_blocks == b->counts.free_blocks
+        && memcmp(a->effect, b->effect, sizeof a->effect) == 0 && a->missing == b->missing && a->islands.count == b->islands.count
+        && a->counts.joints == b->counts.joints && a->counts.points == b->counts.points && a->extremes.weakest == b->extremes.weakest
+        && c->verdict == d->verdict && c->reason == d->reason && c->rounds == d->rounds && a->spent.peak_bytes == b->spent.peak_bytes;
 }
 
 /* A new field of a struct that travels must be told to blob.c and to the tests above. */

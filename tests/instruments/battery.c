@@ -72,7 +72,7 @@ static clock_t started;
 static void say(const char *name, sp_verdict verdict, const char *is, const sp_result *r, const hard_case *c)
 {
     printf("%-38s| %-9s | %-5s | %7.1e | %.17g | %.3g | %.1e | %d | %g | %s\n", name, sp_verdict_text(verdict), is, (double)r->imbalance,
-           (double)r->max_compression, 1e3 * (double)(clock() - started) / CLOCKS_PER_SEC, (double)r->least_imbalance,
+           (double)r->extremes.compression, 1e3 * (double)(clock() - started) / CLOCKS_PER_SEC, (double)r->least_imbalance,
            (int)r->final, c ? c->far : 0, c && (c->far > 0 || !(c->flags & HARD_LIMIT)) ? sp_verdict_text(c->truth) : "");
     fflush(stdout);
 }

@@ -95,9 +95,9 @@ static sp_status checked(const sp_scene *s, const sp_settings *settings, sp_resu
 {
     const sp_status status = sp_check(s, settings, &test_arena, r);
     if (status) return status;
-    CHECK(numbers(r->f, 3 * s->count.points) && numbers(r->dq, 6 * s->count.blocks) && numbers(r->y0, 6 * r->free_blocks));
-    CHECK(number(r->imbalance) && number(r->least_imbalance) && number(r->max_compression) && number(r->max_tension) &&
-          number(r->max_utilisation));
+    CHECK(numbers(r->f, 3 * s->count.points) && numbers(r->dq, 6 * s->count.blocks) && numbers(r->y0, 6 * r->counts.free_blocks));
+    CHECK(number(r->imbalance) && number(r->least_imbalance) && number(r->extremes.compression) && number(r->extremes.tension) &&
+          number(r->extremes.utilisation));
     for (int32_t k = 0; k < s->count.joints; k++) {
         sp_joint_force f;
         CHECK_INT(sp_joint_resultant(s, r, k, &f), SP_OK);
@@ -349,8 +349,8 @@ TEST(a_force_changed_by_more_than_tol_is_refused)
         for (int32_t c = 0; c < s.count.joints; c++) {
             const int32_t v = s.joint[c].point;     /* a vertex that carries something, with a free block above */
             const sp_real kept = r.f[3 * v];
-            if (kept < R(0.05) * r.max_compression) continue;
-            r.f[3 * v] = R((double)kept + by * (double)r.max_compression);
+            if (kept < R(0.05) * r.extremes.compression) continue;
+            r.f[3 * v] = R((double)kept + by * (double)r.extremes.compression);
             CHECK_INT(judged(&s, &r, NULL), SP_UNDECIDED);
             r.f[3 * v] = kept;
         }
@@ -424,14 +424,14 @@ TEST(no_hint_misleads)
         sp_result r;
         if (!sampled(k, &s, &r)) continue;
         sp_result forged = empty_claim(&s);
-        const double step = r.free_blocks > 20 ? TOL(1e60, 1e8) : TOL(1e12, 1e3);
+        const double step = r.counts.free_blocks > 20 ? TOL(1e60, 1e8) : TOL(1e12, 1e3);
         for (double size = TOL(1e-20, 1e-10); size < TOL(1e250, 1e30); size *= step) {
-            for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = test_random_real(-size, size);
+            for (int32_t i = 0; i < 6 * r.counts.free_blocks; i++) r.y0[i] = test_random_real(-size, size);
             not_wrong(k, &s, &r);
-            for (int32_t i = 0; i < 6 * r.free_blocks; i++) r.y0[i] = i % 6 == 0 ? R(size) : 0;         /* all alike */
+            for (int32_t i = 0; i < 6 * r.counts.free_blocks; i++) r.y0[i] = i % 6 == 0 ? R(size) : 0;         /* all alike */
             not_wrong(k, &s, &r);
             for (int32_t v = 0; v < s.count.points; v++) forged.f[3 * v] = R(size);
-            for (int32_t i = 0; i < 6 * r.free_blocks; i++) forged.y0[i] = test_random_real(-size, size);
+            for (int32_t i = 0; i < 6 * r.counts.free_blocks; i++) forged.y0[i] = test_random_real(-size, size);
             if (sample[k].verdict == SP_UNSTABLE) CHECK_INT(judged(&s, &forged, NULL), SP_UNDECIDED);
         }
     }

@@ -239,7 +239,7 @@ TEST(in_a_check_it_decides_nothing_wrongly)
         NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
         sp_arena exact = { test_arena.base + (test_arena.used + SP_ALIGN) / SP_ALIGN * SP_ALIGN, bytes, 0, 0 };
         NEED(sp_check(&scene, &set, &exact, &r) == SP_OK);
-        CHECK_INT(r.peak_bytes, bytes);
+        CHECK_INT(r.spent.peak_bytes, bytes);
         CHECK(r.verdict == SP_UNDECIDED || r.verdict == scene_of[k / 2].truth);
         right += r.verdict == SP_STABLE;
     }

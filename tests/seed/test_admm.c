@@ -140,9 +140,9 @@ TEST(tension_of_a_cube_beyond_the_edge_is_that_of_statics)
         const sp_result r = check(&scene, &set);
         CHECK_INT(r.verdict, SP_UNDECIDED);
         CHECK_TEXT(sp_reason_text(r.reason), "tension");
-        CHECK_NEAR(r.tension_ratio, pull / (1 + pull), TOL(1e-5, 2e-3));
+        CHECK_NEAR(r.extremes.tension_ratio, pull / (1 + pull), TOL(1e-5, 2e-3));
         const sp_real W = scene.block[1].mass * R(9.80665);
-        CHECK_NEAR(r.max_tension, (double)W * pull / 2, TOL(1e-5, 4e-2));        /* as the exact stage's own localisation */
+        CHECK_NEAR(r.extremes.tension, (double)W * pull / 2, TOL(1e-5, 4e-2));        /* as the exact stage's own localisation */
     }
 }
 
@@ -162,7 +162,7 @@ TEST(on_the_net_normal_what_falls_is_proved_to_fall)
         CHECK_INT(r.verdict, SP_UNSTABLE);
         CHECK_INT(r.stage, SP_STAGE_ADMM);
         CHECK_TEXT(sp_reason_text(r.reason), "mechanism");
-        CHECK_NEAR(r.tension_ratio, -1, 0);
+        CHECK_NEAR(r.extremes.tension_ratio, -1, 0);
     }
 }
 
@@ -221,8 +221,8 @@ TEST(admm_and_the_exact_stage_agree)
         CHECK_INT(a.verdict, SP_STABLE);
         CHECK_INT(e.verdict, SP_STABLE);
         CHECK_INT(a.stage, SP_STAGE_ADMM);
-        CHECK(a.tension_ratio >= 0 && a.tension_ratio <= R(1e-3));
-        CHECK_NEAR(e.tension_ratio, -1, 0);
+        CHECK(a.extremes.tension_ratio >= 0 && a.extremes.tension_ratio <= R(1e-3));
+        CHECK_NEAR(e.extremes.tension_ratio, -1, 0);
     }
 }
 
@@ -242,9 +242,9 @@ TEST(units_do_not_matter)
             scene.block[i].mass *= m;
         }
         const sp_result r = check(&scene, &set);
-        if (k == 0) first = r.tension_ratio;
+        if (k == 0) first = r.extremes.tension_ratio;
         CHECK_INT(r.verdict, SP_UNDECIDED);
-        CHECK_NEAR(r.tension_ratio, (double)first, TOL(1e-6, 1e-3));
+        CHECK_NEAR(r.extremes.tension_ratio, (double)first, TOL(1e-6, 1e-3));
     }
 }
 
@@ -275,7 +275,7 @@ TEST(the_seeds_gates_are_kept)
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK_INT(r.stage, SP_STAGE_POLISH);
     CHECK(r.imbalance <= 2 * sp_seed_table()->balance);
-    CHECK(r.by_stage[1].factorisations == 1 && r.by_stage[1].iterations == 0);
+    CHECK(r.spent.by_stage[1].factorisations == 1 && r.spent.by_stage[1].iterations == 0);
     sp_seed loose = *sp_seed_table();
     loose.balance = loose.cone = loose.tension = R(10);
     set.seed = &loose;
@@ -307,7 +307,7 @@ TEST(the_gate_of_cells_chooses_dense_or_none)
     const sp_result s = check(&scene, &set);
     CHECK(none < dense && none < sparse);
     CHECK(d.verdict == SP_STABLE && n.verdict == SP_STABLE && s.verdict == SP_STABLE);
-    CHECK(s.cost.flops < d.cost.flops && s.cost.flops < n.cost.flops);
+    CHECK(s.spent.total.flops < d.spent.total.flops && s.spent.total.flops < n.spent.total.flops);
 }
 
 /* 4 ---------------------------------------------------------------------------------------------------- plugged-in solvers */
@@ -415,7 +415,7 @@ TEST(memory_is_exact_and_scratch_is_enough)
         a.cap = bytes;
         CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
         CHECK(a.peak <= bytes);
-        if (k < 2) CHECK_INT(r.peak_bytes, bytes);      /* the preset's earlier stages may decide with less */
+        if (k < 2) CHECK_INT(r.spent.peak_bytes, bytes);      /* the preset's earlier stages may decide with less */
         if (k >= 2) continue;
         a = scratch;
         a.cap = bytes - 1;

@@ -36,7 +36,7 @@ static sp_result check(const sp_scene *scene, const sp_settings *settings)
     sp_result r;
     memset(&r, 0, sizeof r);
     r.verdict = SP_UNDECIDED;
-    r.weakest = -2;
+    r.extremes.weakest = -2;
     CHECK_INT(sp_check(scene, settings, &test_arena, &r), SP_OK);
     CHECK_INT(r.verified, r.verdict != SP_UNDECIDED);
     CHECK_INT(r.level, r.verdict == SP_STABLE ? SP_ADMISSIBLE : SP_NONE);
@@ -119,7 +119,7 @@ TEST(nothing_to_carry_stands)
         const sp_result r = check(&s, &set);
         CHECK_INT(r.verdict, SP_STABLE);
         CHECK_TEXT(sp_reason_text(r.reason), "nothing to carry");
-        CHECK_INT(r.free_blocks, k ? 1 + k : 0);
+        CHECK_INT(r.counts.free_blocks, k ? 1 + k : 0);
         CHECK_INT(r.stage, k ? SP_STAGE_GATES : SP_STAGE_NONE);
         CHECK_WITHIN(r.imbalance, 0, 0);
         for (int32_t v = 0; v < 3 * s.count.points; v++) CHECK_WITHIN(r.f[v], 0, 0);
@@ -192,10 +192,10 @@ TEST(least_squares_accept_a_regular_wall_sparse_and_dense_alike)
         CHECK_INT(r[k].verdict, SP_STABLE);
         CHECK_TEXT(sp_reason_text(r[k].reason), "forces");
         CHECK_INT(r[k].stage, bilateral[k]);
-        CHECK_INT(r[k].cost.factorisations, 1);
+        CHECK_INT(r[k].spent.total.factorisations, 1);
         CHECK_WITHIN(r[k].imbalance, 0, TOL(1e-13, 1e-5));
     }
-    const double most = (double)r[0].max_compression;
+    const double most = (double)r[0].extremes.compression;
     for (int32_t k = 0; k < 3 * s.count.points; k++)
         if (!CHECK_WITHIN(r[1].f[k], r[0].f[k], TOL(1e-12, 1e-4) * most)) return;
 }
@@ -243,9 +243,9 @@ TEST(polish_accepts_what_least_squares_cannot)
         CHECK_INT(r.verdict, SP_STABLE);
         CHECK_INT(r.stage, SP_STAGE_POLISH);
         CHECK_TEXT(sp_reason_text(r.reason), "forces");
-        CHECK(r.by_stage[1].iterations > 0);
-        CHECK_INT(r.by_stage[0].factorisations, 1);
-        CHECK_INT(r.by_stage[1].factorisations, 1);
+        CHECK(r.spent.by_stage[1].iterations > 0);
+        CHECK_INT(r.spent.by_stage[0].factorisations, 1);
+        CHECK_INT(r.spent.by_stage[1].factorisations, 1);
         CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
         CHECK_INT(e.verdict, SP_STABLE);
         CHECK(e.imbalance <= r.tol);
@@ -385,8 +385,8 @@ TEST(an_empty_budget_is_the_reason_not_a_verdict)
         build("arch", "t", table[k].t, &s);
         const sp_result r = check(&s, &set);
         undecided(&s, &r, SP_REASON_BUDGET);
-        CHECK(r.cost.iterations <= set.iterations);
-        CHECK(r.cost.factorisations <= set.iterations + 2);     /* the bilateral force is found before anything is counted */
+        CHECK(r.spent.total.iterations <= set.iterations);
+        CHECK(r.spent.total.factorisations <= set.iterations + 2);     /* the bilateral force is found before anything is counted */
         CHECK(r.imbalance > r.tol);
     }
 }
@@ -401,7 +401,7 @@ TEST(a_budget_is_kept_and_enough_of_it_decides)
         const size_t mark = test_arena.used;
         const sp_result r = check(&s, &set);
         test_arena.used = mark;
-        CHECK(r.by_stage[1].iterations <= set.iterations);
+        CHECK(r.spent.by_stage[1].iterations <= set.iterations);
         if (decided) CHECK_INT(r.verdict, SP_STABLE);   /* more never hurts */
         if (r.verdict == SP_UNDECIDED) CHECK_TEXT(sp_reason_text(r.reason), "budget");
         decided |= r.verdict == SP_STABLE;
@@ -426,8 +426,8 @@ static void leaning(int32_t size, int32_t faces, double angle, sp_verdict want)
     const sp_result r = check(&s, &set);
     if (want == SP_UNDECIDED ? r.verdict == SP_STABLE : !CHECK_INT(r.verdict, want)) TEST_PRINT("    %d joints, %g\n", (int)size, angle);
 #ifndef SP_NO_IPM
-    CHECK(r.cost.interior <= 16);
-    if (want == SP_UNSTABLE) CHECK(r.cost.interior > 0);
+    CHECK(r.spent.total.interior <= 16);
+    if (want == SP_UNSTABLE) CHECK(r.spent.total.interior > 0);
 #endif
 }
 
@@ -645,10 +645,10 @@ TEST(a_stage_that_is_right_is_believed)
         CHECK_INT(r.verdict, t.verdict);
         CHECK_INT(r.stage, SP_STAGE_CUSTOM);
         CHECK_INT(r.reason, plan.reason);
-        CHECK_INT(r.by_stage[0].iterations, 3);
-        CHECK(r.by_stage[0].flops > 1000);              /* the judgement is counted with it */
+        CHECK_INT(r.spent.by_stage[0].iterations, 3);
+        CHECK(r.spent.by_stage[0].flops > 1000);              /* the judgement is counted with it */
         CHECK_INT(plan.runs, 1);
-        const double most = (double)t.max_compression;
+        const double most = (double)t.extremes.compression;
         for (int32_t v = 0; plan.f && v < 3 * s.count.points; v++) CHECK_WITHIN(r.f[v], f[v], 8 * (double)SP_EPSILON * most);
         for (int32_t v = 0; plan.dq && v < 6 * s.count.blocks; v++) CHECK_WITHIN(r.dq[v], t.dq[v], 64 * (double)SP_EPSILON);
     }
@@ -691,7 +691,7 @@ TEST(a_stage_that_lies_with_forces_is_not_believed)
             lie(&s, &t, "scaled forces");
         }
         for (int trial = 0; trial < 20; trial++) {      /* one number spoilt, where it carries */
-            const double most = (double)t.max_compression > 0 ? (double)t.max_compression : 1e4;
+            const double most = (double)t.extremes.compression > 0 ? (double)t.extremes.compression : 1e4;
             memcpy(g, f, sizeof g);
             int32_t v = test_random_int(0, s.count.points - 1);
             for (int32_t i = 0; i < s.count.points && (double)g[3 * v] < 0.1 * most; i++) v = (v + 1) % s.count.points;
@@ -711,7 +711,7 @@ TEST(a_stage_that_lies_with_a_motion_is_not_believed)
         test_arena.used = 0;
         build(subject[k].name, subject[k].param, subject[k].value, &s);
         const sp_result t = truth(&s, f, dq);
-        const int32_t n = 6 * t.free_blocks;
+        const int32_t n = 6 * t.counts.free_blocks;
         if (t.verdict == SP_UNSTABLE) {
             plan_for(NULL, dq, -1, SP_UNSTABLE);
             lie(&s, &t, "the mechanism reversed");
@@ -744,7 +744,7 @@ TEST(a_motion_with_one_number_that_is_none_is_not_believed)
     static sp_real f[NUMBERS], dq[NUMBERS], m[NUMBERS];
     wall(3, 3, 0.3, &s);
     const sp_result t = truth(&s, f, dq);
-    for (int32_t j = 0; j < 6 * t.free_blocks; j++)
+    for (int32_t j = 0; j < 6 * t.counts.free_blocks; j++)
         for (int i = 0; i < 3; i++) {
             memset(m, 0, sizeof m);
             m[j] = R(odd[i]);
@@ -893,7 +893,7 @@ TEST(a_stage_gets_the_memory_it_needs)
             CHECK_INT(sp_arena_init(&a, at, bytes - less), SP_OK);
             CHECK_INT(sp_check(&s, &set, &a, &r), less ? SP_E_MEMORY : SP_OK);
             CHECK_INT(at[bytes - less], 0x77);
-            if (!less) CHECK_INT(r.peak_bytes, bytes);
+            if (!less) CHECK_INT(r.spent.peak_bytes, bytes);
         }
     }
 }

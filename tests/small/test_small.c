@@ -142,7 +142,7 @@ TEST(what_a_check_works_in_may_be_another_arena)
     work.cap = bytes[1];
     CHECK_INT(sp_check(&s, &set, &kept, &r), SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
-    CHECK(work.used == 0 && work.peak == bytes[1] && kept.peak == bytes[0] && r.peak_bytes == bytes[0]);
+    CHECK(work.used == 0 && work.peak == bytes[1] && kept.peak == bytes[0] && r.spent.peak_bytes == bytes[0]);
     set.work = &kept;
     CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_ARGUMENT);
 }
@@ -186,7 +186,7 @@ static void fits(const sp_scene *s, sp_verdict want, int tight)
     CHECK(a.used == 0 && r.f == NULL);
     a.cap = bytes;
     NEED(sp_check(s, NULL, &a, &r) == SP_OK);
-    CHECK(a.peak == r.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
+    CHECK(a.peak == r.spent.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
     CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.joints, s->count.points, 0));
     CHECK_INT(r.verdict, want);
     test_arena.used = ((mark + 15) & ~(size_t)15) + bytes;

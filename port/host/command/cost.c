@@ -47,8 +47,8 @@ static sp_status check_timed(const host_scene *s, const sp_settings *set, cost_r
         row->reason = r.reason;
         row->imbalance = (double)r.imbalance;
         row->least = (double)r.least_imbalance;
-        row->cost = r.cost;
-        row->bytes = r.peak_bytes;
+        row->cost = r.spent.total;
+        row->bytes = r.spent.peak_bytes;
     }
     return SP_OK;
 }

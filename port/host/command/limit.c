@@ -241,7 +241,7 @@ static int limit_command(report *r, failure *error)
         r->result.f = x.f;
         r->result.dq = x.dq;
         r->result.verdict = x.upper >= 0 ? SP_UNSTABLE : SP_UNDECIDED;
-        r->result.weakest = -1;
+        r->result.extremes.weakest = -1;
         r->result.verified = x.verified;
         r->result.tol = x.tol;
         if (r->options->svg) status = report_draw(r, error);

@@ -70,15 +70,15 @@ static void json_islands(json_out *j, const report *r)
 {
     const sp_result *x = &r->result;
     json_open(j, "islands", '[');
-    for (int32_t k = 0; x->part && k < x->islands; k++) {
+    for (int32_t k = 0; x->islands.each && k < x->islands.count; k++) {
         json_open(j, NULL, '{');
-        json_string(j, "first_block", r->scene->name[x->part[k].block]);
-        json_int(j, "blocks", x->part[k].blocks);
-        json_string(j, "verdict", sp_verdict_text(x->part[k].verdict));
-        json_string(j, "reason", sp_reason_text(x->part[k].reason));
+        json_string(j, "first_block", r->scene->name[x->islands.each[k].block]);
+        json_int(j, "blocks", x->islands.each[k].blocks);
+        json_string(j, "verdict", sp_verdict_text(x->islands.each[k].verdict));
+        json_string(j, "reason", sp_reason_text(x->islands.each[k].reason));
         if (r->options->settings.coupled.asked) {
-            json_string(j, "coupled", sp_coupling_text(x->part[k].coupling));
-            json_string(j, "coupled_reason", sp_coupling_reason_text(x->part[k].coupling_reason));
+            json_string(j, "coupled", sp_coupling_text(x->islands.each[k].coupling));
+            json_string(j, "coupled_reason", sp_coupling_reason_text(x->islands.each[k].coupling_reason));
         }
         json_close(j, '}');
     }
@@ -96,14 +96,14 @@ static void json_work(json_out *j, const sp_cost *c)
 static void json_cost(json_out *j, const report *r)
 {
     json_open(j, "cost", '{');
-    json_work(j, &r->result.cost);
-    json_int(j, "peak_bytes", (int64_t)r->result.peak_bytes);
+    json_work(j, &r->result.spent.total);
+    json_int(j, "peak_bytes", (int64_t)r->result.spent.peak_bytes);
     json_real(j, "seconds", r->cost.seconds);
     json_open(j, "by_stage", '[');
     for (int32_t k = 0; k < r->options->settings.stage_count; k++) {
         json_open(j, NULL, '{');
         json_string(j, "stage", sp_stage_text(r->options->settings.stage[k]));
-        json_work(j, &r->result.by_stage[k]);
+        json_work(j, &r->result.spent.by_stage[k]);
         json_close(j, '}');
     }
     if (r->options->settings.coupled.asked) {
@@ -213,9 +213,9 @@ static void json_question(json_out *j, const report *r)
     json_string(j, "tol_by", report_tol_by(r));
     json_real(j, "force_bound", (double)x->force_bound);
     json_int(j, "blocks", r->scene->scene.count.blocks);
-    json_int(j, "free_blocks", x->free_blocks);
-    json_int(j, "interfaces", x->joints);
-    json_int(j, "contact_vertices", x->points);
+    json_int(j, "free_blocks", x->counts.free_blocks);
+    json_int(j, "interfaces", x->counts.joints);
+    json_int(j, "contact_vertices", x->counts.points);
 }
 
 /* What stands for the verdict, in numbers. */
@@ -224,12 +224,12 @@ static void json_evidence(json_out *j, const sp_result *x)
     json_string(j, "stage", sp_stage_text(x->stage));
     json_real(j, "omega", (double)x->imbalance);
     json_real(j, "least_imbalance", (double)x->least_imbalance);
-    json_real(j, "max_compression", (double)x->max_compression);
-    json_real(j, "max_tension", (double)x->max_tension);
-    json_real(j, "max_utilisation", (double)x->max_utilisation);
-    if (x->tension_ratio >= 0) json_real(j, "tension_ratio", (double)x->tension_ratio);
+    json_real(j, "max_compression", (double)x->extremes.compression);
+    json_real(j, "max_tension", (double)x->extremes.tension);
+    json_real(j, "max_utilisation", (double)x->extremes.utilisation);
+    if (x->extremes.tension_ratio >= 0) json_real(j, "tension_ratio", (double)x->extremes.tension_ratio);
     else json_null(j, "tension_ratio");
-    if (x->weakest >= 0) json_int(j, "weakest_interface", x->weakest);
+    if (x->extremes.weakest >= 0) json_int(j, "weakest_interface", x->extremes.weakest);
     else json_null(j, "weakest_interface");
 }
 

@@ -100,10 +100,10 @@ static void text_weakest(FILE *out, const report *r)
     const sp_result *x = &r->result;
     const sp_scene *s = &r->scene->scene;
     sp_joint_force f;
-    if (x->weakest < 0 || sp_joint_resultant(s, x, x->weakest, &f) != SP_OK) return;
-    const sp_demand *help = &x->demand[x->weakest];
+    if (x->extremes.weakest < 0 || sp_joint_resultant(s, x, x->extremes.weakest, &f) != SP_OK) return;
+    const sp_demand *help = &x->demand[x->extremes.weakest];
     report_row(out, "weakest joint");
-    fprintf(out, "%s - %s", r->scene->name[s->joint[x->weakest].a], r->scene->name[s->joint[x->weakest].b]);
+    fprintf(out, "%s - %s", r->scene->name[s->joint[x->extremes.weakest].a], r->scene->name[s->joint[x->extremes.weakest].b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
         put_scaled(out, (double)help->friction, "N");
@@ -134,15 +134,15 @@ static void text_islands(FILE *out, const report *r)
     enum { SHOWN = 4 };
     const sp_result *x = &r->result;
     int32_t stable = 0, named = 0;
-    if (!x->part) return;
-    for (int32_t k = 0; k < x->islands; k++) stable += x->part[k].verdict == SP_STABLE;
+    if (!x->islands.each) return;
+    for (int32_t k = 0; k < x->islands.count; k++) stable += x->islands.each[k].verdict == SP_STABLE;
     report_row(out, "islands");
-    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands, (long)stable);
-    for (int32_t k = 0; k < x->islands && named < SHOWN; k++)
-        if (x->part[k].verdict != SP_STABLE)
-            fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->part[k].block],
-                    sp_verdict_text(x->part[k].verdict));
-    fprintf(out, x->islands - stable > named ? ", ...\n" : "\n");
+    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands.count, (long)stable);
+    for (int32_t k = 0; k < x->islands.count && named < SHOWN; k++)
+        if (x->islands.each[k].verdict != SP_STABLE)
+            fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->islands.each[k].block],
+                    sp_verdict_text(x->islands.each[k].verdict));
+    fprintf(out, x->islands.count - stable > named ? ", ...\n" : "\n");
 }
 
 static void text_overlaps(FILE *out, const host_scene *s)
@@ -159,9 +159,9 @@ static void text_forces(FILE *out, const sp_result *x)
 {
     report_row(out, "forces");
     fputs("largest compression ", out);
-    put_scaled(out, (double)x->max_compression, "N");
-    fputs(x->max_tension > 0 ? ", largest tension asked for " : "", out);
-    if (x->max_tension > 0) put_scaled(out, (double)x->max_tension, "N");
+    put_scaled(out, (double)x->extremes.compression, "N");
+    fputs(x->extremes.tension > 0 ? ", largest tension asked for " : "", out);
+    if (x->extremes.tension > 0) put_scaled(out, (double)x->extremes.tension, "N");
     fputc('\n', out);
 }
 
@@ -169,7 +169,7 @@ static void text_forces(FILE *out, const sp_result *x)
 static void text_penalty(FILE *out, const report *r)
 {
     for (int coupled = 0; coupled < 2; coupled++) {
-        const double ratio = (double)(coupled ? r->result.coupled.tension_ratio : r->result.tension_ratio);
+        const double ratio = (double)(coupled ? r->result.coupled.tension_ratio : r->result.extremes.tension_ratio);
         if (!(ratio >= 0) || (coupled && !r->options->settings.coupled.asked)) continue;
         report_row(out, "penalty form");
         fputs(coupled ? "joined with a motion: " : "", out);
@@ -183,8 +183,8 @@ static void text_scene(FILE *out, const report *r)
     const int32_t blocks = r->scene->scene.count.blocks;
     report_row(out, "scene");
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)blocks, blocks == 1 ? "" : "s",
-            (long)x->free_blocks, (long)x->joints, x->joints == 1 ? "" : "s", r->scene->found ? " found" : "",
-            (long)x->points);
+            (long)x->counts.free_blocks, (long)x->counts.joints, x->counts.joints == 1 ? "" : "s", r->scene->found ? " found" : "",
+            (long)x->counts.points);
     if (x->reason != SP_REASON_EFFECT) return;
     report_row(out, "left out");
     fprintf(out, "%s\n", sp_effect_text(x->missing));
@@ -194,9 +194,9 @@ static void text_cost(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
     report_row(out, "cost");
-    fprintf(out, "%ld factorisation%s, ", (long)x->cost.factorisations, x->cost.factorisations == 1 ? "" : "s");
-    if (x->cost.interior) fprintf(out, "%ld of them interior-point, ", (long)x->cost.interior);
-    put_scaled(out, (double)x->cost.flops, "flop");
+    fprintf(out, "%ld factorisation%s, ", (long)x->spent.total.factorisations, x->spent.total.factorisations == 1 ? "" : "s");
+    if (x->spent.total.interior) fprintf(out, "%ld of them interior-point, ", (long)x->spent.total.interior);
+    put_scaled(out, (double)x->spent.total.flops, "flop");
     fprintf(out, ", %.1f KiB, ", (double)r->cost.bytes / 1024);
     put_scaled(out, r->cost.seconds, "s");
     fprintf(out, ", by %s\n", sp_stage_text(x->stage));

@@ -81,7 +81,7 @@ static int draw_all(words *w, const faces *f, int deep, double legend)
 {
     const drawing *d = w->d;
     if (!faces_draw(f, d, NULL)) return 0;
-    joints_draw_weakest(d, w->of->result->weakest);
+    joints_draw_weakest(d, w->of->result->extremes.weakest);
     if (!forces_draw(w->forces, d, deep)) return 0;
     mechanism_draw(w->motion, d, f);
     if (w->of->limit) joints_draw_mechanism(d, w->of->limit->dq, &w->hinges, &w->slides);

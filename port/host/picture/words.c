@@ -71,11 +71,11 @@ static void title_of_check(const words *w)
             "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", PAGE_MARGIN, color, word);
     page_text(w->out, file_name(w->of->scene->path), 60);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
-    fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s", (long)x->free_blocks,
-            (long)x->joints, x->joints == 1 ? "" : "s");
+    fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s", (long)x->counts.free_blocks,
+            (long)x->counts.joints, x->counts.joints == 1 ? "" : "s");
     put_friction(w);
     fputs("; largest compression ", w->out);
-    page_quantity(w->out, (double)x->max_compression, "N");
+    page_quantity(w->out, (double)x->extremes.compression, "N");
     fputs("</text>\n", w->out);
     fprintf(w->out, "<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     put_certainty(w);
@@ -104,7 +104,7 @@ static void legend_forces(const words *w, double x, double y)
 
 static void legend_weakest(const words *w, double x, double y)
 {
-    const int32_t i = w->of->result->weakest;
+    const int32_t i = w->of->result->extremes.weakest;
     const sp_demand *help = &w->of->result->demand[i];
     sp_joint_force f;
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
@@ -194,7 +194,7 @@ void words_legend(const words *w, double y)
     legend_support(w, PAGE_MARGIN, y);
     legend_length(w, PAGE_MARGIN + 110, y);
     if (w->forces->largest > 0) legend_forces(w, second, y);
-    if (w->of->result->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
+    if (w->of->result->extremes.weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
     legend_joints(w, PAGE_MARGIN, y + 26);
     if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y + 52);
     legend_gravity(w);

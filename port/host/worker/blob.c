@@ -490,21 +490,21 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, run_cost *cost, 
     io_real(s, &r->force_bound);
     io_real(s, &r->imbalance);
     io_real(s, &r->least_imbalance);
-    io_int(s, &r->free_blocks, 0, scene->count.blocks);
-    io_int(s, &r->joints, 0, scene->count.joints);
-    io_int(s, &r->points, 0, scene->count.points);
-    io_real(s, &r->max_compression);
-    io_real(s, &r->max_tension);
-    io_real(s, &r->max_utilisation);
-    io_real(s, &r->tension_ratio);
-    io_int(s, &r->weakest, -1, scene->count.joints - 1);
-    io_cost(s, &r->cost);
-    for (int k = 0; k < SP_STAGES_MAX; k++) io_cost(s, &r->by_stage[k]);
+    io_int(s, &r->counts.free_blocks, 0, scene->count.blocks);
+    io_int(s, &r->counts.joints, 0, scene->count.joints);
+    io_int(s, &r->counts.points, 0, scene->count.points);
+    io_real(s, &r->extremes.compression);
+    io_real(s, &r->extremes.tension);
+    io_real(s, &r->extremes.utilisation);
+    io_real(s, &r->extremes.tension_ratio);
+    io_int(s, &r->extremes.weakest, -1, scene->count.joints - 1);
+    io_cost(s, &r->spent.total);
+    for (int k = 0; k < SP_STAGES_MAX; k++) io_cost(s, &r->spent.by_stage[k]);
     io_coupled(s, &r->coupled);
     for (int k = 0; k < SP_EFFECTS; k++) IO_ENUM(s, r->effect[k], sp_effect_why, SP_WHY_FOREST);
     IO_ENUM(s, r->missing, sp_effect, SP_EFFECTS - 1);
-    io_int(s, &r->islands, 0, scene->count.blocks);
-    io_size(s, &r->peak_bytes);
+    io_int(s, &r->islands.count, 0, scene->count.blocks);
+    io_size(s, &r->spent.peak_bytes);
     io_size(s, &cost->bytes);
     io_double(s, &cost->seconds);
     io_int(s, &x->motion, 0, 1);
@@ -529,7 +529,7 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     sp_proof *p = &r->coupled.proof;
     io_reals(s, r->f, 3 * (size_t)scene->count.points);
     io_reals(s, r->dq, 6 * (size_t)scene->count.blocks);
-    io_reals(s, r->y0, 12 * (size_t)r->free_blocks);
+    io_reals(s, r->y0, 12 * (size_t)r->counts.free_blocks);
     for (int32_t k = 0; k < scene->count.joints; k++) {
         io_real(s, &r->demand[k].tension);
         io_real(s, &r->demand[k].friction);
@@ -540,8 +540,8 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     for (int32_t k = 0; k < p->nodes; k++) io_int(s, &p->node[k], INT32_MIN, INT32_MAX);
     for (int32_t k = 0; p->nodes && k < p->entries; k++) p->row[k] = (uint16_t)io_bits(s, p->row[k], 2);
     if (p->nodes) io_reals(s, p->y, (size_t)p->entries);
-    for (int32_t k = 0; r->islands > 1 && k < scene->count.blocks; k++) io_int(s, &r->island[k], -1, r->islands - 1);
-    for (int32_t k = 0; r->islands > 1 && k < r->islands; k++) io_part(s, scene, &r->part[k]);
+    for (int32_t k = 0; r->islands.count > 1 && k < scene->count.blocks; k++) io_int(s, &r->islands.of[k], -1, r->islands.count - 1);
+    for (int32_t k = 0; r->islands.count > 1 && k < r->islands.count; k++) io_part(s, scene, &r->islands.each[k]);
 }
 
 sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const run_cost *cost)
@@ -562,16 +562,16 @@ static void result_carve(sp_result *r, const sp_scene *scene, const extra *x, vo
     r->f = memory;
     r->dq = r->f + 3 * (size_t)scene->count.points;
     r->y0 = r->dq + 6 * (size_t)scene->count.blocks;
-    r->demand = (sp_demand *)(r->y0 + 12 * (size_t)r->free_blocks);
+    r->demand = (sp_demand *)(r->y0 + 12 * (size_t)r->counts.free_blocks);
     r->coupled.dq = (sp_real *)(r->demand + scene->count.joints);
     r->coupled.alpha = r->coupled.dq + (x->motion ? 6 * (size_t)scene->count.blocks : 0);
     r->coupled.penalty = r->coupled.alpha + (x->alpha ? (size_t)scene->count.points : 0);
     p->y = r->coupled.penalty + (x->penalty ? 4 * (size_t)scene->count.points : 0);
     p->node = (int32_t *)(p->y + p->entries);
-    r->island = p->node + p->nodes;
-    r->part = (sp_island *)(r->island + (r->islands > 1 ? scene->count.blocks : 0));
-    p->row = (uint16_t *)(r->part + (r->islands > 1 ? r->islands : 0));
-    if (r->islands < 2) r->island = NULL, r->part = NULL;
+    r->islands.of = p->node + p->nodes;
+    r->islands.each = (sp_island *)(r->islands.of + (r->islands.count > 1 ? scene->count.blocks : 0));
+    p->row = (uint16_t *)(r->islands.each + (r->islands.count > 1 ? r->islands.count : 0));
+    if (r->islands.count < 2) r->islands.of = NULL, r->islands.each = NULL;
     if (!x->motion) r->coupled.dq = NULL;
     if (!x->alpha) r->coupled.alpha = NULL;
     if (!x->penalty) r->coupled.penalty = NULL;
@@ -592,12 +592,12 @@ sp_status blob_read_result(const blob *b, const sp_scene *scene, sp_result *resu
     memset(&r, 0, sizeof r);
     io_head(&s, scene, &r, &c, &x);
     if (s.bad || (!r.coupled.proof.nodes && r.coupled.proof.entries)) return SP_E_RANGE;
-    need = REAL * (3 * (uint64_t)scene->count.points + 6 * (uint64_t)scene->count.blocks + 12 * (uint64_t)r.free_blocks
+    need = REAL * (3 * (uint64_t)scene->count.points + 6 * (uint64_t)scene->count.blocks + 12 * (uint64_t)r.counts.free_blocks
                    + 2 * (uint64_t)scene->count.joints + (x.motion ? 6 * (uint64_t)scene->count.blocks : 0)
                    + (x.alpha ? (uint64_t)scene->count.points : 0) + (x.penalty ? 4 * (uint64_t)scene->count.points : 0)
                    + (uint64_t)r.coupled.proof.entries)
          + 4 * (uint64_t)r.coupled.proof.nodes + 2 * (uint64_t)r.coupled.proof.entries
-         + (r.islands > 1 ? 4 * (uint64_t)scene->count.blocks + sizeof *r.part * (uint64_t)r.islands : 0);
+         + (r.islands.count > 1 ? 4 * (uint64_t)scene->count.blocks + sizeof *r.islands.each * (uint64_t)r.islands.count : 0);
     if (need != s.left) return SP_E_RANGE;
     *memory = calloc(s.left + 1, 1);
     if (!*memory) return SP_E_MEMORY;
