@@ -34,8 +34,8 @@
  *   forest      joints that close no loop between blocks
  *   stage       one way to look for forces or a motion; it proposes, the certificate check decides
  *
- * Sources: [seed n] the specification, section n, retold in solvers/seed/README.md; [departure n] where the library does something
- *   else, numbered in solvers/README.md. The others by name:
+ * Sources: [seed n] is section n of the specification, retold in solvers/seed/README.md; [departure n] is where the library
+ *   does something else, numbered in solvers/README.md. The others by name:
  *   Kao, Iannuzzo, Thomaszewski, Coros, Van Mele, Block 2022, Computer-Aided Design 146:103216; Heyman 1966; Qi, Sun 1993,
  *   Math. Programming 58; Rockafellar 1976, SIAM J. Control Optim. 14; Amestoy, Davis, Duff 1996, SIAM J. Matrix Anal. 17;
  *   Hestenes, Stiefel 1952; Stiefel 1955; Dekker 1971, Numer. Math. 18; Davis 2006, Direct Methods for Sparse Linear Systems;

@@ -93,7 +93,7 @@
 #define SP__NOINLINE_SMALL
 #endif
 
-/* Does the certificate check know pyramids and strength? In expressions: what is left out is compiled all the same, and gone. */
+/* Does the certificate check know pyramids and strength? For use in expressions: what they exclude is compiled and removed. */
 #ifdef SP_SMALL
 enum { SP__HAS_STRENGTH = 0 };
 #else

@@ -1,4 +1,4 @@
-/* groups: numbers 0..n-1 joined into groups, by union-find with halved paths                        [Tarjan, van Leeuwen 1984] */
+/* groups: numbers 0..n-1 joined into groups, by union-find with halved paths                      [Tarjan, van Leeuwen 1984] */
 #ifndef SP__BASE_GROUPS_C
 #define SP__BASE_GROUPS_C
 

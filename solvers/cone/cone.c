@@ -6,9 +6,10 @@
  *                   u itself, its foot on one face, its foot on one edge, or the apex. Cost log(faces).
  * mu is the coefficient in force (mu cos(pi/K) for an inscribed pyramid). P_K of a cone is homogeneous: P_K(s u) = s P_K(u).
  *
- *   with strength   K = { |ut| <= C + mu un, -T <= un <= N }, T <= C / mu: a cone or pyramid moved down, cut off below and above.
- *                   The distance to its section at height t is convex in t: where the uncut one has its least, kept within
- *                   -T .. N, lies the nearest point: on the slope, a wall, a rim between them; of a pyramid an edge, a corner.
+ *   with strength   K = { |ut| <= C + mu un, -T <= un <= N }, T <= C / mu: a cone or pyramid moved down, cut off below and
+ *                   above. The distance to its section at height t is convex in t: where the uncut one has its least, kept
+ *                   within -T .. N, lies the nearest point: on the slope, a wall, a rim between them; of a pyramid an edge, a
+ *                   corner.
  */
 #ifndef SP__CONE_C
 #define SP__CONE_C
@@ -81,7 +82,8 @@ static void sp__cone_frame(const sp__cone *k, const sp_real u[3], sp__foot *o)
 /* Of the set with strength, from the frame of u: where is its foot? A true cone has b = tan(pi/K) = 0. */
 static void sp__yield_foot(const sp__cone *k, const sp__yield *y, sp_real x, sp__foot *o)
 {
-    const sp_real mu = y->mu, e = mu * k->tan_half, at = x < -y->T ? -y->T : x > y->N ? y->N : x, room = sp__max(0, y->C + mu * at);
+    const sp_real mu = y->mu, e = mu * k->tan_half, at = x < -y->T ? -y->T : x > y->N ? y->N : x;
+    const sp_real room = sp__max(0, y->C + mu * at);
     const int beyond = x < -y->T || x > y->N;
     if (o->a <= room && (room > 0 || !beyond)) {        /* a wall without width is a rim */
         o->region = beyond ? SP__WALL : SP__INSIDE;
@@ -164,8 +166,8 @@ SP__NOINLINE static sp__region sp__cone_derivative(const sp__cone *k, const sp__
     return o.region;
 }
 
-/* Largest f.u over f in K with |f| <= most, or a little more: over the rims; over the cone or pyramid |ft| <= mu fn from the lower
- * rim, the vector to which is no longer than T + low / cos(pi/K), most times the length of u's foot on it. */
+/* Largest f.u over f in K with |f| <= most, or a little more: over the rims; over the cone or pyramid |ft| <= mu fn from the
+ * lower rim, the vector to which is no longer than T + low / cos(pi/K), most times the length of u's foot on it. */
 SP__NOINLINE static sp_real sp__yield_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
 {
     sp__foot o;
@@ -174,7 +176,8 @@ SP__NOINLINE static sp_real sp__yield_support(const sp__cone *k, const sp__yield
     const sp_real along = y->mu * o.t, across = o.region == SP__EDGE ? along * k->tan_half : o.b;
     const sp_real size = o.region == SP__APEX ? 0 : o.region == SP__INSIDE ? sp__norm3(u)
                        : SP_SQRT(o.t * o.t + along * along + across * across);
-    const sp_real low = sp__max(0, y->C - y->mu * y->T), a = o.a + k->tan_half * o.b, corner = SP_SQRT(1 + k->tan_half * k->tan_half);
+    const sp_real low = sp__max(0, y->C - y->mu * y->T), a = o.a + k->tan_half * o.b;
+    const sp_real corner = SP_SQRT(1 + k->tan_half * k->tan_half);
     const sp_real foot = low * a - y->T * u[0], open = foot + (most + y->T + low * corner) * size;
     const sp_real crush = y->N * u[0] + (y->C + y->mu * y->N) * a, shut = foot > crush ? foot : crush;
     return shut < open ? shut : open;

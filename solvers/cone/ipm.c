@@ -45,7 +45,7 @@ static void sp__soc_scale(const sp__nt *W, const sp_real v[3], int inverse, sp_r
     o[2] = s * (v[2] + W->w[2] * c);
 }
 
-/* v <- W^2 v = s^2 (2 (w.v) w - J v); v[0] not written like v[1]: gcc 12 fuses a pair of x y - z, x y + z whatever it is told. */
+/* v <- W^2 v = s^2 (2 (w.v) w - J v). v[0] is not written like v[1]: gcc 12 fuses a pair x y - z, x y + z, flags or not. */
 static void sp__soc_square(const sp__nt *W, sp_real v[3])
 {
     const sp_real s = W->s * W->s, t = 2 * sp__dot3(W->w, v);

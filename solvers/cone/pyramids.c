@@ -2,8 +2,8 @@
  *
  * One table holds cos and sin of a quarter of a face's turn, pi/(2K), to 20 digits. Direction k of K, the angle 2 pi k/K, is
  * 4k of these steps out of 4K; reflections in the axes and the diagonal bring it, in integers, to g <= K/2 steps, which is the
- * g-th power of the table's complex number, by repeated squaring. Directions on an axis are therefore exactly 0 and +-1, opposite
- * and mirrored directions have the same digits, and all are right to a few units in the last place.
+ * g-th power of the table's complex number, by repeated squaring. Directions on an axis are therefore exactly 0 and +-1,
+ * opposite and mirrored directions have the same digits, and all are right to a few units in the last place.
  */
 #ifndef SP__PYRAMID_C
 #define SP__PYRAMID_C

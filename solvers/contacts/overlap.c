@@ -52,8 +52,8 @@ static int sp__edge_once(const sp__touch *t, const int32_t *e)
     return sp__place_order(t->scene->vertex[e[0]], t->scene->vertex[e[1]], 0) < 0;
 }
 
-/* Least overlap of the shadows along the cross products of their edges, too. If a plane keeps two convex bodies apart, one along
- * a face or along two edges does. */
+/* Least overlap of the shadows along the cross products of their edges, too. If a plane keeps two convex bodies apart, one
+ * along a face or along two edges does. */
 static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
 {
     const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];

@@ -1,5 +1,5 @@
-/* polygon: the polygons two blocks share: each pair of opposed, near patches is clipped in A's plane (geometry/clip.c), and loops
- * where B's plane is near become joints. Not in SP_SMALL: small_pair.c. */
+/* polygon: the polygons two blocks share: each pair of opposed, near patches is clipped in A's plane (geometry/clip.c), and
+ * loops where B's plane is near become joints. Not in SP_SMALL: small_pair.c. */
 #ifndef SP__CONTACTS_POLYGON_C
 #define SP__CONTACTS_POLYGON_C
 

@@ -1,5 +1,5 @@
-/* small_pair: polygon.c and sweep.c for SP_SMALL. Every pair of blocks is compared, and the faces of A in one plane share with B
- * the convex hull of their intersections: a force at a point of the hull is a sum of forces at its corners. */
+/* small_pair: polygon.c and sweep.c for SP_SMALL. Every pair of blocks is compared, and the faces of A in one plane share with
+ * B the convex hull of their intersections: a force at a point of the hull is a sum of forces at its corners. */
 #ifndef SP__CONTACTS_SMALL_PAIR_C
 #define SP__CONTACTS_SMALL_PAIR_C
 

@@ -1,5 +1,5 @@
-/* sweep: pairs of blocks whose boxes come near each other, by a balanced tree of boxes along a Morton curve: n log n for boxes of
- * mixed sizes.                                                                                               [Morton 1966] */
+/* sweep: pairs of blocks whose boxes come near each other, by a balanced tree of boxes along a Morton curve: n log n for boxes
+ * of mixed sizes.                                                                                     [Morton 1966] */
 #ifndef SP__CONTACTS_SWEEP_C
 #define SP__CONTACTS_SWEEP_C
 

@@ -21,9 +21,9 @@
  * costs its own pairs and no more.
  *
  * SP_SMALL takes every face for a patch, and for what the patches of one plane share with a block its convex hull: that carries
- * the same, for a force at a point of it is a sum of forces at its corners. How narrow it is, is asked of the hull, for faces may
- * be narrow that together are not; a narrow piece of two faces that are not is an edge contact. Nothing is sorted, every pair of
- * blocks is asked.
+ * the same, for a force at a point of it is a sum of forces at its corners. How narrow it is, is asked of the hull, for faces
+ * may be narrow that together are not; a narrow piece of two faces that are not is an edge contact. Nothing is sorted, every
+ * pair of blocks is asked.
  */
 
 typedef struct sp__patch {

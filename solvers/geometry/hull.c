@@ -80,7 +80,7 @@ static sp_real sp__hull_area(const sp__hull *h, sp_real g[2])
     return twice / (sp_real)2;
 }
 
-/* Distance of c from the nearest edge line, positive inside: min over edges (a, b) of n_in . (c - a), n_in = (-e_y, e_x)/|e|. */
+/* Distance of c from the nearest edge line, positive inside: min over edges (a, b) of n . (c - a), n = (-e_y, e_x) / |e|. */
 static sp_real sp__hull_clearance(const sp__hull *h, const sp_real c[2])
 {
     sp_real least = 0;

@@ -7,13 +7,14 @@
 
 #if SP__WITH_INTERIOR
 
-/* The exact stage as the engine that a limit asks, and the dual with the live loads in it [interior.c, strong.c]. */
-typedef struct sp__homogeneous {        /* interior points [interior.c] */
+/* What the interior points of a limit keep [interior.c]. */
+typedef struct sp__homogeneous {
     sp__ipm m;
     sp_real l, s, dl, ds;
     sp_real along[2];                   /* a step is its free part and these multiples of Vq and Vp */
 } sp__homogeneous;
 
+/* The exact stage as the engine that a limit asks, and the dual with the live loads in it [interior.c, strong.c]. */
 typedef struct sp__engine {
     sp_state state;
     sp__newton n;

@@ -33,7 +33,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
     int32_t final[6] = { 0, 0, 0, 0, 0, 0 };
     memcpy(b->whole, b->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
-            sp__certifier *j = &b->certificate;
+        sp__certifier *j = &b->certificate;
         int k = 0;
         if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
         if (pass == 0) {

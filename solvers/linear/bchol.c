@@ -82,7 +82,8 @@ static void sp__bchol_rows(sp__bchol *f, const int32_t *xadj, const int32_t *adj
 
 /* Count in the order of perm: fills inv, p (column starts), flops. Returns the number of blocks below the diagonal, -1 when it
  * does not fit an int32. parent (n) is for sp__bchol_pattern. */
-SP__NOINLINE static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
+SP__NOINLINE static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent,
+                                            int32_t *mark)
 {
     for (int32_t k = 0; k < f->n; k++) { f->inv[f->perm[k]] = k; f->p[k] = 0; }
     f->p[f->n] = 0;

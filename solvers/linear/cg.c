@@ -1,4 +1,4 @@
-/* cg: conjugate gradients on a positive definite operator, preconditioned by its diagonal.               [Hestenes, Stiefel 1952]
+/* cg: conjugate gradients on a positive definite operator, preconditioned by its diagonal.             [Hestenes, Stiefel 1952]
  *
  * The operator is never formed; memory 3 n numbers and the diagonal.
  */

@@ -2,7 +2,7 @@
  *
  *   forces    omega = max over blocks of |r_i| / s_i, |m_i| / S_i,  r = Aeq f + p,  f_v in K_v, |f_v| <= c_v
  *   motion    p . dq  -  sum c_v |P_K(u_v)|   >   tol sum (sbar_i |v_i| + Sbar_i |w_i|),   u = -Aeq' dq, dq_i = (v_i, w_i)
- *                                                                                      [solvers/README.md, what proves a verdict]
+ *                                                                             [solvers/README.md, what proves a verdict]
  */
 #ifndef SP__PROOF_FORCES_C
 #define SP__PROOF_FORCES_C
@@ -34,7 +34,8 @@ static void sp__certifier_admit(const sp__certifier *j, const sp_contact *t, con
 }
 
 /* Imbalance of a force state. Every force is first made admissible; the imbalance is then the largest of |r_i| / s_i
- * and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|), S_i likewise. `admitted` (may be NULL) gets the admissible forces, 3 x points. */
+ * and |m_i| / S_i, s_i = |load| + min(sum |f_v|, sum |f0_v|), S_i likewise. `admitted` (may be NULL) gets the admissible
+ * forces, 3 x points. */
 SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *f, sp_real *admitted)
 {
     const sp_problem *pb = j->pb;
@@ -94,8 +95,8 @@ SP__NOINLINE static sp_real sp__certifier_cone_resistance(const sp__certifier *j
 }
 
 /* Largest f.u over f in K_v, |f| <= cap; K_v with strength lies between its lower rim (fn = -T, |ft| = low) and its upper one.
- *   over the hull of both rims:             max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
- *   over lower rim + cone, |f| <= cap:      low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
+ *   over the hull of both rims:          max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
+ *   over lower rim + cone, |f| <= cap:   low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
 SP__NOINLINE static sp_real sp__certifier_strength_resistance(const sp__certifier *j, const sp_contact *t, const sp_real u[3],
                                                              sp_real P, sp_real cap, int *capped)
@@ -229,8 +230,8 @@ static void sp__certifier_cone(sp__certifier *j, const sp_problem *pb, const sp_
 
 /* Set up a certificate check in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
  *     returns 0 when the arena is too small */
-SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0, int32_t most,
-                                    sp_arena *a)
+SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0,
+                                           int32_t most, sp_arena *a)
 {
     sp__certifier_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
@@ -250,8 +251,8 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
 }
 #endif
 
-/* The motion of the check at the scene's numbers, scaled so that no point of a block moves farther than the largest block reaches;
- * dq of other blocks stays as it is. */
+/* The motion of the check at the scene's numbers, scaled so that no point of a block moves farther than the largest block
+ * reaches; dq of other blocks stays as it is. */
 static void sp__check_motion(const sp__certifier *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;

@@ -1,12 +1,12 @@
 /* scale: the certificate check's memory, the bilateral force f0, and the sizes by which each block's imbalance is measured.
  *
- *   f0            bilateral least-squares force: least imbalance, then least norm               [solvers/README.md, what proves]
+ *   f0            bilateral least-squares force: least imbalance, then least norm              [solvers/README.md, what proves]
  *   sbar, Sbar    |load| + sum |f0_v|,  |couple| + sum |(r_v - c) x f0_v| + 16 u sbar max |r_v - c| / tol
  *   caps          c_v = force_bound min(sbar_A, sbar_B) over the free blocks of a contact
  *
  * The files of proof/ include nothing of a search: projection and sums are their own, in world coordinates instead of contact
- * frames. A search hands over what is to be proved and a first guess y0 of f0, which is used as far as its residual allows. Both
- * sides read the scene and its problem (scene/).
+ * frames. A search hands over what is to be proved and a first guess y0 of f0, which is used as far as its residual allows.
+ * Both sides read the scene and its problem (scene/).
  */
 #ifndef SP__PROOF_SCALE_C
 #define SP__PROOF_SCALE_C
@@ -34,7 +34,7 @@ typedef struct sp__scale {
 /* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
-#define SP__FLOPS_CERTIFICATE 90              /* a vertex in a sweep: >= 2 for the scales, 1 for forces or a triple, 7 for a motion */
+#define SP__FLOPS_CERTIFICATE 90    /* a vertex in a sweep; scales take 2 sweeps or more, forces or a triple 1, a motion 7 */
 
 /* A certificate check at work: the scene it checks against, its scales and scratch. The certificate itself is the result. */
 typedef struct sp__certifier {
@@ -93,7 +93,8 @@ static void sp__vertex_velocity(const sp_problem *pb, const sp__scale *scale, co
 }
 
 /* (F, (r - c) x F) added to the row of B, taken off that of A; |F| and |(r - c) x F| to both blocks' sums (may be NULL). */
-static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real F[3], sp_real *row, sp_real *sum)
+static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t v, const sp_real F[3], sp_real *row,
+                             sp_real *sum)
 {
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->a : t->b;
@@ -188,11 +189,12 @@ static void sp__certifier_normal_product(sp__certifier *j, const sp_real *in, sp
 
 /* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when r
  * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: it takes that
- * many to reach across half the structure.                                                                      [Stiefel 1955] */
+ * many to reach across half the structure.                                                             [Stiefel 1955] */
 SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
-    const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL, start = sp__dot(j->r, j->r, n);
+    const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL;
+    const sp_real start = sp__dot(j->r, j->r, n);
     sp__certifier_normal_product(j, j->r, j->g);
     memcpy(j->p, j->r, n * sizeof *j->p);
     memcpy(j->q, j->g, n * sizeof *j->q);
@@ -216,8 +218,8 @@ SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *
     }
 }
 
-/* Does f0 balance a block, so that it may serve as the block's scale? It does if the residual r of its rows is within a few digits
- * of the load, or within the rounding of the forces that pass through the block. */
+/* Does f0 balance a block, so that it may serve as the block's scale? It does if the residual r of its rows is within a few
+ * digits of the load, or within the rounding of the forces that pass through the block. */
 static int sp__scale_is_balanced(const sp_real r[6], sp_real load, sp_real f0, sp_real arm)
 {
     const sp_real enough = SP__SCALE_KNOWN * load + 10000 * (sp_real)SP_EPSILON * f0;
@@ -310,11 +312,11 @@ static sp_real sp__scale_couple(const sp__certifier *j, const sp__scale *s, sp_r
     return s->couple + m + 16 * (sp_real)SP_EPSILON * s->s * s->arm / j->set->tol;
 }
 
-/* The scales of every free block. Where f0 does not balance it (nothing does, or its share is lost in rounding) the load takes the
- * place of f0: sbar = 2 |load|, and s_i is between |load| and that. Its caps then come from load + f0 + 10000 u times all loads,
- * which rounding may hide in f0; where f0 has not converged, from a thousand times all loads, more than any bilateral force.
- * With j->most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that pass by them
- * pass by those. */
+/* The scales of every free block. Where f0 does not balance it (nothing does, or its share is lost in rounding) the load takes
+ * the place of f0: sbar = 2 |load|, and s_i is between |load| and that. Its caps then come from load + f0 + 10000 u times all
+ * loads, which rounding may hide in f0; where f0 has not converged, from a thousand times all loads, more than any bilateral
+ * force. With j->most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that pass
+ * by them pass by those. */
 static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
 {
     sp__certifier_row_weights(j);

@@ -1,4 +1,4 @@
-/* triple: do forces, motion and slip factors (f, dq, alpha) meet the conditions of the coupled check?      [Kao 2022, Eqs. 8-11]
+/* triple: do forces, motion and slip factors (f, dq, alpha) meet the conditions of the coupled check?     [Kao 2022, Eqs. 8-11]
  *
  *   dd = Aeq' dq,   dn >= -eps,   fn (dn + eps) = 0,   ft = -alpha dt, alpha >= 0,   dn <= eta, |dt| <= eta
  */
@@ -8,15 +8,15 @@
 #include "../scene/part.c"
 #include "forces.c"
 
-/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its limit,
- * and no proof would reach as far. */
+/* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its
+ * limit, and no proof would reach as far. */
 #define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
 
 #if SP__WITH_COUPLED
 
 /* Tolerances of a triple (f, dq, alpha) of the coupled check, in units of its length L: a pressing joint by SP__GIVE, slip
- * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap SP__GIVE_MOST
- * at most, or a block that spins about the points it is held at would hide all of it. */
+ * that takes friction at least SP__SLIP and opposite within SP__SLIP, and what rounding hides in a motion: of a gap
+ * SP__GIVE_MOST at most, or a block that spins about the points it is held at would hide all of it. */
 #ifdef SP_REAL_FLOAT
 #define SP__GIVE ((sp_real)1e-4)
 #define SP__GIVE_MOST ((sp_real)1e-2)
@@ -33,7 +33,7 @@
 /* Lengths of the coupled check; eps and eta are counted in L: (1, eta / eps), or (0, 1) where eps is 0. */
 typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;
 
-/* Mean edge of the joints that take part; where they have none (points), mean distance of a joint from its blocks' centroids. */
+/* Mean edge of the joints that take part; where these are points, mean distance of a joint from its blocks' centroids. */
 static sp_real sp__mean_edge(const sp_problem *pb)
 {
     sp_real edges = 0, arms = 0;

@@ -41,7 +41,8 @@ typedef struct sp__vertex_limits { sp_real C, T, N; } sp__vertex_limits;
 static sp__vertex_limits sp__vertex_strength(const sp_joint *f, int ignore_strength)
 {
     const sp_real share = ignore_strength ? 0 : f->area / (sp_real)f->points;
-    sp__vertex_limits k = { f->strength.cohesion * share, f->strength.tension * share, f->strength.crushing > 0 ? f->strength.crushing * share : SP__HUGE };
+    sp__vertex_limits k = { f->strength.cohesion * share, f->strength.tension * share,
+                            f->strength.crushing > 0 ? f->strength.crushing * share : SP__HUGE };
     if (k.T * f->strength.mu > k.C) k.T = k.C / f->strength.mu;
     return k;
 }

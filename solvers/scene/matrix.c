@@ -1,5 +1,5 @@
-/* matrix: Aeq and Afr by entries for other solvers: columns [ s e ; s r x e ] of a force s e at arm r from the centroid, and rows
- * cos_k ft1 + sin_k ft2 - mu_eff fn of the friction pyramid.                                             [seed 1.1, 1.2, 1.4] */
+/* matrix: Aeq and Afr by entries for other solvers: columns [ s e ; s r x e ] of a force s e at arm r from the centroid, and
+ * rows cos_k ft1 + sin_k ft2 - mu_eff fn of the friction pyramid.                                       [seed 1.1, 1.2, 1.4] */
 #ifndef SP__SCENE_MATRIX_C
 #define SP__SCENE_MATRIX_C
 
@@ -94,7 +94,8 @@ static void sp__friction_open(sp__friction *r, int32_t faces, int32_t inscribed,
 }
 
 /* Column c of one contact vertex: cos_k ft1 + sin_k ft2 - mu_eff (fp or fp - fm). */
-static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_contact *contact, int32_t v, int32_t columns, int32_t c)
+static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_contact *contact, int32_t v, int32_t columns,
+                           int32_t c)
 {
     const sp_real mu = r->shrink * contact->joint->strength.mu;
     const int32_t tangent = c - (columns - 2);          /* 0, 1: ft1, ft2 */

@@ -94,7 +94,7 @@ static sp_real sp__local_warp(const sp__local *l, const int32_t *pick, int32_t c
     return most;
 }
 
-/* Sums over triangles, local: 6V in mass->volume, 24 V c in mass->centroid, 2A; n: twice the vector area of the running face. */
+/* Sums over triangles, local: 6V in mass->volume, 24 V c in mass->centroid, 2A. n: twice the vector area of this face. */
 typedef struct sp__solid { sp_mass *mass; sp_real area, n[3]; } sp__solid;
 
 /* Triangle of m and the corners i, j. */
@@ -154,7 +154,8 @@ static sp_status sp__mesh_measure(const sp_mesh *mesh, int32_t corners, sp_mass 
 {
     sp__local l;
     sp__solid t = { mass, 0, { 0, 0, 0 } };
-    if (sp__local_start(&l, mesh->xyz, corners ? mesh->corner : NULL, corners ? corners : mesh->vertices)) return SP_E_NOT_FINITE;
+    const int32_t count = corners ? corners : mesh->vertices;
+    if (sp__local_start(&l, mesh->xyz, corners ? mesh->corner : NULL, count)) return SP_E_NOT_FINITE;
     mass->volume = mass->centroid[0] = mass->centroid[1] = mass->centroid[2] = 0;
     mass->diameter = l.d * l.s;
     if (!sp__finite(mass->diameter * mass->diameter * mass->diameter)) return SP_E_NOT_FINITE;

@@ -13,12 +13,12 @@
 #if SP__WITH_LARGE
 
 typedef struct sp__part {
-    int32_t block, joint, load;                                     /* the first of each in the scene, -1: none */
-    const int32_t *block_next, *joint_next, *load_next;             /* after each the next, -1: none */
-    const int32_t *row;                                             /* per block of the scene: row in the part, -1: it has none */
+    int32_t block, joint, load;                             /* the first of each in the scene, -1: none */
+    const int32_t *block_next, *joint_next, *load_next;     /* after each the next, -1: none */
+    const int32_t *row;                                     /* per block of the scene: row in the part, -1: it has none */
 } sp__part;
 
-/* A problem of a part's blocks, contacts and loads. */
+/* Counts a part's blocks, contacts and vertices into pb; takes no memory. */
 static void sp__part_count(const sp_scene *scene, const sp__part *part, sp_problem *pb)
 {
     memset(pb, 0, sizeof *pb);
@@ -30,13 +30,14 @@ static void sp__part_count(const sp_scene *scene, const sp__part *part, sp_probl
     }
 }
 
-/* live: do some of its loads count scene.live times? */
+/* Room for what was counted.     live: do some of its loads count scene.live times? */
 static void sp__part_carve(sp_problem *pb, int live, sp_arena *a)
 {
     sp__problem_carve(pb, live, a);
     pb->point = sp__take(a, (size_t)pb->points, sizeof *pb->point);
 }
 
+/* Has the part live loads, or the scene an acceleration that is one? */
 static int sp__part_live(const sp_scene *scene, const sp__part *part)
 {
     int live = 0;
@@ -105,7 +106,7 @@ static int32_t sp__problem_points(const sp_problem *pb)
     return n;
 }
 
-/* `width` numbers of each vertex of a problem to where the scene has them; and from there. */
+/* `width` numbers of each vertex of a problem to where the scene has them. */
 static void sp__points_write(const sp_problem *pb, size_t width, const sp_real *of, sp_real *scene)
 {
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -115,6 +116,7 @@ static void sp__points_write(const sp_problem *pb, size_t width, const sp_real *
 }
 
 #if SP__WITH_COUPLED
+/* `width` numbers of each vertex of a problem from where the scene has them. */
 static void sp__points_read(const sp_problem *pb, size_t width, const sp_real *scene, sp_real *of)
 {
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -128,10 +130,13 @@ static void sp__points_read(const sp_problem *pb, size_t width, const sp_real *s
  * of Aeq have rows in one island only, so Aeq is block diagonal by islands and so are Aeq Aeq', the bilateral force f0, the
  * cones and the caps. Hence f balances p if and only if its share in each island balances the loads there, and dq is a
  * mechanism if one of its shares is (p.dq - sum c_v |P_K(u_v)| and what it is compared with are sums over islands; of two
- * ratios the mediant is no less than the smaller). So each is solved as a part, in the memory of the largest; the
- * worst verdict is that of the whole, and the evidence, put together, is judged on the whole as ever. The same of a coupled check:
- * its conditions are of one vertex each, so triples of all islands are one of the whole, whose shares are triples; with eps and eta
- * of the whole. What refutes an island refutes the whole, and is judged on that island alone. */
+ * ratios the mediant is no less than the smaller). So each is solved and certified as a part, in the memory of the largest, and
+ * the worst verdict is that of the whole. The evidence, put together, is certified once more on the whole; only forces that
+ * balance every island within 0.999 tol are not, because the sums of the whole are theirs (check/islands.c).
+ *
+ * The same holds for a coupled check. Its conditions are of one vertex each, so triples of all islands are a triple of the
+ * whole and its shares are triples of the islands, with eps and eta of the whole. What refutes an island refutes the whole, and
+ * is certified on that island alone. */
 
 typedef struct sp__islands {
     int32_t count;
@@ -154,11 +159,12 @@ static int32_t sp__islands_join(const sp_scene *scene, int32_t *up)
     return count;
 }
 
-/* How many islands a scene is solved in; the most vertices and blocks of those that are small enough for a proof that no triple exists. */
+/* How many islands a scene is solved in; the most vertices and blocks of those small enough for a proof of no triple. */
 typedef struct sp__island_counts { int32_t islands, points, blocks; } sp__island_counts;
 
 /* The most that a proof may have to deal with; `up` labels islands, `points` and `blocks` are scratch, a number per block. */
-SP__NOINLINE static void sp__islands_proof_size(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks, sp__island_counts *o)
+SP__NOINLINE static void sp__islands_proof_size(const sp_scene *scene, int32_t *up, int32_t *points, int32_t *blocks,
+                                                sp__island_counts *o)
 {
     const sp_capacity *n = &scene->count;
     o->points = o->blocks = 0;

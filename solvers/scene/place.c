@@ -1,5 +1,5 @@
-/* place: where a stone may be placed, by geometry and its centre of mass alone: support clearance and cost, seats, resting faces,
- * next-best-object gate.                                                                                   [seed 6.1, 6.2] */
+/* place: where a stone may be placed, by geometry and its centre of mass alone: support clearance and cost, seats, resting
+ * faces, next-best-object gate.                                                                            [seed 6.1, 6.2] */
 #ifndef SP__SCENE_PLACE_C
 #define SP__SCENE_PLACE_C
 
@@ -26,7 +26,7 @@ static void sp__plan(const sp_real up[3], const sp_real o[3], const sp_real x[3]
     xy[1] = sp__dot3(t, d);
 }
 
-/* Clearance and direction from a hull whose origin is the centre of mass.     returns SP_E_NOT_FINITE where it is too large to be squared */
+/* Clearance and direction from a hull whose origin is the centre of mass.     returns SP_E_NOT_FINITE: its square overflows */
 static sp_status sp__support_read(sp__hull *h, sp_support *support)
 {
     const sp_real com[2] = { 0, 0 };
@@ -84,7 +84,8 @@ SP_API sp_status sp_support_cost(const sp_seat *seat, const sp_seat_weights *wei
     if (!seat || !J) return SP_E_ARGUMENT;
     const sp_status status = sp__seat_check(seat, &w);
     if (status) return status;
-    const sp_real cost = w.area * ((sp_real)1 - seat->support.area / seat->footprint) + w.offset * seat->support.offset / seat->width
+    const sp_real cost = w.area * ((sp_real)1 - seat->support.area / seat->footprint)
+                       + w.offset * seat->support.offset / seat->width
                        + w.trapped * (seat->trapped / seat->footprint) / seat->height + w.seat * seat->seat / seat->width;
     if (!sp__finite(cost)) return SP_E_NOT_FINITE;
     *J = cost;

@@ -1,5 +1,5 @@
-/* problem: the equilibrium Aeq f + p = 0 of a scene's free blocks: rows (F, M about the centroid), contacts with frame and lever
- * arms, loads p. */
+/* problem: the equilibrium Aeq f + p = 0 of a scene's free blocks: rows (F, M about the centroid), contacts with frame and
+ * lever arms, loads p. */
 #ifndef SP__SCENE_PROBLEM_C
 #define SP__SCENE_PROBLEM_C
 
@@ -160,7 +160,8 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 }
 
 /* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
- * component of the force is compared with its own terms, for a push sideways hides no weight. A point is known no better than its place.
+ * component of the force is compared with its own terms, for a push sideways hides no weight. A point is known no better than
+ * its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
 static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
@@ -176,8 +177,8 @@ static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, cons
     if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) q[3] = q[4] = q[5] = 0;
 }
 
-/* Apply sp__load_cancel to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live loads that cancel
- * each other. */
+/* Apply sp__load_cancel to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live loads that
+ * cancel each other. */
 static void sp__load_settle(const sp_problem *problem, const sp_load *load, int32_t row)
 {
     const sp_scene *scene = problem->scene;

@@ -3,9 +3,9 @@
  *   f <- P_K(f),   f <- f - Aeq' G^-1 (Aeq f + p),   one factor of G = Aeq Aeq'
  *
  * Ends when the forces in the cones balance, or when a window of rounds gains too little: an empty intersection never ends by
- * itself, so this stage can only say STABLE. With the seed's constants in the settings the second step is taken in the metric of
- * the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's gate, and it does not start where
- * tension alone blocks the bilateral force.
+ * itself, so this stage can only say STABLE. With the seed's constants in the settings the second step is taken in the metric
+ * of the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's gate, and it does not start
+ * where tension alone blocks the bilateral force.
  */
 #ifndef SP__SEED_POLISH_C
 #define SP__SEED_POLISH_C
@@ -41,7 +41,7 @@ SP__NOINLINE static void sp__polish_round(sp__system *w, const sp_real *y, sp_re
     sp__system_release(w, r);
 }
 
-/* A round and its imbalance. keep (NULL: not on a budget) gets the forces whose imbalance, as forces are judged, is the best so far. */
+/* A round and its imbalance. keep (NULL: not on a budget) gets the forces of the least imbalance as proof/ measures it. */
 SP__NOINLINE static sp_real sp__polish_look(sp__system *w, sp_real *f, sp_real *keep, sp_real *best)
 {
     if (keep) sp__carry_begin(w);
@@ -62,7 +62,8 @@ static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_a
 }
 
 /* The stage: rounds from the bilateral force until forces in the cones balance, or a window of them gains too little. */
-static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                                sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
     sp__system *w = sp__system_full(pb, set, SP__POLISH, &state->cost, arena);

@@ -1,4 +1,4 @@
-/* program: the penalty form as the seed has it, a quadratic program of 4 columns a vertex, x = (fp, fm, ft1, ft2), K friction rows:
+/* program: the seed's penalty form, a quadratic program of 4 columns x = (fp, fm, ft1, ft2) and K friction rows a vertex:
  *
  *     min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2)        Aeq x = -p,   Afr x <= 0,   fp, fm >= 0       [seed 1.5, 4.2]
  *
@@ -89,8 +89,8 @@ static int sp__program_open(sp__program *g, const sp_problem *pb, const sp_setti
 {
     const sp_seed *seed = sp__seed_of(set);
     if (sp__program_size(pb, set, &g->qp) < 0) return 0;
-    sp__friction_open(&g->friction, set->faces ? set->faces : seed->faces, set->faces ? set->inscribed : seed->inscribed, set->net,
-                      6 * pb->blocks);
+    sp__friction_open(&g->friction, set->faces ? set->faces : seed->faces,
+                      set->faces ? set->inscribed : seed->inscribed, set->net, 6 * pb->blocks);
     g->set = set->qp_solver ? seed->native : seed->admm;
     g->set.backend = sp__program_backend(pb, set, &g->qp);
     if (!set->seed) sp__program_tighten(&g->set, set->tol);
@@ -99,7 +99,7 @@ static int sp__program_open(sp__program *g, const sp_problem *pb, const sp_setti
     return 1;
 }
 
-/* A by columns: rows of Aeq, of Afr, and 1 in a row of its own where the unknown has a sign. Ap NULL: entries are only counted. */
+/* A by columns: rows of Aeq, of Afr, and 1 in a row of its own where the unknown has a sign. Ap NULL: only counts entries. */
 static void sp__program_columns(const sp__program *g, const sp_problem *pb, sp_triplets *t, int32_t *Ap)
 {
     t->count = 0;
@@ -109,7 +109,8 @@ static void sp__program_columns(const sp__program *g, const sp_problem *pb, sp_t
             const int32_t v = contact->point + q / 4;
             sp__aeq_vertex(t, pb, contact, v, 4, q % 4);
             sp__afr_vertex(t, &g->friction, contact, v, 4, q % 4);
-            if (q % 4 < 2) sp__triplets_put(t, 6 * pb->blocks + g->friction.faces * pb->points + 2 * v + q % 4, 4 * v + q % 4, 1);
+            if (q % 4 < 2)
+                sp__triplets_put(t, 6 * pb->blocks + g->friction.faces * pb->points + 2 * v + q % 4, 4 * v + q % 4, 1);
             if (Ap) Ap[4 * v + q % 4 + 1] = t->count;
         }
     }
@@ -131,7 +132,7 @@ SP__NOINLINE static void sp__program_matrices(sp__program *g, const sp_problem *
     for (int32_t k = 0; k < t.count; k++)
         if (g->at.Ai[k] < 6 * pb->blocks && g->at.Ai[k] % 6 > 2) g->at.Ax[k] *= g->at.arm[g->at.Ai[k] / 6];
     for (int32_t j = 0; j < n; j++) {
-        if (g->at.Ap[j + 1] < g->at.Ap[j]) g->at.Ap[j + 1] = g->at.Ap[j];           /* a vertex between supports has no entries */
+        if (g->at.Ap[j + 1] < g->at.Ap[j]) g->at.Ap[j + 1] = g->at.Ap[j];   /* a vertex between supports has no entries */
         g->at.Pp[j] = j;
         g->at.Px[j] = j % 4 == 0 ? 1 : j % 4 == 1 ? set->gamma : set->tau;
     }

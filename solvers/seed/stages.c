@@ -1,4 +1,4 @@
-/* stages: the bilateral force offered as the answer, by a sparse factor or a dense one; and the seed's gate for it. [seed 2.1] */
+/* stages: the bilateral force offered as the answer, by a sparse factor or a dense one; the seed's gate for it. [seed 2.1] */
 #ifndef SP__SEED_STAGES_C
 #define SP__SEED_STAGES_C
 
@@ -50,7 +50,8 @@ static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set,
     *claim = SP_STABLE;
     if (!set->seed) return SP_OK;
     const sp__gate gate = sp__seed_gate(w, set->seed, state->f);
-    if (!gate.tension || !gate.friction || sp__system_norm(w, w->r) > set->seed->balance * w->measure.load) *claim = SP_UNDECIDED;
+    if (!gate.tension || !gate.friction
+        || sp__system_norm(w, w->r) > set->seed->balance * w->measure.load) *claim = SP_UNDECIDED;
     return SP_OK;
 }
 
@@ -62,7 +63,8 @@ static sp_status sp__least_squares_run(const sp_problem *pb, const sp_settings *
 }
 
 /* The stage DENSE: the same by a dense factor. */
-static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+static sp_status sp__dense_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                               sp_verdict *claim)
 {
     return sp__bilateral_run(pb, set, SP__LEAST_DENSE, state, arena, claim);
 }

@@ -1,5 +1,5 @@
-/* exact: the exact stage, in 6 rows a block or in 3: bilateral force, Newton, interior points, proximal path, in that order, until
- * one of them finds forces that balance or a mechanism that nothing resists.
+/* exact: the exact stage, in 6 rows a block or in 3: bilateral force, Newton, interior points, proximal path, in that order,
+ * until one of them finds forces that balance or a mechanism that nothing resists.
  */
 #ifndef SP__STATICS_EXACT_C
 #define SP__STATICS_EXACT_C
@@ -64,10 +64,10 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     }
 }
 
-/* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped although
- * the scene has some, only the least force is tried: it can prove stability and costs little. */
-SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction, sp_state *state,
-                                            sp_arena *arena, sp_verdict *claim)
+/* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped
+ * although the scene has some, only the least force is tried: it can prove stability and costs little. */
+SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction,
+                                               sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
     sp__system *w = sp__system_make(pb, set, SP__EXACT, reduction, &state->cost, arena);
@@ -109,7 +109,8 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
 }
 
 /* The stage in all 6 rows. */
-static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+static sp_status sp__exact_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                               sp_verdict *claim)
 {
     return sp__exact_search(pb, set, NULL, state, arena, claim);
 }

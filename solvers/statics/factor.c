@@ -1,7 +1,7 @@
 /* factor: L L' = Aeq S DP Aeq' + shift, and x = (L L')^-1 b.
  *
- * Four ways behind one face: blocks of 6 x 6, of 3 x 3 in a reduced search, one dense triangle where a stage asks for it, and with
- * SP_REAL_MIXED a factor in float that conjugate gradients refine.                                 [Polak, Ribiere 1969]
+ * Four ways behind one face: blocks of 6 x 6, of 3 x 3 in a reduced search, one dense triangle where a stage asks for it, and
+ * with SP_REAL_MIXED a factor in float that conjugate gradients refine.                                 [Polak, Ribiere 1969]
  */
 #ifndef SP__STATICS_FACTOR_C
 #define SP__STATICS_FACTOR_C
@@ -173,7 +173,8 @@ static void sp__system_densify(sp__system *w)
             for (size_t r = 0; r < 6; r++)
                 for (size_t c = 0; c < (diagonal ? r + 1 : 6); c++) {
                     const size_t row = 6 * (size_t)i + r;
-                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c] = (sp_real)block[diagonal ? sp__column[c] + r - c : 6 * c + r];
+                    w->dense[row * (row + 1) / 2 + 6 * (size_t)k + c]
+                        = (sp_real)block[diagonal ? sp__column[c] + r - c : 6 * c + r];
                 }
         }
 }
@@ -252,9 +253,9 @@ static sp_real sp__system_precondition(sp__system *w, const sp_real *r, sp_real 
     return rz;
 }
 
-/* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: a few steps, and where A is nearly singular
- * one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one only in
- * A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for. */
+/* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: a few steps, and where A is nearly
+ * singular one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one
+ * only in A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for. */
 static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;

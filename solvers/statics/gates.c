@@ -1,8 +1,8 @@
 /* gates: cases that need no search: no load, or a group of touching blocks without support.
  *
- * A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group moves
- * along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load at all
- * f = 0 is the answer.
+ * A group of touching free blocks that reaches no support, pulled by F: every joint inside it stays as it is when the group
+ * moves along F, so that motion does work |F|^2 > 0 against nothing. Turned by M, with F = 0: likewise, about M. With no load
+ * at all f = 0 is the answer.
  */
 #ifndef SP__STATICS_GATES_C
 #define SP__STATICS_GATES_C
@@ -71,7 +71,8 @@ static int32_t sp__gates_fall(const sp_problem *pb, int32_t *up, sp_real *dq)
 }
 
 /* The stage: STABLE without load, UNSTABLE where a group without support is loaded, else nothing. */
-static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena, sp_verdict *claim)
+static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
+                               sp_verdict *claim)
 {
     (void)set;
     int32_t *up = sp__take(arena, (size_t)pb->blocks + 1, sizeof *up);

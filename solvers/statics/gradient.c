@@ -27,7 +27,8 @@ SP__NOINLINE static void sp__carry(sp__system *w, const sp_contact *t, const sp_
 }
 
 /* A contact's share of sp__system_gradient. */
-SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const sp__view *k, const sp_real *y, sp_real *r, sp_real *f)
+SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const sp__view *k, const sp_real *y, sp_real *r,
+                                              sp_real *f)
 {
     const sp_contact *t = k->t;
     sp__visit *s = sp__visit_of(w);

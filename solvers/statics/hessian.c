@@ -13,8 +13,8 @@
 
 #if SP__WITH_LARGE
 
-/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times `force_scale`.
- * e[1] not written like e[2]: see sp__soc_square. */
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times
+ * `force_scale`. e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__system *w, int32_t c, int32_t k, sp_real e[3])
 {
     const sp_real mu = sp__system_mu(w, c), h = mu * w->law.cone.tan_half, *d = w->law.cone.direction[k];
@@ -228,8 +228,8 @@ SP__NOINLINE static void sp__add_coupling(sp_real *block, int turn, const sp_rea
     sp__add9(block + 3 * tr + 3 * tc, tr, tc, -za[1] * zb[1], ww, 3, 1);
 }
 
-/* The matrix's block of free block i, the lower triangle by columns; of a contact between free blocks, or of all between the two:
- * its rows are the later one's in elimination order. L is made in place, unless it is of other precision. */
+/* The matrix's block of free block i, the lower triangle by columns; of a contact between free blocks, or of all between the
+ * two: its rows are the later one's in elimination order. L is made in place, unless it is of other precision. */
 #ifdef SP_REAL_MIXED
 static sp_real *sp__system_diagonal(const sp__system *w, int32_t i) { return w->mixed.diagonal + 21 * (size_t)w->L.inv[i]; }
 static sp_real *sp__system_coupling(const sp__system *w, int32_t c) { return w->mixed.coupling + 36 * (size_t)c; }
@@ -267,7 +267,8 @@ static void sp__system_clear_held(sp__system *w)
 SP__NOINLINE static void sp__system_add(sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
-    const sp_real *z = w->measure.weight, *za = z + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = z + 2 * (size_t)(t->b < 0 ? 0 : t->b);
+    const sp_real *z = w->measure.weight;
+    const sp_real *za = z + 2 * (size_t)(t->a < 0 ? 0 : t->a), *zb = z + 2 * (size_t)(t->b < 0 ? 0 : t->b);
     sp__moved *m = &w->scratch->of.moved;
     const sp_real *H = w->scratch->H;
     sp__rotate(t, H, m->vv);

@@ -1,4 +1,4 @@
-/* interior: a homogeneous self-dual interior-point method, where Newton stalls.      [Nesterov, Todd 1997; Ye, Todd, Mizuno 1994] */
+/* interior: a homogeneous self-dual interior-point method, where Newton stalls. [Nesterov, Todd 1997; Ye, Todd, Mizuno 1994] */
 #ifndef SP__STATICS_INTERIOR_C
 #define SP__STATICS_INTERIOR_C
 
@@ -87,8 +87,8 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
-/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is not
- * corrected no predictor: those rates are 0. */
+/* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is
+ * not corrected no predictor: those rates are 0. */
 SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
@@ -119,8 +119,8 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
 }
 
 /* g = P_K(f - D u); g may be f. */
-static void sp__ipm_change(const sp__system *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3], const sp_real f[3],
-                           sp_real g[3])
+static void sp__ipm_change(const sp__system *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3],
+                           const sp_real f[3], sp_real g[3])
 {
     const sp_real a = f[0] - (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]), b = f[1] - (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
     g[2] = f[2] - (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
@@ -229,8 +229,8 @@ static void sp__ipm_reach(sp__system *w, sp__ipm *m)
     m->reach = sp__ray_step(m->kappa, m->dkappa, sp__ray_step(m->tau, m->dtau, m->reach));
 }
 
-/* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of dy / dtau
- * that the load's work is kappa it is tried as a proof. */
+/* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of
+ * dy / dtau that the load's work is kappa it is tried as a proof. */
 SP__NOINLINE static void sp__ipm_motion(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -300,7 +300,8 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
     int idle = 0;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
-    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n) && m->theta > (sp_real)SP_EPSILON; it++) {
+    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n)
+                     && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
         if (m->theta < SP__IPM_LATE) m->kappa_weight = 3 * cones;

@@ -1,4 +1,4 @@
-/* lift: motions and forces of a reduced search in all 6 rows of the scene's axes, and motions back; is a level scene a forest? */
+/* lift: motions and forces of a reduced search in all 6 rows of the scene, and motions back; is a level scene a forest? */
 #ifndef SP__STATICS_LIFT_C
 #define SP__STATICS_LIFT_C
 
@@ -14,7 +14,7 @@ static sp_real sp__reduction_height(const sp__system *w, const sp_contact *t)
     return sp__dot3(a ? t->ra : t->rb, w->reduction->e[2]);
 }
 
-/* Are joints of one pair of nodes in one plane, none across and none warped?     L.d, L.x: a mark and the height of the first */
+/* Are joints of one pair of nodes in one plane, none across and none warped?    L.d, L.x: a mark and the height of the first */
 SP__NOINLINE static int sp__reduction_layered(sp__system *w)
 {
     const sp_problem *pb = w->pb;
@@ -54,8 +54,8 @@ SP__NOINLINE static int sp__reduction_forest(sp__system *w)
     return edges + trees == (int64_t)pb->blocks + 1;
 }
 
-/* Sideways motion of a forest, rows 0 and 1, from supports upwards so that no joint slips; m: motions in the axes e. With turns w0,
- * w1 a block's points at arm r2 along e2 go sideways by v0 + w1 r2, v1 - w0 r2.     mark: has it been placed? */
+/* Sideways motion of a forest, rows 0 and 1, from supports upwards so that no joint slips; m: motions in the axes e. With turns
+ * w0, w1 a block's points at arm r2 along e2 go sideways by v0 + w1 r2, v1 - w0 r2.     mark: has it been placed? */
 SP__NOINLINE static void sp__reduction_place(sp__system *w, sp_real *m)
 {
     const sp_problem *pb = w->pb;
@@ -68,7 +68,8 @@ SP__NOINLINE static void sp__reduction_place(sp__system *w, sp_real *m)
             const int a = t->a < 0 || w->graph.mark[t->a], b = t->b < 0 || w->graph.mark[t->b];
             if (a == b) continue;
             const int32_t from = a ? t->a : t->b, to = a ? t->b : t->a;
-            const sp_real *up = w->reduction->e[2], below = sp__dot3(a ? t->ra : t->rb, up), above = sp__dot3(a ? t->rb : t->ra, up);
+            const sp_real *up = w->reduction->e[2];
+            const sp_real below = sp__dot3(a ? t->ra : t->rb, up), above = sp__dot3(a ? t->rb : t->ra, up);
             sp_real *x = m + 6 * (size_t)to, v[2] = { 0, 0 };
             if (from >= 0) {
                 const sp_real *y = m + 6 * (size_t)from;

@@ -67,8 +67,8 @@ SP__NOINLINE static sp_real sp__newton_search(sp__system *w, const sp__line *l, 
     return lo > 0 ? lo : s;
 }
 
-/* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared with,
- * for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)| (with strength: the support function of K_v),
+/* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared
+ * with, for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)| (with strength: the support function of K_v),
  * sum (sbar |v| + Sbar |w|). */
 typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
 

@@ -4,10 +4,10 @@
  *   u = (I, -[l]x) X                  rates of a vertex at l, three, or fn's and one slip's (wedge.c)
  *   f = S P_K(u)                      its force;  Y += (I, -[l]x)' f;  r += T' Y
  *
- * Two kernels behind one face: passes over the vertices (gradient, slope, resistance, sizes) are written once. The wide one works
- * from lever arms. One matrix of 6 x rows a contact side, made once, would serve both, but costs plain scenes more than it saves:
- * 1,400 flops for 900 in the assembly of a contact and 216 for 160 there and back; measured, walls of 54 to 2,000 joints take 4 to
- * 10 % longer, an arch 4 %, a dome 6 % (medians of nine, runs interleaved).
+ * Two kernels behind one face: passes over the vertices (gradient, slope, resistance, sizes) are written once. The wide one
+ * works from lever arms. One matrix of 6 x rows a contact side, made once, would serve both, but costs plain scenes more than
+ * it saves: 1,400 flops for 900 in the assembly of a contact and 216 for 160 there and back; measured, walls of 54 to 2,000
+ * joints take 4 to 10 % longer, an arch 4 %, a dome 6 % (medians of nine, runs interleaved).
  */
 #ifndef SP__STATICS_MAP_C
 #define SP__STATICS_MAP_C
@@ -20,7 +20,7 @@
 typedef struct sp__view {
     const sp_contact *t;
     int32_t c;
-    const sp_real *g;                   /* frame of the narrow kernel, 3 numbers a motion, 2 a vertex; NULL: the wide one, 6 and 3 */
+    const sp_real *g;       /* frame of the narrow kernel: 3 numbers a motion, 2 a vertex; NULL: the wide kernel, 6 and 3 */
 } sp__view;
 
 /* From now on w->law.yield is K of its vertices. */
@@ -61,7 +61,8 @@ static void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, 
     for (int q = 0; q < 3; q++) f[q] = sp__system_S(w, k->c) * (q ? w->law.slide * u[q] : u[q]);
 }
 
-/* That of the narrow kernel in the cone. */
+/* f = P_K(u) of the narrow kernel, as a call of its own: written into the line search it would deepen the stack of sp_check,
+ * which reaches its deepest there. */
 SP__NOINLINE static void sp__view_wedge(const sp__system *w, const sp__view *k, const sp_real *u, sp_real *f)
 {
     sp__wedge_law(w, SP__ADMISSIBLE, k->c, k->g, u, f, NULL);

@@ -24,18 +24,18 @@ static int sp__plan_stages(const sp_settings *set)
 
 /* Two kinds of scenes need only 3 of a block's 6 rows.
  *
- *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and the
- *                  friction cones. The mirror image of forces that balance balances, and so does the mean of both: if there
- *                  are forces there are symmetric ones. Symmetric motions go in the plane and turn about its normal m, so of the
- *                  dual's 6 unknowns 3 are left, corners that mirror each other have equal rates and count as one, and P_K
+ *   planar         one plane (or planes parallel to it) is a mirror for every joint's corners, every centroid, every load and
+ *                  the friction cones. The mirror image of forces that balance balances, and so does the mean of both: if there
+ *                  are forces there are symmetric ones. Symmetric motions go in the plane and turn about its normal m, so of
+ *                  the dual's 6 unknowns 3 are left, corners that mirror each other have equal rates and count as one, and P_K
  *                  keeps forces in the plane because the cone is symmetric. f0, unique, is symmetric as well, and so is the
  *                  optimum of the penalty form, which is strictly convex. A motion that no symmetric forces resist, none do:
  *                  their mean would.
  *   level          all loads along e, no joint but with n = +-e or across it: of their forces only fn of the first. Rows: force
  *                  along e, moments across it; the others are zero of themselves. Forces fn >= 0 lie in every friction cone, so
  *                  those that balance stand; where there are none friction may still help (a diamond of five rows).
- *   a forest       level without joints across, and the graph of supports (one node) and free blocks with one edge for all joints
- *                  of a pair in one plane has no cycle: friction cannot help, either.
+ *   a forest       level without joints across, and the graph of supports (one node) and free blocks with one edge for all
+ *                  joints of a pair in one plane has no cycle: friction cannot help, either.
  *     Forces: cut any edge; what hangs on it is pulled along e, and turned only about axes across e. So its friction sums to
  *     zero with no moment about e, and none about axes across e (all of it acts in one plane): fn alone balances as well.
  *     Motions: of one that fn does not resist let every block go sideways, from the supports upwards along the edges, so that
@@ -43,11 +43,12 @@ static int sp__plan_stages(const sp_settings *set)
  *     in that, and u = (un, 0, 0) meets no more resistance in a cone than fn alone: |P_K(u)| = max(0, un).
  *     In the same way ft = 0 in f0 (the wrench of an edge is given, and fn alone is the shortest) and in the penalty form.
  *     It is not so with a cycle, with joints of one pair at two heights (a cycle), or with loads across: all are tested.
- *   frictionless   level without joints across, mu = 0: fn along e is all the force there is, and the three rows all that is not
- *                  zero of itself. What fn does not balance falls; only f0 is that of 6 rows, because bilateral joints hold sideways.
+ *   frictionless   level without joints across, mu = 0: fn along e is all the force there is, and the three rows all that is
+ *                  not zero of itself. What fn does not balance falls; only f0 is that of 6 rows, because bilateral joints hold
+ *                  sideways.
  *
- * A search in 3 rows keeps vectors of 6 in the axes e; of them the planar one uses 0, 1 and 5, the level one 2, 3 and 4. What it
- * finds is turned back and judged in 3 dimensions as everything is. */
+ * A search in 3 rows keeps vectors of 6 in the axes e; of them the planar one uses 0, 1 and 5, the level one 2, 3 and 4. What
+ * it finds is turned back and judged in 3 dimensions as everything is. */
 
 typedef enum sp__mode { SP__PLANE, SP__LEVEL_JOINTS } sp__mode;
 
@@ -55,8 +56,8 @@ typedef struct sp__reduction {
     sp__mode mode;
     int forest, frictionless;           /* level: a forest; no friction, no joint across the loads */
     sp_real e[3][3];                    /* planar: e0, e1 in the plane, e2 = m; level: e2 along the loads, e0, e1 across */
-    int32_t *image;                      /* per contact vertex: its mirror image, itself where there is none; -1: takes no part */
-    sp_real *g;                         /* SP__REDUCTION_G a contact: frame (sp__reduction_contact); T of a, of b (sp__reduction_map) */
+    int32_t *image;                     /* per contact vertex: its mirror image, or itself; -1: takes no part */
+    sp_real *g;                         /* SP__REDUCTION_G a contact: frame (sp__reduction_contact), then T of a, of b */
     int64_t vertices, sides;            /* vertices that count; free blocks of all contacts */
     int no_strength;                    /* no joint has strength */
     int spent;                          /* the budget ended its search */
@@ -116,8 +117,8 @@ static int sp__mirror_loads(const sp_problem *pb, const sp_settings *set, const 
     return 1;
 }
 
-/* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces; where
- * all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                          returns 0: there is none */
+/* The normal of the mirror: across the first joint's normal and what makes the widest angle with it, of normals and forces;
+ * where all of that is parallel, `edge` (1 or 2) of the first joint's tangents.                     returns 0: there is none */
 static int sp__mirror_normal(const sp_problem *pb, int edge, sp_real m[3])
 {
     const sp_joint *f = pb->contact[0].joint;
@@ -158,14 +159,15 @@ SP__NOINLINE static int sp__reduction_planar(const sp_problem *pb, const sp_sett
     for (int edge = 1; pb->contacts && edge <= 2; edge++) {
         int32_t c = 0;
         if (!sp__mirror_normal(pb, edge, m) || !sp__mirror_loads(pb, set, m, 0)) continue;
-        while (c < pb->contacts && sp__mirror_contact(pb, set, &pb->contact[c], m) && sp__mirror_cone(set, &pb->contact[c], m)) c++;
+        while (c < pb->contacts && sp__mirror_contact(pb, set, &pb->contact[c], m)
+               && sp__mirror_cone(set, &pb->contact[c], m)) c++;
         if (c == pb->contacts) return 1;
     }
     return 0;
 }
 
-/* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are level or
- * upright to, no mortar, and every block rests on something. */
+/* May joints be taken for frictionless first, because that is likely to be the answer? All loads along m, which joints are
+ * level or upright to, no mortar, and every block rests on something. */
 SP__NOINLINE static int sp__reduction_level(const sp_problem *pb, const sp_settings *set, const sp_real m[3])
 {
     const sp_real eps = sp__reduction_tol(set);

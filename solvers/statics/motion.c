@@ -28,8 +28,8 @@ static const sp_real *sp__reduction_frame(const sp__system *w, const sp_contact 
     return w->reduction->g + SP__REDUCTION_G * (size_t)(t - w->pb->contact);
 }
 
-/* T of a block of a contact, +- that of its weighted rows: (along n, slip, turn), level (along n, two turns), at the origin of the
- * contact, of B seen from A.
+/* T of a block of a contact, +- that of its weighted rows: (along n, slip, turn), level (along n, two turns), at the origin of
+ * the contact, of B seen from A.
  *   planar         [ nx ny arm0 ;  -ny nx arm1 ;  0 0 1 ]
  *   level          [ +-1 +-arm0 +-arm1 ;  0 1 0 ;  0 0 1 ]
  * By columns without the two zeros. */
@@ -179,7 +179,8 @@ static void sp__reduction_gather(const sp__system *w, const sp_contact *t, const
 }
 
 /* V, W of sp__system_twist from 3 rows a block. */
-SP__NOINLINE static void sp__reduction_twist(const sp__system *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+SP__NOINLINE static void sp__reduction_twist(const sp__system *w, const sp_contact *t, const sp_real *y, sp_real V[3],
+                                             sp_real W[3])
 {
     const sp_real *g = sp__reduction_frame(w, t);
     const int plane = w->reduction->mode == SP__PLANE;
@@ -221,7 +222,8 @@ SP__NOINLINE static void sp__full_twist(const sp__system *w, const sp_contact *t
 }
 
 /* V, W: velocity of B seen from A at the contact's origin and its rotation, in the contact's frame, for weighted motion y. */
-SP__NOINLINE static void sp__system_twist(const sp__system *w, const sp_contact *t, const sp_real *y, sp_real V[3], sp_real W[3])
+SP__NOINLINE static void sp__system_twist(const sp__system *w, const sp_contact *t, const sp_real *y, sp_real V[3],
+                                          sp_real W[3])
 {
     if (sp__reduced(w)) sp__reduction_twist(w, t, y, V, W);
     else sp__full_twist(w, t, y, V, W);
@@ -281,8 +283,8 @@ static void sp__system_scatter(const sp__system *w, const sp_contact *t, const s
 #define SP__FLOPS_HESSIAN 75            /* a vertex of the assembly; a contact adds SP__FLOPS_BLOCKS */
 #define SP__FLOPS_BLOCKS 900
 
-/* Count work before it is done. What would exceed the budget latches, as a full arena does: this and all later work is left out,
- * so a check on a budget is a check without one that stops early.                       returns whether the work is to be done */
+/* Count work before it is done. What would exceed the budget latches, as a full arena does: this and all later work is left
+ * out, so a check on a budget is a check without one that stops early.                returns whether the work is to be done */
 static int sp__system_pay(sp__system *w, int64_t flops)
 {
     if (flops > w->budget.limit - w->budget.cost->flops) w->budget.spent = 1;

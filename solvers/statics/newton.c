@@ -121,8 +121,8 @@ static void sp__newton_correct(sp__system *w)
     sp__system_axpy(w, 1, w->d, w->y);
 }
 
-/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then imbalance as forces are judged, and
- * more steps where that asks for them. What is good enough goes to state->f. */
+/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then imbalance as forces are judged,
+ * and more steps where that asks for them. What is good enough goes to state->f. */
 SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -232,8 +232,8 @@ static void sp__newton_unresisted(sp__system *w, sp__newton *n, sp_state *state)
 }
 
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
- * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts as
- * tied: where that ties all, every block goes alone. state->y is used up. */
+ * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts
+ * as tied: where that ties all, every block goes alone. state->y is used up. */
 SP__NOINLINE static void sp__newton_settle(sp__system *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;

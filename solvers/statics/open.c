@@ -7,8 +7,8 @@
 
 #if SP__WITH_LARGE
 
-/* Room for the whole system in place of *reduction, which begins in `a`, so that a search in 3 rows does with what the whole one
- * takes. */
+/* Room for the whole system in place of *reduction, which begins in `a`, so that a search in 3 rows does with what the whole
+ * one takes. */
 SP__NOINLINE static int sp__system_reserve(const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz,
                                            const sp__reduction *reduction, sp_arena *a)
 {
@@ -23,8 +23,8 @@ SP__NOINLINE static int sp__system_reserve(const sp_problem *pb, const sp_settin
     return 1;
 }
 
-/* A system in `a`, everything but the numbers of a metric; reduction (may be NULL): in 3 rows, *reduction the last thing taken from
- * `a`.     returns NULL when the arena is too small */
+/* A system in `a`, everything but the numbers of a metric; reduction (may be NULL): in 3 rows, *reduction the last thing taken
+ * from `a`.     returns NULL when the arena is too small */
 SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_settings *set, sp__form form,
                                                 sp__reduction *reduction, sp_cost *cost, sp_arena *a)
 {

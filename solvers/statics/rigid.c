@@ -1,7 +1,7 @@
 /* rigid: joints that do not open tie blocks into rigid groups, and a mechanism is sharpened by them.
  *
- * A mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its square is what the
- * Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of them, the root:
+ * A mechanism moves blocks together in few groups, but inverse iteration leaves a little play inside them (its square is what
+ * the Hessian sees), which a long chain magnifies. So blocks without play are tied to the motion of one of them, the root:
  *
  *   x_i = (v + w x (c_i - c_root), w)
  *
@@ -151,9 +151,9 @@ SP__NOINLINE static int sp__rigid_sharpen(sp__system *w, int32_t *up, sp_state *
     return 1;
 }
 
-/* Rounding closes the joints inside a group by a few units in the last place of its motion, and all that hangs on a joint presses
- * there. So each opens a little, along paths of joints from the supports: v_i += 4 u max |v| sum n. That costs the work of lifting.
- * off: sum n, 3 x blocks.      mark: is it known? */
+/* Rounding closes the joints inside a group by a few units in the last place of its motion, and all that hangs on a joint
+ * presses there. So each opens a little, along paths of joints from the supports: v_i += 4 u max |v| sum n. That costs the work
+ * of lifting. off: sum n, 3 x blocks.      mark: is it known? */
 SP__NOINLINE static void sp__rigid_open_joints(sp__system *w, sp_real *x, sp_real (*off)[3])
 {
     const sp_problem *pb = w->pb;
@@ -172,7 +172,8 @@ SP__NOINLINE static void sp__rigid_open_joints(sp__system *w, sp_real *x, sp_rea
             w->graph.mark[to] = more = 1;
         }
     }
-    for (int32_t i = 0; i < pb->blocks; i++) most = sp__max(most, w->measure.weight[2 * (size_t)i] * sp__norm3(x + 6 * (size_t)i));
+    for (int32_t i = 0; i < pb->blocks; i++)
+        most = sp__max(most, w->measure.weight[2 * (size_t)i] * sp__norm3(x + 6 * (size_t)i));
     for (int32_t i = 0; i < pb->blocks; i++) {
         if (sp__reduced(w)) sp__reduction_turn(w->reduction, off[i], off[i]);
         sp__add3(x + 6 * (size_t)i, -4 * (sp_real)SP_EPSILON * most / w->measure.weight[2 * (size_t)i], off[i]);

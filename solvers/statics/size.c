@@ -1,5 +1,5 @@
-/* size: sbar and Sbar, what a block's imbalance of force and of moment is measured by, as the search sees them; and whether they
- * differ so much from contact to contact that forces need a metric.
+/* size: sbar and Sbar, what a block's imbalance of force and of moment is measured by, as the search sees them; and whether
+ * they differ so much from contact to contact that forces need a metric.
  */
 #ifndef SP__STATICS_SIZE_C
 #define SP__STATICS_SIZE_C
@@ -13,7 +13,8 @@ SP__NOINLINE static void sp__size_carried(const sp__system *w, int32_t i, sp_rea
 {
     const sp_real *p = w->pb->p + 6 * (size_t)i, *carried = w->carried + 3 * (size_t)i;
     const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * carried[2] / w->set->tol;
-    const sp_real f = sp__norm3(p) / w->measure.unit + carried[0], m = sp__norm3(p + 3) / w->measure.unit + carried[1] + rounding;
+    const sp_real f = sp__norm3(p) / w->measure.unit + carried[0];
+    const sp_real m = sp__norm3(p + 3) / w->measure.unit + carried[1] + rounding;
     if (f < s[0]) s[0] = f;
     if (m < s[1]) s[1] = m;
 }
@@ -66,7 +67,8 @@ SP__NOINLINE static void sp__size_carry(sp__system *w, int32_t c, const sp_real 
 static void sp__system_sizes(sp__system *w, const sp_real *y)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__system_sweep(w, sp__system_covers(w), 2 * sp__system_covers(w)) || !sp__system_count(w, SP__FLOPS_SWEEP, 0)) return;
+    if (!sp__system_sweep(w, sp__system_covers(w), 2 * sp__system_covers(w))) return;
+    if (!sp__system_count(w, SP__FLOPS_SWEEP, 0)) return;
     sp__carry_begin(w);
     for (size_t i = 0; i < (size_t)pb->blocks; i++) {
         w->carried[3 * i] = sp__norm3(pb->p + 6 * i) / w->measure.unit;

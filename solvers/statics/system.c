@@ -120,7 +120,7 @@ typedef struct sp__system {
     struct sp__ipm *inner;              /* of the interior-point method */
     sp_real *x;                         /* points x sp__form_numbers */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
-    sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not asked for */
+    sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not wanted */
     sp__scratch *scratch;
     sp__purse budget;
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
@@ -142,8 +142,8 @@ static size_t sp__form_numbers(sp__form form, const sp_settings *set)
 #define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
 #endif
 
-/* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_REDUCTION the compiler knows that, and all
- * that stands under it is gone. */
+/* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_REDUCTION the compiler knows that, and
+ * all that stands under it is gone. */
 static const sp__reduction *sp__reduced(const sp__system *w) { return SP__WITH_REDUCTION ? w->reduction : NULL; }
 
 /* Temporaries of the pass at hand. */

@@ -68,7 +68,8 @@ static void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g,
 }
 
 /* f = P_K(u), or u where joints are bilateral, in the metric; D likewise. */
-static void sp__wedge_law(const sp__system *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
+static void sp__wedge_law(const sp__system *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f,
+                          sp_real *D)
 {
     const sp_real S = sp__system_S(w, c), T = S * w->law.slide;
     if (f) { f[0] = u[0]; f[1] = u[1]; }
