@@ -11,7 +11,7 @@
 /* Nothing of a closed block beyond a face of it? */
 static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 {
-    const sp_block *k = &t->scene->block[t->block];
+    const sp_block *k = &t->scene->block[t->own.block];
     const sp_real flat = sp__plane_tolerance(t, body) + 2 * body->warp;
     if (!(k->volume > 0)) return 0;
     for (int32_t p = body->patch; p < body->patch + body->patches; p++)
@@ -26,10 +26,10 @@ static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 /* Box and noise of a block from its patches. */
 static void sp__touch_size(sp__touch *t, sp__body *body)
 {
-    const sp_real diameter = t->scene->block[t->block].diameter;
+    const sp_real diameter = t->scene->block[t->own.block].diameter;
     sp_real reach = 0;
-    for (int32_t v = 0; v < t->scene->block[t->block].vertices; v++)
-        for (int c = 0; c < 3; c++) reach = sp__max(reach, sp__abs(t->scene->vertex[t->vertex0 + v][c]));
+    for (int32_t v = 0; v < t->scene->block[t->own.block].vertices; v++)
+        for (int c = 0; c < 3; c++) reach = sp__max(reach, sp__abs(t->scene->vertex[t->own.vertex0 + v][c]));
     body->noise = 16 * SP_EPSILON * (reach + diameter);
     body->reach = sp__max(body->noise, t->set.absolute ? t->set.distance : t->set.distance * diameter);
 }
@@ -39,9 +39,9 @@ static void sp__touch_block(sp__touch *t, int32_t block)
 {
     const sp_block *k = &t->scene->block[block];
     sp__body *body = &t->all.body[block];
-    t->block = block;
-    t->vertex0 = k->vertex;
-    t->face0 = k->face;
+    t->own.block = block;
+    t->own.vertex0 = k->vertex;
+    t->own.face0 = k->face;
     body->warp = 0;
     body->patch = t->patches;
     body->edge = t->bounds;

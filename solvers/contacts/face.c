@@ -19,7 +19,7 @@ static int sp__place_order(const sp_real p[3], const sp_real q[3], sp_real eps)
 /* Plane of a face through its vertex mean; normal 0 without one.     returns twice the area */
 SP__NOINLINE static sp_real sp__face_plane(const sp__touch *t, int32_t f, sp_real n[3], sp_real m[3])
 {
-    const sp_face *face = &t->scene->face[t->face0 + f];
+    const sp_face *face = &t->scene->face[t->own.face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;
     sp__local l;
     (void)sp__local_start(&l, t->scene->vertex[0], corner, face->corners);
@@ -36,13 +36,13 @@ SP__NOINLINE static sp_real sp__face_plane(const sp__touch *t, int32_t f, sp_rea
 /* Points nearer to a plane than this lie in it. */
 static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
 {
-    return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->block].diameter / 8);
+    return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->own.block].diameter / 8);
 }
 
 /* Farthest corner of a face from a plane. */
 static sp_real sp__face_distance(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])
 {
-    const sp_face *face = &t->scene->face[t->face0 + f];
+    const sp_face *face = &t->scene->face[t->own.face0 + f];
     sp_real most = 0;
     for (int32_t k = 0; k < face->corners; k++) {
         sp_real d[3];

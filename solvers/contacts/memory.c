@@ -52,10 +52,10 @@ static void sp__contact_arrays_carve(sp__contact_arrays *l, const sp_scene *scen
     l->middle = sp__take(a, face, sizeof *l->middle);
     l->area = sp__take(a, face, sizeof *l->area);
     l->hit = sp__take(a, blocks, sizeof *l->hit);
-    for (l->width = 1; l->width < n->blocks && l->width < 1 << 29; l->width *= 2) { }
-    l->box = sp__take(a, 2 * (size_t)l->width, sizeof *l->box);
-    l->leaf = sp__take(a, blocks, sizeof *l->leaf);
-    l->code = sp__take(a, blocks, sizeof *l->code);
+    for (l->tree.width = 1; l->tree.width < n->blocks && l->tree.width < 1 << 29; l->tree.width *= 2) { }
+    l->tree.box = sp__take(a, 2 * (size_t)l->tree.width, sizeof *l->tree.box);
+    l->tree.leaf = sp__take(a, blocks, sizeof *l->tree.leaf);
+    l->tree.code = sp__take(a, blocks, sizeof *l->tree.code);
 }
 
 static void sp__pair_buffer_carve(sp__pair_buffer *p, const sp__top_sizes *most, sp_arena *a)

@@ -12,9 +12,9 @@
 static sp_real sp__shadow(const sp__touch *t, const sp_real axis[3])
 {
     sp_real lo[2] = { 0, 0 }, hi[2] = { 0, 0 };
-    const sp_real *o = t->all.body[t->a].lo;
+    const sp_real *o = t->all.body[t->now.a].lo;
     for (int side = 0; side < 2; side++) {
-        const sp__body *k = &t->all.body[side ? t->b : t->a];
+        const sp__body *k = &t->all.body[side ? t->now.b : t->now.a];
         for (int32_t e = k->edge; e < k->edge + k->edges; e++) {
             sp_real d[3];
             sp__sub3(t->scene->vertex[t->all.bound[e][0]], o, d);
@@ -34,7 +34,7 @@ static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
     sp_real least = 0;
     int some = 0;
     for (int side = 0; side < 2; side++) {
-        const sp__body *k = &t->all.body[side ? t->b : t->a];
+        const sp__body *k = &t->all.body[side ? t->now.b : t->now.a];
         for (int32_t p = k->patch; p < k->patch + k->patches; p++) {
             const sp_real x = sp__shadow(t, t->all.patch[p].n);
             if (!some || x < least) least = x;
@@ -56,7 +56,7 @@ static int sp__edge_once(const sp__touch *t, const int32_t *e)
  * along a face or along two edges does. */
 static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
 {
-    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];
+    const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[t->now.b];
     for (int32_t i = p->edge; i < p->edge + p->edges; i++)
         for (int32_t j = q->edge; j < q->edge + q->edges; j++) {
             const int32_t *u = t->all.bound[i], *v = t->all.bound[j];
@@ -184,17 +184,17 @@ static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer,
  *   open or flat     supports have no inside: only their vertices and edges inside the other are seen */
 static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
 {
-    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[t->b];
+    const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[t->now.b];
     const int64_t work = (int64_t)p->edges * q->edges * (p->edges + q->edges) / 4;
     for (int c = 0; c < 3; c++) if (p->hi[c] - q->lo[c] <= flat || q->hi[c] - p->lo[c] <= flat) return 0;
     const sp_real least = sp__shadow_faces(t, flat);
     if (least <= flat) return 0;
     if (p->convex && q->convex && work <= 10000000) return sp__shadow_edges(t, least, flat);
     if (!SP__HAS_STRENGTH) return 0;
-    sp_real most = sp__max(sp__depth_edges(t, t->a, t->b, flat), sp__depth_edges(t, t->b, t->a, flat));
+    sp_real most = sp__max(sp__depth_edges(t, t->now.a, t->now.b, flat), sp__depth_edges(t, t->now.b, t->now.a, flat));
     for (int side = 0; side < 2; side++) {
-        const sp_real *x = t->scene->block[side ? t->b : t->a].centroid;
-        const sp_real d = sp__depth(t, t->a, x, flat), e = sp__depth(t, t->b, x, flat);
+        const sp_real *x = t->scene->block[side ? t->now.b : t->now.a].centroid;
+        const sp_real d = sp__depth(t, t->now.a, x, flat), e = sp__depth(t, t->now.b, x, flat);
         most = sp__max(most, d < e ? d : e);
     }
     return most < least ? most : least;
@@ -202,11 +202,11 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
 
 SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
 {
-    const sp_real flat = t->gap + 2 * (t->all.body[t->a].warp + t->all.body[t->b].warp);
+    const sp_real flat = t->now.gap + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);
     const sp_real depth = sp__pair_depth(t, flat);
     if (!(depth > flat)) return;
     if (t->report.overlap && t->report.overlaps < t->report.overlap_cap) {
-        const sp_overlap o = { t->a, t->b, depth };
+        const sp_overlap o = { t->now.a, t->now.b, depth };
         t->report.overlap[t->report.overlaps] = o;
     }
     t->report.overlaps++;

@@ -10,21 +10,21 @@
 /* Tolerances of the pair. */
 static void sp__pair_start(sp__touch *t, int32_t b)
 {
-    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
-    const sp_real d = t->scene->block[t->a].diameter, e = t->scene->block[b].diameter, smaller = d < e ? d : e;
-    t->b = b;
-    t->noise = sp__max(p->noise, q->noise);
-    t->gap = sp__max(t->noise, p->reach < q->reach ? p->reach : q->reach);
-    t->snap = (sp_real)1e-6 * smaller < t->gap ? (sp_real)1e-6 * smaller : t->gap;
-    t->snap = sp__max(t->noise, t->snap / 8);
-    t->unit = smaller > 0 ? sp__power_of_two(smaller) : (sp_real)1;
+    const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[b];
+    const sp_real d = t->scene->block[t->now.a].diameter, e = t->scene->block[b].diameter, smaller = d < e ? d : e;
+    t->now.b = b;
+    t->now.noise = sp__max(p->noise, q->noise);
+    t->now.gap = sp__max(t->now.noise, p->reach < q->reach ? p->reach : q->reach);
+    t->now.snap = (sp_real)1e-6 * smaller < t->now.gap ? (sp_real)1e-6 * smaller : t->now.gap;
+    t->now.snap = sp__max(t->now.noise, t->now.snap / 8);
+    t->now.unit = smaller > 0 ? sp__power_of_two(smaller) : (sp_real)1;
 }
 
 /* Axes of the plane of patch p, and nothing in the clipper. */
 static void sp__pair_plane(sp__touch *t, const sp__patch *p)
 {
-    sp__across3(p->n, t->e1);
-    sp__cross3(p->n, t->e1, t->e2);
+    sp__across3(p->n, t->now.e1);
+    sp__cross3(p->n, t->now.e1, t->now.e2);
     sp__clip_clear(&t->clip);
 }
 
@@ -33,14 +33,14 @@ static void sp__pair_to_plane(const sp__touch *t, const sp__patch *p, const sp_r
 {
     sp_real d[3];
     sp__sub3(x, p->o, d);
-    xy[0] = sp__dot3(t->e1, d) / t->unit;
-    xy[1] = sp__dot3(t->e2, d) / t->unit;
+    xy[0] = sp__dot3(t->now.e1, d) / t->now.unit;
+    xy[1] = sp__dot3(t->now.e2, d) / t->now.unit;
 }
 
 /* A place in the plane of patch p in space. */
 static void sp__pair_to_space(const sp__touch *t, const sp__patch *p, const sp_real xy[2], sp_real x[3])
 {
-    for (int c = 0; c < 3; c++) x[c] = p->o[c] + t->unit * (xy[0] * t->e1[c] + xy[1] * t->e2[c]);
+    for (int c = 0; c < 3; c++) x[c] = p->o[c] + t->now.unit * (xy[0] * t->now.e1[c] + xy[1] * t->now.e2[c]);
 }
 
 /* Can patches p and q touch: opposed to within the angle, boxes and planes near? Between planes at angle s the distance
@@ -48,12 +48,12 @@ static void sp__pair_to_space(const sp__touch *t, const sp__patch *p, const sp_r
 static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__patch *q)
 {
     sp_real x[3], d[3];
-    if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->gap)) return 0;
+    if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->now.gap)) return 0;
     sp__cross3(p->n, q->n, x);
     const sp_real s = sp__norm3(x);
     if (s > t->set.angle) return 0;
     sp__sub3(q->o, p->o, d);
-    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->gap + 2 * s * sp__norm3(d);
+    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->now.gap + 2 * s * sp__norm3(d);
 }
 
 /* Is B's plane near in the middle of a polygon in A's: gap g along n_A, n_B . (o_B - m - g n_A) = 0? */
@@ -65,13 +65,13 @@ static int sp__pair_meets(const sp__touch *t, const sp__patch *p, const sp__patc
         sp__sub3(q->o, point[k], d);
         sp__add3(m, 1 / (sp_real)size, d);
     }
-    return !(sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->gap);
+    return !(sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->now.gap);
 }
 
 /* Append a polygon to the scene; where there is no room, count. */
 static void sp__pair_add(sp__touch *t, int32_t size, sp_real (*point)[3])
 {
-    const sp_status s = sp_scene_joint(t->scene, t->a, t->b, size, point[0], &t->set.strength, NULL);
+    const sp_status s = sp_scene_joint(t->scene, t->now.a, t->now.b, size, point[0], &t->set.strength, NULL);
     if (s != SP_OK && s != SP_E_CAPACITY) return;                   /* too small for its coordinates */
     t->full |= s == SP_E_CAPACITY;
     t->report.joints++;

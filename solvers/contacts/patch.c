@@ -32,18 +32,18 @@ static int sp__edge_before(const void *what, int32_t i, int32_t j)
 static int sp__vertex_before(const void *what, int32_t i, int32_t j)
 {
     const sp__touch *t = what;
-    const int o = sp__place_order(t->scene->vertex[t->vertex0 + i], t->scene->vertex[t->vertex0 + j], 0);
+    const int o = sp__place_order(t->scene->vertex[t->own.vertex0 + i], t->scene->vertex[t->own.vertex0 + j], 0);
     return o ? o < 0 : i < j;
 }
 
 static void sp__touch_weld(sp__touch *t)
 {
-    const sp_block *k = &t->scene->block[t->block];
+    const sp_block *k = &t->scene->block[t->own.block];
     for (int32_t v = 0; v < k->vertices; v++) t->all.order[v] = v;
     sp__sort(t->all.order, k->vertices, sp__vertex_before, t);
     int32_t first = 0;
     for (int32_t i = 0; i < k->vertices; i++) {
-        const int32_t v = t->vertex0 + t->all.order[i];
+        const int32_t v = t->own.vertex0 + t->all.order[i];
         if (!i || sp__place_order(t->scene->vertex[first], t->scene->vertex[v], 0)) first = v;
         t->all.same[v] = first;
     }
@@ -80,12 +80,12 @@ static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
 /* All edges of a face, by the vertices that stand for their places. */
 static void sp__touch_edges(sp__touch *t, int32_t f)
 {
-    const sp_face *face = &t->scene->face[t->face0 + f];
+    const sp_face *face = &t->scene->face[t->own.face0 + f];
     const int32_t *corner = t->scene->corner + face->corner;
     for (int32_t k = 0; k < face->corners; k++) {
-        t->all.edge[t->edges][0] = t->all.same[corner[k]];
-        t->all.edge[t->edges][1] = t->all.same[corner[k + 1 < face->corners ? k + 1 : 0]];
-        t->edges++;
+        t->all.edge[t->own.edges][0] = t->all.same[corner[k]];
+        t->all.edge[t->own.edges][1] = t->all.same[corner[k + 1 < face->corners ? k + 1 : 0]];
+        t->own.edges++;
     }
 }
 
@@ -94,12 +94,12 @@ static void sp__touch_bound(sp__touch *t, sp__patch *p)
 {
     int32_t *order = t->all.order;
     p->edge = t->bounds;
-    for (int32_t k = 0; k < t->edges; k++) order[k] = k;
-    sp__sort(order, t->edges, sp__edge_before, t);
-    for (int32_t k = 0; k < t->edges; ) {
+    for (int32_t k = 0; k < t->own.edges; k++) order[k] = k;
+    sp__sort(order, t->own.edges, sp__edge_before, t);
+    for (int32_t k = 0; k < t->own.edges; ) {
         const int32_t u = t->all.edge[order[k]][0], v = t->all.edge[order[k]][1];
         int32_t net = 0;
-        for (; k < t->edges; k++) {
+        for (; k < t->own.edges; k++) {
             const int32_t *e = t->all.edge[order[k]];
             if (e[0] == u && e[1] == v) net++;
             else if (e[0] == v && e[1] == u) net--;
@@ -120,7 +120,7 @@ static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
     sp__touch_weld(t);
     sp__touch_group(t, body, faces);
     for (int32_t p = body->patch; p < t->patches; p++) {
-        t->edges = 0;
+        t->own.edges = 0;
         for (int32_t f = 0; f < faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
         sp__touch_bound(t, &t->all.patch[p]);
     }

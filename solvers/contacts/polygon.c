@@ -26,7 +26,7 @@ static void sp__pair_corner(const sp__touch *t, const sp__patch *p, int32_t corn
     const int32_t name = t->clip.corner[corner].name;
     sp__pair_to_space(t, p, t->clip.corner[corner].x, x);
     if (name < 0) return;
-    for (int c = 0; c < 3; c++) if (sp__abs(t->scene->vertex[name][c] - x[c]) > t->noise / 4) return;
+    for (int c = 0; c < 3; c++) if (sp__abs(t->scene->vertex[name][c] - x[c]) > t->now.noise / 4) return;
     memcpy(x, t->scene->vertex[name], 3 * sizeof *x);
 }
 
@@ -44,7 +44,7 @@ static void sp__reverse(sp_real (*p)[3], int32_t from, int32_t to)
 static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size)
 {
     int32_t first = 0;
-    for (int32_t k = 1; k < size; k++) if (sp__place_order(p[k], p[first], t->snap) < 0) first = k;
+    for (int32_t k = 1; k < size; k++) if (sp__place_order(p[k], p[first], t->now.snap) < 0) first = k;
     sp__reverse(p, 0, first);
     sp__reverse(p, first, size);
     sp__reverse(p, 0, size);
@@ -53,15 +53,15 @@ static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size
 static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
     const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
-    sp_real (*point)[3] = t->pair.point + t->points;
-    if (size > t->pair.room - t->points || t->founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
+    sp_real (*point)[3] = t->pair.point + t->pair.points;
+    if (size > t->pair.room - t->pair.points || t->pair.founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
     for (int32_t k = 0; k < size; k++) sp__pair_corner(t, p, from + k, point[k]);
     if (!sp__pair_meets(t, p, q, point, size)) return;
     sp__pair_canonical(t, point, size);
-    t->pair.found[t->founds].start = t->points;
-    t->pair.found[t->founds].size = size;
-    t->points += size;
-    t->founds++;
+    t->pair.found[t->pair.founds].start = t->pair.points;
+    t->pair.found[t->pair.founds].size = size;
+    t->pair.points += size;
+    t->pair.founds++;
 }
 
 /* Polygons of patch p of A and q of B, in the plane of p. */
@@ -70,7 +70,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     sp__pair_plane(t, p);
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->gap / t->unit)) { t->status = SP_E_MEMORY; return; }
+    if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, t->now.gap / t->now.unit)) { t->status = SP_E_MEMORY; return; }
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
 
@@ -80,7 +80,7 @@ static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__
     int32_t n = 0;
     for (int32_t k = own->patch; k < own->patch + own->patches; k++) {
         const sp__patch *p = &t->all.patch[k];
-        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->gap)) list[n++] = k;
+        if (p->edges && sp__boxes_near(p->lo, p->hi, other->lo, other->hi, t->now.gap)) list[n++] = k;
     }
     return n;
 }
@@ -90,7 +90,7 @@ static int sp__polygon_before(const void *what, int32_t i, int32_t j)
     const sp__touch *t = what;
     const sp__polygon *f = &t->pair.found[i], *g = &t->pair.found[j];
     for (int32_t k = 0; k < f->size && k < g->size; k++) {
-        const int o = sp__place_order(t->pair.point[f->start + k], t->pair.point[g->start + k], t->snap);
+        const int o = sp__place_order(t->pair.point[f->start + k], t->pair.point[g->start + k], t->now.snap);
         if (o) return o < 0;
     }
     return f->size != g->size ? f->size < g->size : i < j;
@@ -99,9 +99,9 @@ static int sp__polygon_before(const void *what, int32_t i, int32_t j)
 /* Append what was found to the scene, in the order of corners; where there is no room, count. */
 static void sp__pair_append(sp__touch *t)
 {
-    for (int32_t k = 0; k < t->founds; k++) t->pair.rank[k] = k;
-    sp__sort(t->pair.rank, t->founds, sp__polygon_before, t);
-    for (int32_t k = 0; k < t->founds; k++) {
+    for (int32_t k = 0; k < t->pair.founds; k++) t->pair.rank[k] = k;
+    sp__sort(t->pair.rank, t->pair.founds, sp__polygon_before, t);
+    for (int32_t k = 0; k < t->pair.founds; k++) {
         const sp__polygon *f = &t->pair.found[t->pair.rank[k]];
         sp__pair_add(t, f->size, t->pair.point + f->start);
     }
@@ -110,10 +110,10 @@ static void sp__pair_append(sp__touch *t)
 /* All contacts of one pair, and their overlap. */
 static void sp__touch_pair(sp__touch *t, int32_t b)
 {
-    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
-    if (t->scene->block[t->a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
+    const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[b];
+    if (t->scene->block[t->now.a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
     sp__pair_start(t, b);
-    t->points = t->founds = 0;
+    t->pair.points = t->pair.founds = 0;
     const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < m && !t->status; j++) {

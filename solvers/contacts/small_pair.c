@@ -24,7 +24,7 @@ static void sp__pair_close(sp__touch *t, const sp__patch *p)
 {
     const int32_t n = t->pair.corners;
     for (int32_t k = 0; k < n; k++) sp__pair_to_space(t, p, t->pair.hull.p[k], t->pair.point[k]);
-    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->gap / t->unit) > 0)) sp__pair_add(t, n, t->pair.point);
+    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->now.gap / t->now.unit) > 0)) sp__pair_add(t, n, t->pair.point);
     t->pair.corners = 0;
 }
 
@@ -61,7 +61,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, 
     sp__pair_plane(t, p);
     sp__pair_region(t, p, u, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->clip, t->snap / t->unit, t->gap / t->unit)) { t->status = SP_E_MEMORY; return; }
+    if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, t->now.gap / t->now.unit)) { t->status = SP_E_MEMORY; return; }
     if (t->clip.bent) { t->status = SP_E_UNSUPPORTED; return; }
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
 }
@@ -69,8 +69,8 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, 
 /* All contacts of one pair, plane by plane of A, and their overlap. */
 static void sp__touch_pair(sp__touch *t, int32_t b)
 {
-    const sp__body *p = &t->all.body[t->a], *q = &t->all.body[b];
-    if (t->scene->block[t->a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
+    const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[b];
+    if (t->scene->block[t->now.a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
     sp__pair_start(t, b);
     if (!p->edges || !q->edges || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, p->reach + q->reach)) return;
     for (int32_t plane = p->patch; plane < p->patch + p->patches; plane++) {
@@ -93,8 +93,8 @@ static void sp__touch_all(sp__touch *t, sp_arena *scratch)
     sp__touch_carve(&t->all, &t->clip, &t->pair, scene, scratch);
     if (sp__failed(scratch)) { t->status = SP_E_MEMORY; return; }
     for (int32_t i = 0; i < scene->count.blocks; i++) sp__touch_block(t, i);
-    for (t->a = 0; t->a < scene->count.blocks; t->a++)
-        for (int32_t b = t->a + 1; b < scene->count.blocks && !t->status; b++) sp__touch_pair(t, b);
+    for (t->now.a = 0; t->now.a < scene->count.blocks; t->now.a++)
+        for (int32_t b = t->now.a + 1; b < scene->count.blocks && !t->status; b++) sp__touch_pair(t, b);
 }
 
 #endif

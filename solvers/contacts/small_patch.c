@@ -35,7 +35,7 @@ static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
 {
     const sp_real flat = sp__plane_tolerance(t, body);
     for (int32_t f = 0; f < faces; f++) {
-        const sp_face *face = &t->scene->face[t->face0 + f];
+        const sp_face *face = &t->scene->face[t->own.face0 + f];
         const int32_t *corner = t->scene->corner + face->corner;
         sp__patch *p = &t->all.patch[t->patches];
         if (!(sp__face_plane(t, f, p->n, p->o) > 0)) continue;

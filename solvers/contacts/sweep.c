@@ -33,44 +33,46 @@ static int sp__number_before(const void *what, int32_t i, int32_t j)
 /* Leaves: the blocks with faces along a Morton curve through the middles of their boxes, 1024 steps a side. */
 static void sp__tree_leaves(sp__touch *t)
 {
-    sp_real *lo = t->lo, *hi = t->hi;
-    t->leaves = 0;
+    sp__tree *tree = &t->all.tree;
+    sp_real *lo = tree->lo, *hi = tree->hi;
+    tree->leaves = 0;
     for (int32_t i = 0; i < t->scene->count.blocks; i++) {
         const sp__body *k = &t->all.body[i];
         if (!k->edges) continue;
-        if (!t->leaves) sp__box_start(lo, hi, k->lo);
+        if (!tree->leaves) sp__box_start(lo, hi, k->lo);
         sp__box_add(lo, hi, k->lo);
         sp__box_add(lo, hi, k->hi);
-        t->all.leaf[t->leaves++] = i;
+        tree->leaf[tree->leaves++] = i;
     }
-    for (int32_t l = 0; l < t->leaves; l++) {
-        const sp__body *k = &t->all.body[t->all.leaf[l]];
+    for (int32_t l = 0; l < tree->leaves; l++) {
+        const sp__body *k = &t->all.body[tree->leaf[l]];
         uint32_t code = 0;
         for (int c = 0; c < 3; c++) {
             const sp_real wide = hi[c] - lo[c], at = (k->lo[c] - lo[c]) / 2 + (k->hi[c] - lo[c]) / 2;
             const uint32_t step = wide > 0 ? (uint32_t)(int32_t)(1023 * (at / wide)) : 0;
             code |= sp__every_third_bit(step < 1023 ? step : 1023) << c;
         }
-        t->all.code[t->all.leaf[l]] = code;
+        tree->code[tree->leaf[l]] = code;
     }
-    sp__sort(t->all.leaf, t->leaves, sp__code_before, t->all.code);
+    sp__sort(tree->leaf, tree->leaves, sp__code_before, tree->code);
 }
 
 /* Boxes bottom-up; an empty one has low above high. */
 static void sp__tree_build(sp__touch *t)
 {
+    const sp__tree *tree = &t->all.tree;
     sp__tree_leaves(t);
-    for (int32_t k = 2 * t->all.width - 1; k > 0; k--) {
-        sp_real *box = t->all.box[k];
+    for (int32_t k = 2 * tree->width - 1; k > 0; k--) {
+        sp_real *box = tree->box[k];
         box[0] = (sp_real)1;
         box[3] = (sp_real)0;
-        if (k >= t->all.width) {
-            if (k - t->all.width >= t->leaves) continue;
-            const sp__body *b = &t->all.body[t->all.leaf[k - t->all.width]];
+        if (k >= tree->width) {
+            if (k - tree->width >= tree->leaves) continue;
+            const sp__body *b = &t->all.body[tree->leaf[k - tree->width]];
             for (int c = 0; c < 3; c++) { box[c] = b->lo[c] - b->reach; box[3 + c] = b->hi[c] + b->reach; }
             continue;
         }
-        const sp_real *left = t->all.box[2 * k], *right = t->all.box[2 * k + 1];
+        const sp_real *left = tree->box[2 * k], *right = tree->box[2 * k + 1];
         if (left[0] > left[3]) continue;
         for (int c = 0; c < 6; c++) box[c] = left[c];
         if (right[0] > right[3]) continue;
@@ -82,14 +84,15 @@ static void sp__tree_build(sp__touch *t)
 /* Blocks above a whose boxes come near a's, in order. Returns how many. */
 static int32_t sp__tree_near(sp__touch *t, int32_t a)
 {
+    const sp__tree *tree = &t->all.tree;
     const sp__body *body = &t->all.body[a];
     int32_t hits = 0, k = 1;
     if (!body->edges) return 0;
     while (k > 0) {
-        const sp_real *box = t->all.box[k];
+        const sp_real *box = tree->box[k];
         if (!(box[0] > box[3]) && sp__boxes_near(body->lo, body->hi, box, box + 3, body->reach)) {
-            if (k < t->all.width) { k *= 2; continue; }
-            if (t->all.leaf[k - t->all.width] > a) t->all.hit[hits++] = t->all.leaf[k - t->all.width];
+            if (k < tree->width) { k *= 2; continue; }
+            if (tree->leaf[k - tree->width] > a) t->all.hit[hits++] = tree->leaf[k - tree->width];
         }
         while (k & 1) k >>= 1;                          /* up from right children, past the top to 0 */
         if (k) k++;
@@ -124,8 +127,8 @@ static void sp__touch_all(sp__touch *t, sp_arena *scratch)
     if (sp__failed(scratch)) { t->status = SP_E_MEMORY; return; }
     sp__touch_blocks(t, scratch);
     if (!t->status) sp__tree_build(t);
-    for (t->a = 0; t->a < scene->count.blocks && !t->status; t->a++) {
-        const int32_t hits = sp__tree_near(t, t->a);
+    for (t->now.a = 0; t->now.a < scene->count.blocks && !t->status; t->now.a++) {
+        const int32_t hits = sp__tree_near(t, t->now.a);
         for (int32_t h = 0; h < hits && !t->status; h++) sp__touch_pair(t, t->all.hit[h]);
     }
 }

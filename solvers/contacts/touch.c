@@ -49,6 +49,15 @@ typedef struct sp__polygon { int32_t start, size; } sp__polygon;    /* a polygon
 /* The largest of a number over the blocks, and the largest of the others. */
 typedef struct sp__top_two { int32_t first, second; } sp__top_two;
 
+/* The tree of boxes. */
+typedef struct sp__tree {
+    int32_t width, leaves;                      /* power of two, not below the number of blocks; blocks with faces */
+    sp_real (*box)[6];                          /* of the nodes, 1 the top, children 2k and 2k + 1 */
+    int32_t *leaf;                              /* block of each leaf */
+    uint32_t *code;                             /* Morton code of each block */
+    sp_real lo[3], hi[3];                       /* box of everything */
+} sp__tree;
+
 /* Edges of one patch, of a block; patches of a block. */
 typedef struct sp__top_sizes { sp__top_two side, total, patches; } sp__top_sizes;
 #endif
@@ -64,10 +73,7 @@ typedef struct sp__contact_arrays {
     int32_t (*edge)[2];                         /* of one block */
     sp_real (*normal)[3], (*middle)[3], *area;  /* of the faces of one block */
     int32_t *hit;                               /* blocks that may touch the present one */
-    int32_t width;                              /* of the tree: power of two, not below the number of blocks */
-    sp_real (*box)[6];                          /* of the tree's nodes, 1 the top, children 2k and 2k + 1 */
-    int32_t *leaf;                              /* block of each leaf */
-    uint32_t *code;                             /* Morton code of each block */
+    sp__tree tree;
 #endif
 } sp__contact_arrays;
 
@@ -82,8 +88,24 @@ typedef struct sp__pair_buffer {
     sp__polygon *found;
     int32_t *rank;                              /* their order */
     int32_t room;                               /* of them, and of points */
+    int32_t points, founds;                     /* so many now */
 #endif
 } sp__pair_buffer;
+
+/* The block whose patches are being made. */
+typedef struct sp__own_block {
+    int32_t block, vertex0, face0;
+#if !SP__WITH_SMALL
+    int32_t edges;                              /* of the faces of a patch */
+#endif
+} sp__own_block;
+
+/* The present pair, and the plane it is clipped in. */
+typedef struct sp__present_pair {
+    int32_t a, b;
+    sp_real gap, noise, snap, unit;             /* unit: length of 1 in the plane [m] */
+    sp_real e1[3], e2[3];                       /* its axes */
+} sp__present_pair;
 
 typedef struct sp__touch {
     sp_scene *scene;
@@ -97,15 +119,10 @@ typedef struct sp__touch {
     sp__pair_buffer pair;
 #if !SP__WITH_SMALL
     sp__top_sizes most;
-    int32_t leaves, edges;                      /* of the tree; of the faces of a patch */
-    sp_real lo[3], hi[3];                       /* box of everything */
-    int32_t points, founds;                     /* what was found of the present pair */
 #endif
-    int32_t patches, bounds;
-    int32_t block, vertex0, face0;              /* of the block whose patches are being made */
-    int32_t a, b;                               /* present pair */
-    sp_real gap, noise, snap, unit;            /* of that pair; unit: length of 1 in the plane of the clipping [m] */
-    sp_real e1[3], e2[3];                       /* axes of that plane */
+    int32_t patches, bounds;                    /* made so far */
+    sp__own_block own;
+    sp__present_pair now;
 } sp__touch;
 
 SP_API sp_contact_settings sp_contact_settings_default(void)
