@@ -26,25 +26,42 @@ typedef struct sp__clip_edge { int32_t from, to, w[2]; } sp__clip_edge;     /* w
 
 typedef struct sp__clip_corner { sp_real x[2]; int32_t name; } sp__clip_corner;     /* name: the caller's number or -1 */
 
-typedef struct sp__clip {
-    int32_t node_cap, edge_cap;
-    int32_t segments, nodes, edges, corners, loops, holes, cuts;
-    int32_t full;               /* a capacity was too small: no result */
-    int32_t opening;            /* in the strips of part 4 */
-    int32_t torn;               /* loops that did not close, or holes that cuts did not open; 0 unless rounding won */
-    sp_real eps, thin, snap;    /* snap: eps of this attempt */
-    sp_real lo[2], hi[2];       /* the strip of part 4 */
-    sp_real (*segment)[4];      /* input: from, to; later the pieces of a result that has holes */
-    int32_t (*tag)[3];          /* input: the caller's number of from and to (-1: none), region */
+/* The regions as they are given, later the pieces of a result that has holes. */
+typedef struct sp__clip_input {
+    sp_real (*segment)[4];      /* from, to */
+    int32_t (*tag)[3];          /* the caller's number of from and to (-1: none), region */
+    int32_t segments;
+} sp__clip_input;
+
+/* Their arrangement: nodes, and edges that meet only in nodes. */
+typedef struct sp__clip_graph {
     sp_real (*xy)[2];           /* nodes */
     int32_t *label;             /* node -> the caller's number or -1 */
     int32_t *first, *place;     /* node -> its first outgoing edge; its place on the path or -1 */
     sp__clip_edge *edge;
     int32_t *order, *next;      /* edges in order; next outgoing edge of the same node */
     int32_t *path;              /* nodes of the loop being traced */
+    int32_t nodes, edges, node_cap, edge_cap;
+} sp__clip_graph;
+
+/* Lines through holes, and the strip between two of them. */
+typedef struct sp__clip_cuts {
+    sp_real *x;                 /* lines x = const, ascending */
+    sp_real lo[2], hi[2];       /* the strip */
+    int32_t lines, holes;
+    int32_t opening;            /* in the strips */
+} sp__clip_cuts;
+
+typedef struct sp__clip {
+    sp__clip_input in;
+    sp__clip_graph g;
+    sp__clip_cuts cut;
     sp__clip_corner *corner;    /* result: corners, loop after loop, anticlockwise */
     int32_t *loop;              /* result: first corner of each loop, and one past the last */
-    sp_real *cut;               /* lines x = cut through holes, ascending */
+    int32_t corners, loops;
+    int32_t full;               /* a capacity was too small: no result */
+    int32_t torn;               /* loops that did not close, or holes that cuts did not open; 0 unless rounding won */
+    sp_real eps, thin, snap;    /* snap: eps of this attempt */
 } sp__clip;
 
 /* Room for regions of p and q segments that cross at most `crossings` times. */
@@ -52,42 +69,42 @@ static void sp__clip_carve(sp__clip *c, int64_t p, int64_t q, int64_t crossings,
 {
     const int64_t nodes = p + q + crossings + 32, edges = 3 * (p + q) + 2 * crossings + 32;
     const size_t n = (size_t)nodes, e = (size_t)edges;
-    c->node_cap = nodes < INT32_MAX ? (int32_t)nodes : 0;
-    c->edge_cap = edges < INT32_MAX ? (int32_t)edges : 0;
-    c->segment = sp__take(a, e, sizeof *c->segment);
-    c->tag = sp__take(a, e, sizeof *c->tag);
-    c->xy = sp__take(a, n, sizeof *c->xy);
-    c->label = sp__take(a, n, sizeof *c->label);
-    c->first = sp__take(a, n, sizeof *c->first);
-    c->place = sp__take(a, n, sizeof *c->place);
-    c->edge = sp__take(a, e, sizeof *c->edge);
-    c->order = sp__take(a, e, sizeof *c->order);
-    c->next = sp__take(a, e, sizeof *c->next);
-    c->path = sp__take(a, e, sizeof *c->path);
+    c->g.node_cap = nodes < INT32_MAX ? (int32_t)nodes : 0;
+    c->g.edge_cap = edges < INT32_MAX ? (int32_t)edges : 0;
+    c->in.segment = sp__take(a, e, sizeof *c->in.segment);
+    c->in.tag = sp__take(a, e, sizeof *c->in.tag);
+    c->g.xy = sp__take(a, n, sizeof *c->g.xy);
+    c->g.label = sp__take(a, n, sizeof *c->g.label);
+    c->g.first = sp__take(a, n, sizeof *c->g.first);
+    c->g.place = sp__take(a, n, sizeof *c->g.place);
+    c->g.edge = sp__take(a, e, sizeof *c->g.edge);
+    c->g.order = sp__take(a, e, sizeof *c->g.order);
+    c->g.next = sp__take(a, e, sizeof *c->g.next);
+    c->g.path = sp__take(a, e, sizeof *c->g.path);
     c->corner = sp__take(a, e, sizeof *c->corner);
     c->loop = sp__take(a, n + 1, sizeof *c->loop);
-    c->cut = sp__take(a, n, sizeof *c->cut);
+    c->cut.x = sp__take(a, n, sizeof *c->cut.x);
 }
 
 /* Forget the input. */
 static void sp__clip_clear(sp__clip *c)
 {
-    c->segments = c->corners = c->loops = 0;
+    c->in.segments = c->corners = c->loops = 0;
     c->full = c->torn = 0;
 }
 
 /* Add a segment of region `side` (0: P, 1: Q) from (x0, y0) to (x1, y1); numbers of its ends or -1. */
 static void sp__clip_add(sp__clip *c, int32_t side, const sp_real from[2], const sp_real to[2], int32_t name0, int32_t name1)
 {
-    if (c->segments >= c->edge_cap) { c->full = 1; return; }
-    const int32_t s = c->segments++;
-    c->segment[s][0] = from[0];
-    c->segment[s][1] = from[1];
-    c->segment[s][2] = to[0];
-    c->segment[s][3] = to[1];
-    c->tag[s][0] = name0;
-    c->tag[s][1] = name1;
-    c->tag[s][2] = side;
+    if (c->in.segments >= c->g.edge_cap) { c->full = 1; return; }
+    const int32_t s = c->in.segments++;
+    c->in.segment[s][0] = from[0];
+    c->in.segment[s][1] = from[1];
+    c->in.segment[s][2] = to[0];
+    c->in.segment[s][3] = to[1];
+    c->in.tag[s][0] = name0;
+    c->in.tag[s][1] = name1;
+    c->in.tag[s][2] = side;
 }
 
 /* ---------------------------------------------------------------------------------------------------------- 1 arrange */
@@ -104,32 +121,32 @@ static sp_real sp__clip_turn(const sp_real a[2], const sp_real b[2], const sp_re
 static int32_t sp__clip_node(sp__clip *c, const sp_real p[2], int32_t name)
 {
     const sp_real near2 = c->snap * c->snap;
-    for (int32_t k = 0; k < c->nodes; k++) {
-        const sp_real dx = p[0] - c->xy[k][0], dy = p[1] - c->xy[k][1];
+    for (int32_t k = 0; k < c->g.nodes; k++) {
+        const sp_real dx = p[0] - c->g.xy[k][0], dy = p[1] - c->g.xy[k][1];
         if (dx * dx + dy * dy > near2) continue;
-        if (c->label[k] < 0) c->label[k] = name;
+        if (c->g.label[k] < 0) c->g.label[k] = name;
         return k;
     }
-    if (c->nodes >= c->node_cap) { c->full = 1; return 0; }
-    c->xy[c->nodes][0] = p[0];
-    c->xy[c->nodes][1] = p[1];
-    c->label[c->nodes] = name;
-    return c->nodes++;
+    if (c->g.nodes >= c->g.node_cap) { c->full = 1; return 0; }
+    c->g.xy[c->g.nodes][0] = p[0];
+    c->g.xy[c->g.nodes][1] = p[1];
+    c->g.label[c->g.nodes] = name;
+    return c->g.nodes++;
 }
 
 static void sp__clip_edge_add(sp__clip *c, int32_t from, int32_t to, int32_t w0, int32_t w1)
 {
     if (from == to) return;
-    if (c->edges >= c->edge_cap) { c->full = 1; return; }
+    if (c->g.edges >= c->g.edge_cap) { c->full = 1; return; }
     const sp__clip_edge e = { from, to, { w0, w1 } };
-    c->edge[c->edges++] = e;
+    c->g.edge[c->g.edges++] = e;
 }
 
 /* Do the boxes of two edges come nearer than eps? */
 static int sp__clip_close(const sp__clip *c, int32_t i, int32_t j)
 {
-    const sp_real *a = c->xy[c->edge[i].from], *b = c->xy[c->edge[i].to];
-    const sp_real *p = c->xy[c->edge[j].from], *q = c->xy[c->edge[j].to];
+    const sp_real *a = c->g.xy[c->g.edge[i].from], *b = c->g.xy[c->g.edge[i].to];
+    const sp_real *p = c->g.xy[c->g.edge[j].from], *q = c->g.xy[c->g.edge[j].to];
     for (int k = 0; k < 2; k++) {
         if ((a[k] < b[k] ? b[k] : a[k]) + c->snap < (p[k] < q[k] ? p[k] : q[k])) return 0;
         if ((p[k] < q[k] ? q[k] : p[k]) + c->snap < (a[k] < b[k] ? a[k] : b[k])) return 0;
@@ -140,9 +157,9 @@ static int sp__clip_close(const sp__clip *c, int32_t i, int32_t j)
 /* A node where edges i and j cross in their insides, X = a + (b - a) s / (s - t); s, t: on which sides of j the ends lie. */
 static void sp__clip_cross(sp__clip *c, int32_t i, int32_t j)
 {
-    const sp__clip_edge *e = &c->edge[i], *f = &c->edge[j];
+    const sp__clip_edge *e = &c->g.edge[i], *f = &c->g.edge[j];
     if (e->from == f->from || e->from == f->to || e->to == f->from || e->to == f->to) return;
-    const sp_real *a = c->xy[e->from], *b = c->xy[e->to], *p = c->xy[f->from], *q = c->xy[f->to];
+    const sp_real *a = c->g.xy[e->from], *b = c->g.xy[e->to], *p = c->g.xy[f->from], *q = c->g.xy[f->to];
     const sp_real s = sp__clip_turn(p, q, a), t = sp__clip_turn(p, q, b);
     const sp_real u = sp__clip_turn(a, b, p), v = sp__clip_turn(a, b, q);
     if (!((s < 0 && t > 0) || (s > 0 && t < 0)) || !((u < 0 && v > 0) || (u > 0 && v < 0))) return;
@@ -155,7 +172,7 @@ static void sp__clip_cross(sp__clip *c, int32_t i, int32_t j)
 static int sp__clip_on(const sp__clip *c, const sp__clip_edge *e, int32_t k)
 {
     if (k == e->from || k == e->to) return 0;
-    const sp_real *a = c->xy[e->from], *b = c->xy[e->to], *p = c->xy[k];
+    const sp_real *a = c->g.xy[e->from], *b = c->g.xy[e->to], *p = c->g.xy[k];
     const sp_real dx = b[0] - a[0], dy = b[1] - a[1], len2 = dx * dx + dy * dy;
     const sp_real x = p[0] - a[0], y = p[1] - a[1], along = x * dx + y * dy, turn = dx * y - dy * x;
     if (!(along > 0 && along < len2 && turn * turn <= c->snap * c->snap * len2)) return 0;
@@ -165,14 +182,14 @@ static int sp__clip_on(const sp__clip *c, const sp__clip_edge *e, int32_t k)
 /* Split every edge at the nodes on it. Returns whether anything changed. */
 static int sp__clip_split(sp__clip *c)
 {
-    const int32_t before = c->edges;
-    for (int32_t i = 0; i < c->edges && !c->full; i++)
-        for (int32_t k = 0; k < c->nodes; k++) {
-            if (!sp__clip_on(c, &c->edge[i], k)) continue;
-            sp__clip_edge_add(c, k, c->edge[i].to, c->edge[i].w[0], c->edge[i].w[1]);
-            c->edge[i].to = k;
+    const int32_t before = c->g.edges;
+    for (int32_t i = 0; i < c->g.edges && !c->full; i++)
+        for (int32_t k = 0; k < c->g.nodes; k++) {
+            if (!sp__clip_on(c, &c->g.edge[i], k)) continue;
+            sp__clip_edge_add(c, k, c->g.edge[i].to, c->g.edge[i].w[0], c->g.edge[i].w[1]);
+            c->g.edge[i].to = k;
         }
-    return c->edges > before;
+    return c->g.edges > before;
 }
 
 static int sp__clip_edge_before(const void *what, int32_t i, int32_t j)
@@ -187,43 +204,43 @@ static int sp__clip_edge_before(const void *what, int32_t i, int32_t j)
 static void sp__clip_merge(sp__clip *c)
 {
     int32_t kept = 0;
-    for (int32_t i = 0; i < c->edges; i++) {
-        sp__clip_edge *e = &c->edge[i];
-        c->order[i] = i;
+    for (int32_t i = 0; i < c->g.edges; i++) {
+        sp__clip_edge *e = &c->g.edge[i];
+        c->g.order[i] = i;
         if (e->from < e->to) continue;
         const sp__clip_edge r = { e->to, e->from, { -e->w[0], -e->w[1] } };
         *e = r;
     }
-    sp__sort(c->order, c->edges, sp__clip_edge_before, c->edge);
-    for (int32_t i = 0; i < c->edges; kept++) {                     /* sums at the first of each run */
-        const int32_t at = c->order[i];
-        sp__clip_edge *e = &c->edge[at];
-        for (i++; i < c->edges; i++) {
-            const sp__clip_edge *f = &c->edge[c->order[i]];
+    sp__sort(c->g.order, c->g.edges, sp__clip_edge_before, c->g.edge);
+    for (int32_t i = 0; i < c->g.edges; kept++) {                   /* sums at the first of each run */
+        const int32_t at = c->g.order[i];
+        sp__clip_edge *e = &c->g.edge[at];
+        for (i++; i < c->g.edges; i++) {
+            const sp__clip_edge *f = &c->g.edge[c->g.order[i]];
             if (f->from != e->from || f->to != e->to) break;
             e->w[0] += f->w[0];
             e->w[1] += f->w[1];
         }
-        c->order[kept] = at;
+        c->g.order[kept] = at;
     }
-    c->edges = kept;
+    c->g.edges = kept;
 }
 
 /* Read the segments into nodes and edges that meet only in nodes. Snapping moves edges by up to eps, so repeat until calm. */
 static void sp__clip_arrange(sp__clip *c)
 {
-    c->nodes = c->edges = 0;
-    for (int32_t s = 0; s < c->segments; s++) {
-        const int32_t from = sp__clip_node(c, c->segment[s], c->tag[s][0]);
-        const int32_t to = sp__clip_node(c, c->segment[s] + 2, c->tag[s][1]);
-        sp__clip_edge_add(c, from, to, c->tag[s][2] == 0, c->tag[s][2] == 1);
+    c->g.nodes = c->g.edges = 0;
+    for (int32_t s = 0; s < c->in.segments; s++) {
+        const int32_t from = sp__clip_node(c, c->in.segment[s], c->in.tag[s][0]);
+        const int32_t to = sp__clip_node(c, c->in.segment[s] + 2, c->in.tag[s][1]);
+        sp__clip_edge_add(c, from, to, c->in.tag[s][2] == 0, c->in.tag[s][2] == 1);
     }
     for (int pass = 0; pass < 8 && !c->full; pass++) {
-        const int32_t before = c->nodes;
-        for (int32_t i = 1; i < c->edges; i++)
+        const int32_t before = c->g.nodes;
+        for (int32_t i = 1; i < c->g.edges; i++)
             for (int32_t j = 0; j < i; j++)
                 if (sp__clip_close(c, i, j)) sp__clip_cross(c, i, j);
-        if (!sp__clip_split(c) && c->nodes == before) break;
+        if (!sp__clip_split(c) && c->g.nodes == before) break;
     }
     if (!c->full) sp__clip_merge(c);
 }
@@ -232,16 +249,16 @@ static void sp__clip_arrange(sp__clip *c)
 
 /* Winding numbers beside the middle of edge e, on its far side as seen along a ray that leaves e across: +x for a steep edge,
  * +y for a flat one. Each edge that the ray crosses adds its own; half-open intervals count shared ends once. */
-static void sp__clip_wind(const sp__clip *c, int32_t at, int flat, int32_t w[2])
+static void sp__clip_wind(const sp__clip_graph *g, int32_t at, int flat, int32_t w[2])
 {
-    const sp__clip_edge *e = &c->edge[at];
+    const sp__clip_edge *e = &g->edge[at];
     const int x = flat ? 1 : 0, y = 1 - x;
-    const sp_real mx = (c->xy[e->from][x] + c->xy[e->to][x]) / 2, my = (c->xy[e->from][y] + c->xy[e->to][y]) / 2;
+    const sp_real mx = (g->xy[e->from][x] + g->xy[e->to][x]) / 2, my = (g->xy[e->from][y] + g->xy[e->to][y]) / 2;
     w[0] = w[1] = 0;
-    for (int32_t k = 0; k < c->edges; k++) {
-        if (c->order[k] == at) continue;
-        const sp__clip_edge *f = &c->edge[c->order[k]];
-        const sp_real *a = c->xy[f->from], *b = c->xy[f->to];
+    for (int32_t k = 0; k < g->edges; k++) {
+        if (g->order[k] == at) continue;
+        const sp__clip_edge *f = &g->edge[g->order[k]];
+        const sp_real *a = g->xy[f->from], *b = g->xy[f->to];
         const int up = a[y] <= my && my < b[y], down = b[y] <= my && my < a[y];
         if (!up && !down) continue;
         if (a[x] < mx && b[x] < mx) continue;
@@ -253,15 +270,15 @@ static void sp__clip_wind(const sp__clip *c, int32_t at, int flat, int32_t w[2])
 }
 
 /* Does edge e bound the common region: 1 on its left, -1 on its right, 0 neither or both. left = right + w. */
-static int sp__clip_keep(const sp__clip *c, int32_t at)
+static int sp__clip_keep(const sp__clip_graph *g, int32_t at)
 {
-    const sp__clip_edge *e = &c->edge[at];
-    const sp_real dx = c->xy[e->to][0] - c->xy[e->from][0], dy = c->xy[e->to][1] - c->xy[e->from][1];
+    const sp__clip_edge *e = &g->edge[at];
+    const sp_real dx = g->xy[e->to][0] - g->xy[e->from][0], dy = g->xy[e->to][1] - g->xy[e->from][1];
     const int flat = sp__clip_abs(dy) < sp__clip_abs(dx);
     const int far_is_left = flat ? dx > 0 : dy < 0;
     int32_t winding[2];
     if (e->w[0] == 0 && e->w[1] == 0) return 0;
-    sp__clip_wind(c, at, flat, winding);
+    sp__clip_wind(g, at, flat, winding);
     const int32_t s = far_is_left ? -1 : 1;
     const int far_in = winding[0] > 0 && winding[1] > 0;
     const int near_in = winding[0] + s * e->w[0] > 0 && winding[1] + s * e->w[1] > 0;
@@ -270,25 +287,26 @@ static int sp__clip_keep(const sp__clip *c, int32_t at)
 }
 
 /* Keep the boundary of the common region, directed with the region on the left. Returns whether it closes everywhere. */
-static int sp__clip_classify(sp__clip *c)
+static int sp__clip_classify(sp__clip_graph *g)
 {
     int32_t kept = 0, open = 0;
-    for (int32_t k = 0; k < c->edges; k++) c->next[k] = sp__clip_keep(c, c->order[k]);
-    for (int32_t k = 0; k < c->edges; k++) {                        /* order, then place: the merged edges may overlap */
-        const sp__clip_edge *e = &c->edge[c->order[k]];
-        if (!c->next[k]) continue;
-        c->path[kept] = c->next[k] > 0 ? e->from : e->to;
-        c->order[kept++] = c->next[k] > 0 ? e->to : e->from;
+    int32_t *side = g->next, *from = g->path, *to = g->order, *leaving = g->place;       /* no longer needed as such */
+    for (int32_t k = 0; k < g->edges; k++) side[k] = sp__clip_keep(g, g->order[k]);
+    for (int32_t k = 0; k < g->edges; k++) {            /* ends first, then edges: the merged edges may overlap */
+        const sp__clip_edge *e = &g->edge[g->order[k]];
+        if (!side[k]) continue;
+        from[kept] = side[k] > 0 ? e->from : e->to;
+        to[kept++] = side[k] > 0 ? e->to : e->from;
     }
-    for (int32_t k = 0; k < c->nodes; k++) c->place[k] = 0;
+    for (int32_t k = 0; k < g->nodes; k++) leaving[k] = 0;
     for (int32_t k = 0; k < kept; k++) {
-        const sp__clip_edge e = { c->path[k], c->order[k], { 0, 0 } };
-        c->edge[k] = e;
-        c->place[e.from]++;
-        c->place[e.to]--;
+        const sp__clip_edge e = { from[k], to[k], { 0, 0 } };
+        g->edge[k] = e;
+        leaving[e.from]++;
+        leaving[e.to]--;
     }
-    for (int32_t k = 0; k < c->nodes; k++) open += c->place[k] != 0;
-    c->edges = kept;
+    for (int32_t k = 0; k < g->nodes; k++) open += leaving[k] != 0;
+    g->edges = kept;
     return open == 0;
 }
 
@@ -303,16 +321,16 @@ static int sp__clip_sooner(const sp_real r[2], const sp_real a[2], const sp_real
 }
 
 /* The edge to leave by after edge e: the unused one with the sharpest left turn; -1: none. */
-static int32_t sp__clip_leave(const sp__clip *c, int32_t e)
+static int32_t sp__clip_leave(const sp__clip_graph *g, int32_t e)
 {
-    const sp_real *v = c->xy[c->edge[e].to], *u = c->xy[c->edge[e].from];
+    const sp_real *v = g->xy[g->edge[e].to], *u = g->xy[g->edge[e].from];
     const sp_real back[2] = { u[0] - v[0], u[1] - v[1] };
     int32_t best = -1;
     sp_real lead[2] = { 0, 0 };
-    for (int32_t k = c->first[c->edge[e].to]; k >= 0; k = c->next[k]) {
-        const sp_real *t = c->xy[c->edge[k].to];
+    for (int32_t k = g->first[g->edge[e].to]; k >= 0; k = g->next[k]) {
+        const sp_real *t = g->xy[g->edge[k].to];
         const sp_real d[2] = { t[0] - v[0], t[1] - v[1] };
-        if (c->edge[k].w[0]) continue;                              /* used */
+        if (g->edge[k].w[0]) continue;                  /* used */
         if (best >= 0 && !sp__clip_sooner(back, d, lead)) continue;
         best = k;
         lead[0] = d[0];
@@ -360,11 +378,11 @@ static void sp__clip_hole(sp__clip *c)
         hi = x > hi ? x : hi;
     }
     const sp_real mid = (lo + hi) / 2, rim = (hi - lo) / 10;
-    for (int32_t k = 0; k < c->cuts; k++) if (c->cut[k] > lo + rim && c->cut[k] < hi - rim) return;
-    if (c->cuts >= c->node_cap) { c->full = 1; return; }
-    int32_t k = c->cuts++;
-    for (; k > 0 && c->cut[k - 1] > mid; k--) c->cut[k] = c->cut[k - 1];
-    c->cut[k] = mid;
+    for (int32_t k = 0; k < c->cut.lines; k++) if (c->cut.x[k] > lo + rim && c->cut.x[k] < hi - rim) return;
+    if (c->cut.lines >= c->g.node_cap) { c->full = 1; return; }
+    int32_t k = c->cut.lines++;
+    for (; k > 0 && c->cut.x[k - 1] > mid; k--) c->cut.x[k] = c->cut.x[k - 1];
+    c->cut.x[k] = mid;
 }
 
 /* Put the simple loop path[from..to) out: kept if it goes round anticlockwise and is not thin; a hole asks for a cut. */
@@ -372,14 +390,14 @@ static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
 {
     const int32_t start = c->corners;
     sp_real area2 = 0, around = 0;
-    if (c->corners + (to - from) > c->edge_cap || c->loops >= c->node_cap) { c->full = 1; return; }
-    const sp_real *o = c->xy[c->path[from]];
+    if (c->corners + (to - from) > c->g.edge_cap || c->loops >= c->g.node_cap) { c->full = 1; return; }
+    const sp_real *o = c->g.xy[c->g.path[from]];
     for (int32_t k = from; k < to; k++) {
-        const sp_real *p = c->xy[c->path[k]], *q = c->xy[c->path[k + 1 < to ? k + 1 : from]];
+        const sp_real *p = c->g.xy[c->g.path[k]], *q = c->g.xy[c->g.path[k + 1 < to ? k + 1 : from]];
         const sp_real dx = q[0] - p[0], dy = q[1] - p[1];
         area2 += sp__clip_turn(o, p, q);
         around += SP_SQRT(dx * dx + dy * dy);
-        const sp__clip_corner at = { { p[0], p[1] }, c->label[c->path[k]] };
+        const sp__clip_corner at = { { p[0], p[1] }, c->g.label[c->g.path[k]] };
         c->corner[c->corners++] = at;
     }
     c->loop[c->loops] = start;
@@ -389,8 +407,8 @@ static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
         return;
     }
     if (-area2 > c->thin * around) {
-        c->holes++;
-        if (!c->opening) sp__clip_hole(c);
+        c->cut.holes++;
+        if (!c->cut.opening) sp__clip_hole(c);
     }
     c->corners = start;
 }
@@ -399,36 +417,36 @@ static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
 static void sp__clip_walk(sp__clip *c, int32_t start)
 {
     int32_t depth = 0, e = start;
-    c->path[depth] = c->edge[e].from;
-    c->place[c->path[depth]] = depth;
+    c->g.path[depth] = c->g.edge[e].from;
+    c->g.place[c->g.path[depth]] = depth;
     depth++;
     for (;;) {
-        const int32_t v = c->edge[e].to;
-        if (c->place[v] < 0) {
-            c->place[v] = depth;
-            c->path[depth++] = v;
+        const int32_t v = c->g.edge[e].to;
+        if (c->g.place[v] < 0) {
+            c->g.place[v] = depth;
+            c->g.path[depth++] = v;
         } else {
-            const int32_t from = c->place[v];
+            const int32_t from = c->g.place[v];
             sp__clip_emit(c, from, depth);
-            while (depth > from + 1) c->place[c->path[--depth]] = -1;
+            while (depth > from + 1) c->g.place[c->g.path[--depth]] = -1;
         }
-        if (e != start) c->edge[e].w[0] = 1;
-        e = sp__clip_leave(c, e);
+        if (e != start) c->g.edge[e].w[0] = 1;
+        e = sp__clip_leave(&c->g, e);
         if (e < 0 || e == start) break;
     }
     if (e < 0) c->torn++;
-    c->edge[start].w[0] = 1;
-    while (depth > 0) c->place[c->path[--depth]] = -1;
+    c->g.edge[start].w[0] = 1;
+    while (depth > 0) c->g.place[c->g.path[--depth]] = -1;
 }
 
 static void sp__clip_trace(sp__clip *c)
 {
-    for (int32_t k = 0; k < c->nodes; k++) c->first[k] = c->place[k] = -1;
-    for (int32_t k = c->edges - 1; k >= 0; k--) {
-        c->next[k] = c->first[c->edge[k].from];
-        c->first[c->edge[k].from] = k;
+    for (int32_t k = 0; k < c->g.nodes; k++) c->g.first[k] = c->g.place[k] = -1;
+    for (int32_t k = c->g.edges - 1; k >= 0; k--) {
+        c->g.next[k] = c->g.first[c->g.edge[k].from];
+        c->g.first[c->g.edge[k].from] = k;
     }
-    for (int32_t k = 0; k < c->edges && !c->full; k++) if (!c->edge[k].w[0]) sp__clip_walk(c, k);
+    for (int32_t k = 0; k < c->g.edges && !c->full; k++) if (!c->g.edge[k].w[0]) sp__clip_walk(c, k);
 }
 
 /* The boundary of the common region, traced; with another eps where rounding left it open. */
@@ -437,7 +455,7 @@ static void sp__clip_once(sp__clip *c)
     for (int attempt = 0; attempt < 3; attempt++) {
         c->snap = attempt == 0 ? c->eps : attempt == 1 ? 3 * c->eps : c->eps / 3;
         sp__clip_arrange(c);
-        if (c->full || sp__clip_classify(c)) break;
+        if (c->full || sp__clip_classify(&c->g)) break;
     }
     if (!c->full) sp__clip_trace(c);
 }
@@ -447,21 +465,21 @@ static void sp__clip_once(sp__clip *c)
 /* Make the traced pieces the input. Returns their number. */
 static int32_t sp__clip_again(sp__clip *c)
 {
-    c->segments = c->corners = c->loops = c->holes = 0;
-    for (int32_t k = 0; k < c->edges; k++) {
-        const int32_t u = c->edge[k].from, v = c->edge[k].to;
-        sp__clip_add(c, 0, c->xy[u], c->xy[v], c->label[u], c->label[v]);
+    c->in.segments = c->corners = c->loops = c->cut.holes = 0;
+    for (int32_t k = 0; k < c->g.edges; k++) {
+        const int32_t u = c->g.edge[k].from, v = c->g.edge[k].to;
+        sp__clip_add(c, 0, c->g.xy[u], c->g.xy[v], c->g.label[u], c->g.label[v]);
     }
-    return c->segments;
+    return c->in.segments;
 }
 
 /* Add the box lo .. hi as region Q, anticlockwise. */
 static void sp__clip_strip(sp__clip *c)
 {
-    sp_real from[2] = { c->lo[0], c->lo[1] }, to[2] = { c->lo[0], c->lo[1] };
+    sp_real from[2] = { c->cut.lo[0], c->cut.lo[1] }, to[2] = { c->cut.lo[0], c->cut.lo[1] };
     for (int k = 0; k < 4; k++) {
         const int along = k & 1;                                    /* right, up, left, down */
-        to[along] = k < 2 ? c->hi[along] : c->lo[along];
+        to[along] = k < 2 ? c->cut.hi[along] : c->cut.lo[along];
         sp__clip_add(c, 1, from, to, -1, -1);
         from[along] = to[along];
     }
@@ -471,29 +489,29 @@ static void sp__clip_strip(sp__clip *c)
  * mixtures of forces at true corners, so what a polygon can carry does not change. */
 static void sp__clip_open(sp__clip *c)
 {
-    const int32_t cuts = c->cuts, pieces = sp__clip_again(c);
+    const int32_t cuts = c->cut.lines, pieces = sp__clip_again(c);
     for (int k = 0; k < 2; k++) {
-        c->lo[k] = c->hi[k] = c->segment[0][k];
+        c->cut.lo[k] = c->cut.hi[k] = c->in.segment[0][k];
         for (int32_t s = 0; s < pieces; s++) {
-            const sp_real x = c->segment[s][k];
-            c->lo[k] = x < c->lo[k] ? x : c->lo[k];
-            c->hi[k] = x > c->hi[k] ? x : c->hi[k];
+            const sp_real x = c->in.segment[s][k];
+            c->cut.lo[k] = x < c->cut.lo[k] ? x : c->cut.lo[k];
+            c->cut.hi[k] = x > c->cut.hi[k] ? x : c->cut.hi[k];
         }
-        const sp_real wide = c->hi[k] - c->lo[k];
-        c->lo[k] -= wide;
-        c->hi[k] += wide;
+        const sp_real wide = c->cut.hi[k] - c->cut.lo[k];
+        c->cut.lo[k] -= wide;
+        c->cut.hi[k] += wide;
     }
-    const sp_real end = c->hi[0];
+    const sp_real end = c->cut.hi[0];
     c->thin = c->eps;
-    c->opening = 1;
+    c->cut.opening = 1;
     for (int32_t k = 0; k <= cuts && !c->full; k++) {
-        c->segments = pieces;
-        c->hi[0] = k < cuts ? c->cut[k] : end;
+        c->in.segments = pieces;
+        c->cut.hi[0] = k < cuts ? c->cut.x[k] : end;
         sp__clip_strip(c);
         sp__clip_once(c);
-        c->lo[0] = c->hi[0];
+        c->cut.lo[0] = c->cut.hi[0];
     }
-    c->torn += c->holes;
+    c->torn += c->cut.holes;
 }
 
 /* Common region of P and Q: c->loops simple polygons. Returns 0 if the room of sp__clip_carve was too small. */
@@ -501,10 +519,10 @@ static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
 {
     c->eps = eps;
     c->thin = thin > eps ? thin : eps;
-    c->corners = c->loops = c->holes = c->cuts = c->opening = 0;
+    c->corners = c->loops = c->cut.holes = c->cut.lines = c->cut.opening = 0;
     c->loop[0] = 0;
     if (!c->full) sp__clip_once(c);
-    if (!c->full && c->holes) sp__clip_open(c);
+    if (!c->full && c->cut.holes) sp__clip_open(c);
     return !c->full;
 }
 
