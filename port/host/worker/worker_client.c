@@ -120,15 +120,15 @@ static worker_end exchange(int fd, double until, const blob *request, blob *answ
     }
 }
 
-/* Nothing stays: whatever it is doing, it is killed and waited for. One that ended its output by itself gets a second to end
- * itself, so that its own status is seen.      returns its exit status, or minus the signal */
-static int end_worker(pid_t pid, int fd, worker_end end)
+/* Nothing stays: whatever it is doing, it is killed and waited for. One that ended its output by itself has what is left of its
+ * time to end itself, so that its own status is seen.      returns its exit status, or minus the signal */
+static int end_worker(pid_t pid, int fd, double until, worker_end end)
 {
     const struct timespec pause = { 0, 1000000 };
     int status = 0;
     pid_t gone = 0;
     close(fd);
-    for (int k = 0; end == WORKER_DIED && gone == 0 && k < 1000; k++) {
+    while (end == WORKER_DIED && gone == 0 && now() < until) {
         siginfo_t ended = { 0 };
         gone = waitid(P_PID, (id_t)pid, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 ? ended.si_pid : -1;
         if (gone == 0) nanosleep(&pause, NULL);
@@ -185,7 +185,7 @@ sp_status worker_check(const worker_client *client, const sp_scene *scene, const
     answer->status = SP_E_UNSUPPORTED;
     pid = start_worker(client, &fd);
     answer->end = pid < 0 ? WORKER_NOT_STARTED : exchange(fd, until, &request, &said);
-    if (pid >= 0) answer->code = end_worker(pid, fd, answer->end);
+    if (pid >= 0) answer->code = end_worker(pid, fd, until, answer->end);
     if (answer->end == WORKER_ANSWERED) take_answer(&said, scene, answer);
     blob_free(&request);
     blob_free(&said);
