@@ -11,9 +11,10 @@
  *               stalls. Where no such f exists y runs off along a collapse mechanism dq = -y.
  *   proof/      The certificate check. It takes the forces, or the motion, that a search proposes, the scene, and a first guess
  *               of f0 that it checks; projection and sums are its own. Only what it accepts becomes a verdict.
- *   check/      Settings, memory, islands and the order of stages; what sp_check and sp_verify return.
+ *   check/      Settings, islands and the stages in their order (sp__stage in settings.c); what sp_check and sp_verify return.
  *   coupled/    Is there also a motion that explains the forces?          limit/      How much more load until it falls?
- *   sequence/   Does it stand at every step of a build order?             small/      All of that in a third of the code.
+ *   sequence/   Does it stand at every step of a build order?             memory/     How many bytes does a call take?
+ *   small/      With SP_SMALL: sp_check by one short search (small/check.c) and the sequence on it, in a third of the code.
  *   seed/       The specification's own way: its table of constants, polish, penalty program; equations in seed/README.md.
  *
  * Symbols                       code            shape                           unit
@@ -147,7 +148,7 @@
 #include "solvers/coupled/coupled.c"            /* the coupled check's run */
 
 #include "solvers/check/parts.c"                /* into how many islands a check takes a scene apart */
-#include "solvers/check/settings.c"             /* settings, resolved against the scene */
+#include "solvers/check/settings.c"             /* settings, resolved against the scene; which function is which stage */
 #include "solvers/check/memory.c"               /* what a check keeps, and what its stages need */
 #include "solvers/check/ladder.c"               /* one stage after the other, and the judgement of each */
 #include "solvers/check/read.c"                 /* resultants of joints and blocks */
@@ -181,9 +182,9 @@
 #include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */
 #include "solvers/sequence/next.c"              /* a next stone after which everything stands */
 
-#include "solvers/memory/memory.c"               /* sp_memory: what a call takes */
+#include "solvers/memory/memory.c"              /* sp_memory: what a call takes */
 
-#if SP__WITH_LARGE
+#if SP__WITH_LARGE                                      /* SP_SMALL: sp_check is in small/check.c */
 
 /* Does it stand? Part by part: islands one after the other, or the whole as one. The stages propose forces or a motion, each is
  * certified as it comes; where that is asked a motion that explains the forces is looked for, too. What the islands gave is

@@ -1365,15 +1365,16 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       35448   34142
  *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8600    8364
  *   SP_NO_DYKSTRA     sp_qp_dykstra                                                                    3132    3056
- *   SP_NO_QP          all quadratic programs; SP_NO_ADMM, SP_NO_DYKSTRA with them                     27916   27068
+ *   SP_NO_QP          all quadratic programs; with SP_NO_ADMM, SP_NO_DYKSTRA                          27916   27068
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1532    1482
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3662    3488
  *   SP_QP_ONLY        all that knows of stones                                                       149864  144980
- *   SP_SMALL          what is said above; SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH with it            123748  119874
- *   SP_EXACT_ONLY     of SP_SMALL sp_sequence, SP_NO_QP, SP_NO_IPM, SP_NO_PLAN                       140302  135946
+ *   SP_SMALL          all but the smallest form; with SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH        123748  119874
+ *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             140302  135946
  *
- * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Two stop at an #error:
- * SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY, SP_REAL_MIXED with SP_REAL_FLOAT or SP_REAL_QUAD, these two. All others go together. */
+ * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Any may be combined, but
+ * two contradictions stop at an #error: SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY; more than one of SP_REAL_MIXED,
+ * SP_REAL_FLOAT, SP_REAL_QUAD. */
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,5 @@
-/* settings: defaults, and settings checked and resolved against the scene: tol, force_bound, stages, effects. */
+/* settings: defaults; settings checked and resolved against the scene (tol, force_bound, effects); which function runs which
+ * stage (sp__stage). */
 #ifndef SP__CHECK_SETTINGS_C
 #define SP__CHECK_SETTINGS_C
 
@@ -105,6 +106,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     return SP_OK;
 }
 
+/* What runs a stage and what tells its memory. */
 static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
 {
     sp_stage s = { sp__exact_run, sp__exact_need };
