@@ -581,33 +581,39 @@ struct sp_seed;
 #define SP_TOL_PRECISE ((sp_real)1e-9)
 #endif
 
-/* Settings of a check. Get them from sp_settings_default() and change what you must. */
+/* The penalty form, min 1/2 sum(fp^2 + gamma fm^2 + tau |ft|^2): what localise and SP_STAGE_ADMM solve.              [seed 1.5] */
+typedef struct sp_penalty_settings {
+    sp_real gamma, tau;         /* weight of tension, of friction, relative to compression, > 0                       1e3, 1 */
+    int32_t net;                /* 1: friction on fp - fm instead of fp; shows no tension                                  0 */
+    const struct sp_qp_solver *solver;          /* of the quadratic programs of SP_STAGE_ADMM and coupled.rounds; NULL:
+                                                   sp_qp_solve                                                    NULL */
+} sp_penalty_settings;
+
+/* Settings of a check. Get them from sp_settings_default() and change what you must: first what most callers change. */
 struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
                                    above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
                                    float 1e-4, as that; the result says what was in force */
+    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
+                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
+                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
+                                   at most). A custom stage heeds state.left by itself                        0 */
+    sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
+    sp_coupled_settings coupled;                /* the coupled check */
+    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
+                                   where not coupled, joined with a motion                                             1 */
+    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
                                    0: tol/(10u), 4 at least, 1e6 at most
                                    larger decides nearer to friction locks, smaller decides collapse sooner */
     int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
     int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
-    int32_t net;                /* penalty form: friction on fp - fm instead of fp; shows no tension                   0 */
-    sp_real gamma, tau;         /* penalty form: weight of tension, of friction, relative to compression          1e3, 1 */
-    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
-                                   where not coupled, joined with a motion                                             1 */
-    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
-    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
-                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
-                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
-                                   at most). A custom stage heeds state.left by itself                        0 */
     int32_t stage_count;                        /*                                                                     2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
-    sp_coupled_settings coupled;                /* the coupled check */
-    const struct sp_qp_solver *qp_solver;       /* of the quadratic programs of SP_STAGE_ADMM; NULL: sp_qp_solve     NULL */
     const struct sp_seed *seed;                 /* constants and gates of the seed (the seed, below); NULL: only its constants where
                                                    a stage has no other, gates by tol                                NULL */
-    sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
+    sp_penalty_settings penalty;                /* the penalty form */
     struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
                                    `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
                                    memory. For sp_check; plan, sequence, limit do without                           NULL */
@@ -639,7 +645,7 @@ typedef enum sp_memory_for {
 SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
 /* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
- * A qp_solver whose `need` wants more than sp_qp_memory would must say so itself. */
+ * A penalty.solver whose `need` wants more than sp_qp_memory would must say so itself. */
 SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
 
 #ifndef SP_NO_IPM
@@ -1094,7 +1100,7 @@ typedef struct sp_csc { int32_t rows, cols; int32_t *p, *i; sp_real *x; } sp_csc
 SP_API sp_status sp_matrix_aeq(const sp_problem *problem, int32_t columns, sp_arena *arena, sp_triplets *out);
 
 /* Afr, (K v) x (columns v): Afr f <= 0, row k of a vertex cos(2 pi k/K) ft1 + sin(2 pi k/K) ft2 - mu_eff fn.   [seed 1.4]
- *   settings  faces K = 3..64, inscribed; net: the normal term of 4 columns is fp - fm instead of fp
+ *   settings  faces K = 3..64, inscribed; penalty.net: the normal term of 4 columns is fp - fm instead of fp
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_MEMORY, SP_E_UNSUPPORTED (strength of a joint) */
 SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *settings, int32_t columns, sp_arena *arena,
                                sp_triplets *out);
@@ -1306,7 +1312,7 @@ typedef struct sp_seed {
     int32_t turns;              /* settings.coupled.rounds                                                 12       [3.3] */
     sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,
                                    adapt 100, at most 10 by 5, 3 passes, CG 250 and 1e-10                   [4.2, 4.3] */
-    sp_qp_settings native;      /* what settings.qp_solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
+    sp_qp_settings native;      /* what settings.penalty.solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
 } sp_seed;
 
 /* The one table of all of them; static storage. Copy it, change what you like and point settings.seed to the copy. NULL of
@@ -1334,10 +1340,11 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
  *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
  *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
- *                   is at its LIMIT; demand, effect and extremes stay 0, weakest -1 (sp_joint_resultant tells). Budgets, effects left out, stages but the gates and the exact one (which are
- *                   one here; so sp_settings_seed, too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of
- *                   faces that are not convex: SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
- *                   gamma, tau, custom, qp_solver and what coupled has but for asked are neither read nor checked.
+ *                   is at its LIMIT; demand, effect and extremes stay 0, weakest -1 (sp_joint_resultant tells). Budgets, effects
+ *                   left out, stages but the gates and the exact one (which are one here; so sp_settings_seed, too, and
+ *                   sp_seed_table is NULL), pyramids, the coupled check, contacts of faces that are not convex:
+ *                   SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
+ *                   custom, penalty and what coupled has but for asked are neither read nor checked.
  *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
  *                   out is a hull narrower than the distance, and a piece as narrow of two faces that are both more than four
  *                   times as wide, where other builds ask each polygon. A hull of very many corners is several contacts.

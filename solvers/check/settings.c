@@ -19,8 +19,8 @@ SP_API sp_settings sp_settings_default(void)
     s.tol = (sp_real)1e-9;
 #endif
     s.inscribed = 1;
-    s.gamma = 1000;
-    s.tau = 1;
+    s.penalty.gamma = 1000;
+    s.penalty.tau = 1;
     s.localise = 1;
     s.iterations = SP__ITERATIONS;
     s.budget = 0;
@@ -81,7 +81,8 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
     if (out->coupled.asked && out->tol > SP__COUPLED_TOL) out->tol = SP__COUPLED_TOL;
     if (!sp__finite(out->force_bound) || out->force_bound < 0) return SP_E_RANGE;
     if (out->faces && (out->faces < 3 || out->faces > 64)) return SP_E_RANGE;
-    if (!(out->gamma > 0) || !(out->tau > 0) || !sp__finite(out->gamma) || !sp__finite(out->tau)) return SP_E_RANGE;
+    const sp_real gamma = out->penalty.gamma, tau = out->penalty.tau;
+    if (!(gamma > 0) || !(tau > 0) || !sp__finite(gamma) || !sp__finite(tau)) return SP_E_RANGE;
     if (out->iterations < 0 || out->budget < 0 || out->stage_count < 1 || out->stage_count > SP_STAGES_MAX) return SP_E_RANGE;
     for (int32_t k = 0; k < out->stage_count; k++) {
         const sp_stage_id id = out->stage[k];
@@ -89,7 +90,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
         if (!SP__WITH_ADMM && id == SP_STAGE_ADMM) return SP_E_UNSUPPORTED;
         if (id == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
-    if (out->qp_solver && !out->qp_solver->solve) return SP_E_ARGUMENT;
+    if (out->penalty.solver && !out->penalty.solver->solve) return SP_E_ARGUMENT;
     const sp_coupled_settings *cs = &out->coupled;
     if (!(cs->eps < SP__HUGE) || !sp__finite(cs->eps) || !(cs->eta < SP__HUGE) || cs->eta < 0) return SP_E_RANGE;
     if (cs->rounds < 0 || (cs->eps > 0 && !(cs->eta / cs->eps < SP__HUGE))) return SP_E_RANGE;

@@ -158,7 +158,7 @@ SP__NOINLINE static sp__explain *sp__explain_make(const sp_problem *pb, const sp
     return g;
 }
 
-static sp_qp_solver sp__alt_solver(const sp_settings *set) { return set->qp_solver ? *set->qp_solver : sp_qp_admm(); }
+static sp_qp_solver sp__alt_solver(const sp_settings *set) { return set->penalty.solver ? *set->penalty.solver : sp_qp_admm(); }
 
 static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {

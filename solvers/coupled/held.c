@@ -40,7 +40,7 @@ SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
 SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 {
     const sp__system *w = c->w;
-    const sp_real soft = 1 / c->set->gamma;
+    const sp_real soft = 1 / c->set->penalty.gamma;
     c->held.least = -c->descent.energy;
     for (size_t k = 0; k < 6 * (size_t)c->pb->blocks; k++) c->offer.t.dq[k] = c->k.L * w->measure.weight[k / 3] * c->held.y[k];
     for (int32_t q = 0; q < c->pb->contacts; q++) {

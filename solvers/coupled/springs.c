@@ -193,7 +193,7 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
 static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
 {
     const sp__held_vertex *held = &c->held.vertex[v];
-    const sp_real *d = c->spring.d + 3 * v, *e = held->against, soft = 1 / c->set->gamma, slide = 1 / SP_SQRT(c->set->tau);
+    const sp_real *d = c->spring.d + 3 * v, *e = held->against, soft = 1 / c->set->penalty.gamma, slide = 1 / SP_SQRT(c->set->penalty.tau);
     const sp_real m = held->reach / slide, x = -d[0], z = -slide * (e[0] * d[1] + e[1] * d[2]);
     const sp_real on = (x + m * z) / (1 + m * m);
     const int open = held->reach < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
@@ -294,7 +294,7 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
     const int held = c->held.on;
     const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->descent.goal);
     const sp_real shift = held ? SP__HOLD_SHIFT : SP__SHIFT;
-    const sp_real room = 1 + (held ? 1000 * c->set->gamma : c->k.eta), whole = 1 / ((held ? 1 : SP__STIFF) * c->most);
+    const sp_real room = 1 + (held ? 1000 * c->set->penalty.gamma : c->k.eta), whole = 1 / ((held ? 1 : SP__STIFF) * c->most);
     sp_real energy = sp__cra_springs(c);
     for (int it = 0; it < (held ? 150 : 15) && !w->budget.spent; it++) {
         if (sp__system_norm(w, w->r) <= enough * w->measure.load) break;

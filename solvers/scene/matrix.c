@@ -112,7 +112,7 @@ static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_conta
 static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_settings *settings, int32_t columns)
 {
     sp__friction r;
-    sp__friction_open(&r, settings->faces, settings->inscribed, settings->net, 0);
+    sp__friction_open(&r, settings->faces, settings->inscribed, settings->penalty.net, 0);
     t->count = 0;
     for (int32_t k = 0; k < problem->contacts; k++) {
         const sp_contact *contact = &problem->contact[k];

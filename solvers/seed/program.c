@@ -68,7 +68,7 @@ static int32_t sp__program_size(const sp_problem *pb, const sp_settings *set, sp
 static sp_qp_backend sp__program_backend(const sp_problem *pb, const sp_settings *set, const sp_qp *qp)
 {
     const sp_seed *seed = sp__seed_of(set);
-    if (set->qp_solver) return seed->native.backend;
+    if (set->penalty.solver) return seed->native.backend;
     if (!set->seed || seed->dense_cells <= 0) return seed->admm.backend;
     const int64_t n = qp->n, cells = n * (n + qp->m - 2 * pb->points);
     if (cells <= seed->dense_cells) return SP_QP_DENSE;
@@ -90,11 +90,11 @@ static int sp__program_open(sp__program *g, const sp_problem *pb, const sp_setti
     const sp_seed *seed = sp__seed_of(set);
     if (sp__program_size(pb, set, &g->qp) < 0) return 0;
     sp__friction_open(&g->friction, set->faces ? set->faces : seed->faces,
-                      set->faces ? set->inscribed : seed->inscribed, set->net, 6 * pb->blocks);
-    g->set = set->qp_solver ? seed->native : seed->admm;
+                      set->faces ? set->inscribed : seed->inscribed, set->penalty.net, 6 * pb->blocks);
+    g->set = set->penalty.solver ? seed->native : seed->admm;
     g->set.backend = sp__program_backend(pb, set, &g->qp);
     if (!set->seed) sp__program_tighten(&g->set, set->tol);
-    if (set->qp_solver) g->solver = *set->qp_solver;
+    if (set->penalty.solver) g->solver = *set->penalty.solver;
     else g->solver = sp_qp_admm();
     return 1;
 }
@@ -134,7 +134,7 @@ SP__NOINLINE static void sp__program_matrices(sp__program *g, const sp_problem *
     for (int32_t j = 0; j < n; j++) {
         if (g->at.Ap[j + 1] < g->at.Ap[j]) g->at.Ap[j + 1] = g->at.Ap[j];   /* a vertex between supports has no entries */
         g->at.Pp[j] = j;
-        g->at.Px[j] = j % 4 == 0 ? 1 : j % 4 == 1 ? set->gamma : set->tau;
+        g->at.Px[j] = j % 4 == 0 ? 1 : j % 4 == 1 ? set->penalty.gamma : set->penalty.tau;
     }
     g->at.Pp[n] = n;
     g->qp.Pp = g->qp.Pi = g->at.Pp;

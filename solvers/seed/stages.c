@@ -26,7 +26,7 @@ SP__NOINLINE static sp__gate sp__seed_gate(sp__system *w, const sp_seed *seed, c
             press = sp__max(press, g[0]);
             pull = sp__max(pull, -g[0]);
             size = sp__max(size, sp__norm3(g));
-            beyond = sp__max(beyond, foot.a - yield->mu * (w->set->net ? g[0] : flat[0]));
+            beyond = sp__max(beyond, foot.a - yield->mu * (w->set->penalty.net ? g[0] : flat[0]));
         }
     }
     const sp__gate gate = { pull <= seed->tension * press, beyond <= seed->cone * size };

@@ -49,9 +49,9 @@ static void sp__seed_settings(sp_settings *s)
     s->tol = sp__seed.tension;
     s->faces = sp__seed.faces;
     s->inscribed = sp__seed.inscribed;
-    s->net = sp__seed.net;
-    s->gamma = sp__seed.gamma;
-    s->tau = sp__seed.tau;
+    s->penalty.net = sp__seed.net;
+    s->penalty.gamma = sp__seed.gamma;
+    s->penalty.tau = sp__seed.tau;
     s->seed = &sp__seed;
     s->coupled.rounds = sp__seed.turns;
 }

@@ -40,9 +40,10 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     w->budget.cost = cost;
     w->budget.limit = INT64_MAX;
     w->budget.spent = 0;
-    w->law.soft = penalty && !set->net ? 1 / set->gamma : 0;
-    w->law.slide = penalty ? 1 / SP_SQRT(set->tau) : 1;
-    if (form == SP__METRIC || (form == SP__POLISH && set->seed)) w->law.slide = 1 / SP_SQRT(set->tau * (1 + 1 / set->gamma)); /* fp, fm move together */
+    w->law.soft = penalty && !set->penalty.net ? 1 / set->penalty.gamma : 0;
+    w->law.slide = penalty ? 1 / SP_SQRT(set->penalty.tau) : 1;
+    if (form == SP__METRIC || (form == SP__POLISH && set->seed))            /* fp, fm move together */
+        w->law.slide = 1 / SP_SQRT(set->penalty.tau * (1 + 1 / set->penalty.gamma));
     sp__cone_make(&w->law.cone);
     sp_real half;
     w->law.friction = 1;

@@ -151,7 +151,7 @@ TEST(every_stage_keeps_to_its_pieces)
             sp_settings set = sp_settings_default();
             set.stage_count = 1;
             set.stage[0] = (sp_stage_id)id;
-            set.net = id % 2;
+            set.penalty.net = id % 2;
             set.tol = R(TOL(1e-6, 1e-3));
             if (k == VAIN && id == SP_STAGE_ADMM && !test_long) continue;
             prepare(k, &s);

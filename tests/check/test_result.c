@@ -74,7 +74,7 @@ TEST(tension_of_an_overhanging_box_follows_from_its_moments)
             sp_settings set = sp_settings_default();
             sp_scene s;
             test_arena.used = 0;
-            set.gamma = R(gamma[i]);
+            set.penalty.gamma = R(gamma[i]);
             start(&s, 2, 1);
             box(&s, ground[0], ground[1], SP_FIXED);
             box(&s, top[0], top[1], 0);
@@ -92,7 +92,7 @@ TEST(net_friction_shows_no_tension)
 {
     sp_scene s;
     sp_settings set = sp_settings_default();
-    set.net = 1;
+    set.penalty.net = 1;
     build("two-cubes", "offset", 0.75, &s);
     const sp_result r = check(&s, &set, SP_UNSTABLE);
     CHECK_WITHIN(r.demand[0].tension, 0, 0);
@@ -131,8 +131,8 @@ TEST(missing_friction_of_a_sliding_block_follows_from_its_price)
         sp_scene s;
         sp_settings set = sp_settings_default();
         test_arena.used = 0;
-        set.gamma = R(g);
-        set.tau = R(t);
+        set.penalty.gamma = R(g);
+        set.penalty.tau = R(t);
         gen_open(&scene, "incline");
         gen_set(&scene, "mu", mu);
         gen_set(&scene, "height", h);

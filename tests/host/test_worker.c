@@ -100,10 +100,10 @@ static void same_settings(const sp_settings *a, const sp_settings *b)
     CHECK(memcmp(&a->force_bound, &b->force_bound, sizeof a->tol) == 0);
     CHECK_INT(a->faces, b->faces);
     CHECK_INT(a->inscribed, b->inscribed);
-    CHECK_INT(a->net, b->net);
+    CHECK_INT(a->penalty.net, b->penalty.net);
     CHECK_INT(a->budget, b->budget);
-    CHECK(memcmp(&a->gamma, &b->gamma, sizeof a->tol) == 0);
-    CHECK(memcmp(&a->tau, &b->tau, sizeof a->tol) == 0);
+    CHECK(memcmp(&a->penalty.gamma, &b->penalty.gamma, sizeof a->tol) == 0);
+    CHECK(memcmp(&a->penalty.tau, &b->penalty.tau, sizeof a->tol) == 0);
     CHECK_INT(a->localise, b->localise);
     CHECK_INT(a->iterations, b->iterations);
     CHECK_INT(a->stage_count, b->stage_count);
@@ -204,9 +204,9 @@ TEST(settings_with_pointers_do_not_travel)
     blob b = { NULL, 0, 0, 0 };
     sp_scene s;
     any_scene(&s);
-    set.qp_solver = &solver;
+    set.penalty.solver = &solver;
     CHECK_INT(blob_write_request(&b, &s, &set), SP_E_UNSUPPORTED);
-    set.qp_solver = NULL;
+    set.penalty.solver = NULL;
     set.custom = &stage;
     CHECK_INT(blob_write_request(&b, &s, &set), SP_E_UNSUPPORTED);
     set.custom = NULL;

@@ -232,8 +232,8 @@ TEST(in_a_check_it_decides_nothing_wrongly)
         gen_open(&g, scene_of[k / 2].name);
         if (scene_of[k / 2].param) gen_set(&g, scene_of[k / 2].param, scene_of[k / 2].value);
         NEED(gen_build(&g, &test_arena, &scene) == SP_OK);
-        set.qp_solver = &solver;
-        set.net = k % 2 ? 1 : 0;
+        set.penalty.solver = &solver;
+        set.penalty.net = k % 2 ? 1 : 0;
         set.stage_count = 1;
         set.stage[0] = SP_STAGE_ADMM;
         NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);

@@ -460,7 +460,7 @@ TEST(net_friction_counts_tension)
     s.faces = 8;
     s.inscribed = 0;
     for (int net = 0; net < 2; net++) {
-        s.net = net;
+        s.penalty.net = net;
         CHECK_INT(sp_matrix_afr(&p, &s, 4, &test_arena, &t), SP_OK);
         CHECK_INT(t.cols, 16);
         for (int32_t k = 0; k < 8; k++) {
@@ -469,7 +469,7 @@ TEST(net_friction_counts_tension)
             CHECK_WITHIN(at(&t, 16 + k, 10), cos(TURN * k / 8), 4 * U);
             CHECK_WITHIN(at(&t, 16 + k, 11), sin(TURN * k / 8), 4 * U);
         }
-        s.net = 1;
+        s.penalty.net = 1;
         CHECK_INT(sp_matrix_afr(&p, &s, 3, &test_arena, &t), SP_OK);
         CHECK_WITHIN(at(&t, 17, 6), -0.5, 0);           /* with 3 columns fn is net anyway */
     }

@@ -25,7 +25,7 @@ static sp_settings admm(int faces, int inscribed, int net)
     s.tol = R(TOL(1e-6, 1e-3));
     s.faces = faces;
     s.inscribed = inscribed;
-    s.net = net;
+    s.penalty.net = net;
     s.stage[1] = SP_STAGE_ADMM;
     return s;
 }
@@ -96,9 +96,9 @@ TEST(the_preset_is_the_table_and_the_seeds_order)
     CHECK(s.seed == t);
     CHECK_INT(s.stage_count, 4);
     for (int k = 0; k < 4; k++) CHECK_INT(s.stage[k], order[k]);
-    CHECK(s.faces == t->faces && s.inscribed == t->inscribed && s.net == t->net);
-    CHECK_NEAR(s.gamma, t->gamma, 0);
-    CHECK_NEAR(s.tau, t->tau, 0);
+    CHECK(s.faces == t->faces && s.inscribed == t->inscribed && s.penalty.net == t->net);
+    CHECK_NEAR(s.penalty.gamma, t->gamma, 0);
+    CHECK_NEAR(s.penalty.tau, t->tau, 0);
     CHECK_NEAR(s.tol, t->tension, 0);
     CHECK(s.coupled.rounds == t->turns && s.coupled.nodes == 0 && s.coupled.eps < 0);     /* its alternation, alone */
 }
@@ -351,7 +351,7 @@ TEST(another_solver_is_asked_as_the_seed_asks_its_own)
     sp_settings set = sp_settings_seed();
     set.stage_count = 1;
     set.stage[0] = SP_STAGE_ADMM;
-    set.qp_solver = &solver;
+    set.penalty.solver = &solver;
     build("arch", "n", 11, &scene);
     const sp_result r = check(&scene, &set);
     CHECK_INT(p.calls, 1);
@@ -371,7 +371,7 @@ TEST(a_solver_that_lies_decides_nothing)
             sp_scene scene;
             sp_settings set = admm(8, 1, 1);
             test_arena.used = 0;
-            set.qp_solver = &solver;
+            set.penalty.solver = &solver;
             build("arch", "t", falls ? 0.08 : 0.12, &scene);
             const sp_result r = check(&scene, &set);
             CHECK_INT(p.calls, 1);
@@ -387,7 +387,7 @@ TEST(a_solver_without_memory_says_so)
     sp_scene scene;
     sp_result r;
     sp_settings set = admm(8, 1, 1);
-    set.qp_solver = &solver;
+    set.penalty.solver = &solver;
     build("arch", NULL, 0, &scene);
     const size_t used = test_arena.used;
     CHECK_INT(sp_check(&scene, &set, &test_arena, &r), SP_E_MEMORY);
@@ -406,7 +406,7 @@ TEST(memory_is_exact_and_scratch_is_enough)
         sp_arena a;
         test_arena.used = 0;
         build(k % 2 ? "arch" : "dome", NULL, 0, &scene);
-        if (k == 2) set.qp_solver = NULL;
+        if (k == 2) set.penalty.solver = NULL;
         const size_t need = sp_memory_scratch(&scene, SP_FOR_CHECK, &set);
         NEED(need > 0 && need < test_arena.cap - test_arena.used);
         sp_arena scratch = { test_arena.base + (test_arena.used + SP_ALIGN) / SP_ALIGN * SP_ALIGN, need, 0, 0 };

@@ -952,8 +952,8 @@ TEST(settings_out_of_range_are_refused_and_nothing_is_touched)
     }
     REFUSE(no_tol, tol, R)
     REFUSE(no_bound, force_bound, R)
-    REFUSE(no_weight, gamma, R)
-    REFUSE(no_weight, tau, R)
+    REFUSE(no_weight, penalty.gamma, R)
+    REFUSE(no_weight, penalty.tau, R)
     REFUSE(no_faces, faces, (int32_t))
     REFUSE(no_count, stage_count, (int32_t))
 #undef REFUSE
@@ -984,7 +984,7 @@ TEST(stages_that_do_not_exist_are_refused)
     set.custom = &no_need;
     refused(&s, &set, SP_E_ARGUMENT, "no need");
     set = sp_settings_default();
-    set.qp_solver = &nothing;
+    set.penalty.solver = &nothing;
     refused(&s, &set, SP_E_ARGUMENT, "no solve");
     set = sp_settings_default();
     set.stage[2] = (sp_stage_id)1000;                   /* beyond the count: not looked at */
@@ -1003,8 +1003,8 @@ TEST(settings_at_the_ends_of_their_ranges_are_taken)
         if (k == 3) set.faces = 64;
         if (k == 4) set.iterations = INT32_MAX;
         if (k == 5) set.force_bound = R(TOL(1e300, 1e38));
-        if (k == 6) set.gamma = set.tau = R(1e-6);
-        if (k == 7) set.gamma = set.tau = R(1e6);
+        if (k == 6) set.penalty.gamma = set.penalty.tau = R(1e-6);
+        if (k == 7) set.penalty.gamma = set.penalty.tau = R(1e6);
         if (k == 8) set.stage_count = SP_STAGES_MAX;
         for (int i = 0; k == 8 && i < SP_STAGES_MAX; i++) set.stage[i] = i < SP_STAGES_MAX - 1 ? SP_STAGE_GATES : SP_STAGE_EXACT;
         const size_t mark = test_arena.used;

@@ -31,8 +31,8 @@ static void settle(sp_settings *set)
 {
     memset(set, 0, sizeof *set);
     set->tol = R(TOL(1e-9, 1e-4f));
-    set->gamma = 1000;
-    set->tau = 1;
+    set->penalty.gamma = 1000;
+    set->penalty.tau = 1;
     set->inscribed = 1;
 }
 

@@ -39,8 +39,8 @@ static void settle(sp_settings *set, int k)
 {
     memset(set, 0, sizeof *set);
     set->tol = R(TOL(1e-9, 1e-4f));
-    set->gamma = R(7);
-    set->tau = R(2);
+    set->penalty.gamma = R(7);
+    set->penalty.tau = R(2);
     set->inscribed = 1;
     set->iterations = SP__ITERATIONS;
     set->stage_count = 1;

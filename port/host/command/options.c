@@ -166,7 +166,7 @@ static int take_solver(options *o, const char *name, const char *value, failure 
 {
     (void)name;
     o->solver_name = value;
-    o->settings.qp_solver = strcmp(value, "admm") ? &o->solver : NULL;          /* ours: by NULL */
+    o->settings.penalty.solver = strcmp(value, "admm") ? &o->solver : NULL;          /* ours: by NULL */
     return solvers_find(value, &o->solver, error);
 }
 
@@ -286,7 +286,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
-    if (strcmp(name, "--net") == 0) return o->settings.net = 1;
+    if (strcmp(name, "--net") == 0) return o->settings.penalty.net = 1;
     if (strcmp(name, "--fallback") == 0) return o->fallback = 1;
     if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
     if (strcmp(name, "--remove") == 0) return o->remove = 1;

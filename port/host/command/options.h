@@ -20,7 +20,7 @@ typedef struct options {
     sp_real eps;                /* of qp; 0: not given */
     int backend;                /* of qp: an sp_qp_backend */
     const char *solver_name;    /* "admm", ours, unless --solver says otherwise */
-    sp_qp_solver solver;        /* settings.qp_solver, where not ours */
+    sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
     sp_choice couple;           /* of --effects: coupled */
     char cone[16];              /* "true", "8i", "4c" */

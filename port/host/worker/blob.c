@@ -221,7 +221,7 @@ static void io_settings(io *s, sp_settings *set)
     int32_t seed = set->seed != NULL;
     io_int(s, &set->faces, 0, 64);
     io_int(s, &set->inscribed, 0, 1);
-    io_int(s, &set->net, 0, 1);
+    io_int(s, &set->penalty.net, 0, 1);
     io_int(s, &set->localise, 0, 1);
     io_int(s, &set->iterations, INT32_MIN, BLOB_STEPS);
     io_long(s, &set->budget);
@@ -234,8 +234,8 @@ static void io_settings(io *s, sp_settings *set)
     io_int(s, &c->nodes, INT32_MIN, BLOB_NODES);
     io_real(s, &set->tol);
     io_real(s, &set->force_bound);
-    io_real(s, &set->gamma);
-    io_real(s, &set->tau);
+    io_real(s, &set->penalty.gamma);
+    io_real(s, &set->penalty.tau);
     io_real(s, &c->eps);
     io_real(s, &c->eta);
     for (int k = 0; k < SP_EFFECTS_FORCED; k++) IO_ENUM(s, set->effect[k], sp_choice, SP_WITHOUT);
@@ -294,7 +294,7 @@ sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *
     sp_settings set = *settings;
     sp_scene s = *scene;
     io o = start_message(b, BLOB_REQUEST);
-    if (set.custom || set.qp_solver || set.work || (set.seed && set.seed != sp_seed_table())) return SP_E_UNSUPPORTED;
+    if (set.custom || set.penalty.solver || set.work || (set.seed && set.seed != sp_seed_table())) return SP_E_UNSUPPORTED;
     io_counts(&o, &s.count);
     io_world(&o, &s);
     io_settings(&o, &set);

@@ -36,7 +36,7 @@
  *
  * Whoever reads trusts nothing: the length is checked before a byte of the body is kept, the counts against the length before
  * anything is allocated, and scenes are built by the library's own calls, which refuse what they would refuse of anyone.
- * Names don't travel: blocks and joints go by number. Nor do pointers: custom stages, qp_solver, a seed other than
+ * Names don't travel: blocks and joints go by number. Nor do pointers: custom stages, penalty.solver, a seed other than
  * sp_seed_table() are SP_E_UNSUPPORTED. */
 #ifndef STONEPACK_HOST_BLOB_H
 #define STONEPACK_HOST_BLOB_H
