@@ -107,14 +107,18 @@ static size_t sp__limit_numbers(const sp_scene *scene, int32_t blocks)
     return 6 * ((size_t)scene->count.points + (size_t)scene->count.blocks) + (SP__WITH_INTERIOR ? 24 * (size_t)blocks : 0);
 }
 
-/* Memory of a limit besides the bracket's own. */
+/* Memory of a limit besides the bracket's own; room for its certificate checks last.        returns 0: no memory */
 static int sp__limit_carve(sp__limit *L, sp_arena *rows, sp_arena *a)
 {
     const sp_problem *pb = &L->bracket.pb;
     L->f = sp__take(a, (size_t)pb->points, 3 * sizeof *L->f);
     L->upper = sp__take(a, (size_t)pb->blocks, 6 * sizeof *L->upper);
     L->lower = sp__take(a, (size_t)pb->blocks, 6 * sizeof *L->lower);
-    return sp__engine_carve(&L->engine, pb, rows, a);
+    if (!sp__engine_carve(&L->engine, pb, rows, a)) return 0;
+    const size_t need = sp__certifier_need(pb, &L->bracket.set);
+    L->bracket.room.base = sp__take(a, 1, need);
+    L->bracket.room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
+    return !sp__failed(a);
 }
 
 static size_t sp__limit_scratch(const sp_scene *scene)
@@ -141,7 +145,6 @@ SP__NOINLINE static sp_status sp__limit_memory(const sp_scene *scene, const sp_s
     sp_real *at[5];
     sp__bracket_carve(at, pb->blocks, &dry);
     if (!sp__limit_carve(L, &scratch, &dry)) return SP_E_MEMORY;
-    sp__take(&dry, 1, sp__certifier_need(pb, &L->bracket.set));
     if (!sp__limit_start_need(L, scratch, &dry)) return SP_E_MEMORY;
     *bytes = dry.used;
     return SP_OK;
@@ -154,10 +157,6 @@ static sp_status sp__limit_build(sp__limit *L, const sp_scene *scene, const sp_s
     const sp_status status = sp__bracket_build(scene, settings, &L->bracket, a);
     if (status) return status;
     if (!sp__limit_carve(L, a, a)) return SP_E_MEMORY;
-    const size_t need = sp__certifier_need(&L->bracket.pb, &L->bracket.set);
-    L->bracket.room.base = sp__take(a, 1, need);
-    L->bracket.room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
-    if (sp__failed(a)) return SP_E_MEMORY;
     r->f = number;
     r->ray = r->f + 3 * (size_t)scene->count.points;
     r->dq = r->ray + 3 * (size_t)scene->count.points;
