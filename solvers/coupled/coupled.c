@@ -145,10 +145,9 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp__cra *c = sp__take(a, 1, sizeof *c);
     if (!c) return SP_E_MEMORY;
     memset(c, 0, sizeof *c);
-    sp__triple_carve(&c->offer.t, pb, a);
-    sp__cra_carve(c, pb, set->localise, a);
-    const int32_t sweeps = sp__budget_sweeps(set, pb, state->left);
-    if (!sp__certifier_open(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps, a)) return SP_E_MEMORY;
+    sp__coupled_carve(c, pb, set, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__certifier_begin(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sp__budget_sweeps(set, pb, state->left));
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
     if (sp__failed(a)) return SP_E_MEMORY;

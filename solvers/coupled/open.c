@@ -30,6 +30,14 @@ static int sp__cra_mirror(const sp_problem *pb, const sp_settings *set, sp__redu
     return !set->coupled.rounds && sp__reduction_choose(pb, set, o) && o->mode == SP__PLANE;
 }
 
+/* All that it keeps, the arrays of its certificate check last. */
+SP__NOINLINE static void sp__coupled_carve(sp__cra *c, const sp_problem *pb, const sp_settings *set, sp_arena *a)
+{
+    sp__triple_carve(&c->offer.t, pb, a);
+    sp__cra_carve(c, pb, set->localise, a);
+    sp__certifier_carve(&c->j, pb, set->faces, a);
+}
+
 SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
 {
     sp_arena room = scratch;
@@ -40,9 +48,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof *c);
-    sp__triple_carve(&c->offer.t, pb, &dry);
-    sp__cra_carve(c, pb, set->localise, &dry);
-    sp__take(&dry, 1, sp__certifier_need(pb, set));
+    sp__coupled_carve(c, pb, set, &dry);
     sp_arena branch = dry;
     sp__take(&branch, 1, sp__branch_need(pb, set));
     sp__take(&dry, 1, dual);

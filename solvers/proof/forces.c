@@ -228,16 +228,22 @@ static void sp__certifier_cone(sp__certifier *j, const sp_problem *pb, const sp_
     for (int32_t k = 0; k < set->faces; k++) sp__pyramid_direction(set->faces, k, j->direction[k]);
 }
 
-/* Set up a certificate check in `a` and find the scales in at most so many sweeps, 2 or more; 0: least scales.
- *     returns 0 when the arena is too small */
+/* Begin a certificate check whose arrays are carved: find the scales in at most so many sweeps, 2 or more; 0: least scales. */
+static void sp__certifier_begin(sp__certifier *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0,
+                                int32_t most)
+{
+    sp__certifier_cone(j, pb, set);
+    j->most = most;
+    sp__certifier_scales(j, y0);
+}
+
+/* The same, carved in `a`.     returns 0 when the arena is too small */
 SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *pb, const sp_settings *set, const sp_real *y0,
                                            int32_t most, sp_arena *a)
 {
     sp__certifier_carve(j, pb, set->faces, a);
     if (sp__failed(a)) return 0;
-    sp__certifier_cone(j, pb, set);
-    j->most = most;
-    sp__certifier_scales(j, y0);
+    sp__certifier_begin(j, pb, set, y0, most);
     return 1;
 }
 
