@@ -19,15 +19,15 @@
 static sp_real sp__qp_row_rho(const sp__qp *w, int32_t i)
 {
     if (sp__qp_no_l(&w->qp, i) && sp__qp_no_u(&w->qp, i)) return SP__QP_RHO_LEAST;
-    return sp__qp_equation(&w->qp, i) ? w->set.rho_equal * w->rho : w->rho;
+    return sp__qp_equation(&w->qp, i) ? w->set.rho_equal * w->kkt.rho : w->kkt.rho;
 }
 
 static void sp__qp_refactor(sp__qp *w)
 {
-    for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = sp__qp_row_rho(w, i);
-    w->sigma = w->set.sigma;
+    for (int32_t i = 0; i < w->qp.m; i++) w->kkt.row[i] = sp__qp_row_rho(w, i);
+    w->kkt.sigma = w->set.sigma;
     sp__kkt_factor(w);
-    w->stale = 0;
+    w->kkt.stale = 0;
 }
 
 /* One over-relaxed iteration.                                                                  [OSQP, alg. 1, lines 3-7] */
@@ -37,40 +37,40 @@ static void sp__qp_step(sp__qp *w)
     const sp_real a = w->set.relax;                     /* alpha in the paper */
 
     /* b = ( sigma x - q ; z - y/rho ) */
-    for (int32_t j = 0; j < n; j++) w->b[j] = w->sigma * w->x[j] - w->c * w->D[j] * sp__qp_q(&w->qp, j);
-    for (int32_t i = 0; i < m; i++) w->b[n + i] = w->z[i] - w->y[i] / w->row[i];
+    for (int32_t j = 0; j < n; j++) w->kkt.b[j] = w->kkt.sigma * w->x[j] - w->c * w->D[j] * sp__qp_q(&w->qp, j);
+    for (int32_t i = 0; i < m; i++) w->kkt.b[n + i] = w->z[i] - w->y[i] / w->kkt.row[i];
     sp__kkt_solve(w, 0);
 
     /* x <- a x~ + (1 - a) x */
-    for (int32_t j = 0; j < n; j++) w->x[j] = a * w->s[j] + ((sp_real)1 - a) * w->x[j];
+    for (int32_t j = 0; j < n; j++) w->x[j] = a * w->kkt.s[j] + ((sp_real)1 - a) * w->x[j];
 
     /* z~ = z + (nu - y)/rho;  v = a z~ + (1 - a) z + y/rho;  z <- v onto [l, u];  y <- rho (v - z) */
     for (int32_t i = 0; i < m; i++) {
-        const sp_real r = w->row[i], zt = w->z[i] + (w->s[n + i] - w->y[i]) / r;
+        const sp_real r = w->kkt.row[i], zt = w->z[i] + (w->kkt.s[n + i] - w->y[i]) / r;
         const sp_real v = a * zt + ((sp_real)1 - a) * w->z[i] + w->y[i] / r;
         w->z[i] = sp__qp_clip(&w->qp, i, v, w->E[i]);
         w->y[i] = r * (v - w->z[i]);
     }
-    w->flops += w->vectors;
+    w->cost.flops += w->cost.vectors;
 }
 
 static int64_t sp__qp_step_flops(const sp__qp *w)
 {
-    return sp__kkt_solve_flops(w, 0) + w->vectors;
+    return sp__kkt_solve_flops(w, 0) + w->cost.vectors;
 }
 
 /* rho by what is further off, in equilibrated units.                                       [seed 4.2; OSQP, sec. 5.2] */
 static void sp__qp_adapt(sp__qp *w)
 {
-    sp_real rho = w->rho;
+    sp_real rho = w->kkt.rho;
     if (w->changes >= w->set.adapt_most) return;
-    if (w->rel_primal > (sp_real)10 * w->rel_dual) rho *= w->set.adapt_factor;
-    else if (w->rel_dual > (sp_real)10 * w->rel_primal) rho /= w->set.adapt_factor;
+    if (w->residual.rel_primal > (sp_real)10 * w->residual.rel_dual) rho *= w->set.adapt_factor;
+    else if (w->residual.rel_dual > (sp_real)10 * w->residual.rel_primal) rho /= w->set.adapt_factor;
     rho = sp__within(rho, SP__QP_RHO_LEAST, SP__QP_RHO_MOST);
-    if (!(rho < w->rho) && !(rho > w->rho)) return;
-    w->rho = rho;
+    if (!(rho < w->kkt.rho) && !(rho > w->kkt.rho)) return;
+    w->kkt.rho = rho;
     w->changes++;
-    w->stale = 1;
+    w->kkt.stale = 1;
 }
 
 /* --------------------------------------------------------------------------------------------------------------- the run */
@@ -78,7 +78,7 @@ static void sp__qp_adapt(sp__qp *w)
 /* Flops a look at the iterate may take, and what stops short of the budget must leave. */
 static int64_t sp__qp_decide_flops(const sp__qp *w)
 {
-    return 8 * w->products + 50 * w->vectors;
+    return 8 * w->cost.products + 50 * w->cost.vectors;
 }
 
 /* Iterate until the next look, as far as the budget goes. Returns whether it went that far. */
@@ -86,12 +86,12 @@ static int sp__qp_advance(sp__qp *w)
 {
     memcpy(w->xc, w->x, (size_t)w->qp.n * sizeof *w->x);
     memcpy(w->yc, w->y, (size_t)w->qp.m * sizeof *w->y);
-    if (w->stale) {
-        if (w->factoring + sp__qp_step_flops(w) > w->limit - w->flops) return 0;
+    if (w->kkt.stale) {
+        if (w->cost.factoring + sp__qp_step_flops(w) > w->cost.limit - w->cost.flops) return 0;
         sp__qp_refactor(w);
     }
     for (int32_t k = 0; k < w->set.check && w->iterations < w->set.iterations; k++, w->iterations++) {
-        if (sp__qp_step_flops(w) > w->limit - w->flops) return 0;
+        if (sp__qp_step_flops(w) > w->cost.limit - w->cost.flops) return 0;
         sp__qp_step(w);
     }
     return 1;
@@ -104,14 +104,15 @@ static int sp__qp_decide(sp__qp *w, int spent, sp_qp_result *out)
     const int32_t k = w->iterations / 100;
     sp__qp_unscale(w);
     sp__qp_residuals(w, w->z);
-    const sp_real off = w->off;
+    const sp_real off = w->residual.off;
     if (!(off < SP__NEVER)) {
         memcpy(w->x, w->xc, (size_t)w->qp.n * sizeof *w->x);            /* back to the one before */
         memcpy(w->y, w->yc, (size_t)w->qp.m * sizeof *w->y);
         out->status = SP_QP_NUMERICAL;
         return 1;
     }
-    const int solved = off <= (sp_real)1, hard = !spent && (solved || last || (w->iterations == 100 * k && (k & (k - 1)) == 0));
+    const int solved = off <= (sp_real)1, doubled = w->iterations == 100 * k && (k & (k - 1)) == 0;
+    const int hard = !spent && (solved || last || doubled);
     if (!solved) {
         if (!last && w->set.adapt > 0 && w->iterations % w->set.adapt == 0) sp__qp_adapt(w);
         if (sp__qp_proof_found(w, hard && w->set.polish, out)) return 1;
@@ -135,14 +136,14 @@ static void sp__qp_write_result(const sp__qp *w, sp_qp_result *out)
 {
     out->x = w->X;
     out->y = w->Y;
-    out->objective = sp__qp_finite(w->objective);
-    out->primal = sp__qp_finite(w->primal);
-    out->dual = sp__qp_finite(w->dual);
-    out->gap = sp__qp_finite(w->gap);
-    out->rho = w->rho;
+    out->objective = sp__qp_finite(w->residual.objective);
+    out->primal = sp__qp_finite(w->residual.primal);
+    out->dual = sp__qp_finite(w->residual.dual);
+    out->gap = sp__qp_finite(w->residual.gap);
+    out->rho = w->kkt.rho;
     out->iterations = w->iterations;
     out->factorisations = w->factorisations;
-    out->flops = w->flops;
+    out->flops = w->cost.flops;
 }
 
 /* Complete the result, of a point or of a certificate. No NaN leaves. */
@@ -163,9 +164,9 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
 {
     int spent;
     memset(out, 0, sizeof *out);
-    w->flops = 0;
+    w->cost.flops = 0;
     w->factorisations = w->iterations = w->changes = 0;
-    w->limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_decide_flops(w) : INT64_MAX / 4;
+    w->cost.limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_decide_flops(w) : INT64_MAX / 4;
     do spent = !sp__qp_advance(w);
     while (!sp__qp_decide(w, spent, out));
     sp__qp_finish(w, out);
@@ -246,12 +247,12 @@ SP__NOINLINE_SMALL static int sp__qp_semidefinite(sp__qp *w)
     for (int32_t j = 0; diagonal && j < w->qp.n; j++)
         if (sp__qp_diagonal(w, j) < 0) return 0;
     if (diagonal) return 1;
-    for (int32_t i = 0; i < w->qp.m; i++) w->row[i] = 0;
-    sp__ruiz_norms_P(&w->qp, w->D, w->c, w->b);
-    w->sigma = sp__largest(w->b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
+    for (int32_t i = 0; i < w->qp.m; i++) w->kkt.row[i] = 0;
+    sp__ruiz_norms_P(&w->qp, w->D, w->c, w->kkt.b);
+    w->kkt.sigma = sp__largest(w->kkt.b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
     if (SP__WITH_QP_CG && sp__qp_backend(&w->set) == SP_QP_CG) return sp__kkt_cg_semidefinite(w);
-    return w->broken == 0;
+    return w->kkt.broken == 0;
 }
 
 /* --------------------------------------------------------------------------------------------------------------- memory */
@@ -292,11 +293,11 @@ SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend,
     if (sp__failed(a)) return NULL;
     memset(w, 0, sizeof *w);
     w->D = p[0]; w->x = p[1]; w->xc = p[2]; w->X = p[3]; w->Px = p[4]; w->Aty = p[5];
-    w->E = p[6]; w->row = p[7]; w->z = p[8]; w->y = p[9]; w->yc = p[10]; w->Y = p[11]; w->Ax = p[12];
-    w->b = p[13]; w->s = p[14];
+    w->E = p[6]; w->kkt.row = p[7]; w->z = p[8]; w->y = p[9]; w->yc = p[10]; w->Y = p[11]; w->Ax = p[12];
+    w->kkt.b = p[13]; w->kkt.s = p[14];
     if (SP__WITH_QP_POLISH) w->side = sp__take(a, (size_t)qp->m, 1);
-    if (backend == SP_QP_SPARSE) sp__ldl_carve(&w->ldl, qp->n + qp->m, qp->n, sp__qp_entries(qp), a);
-    else if (backend == SP_QP_DENSE) w->M = sp__qp_carve_dense(qp, a);
+    if (backend == SP_QP_SPARSE) sp__ldl_carve(&w->kkt.ldl, qp->n + qp->m, qp->n, sp__qp_entries(qp), a);
+    else if (backend == SP_QP_DENSE) w->kkt.M = sp__qp_carve_dense(qp, a);
     else sp__kkt_carve_cg(qp, w, a);
     return sp__failed(a) ? NULL : w;
 }
@@ -328,20 +329,21 @@ SP__NOINLINE static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *
     if (!w) return NULL;
     w->qp = *qp;
     w->set = *set;
-    w->rho = set->rho;
-    w->stale = 1;
-    w->products = 4 * ((int64_t)sp__qp_entries(qp) + qp->n) + 2 * (int64_t)sp__qp_a0(qp, qp->n);
-    w->vectors = 14 * ((int64_t)qp->n + qp->m);
-    w->factoring = sp__qp_backend(set) == SP_QP_DENSE ? qp->n * (w->products + (int64_t)qp->n * (qp->n / 3 + 1)) : w->products;
-    w->c = sp__ruiz(qp, set->passes, w->D, w->E, w->b, w->b + qp->n);
+    w->kkt.rho = set->rho;
+    w->kkt.stale = 1;
+    w->cost.products = 4 * ((int64_t)sp__qp_entries(qp) + qp->n) + 2 * (int64_t)sp__qp_a0(qp, qp->n);
+    w->cost.vectors = 14 * ((int64_t)qp->n + qp->m);
+    w->cost.factoring = w->cost.products;
+    if (sp__qp_backend(set) == SP_QP_DENSE) w->cost.factoring = qp->n * (w->cost.products + (int64_t)qp->n * (qp->n / 3 + 1));
+    w->c = sp__ruiz(qp, set->passes, w->D, w->E, w->kkt.b, w->kkt.b + qp->n);
     *fill = 0;
     if (sp__qp_backend(set) != SP_QP_SPARSE) return w;
     sp_arena symbolic = *a;
-    sp__qp_carve_symbolic(&w->ldl, &symbolic);
+    sp__qp_carve_symbolic(&w->kkt.ldl, &symbolic);
     if (sp__failed(&symbolic)) return NULL;
     if (symbolic.peak > a->peak) a->peak = symbolic.peak;
-    *fill = sp__ldl_analyse(&w->ldl, sp__kkt_walk, w, *a);
-    w->factoring = w->ldl.flops;
+    *fill = sp__ldl_analyse(&w->kkt.ldl, sp__kkt_walk, w, *a);
+    w->cost.factoring = w->kkt.ldl.flops;
     return *fill < 0 ? NULL : w;
 }
 
@@ -406,7 +408,7 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     int32_t fill;
     sp__qp *w = sp__qp_place(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
-    if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->ldl, fill, &a);
+    if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->kkt.ldl, fill, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     if (!sp__finite(w->c) || !sp__qp_numbers(w->D, qp->n) || !sp__qp_numbers(w->E, qp->m)) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;
@@ -424,10 +426,10 @@ SP_API sp_status sp_qp_update(sp_qp_work *work, const sp_real *q, const sp_real 
     if (u) work->qp.u = u;
     const sp_status status = sp__qp_check_vectors(&work->qp);
     if (status != SP_OK) work->qp = before;
-    if (status != SP_OK || work->stale) return status;
+    if (status != SP_OK || work->kkt.stale) return status;
     for (int32_t i = 0; i < before.m; i++) {
         const sp_real r = sp__qp_row_rho(work, i);
-        if (r < work->row[i] || r > work->row[i]) work->stale = 1;
+        if (r < work->kkt.row[i] || r > work->kkt.row[i]) work->kkt.stale = 1;
     }
     return SP_OK;
 }
@@ -436,8 +438,8 @@ SP_API sp_status sp_qp_rho(sp_qp_work *work, sp_real rho)
 {
     if (!work) return SP_E_ARGUMENT;
     if (!(rho >= SP__QP_RHO_LEAST && rho <= SP__QP_RHO_MOST)) return SP_E_RANGE;
-    if (rho < work->rho || rho > work->rho) work->stale = 1;
-    work->rho = rho;
+    if (rho < work->kkt.rho || rho > work->kkt.rho) work->kkt.stale = 1;
+    work->kkt.rho = rho;
     return SP_OK;
 }
 
@@ -450,7 +452,7 @@ static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
         w->y[i] = sp__qp_no_bound(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
     }
     sp__qp_A(&w->qp, w->X, w->Ax, 0);
-    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->s[j] = w->X[j] / w->D[j];
+    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->kkt.s[j] = w->X[j] / w->D[j];
     for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_clip(&w->qp, i, w->E[i] * w->Ax[i], w->E[i]);
 }
 

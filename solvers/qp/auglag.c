@@ -41,18 +41,19 @@ static sp_real sp__auglag_weight(const sp__qp *w, int32_t i, sp_real r) { return
 static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
 {
     const sp_qp *qp = &w->qp;
+    const sp_real *guess = w->yc, *nu = w->kkt.s + qp->n;
     int32_t moved = 0;
     sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t i = 0; i < qp->m; i++) {
-        const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + w->yc[i] / R, to = sp__qp_clip(qp, i, v, 1);
+        const sp_real R = sp__auglag_weight(w, i, g->r), v = w->Ax[i] + guess[i] / R, to = sp__qp_clip(qp, i, v, 1);
         const signed char side = v < to || v > to || sp__qp_equation(qp, i);
-        if (g->full && side && w->side[i] == side) w->Y[i] += g->t * w->E[i] * w->s[qp->n + i] / w->c;
+        if (g->full && side && w->side[i] == side) w->Y[i] += g->t * w->E[i] * nu[i] / w->c;
         else w->Y[i] = R * (v - to);
         moved += side != w->side[i];
         w->side[i] = side;
     }
     sp__qp_P(qp, w->X, w->Px, 0);
-    w->flops += w->products + 9 * (int64_t)qp->m;
+    w->cost.flops += w->cost.products + 9 * (int64_t)qp->m;
     return moved;
 }
 
@@ -60,33 +61,35 @@ static int32_t sp__auglag_sides(sp__qp *w, const sp__auglag *g)
 static void sp__auglag_direction(sp__qp *w, sp__auglag *g)
 {
     const int32_t n = w->qp.n, m = w->qp.m;
+    sp_real *d = w->xc, *b = w->kkt.b;
     if (g->stale) {
-        for (int32_t i = 0; i < m; i++) w->row[i] = w->side[i] ? g->r : (sp_real)0;
-        w->sigma = SP__QP_DELTA;
-        w->stale = 1;
+        for (int32_t i = 0; i < m; i++) w->kkt.row[i] = w->side[i] ? g->r : (sp_real)0;
+        w->kkt.sigma = SP__QP_DELTA;
+        w->kkt.stale = 1;
         sp__kkt_factor(w);
         g->stale = 0;
     }
-    for (int32_t j = 0; j < n; j++) w->b[j] = -w->c * w->D[j] * (w->Px[j] + w->Aty[j] + sp__qp_q(&w->qp, j));
-    for (int32_t i = 0; i < m; i++) w->b[n + i] = 0;
+    for (int32_t j = 0; j < n; j++) b[j] = -w->c * w->D[j] * (w->Px[j] + w->Aty[j] + sp__qp_q(&w->qp, j));
+    for (int32_t i = 0; i < m; i++) b[n + i] = 0;
     sp__kkt_solve(w, 1);
-    for (int32_t j = 0; j < n; j++) w->xc[j] = w->D[j] * w->s[j];
-    sp__qp_P(&w->qp, w->xc, w->b, 0);
-    sp__qp_A(&w->qp, w->xc, w->b + n, 0);
-    w->flops += w->products + 6 * (int64_t)n;
+    for (int32_t j = 0; j < n; j++) d[j] = w->D[j] * w->kkt.s[j];
+    sp__qp_P(&w->qp, d, b, 0);
+    sp__qp_A(&w->qp, d, b + n, 0);
+    w->cost.flops += w->cost.products + 6 * (int64_t)n;
 }
 
 /* Slope along d at X + t d: d'(P(x + td) + q) + (Ad)'R (v - v onto [l, u]). */
 static sp_real sp__auglag_slope(sp__qp *w, sp_real r, sp_real t)
 {
     const int32_t n = w->qp.n;
+    const sp_real *d = w->xc, *Pd = w->kkt.b, *Ad = Pd + n, *guess = w->yc;
     sp_real s = 0;
-    for (int32_t j = 0; j < n; j++) s += w->xc[j] * (w->Px[j] + sp__qp_q(&w->qp, j) + t * w->b[j]);
+    for (int32_t j = 0; j < n; j++) s += d[j] * (w->Px[j] + sp__qp_q(&w->qp, j) + t * Pd[j]);
     for (int32_t i = 0; i < w->qp.m; i++) {
-        const sp_real R = sp__auglag_weight(w, i, r), v = w->Ax[i] + t * w->b[n + i] + w->yc[i] / R;
-        s += w->b[n + i] * R * (v - sp__qp_clip(&w->qp, i, v, 1));
+        const sp_real R = sp__auglag_weight(w, i, r), v = w->Ax[i] + t * Ad[i] + guess[i] / R;
+        s += Ad[i] * R * (v - sp__qp_clip(&w->qp, i, v, 1));
     }
-    w->flops += 5 * (int64_t)n + 11 * (int64_t)w->qp.m;
+    w->cost.flops += 5 * (int64_t)n + 11 * (int64_t)w->qp.m;
     return s;
 }
 
@@ -132,19 +135,19 @@ static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
 static int sp__auglag_round(sp__qp *w, sp__auglag *g, sp_real off)
 {
     sp__qp_residuals(w, NULL);
-    if (!(w->off < SP__NEVER)) return 1;
-    if (w->off <= off && w->off < (sp_real)0.5 * g->best) {
+    if (!(w->residual.off < SP__NEVER)) return 1;
+    if (w->residual.off <= off && w->residual.off < (sp_real)0.5 * g->best) {
         sp__auglag_keep(w);
-        g->best = w->off;
-        if (w->off <= (sp_real)1e-8 * off) return 1;
+        g->best = w->residual.off;
+        if (w->residual.off <= (sp_real)1e-8 * off) return 1;
     } else if (g->best < SP__NEVER && ++g->vain > SP__AUGLAG_VAIN) return 1;
-    if (w->primal > (sp_real)0.25 * g->violated && g->r < SP__AUGLAG_MOST) {
+    if (w->residual.primal > (sp_real)0.25 * g->violated && g->r < SP__AUGLAG_MOST) {
         g->r = sp__within((sp_real)10 * g->r, 1, SP__AUGLAG_MOST);
         g->stale = 1;
     }
     for (int32_t i = 0; i < w->qp.m; i++) w->yc[i] = w->Y[i];
-    g->violated = w->primal;
-    g->tol = sp__max((sp_real)0.01 * w->rel_dual, (sp_real)8 * SP_EPSILON);
+    g->violated = w->residual.primal;
+    g->tol = sp__max((sp_real)0.01 * w->residual.rel_dual, (sp_real)8 * SP_EPSILON);
     g->full = 0;
     return 0;
 }
@@ -154,7 +157,7 @@ static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
 {
     sp__auglag_sides(w, g);
     sp__qp_residuals(w, NULL);
-    if (!(w->off < (sp_real)0.1 * before)) return;
+    if (!(w->residual.off < (sp_real)0.1 * before)) return;
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j] / w->D[j];
     for (int32_t i = 0; i < w->qp.m; i++) {
         w->y[i] = w->c * w->Y[i] / w->E[i];
@@ -166,15 +169,15 @@ static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
  * or 0. */
 SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
 {
-    sp__auglag g = { sp__within((sp_real)10 * w->rho, (sp_real)0.01, SP__AUGLAG_MOST), (sp_real)0.01, w->primal, 0,
+    sp__auglag g = { sp__within((sp_real)10 * w->kkt.rho, (sp_real)0.01, SP__AUGLAG_MOST), (sp_real)0.01, w->residual.primal, 0,
                      SP__NEVER, 0, 0, 1, 0, 0 };
-    const int64_t step = w->factoring + sp__kkt_solve_flops(w, 1) + 4 * w->products +
+    const int64_t step = w->cost.factoring + sp__kkt_solve_flops(w, 1) + 4 * w->cost.products +
                          700 * ((int64_t)w->qp.n + w->qp.m);
-    const int64_t own = 2 * w->flops + 10 * step, end = own < w->limit ? own : w->limit;
-    const sp_real before = w->off;
+    const int64_t own = 2 * w->cost.flops + 10 * step, end = own < w->cost.limit ? own : w->cost.limit;
+    const sp_real before = w->residual.off;
     sp__qp_unscale(w);
     for (int32_t i = 0; i < w->qp.m; i++) { w->yc[i] = w->Y[i]; w->side[i] = -1; }
-    for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
+    for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->cost.flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
         sp__rest dual = { 0, 0, 0, 0, 0 };
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;

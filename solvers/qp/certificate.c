@@ -47,7 +47,7 @@ static sp_real sp__qp_proof_primal(sp__qp *w)
     for (int32_t i = 0; i < w->qp.m; i++)
         if (sp__qp_no_bound(&w->qp, i, w->Y[i])) w->Y[i] = 0;
     const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
-    w->flops += w->products + w->vectors;
+    w->cost.flops += w->cost.products + w->cost.vectors;
     return down > 0 ? sp__qp_proof_radius(down, terms, w->qp.m, sp__qp_proof_rest(w)) : (sp_real)0;
 }
 
@@ -61,7 +61,7 @@ static sp_real sp__qp_proof_dual(sp__qp *w)
         down -= t;
         terms += sp__abs(t);
     }
-    w->flops += w->products + w->vectors;
+    w->cost.flops += w->cost.products + w->cost.vectors;
     if (!(down > 0)) return 0;
     sp__qp_P(qp, w->X, w->Px, 0);
     sp__qp_A(qp, w->X, w->Ax, 0);

@@ -64,7 +64,7 @@ static void sp__dykstra_round(sp__qp *w)
         w->Y[i] += t;
         sp__dykstra_row(w, i, t, &d);
     }
-    w->flops += w->products * w->qp.m;
+    w->cost.flops += w->cost.products * w->qp.m;
     w->iterations++;
 }
 
@@ -81,11 +81,11 @@ static sp_qp_status sp__dykstra_run(sp__qp *w)
     for (;;) {
         sp__dykstra_round(w);
         sp__qp_residuals(w, NULL);
-        if (!(w->off < SP__NEVER)) return SP_QP_NUMERICAL;
+        if (!(w->residual.off < SP__NEVER)) return SP_QP_NUMERICAL;
         const int last = w->iterations >= SP__DYKSTRA_ROUNDS || w->iterations >= w->set.iterations;
-        if (w->off <= (last ? (sp_real)1 : (sp_real)0.1)) return SP_QP_SOLVED;
-        if (last || (w->set.budget > 0 && w->flops >= w->set.budget))
-            return w->off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
+        if (w->residual.off <= (last ? (sp_real)1 : (sp_real)0.1)) return SP_QP_SOLVED;
+        if (last || (w->set.budget > 0 && w->cost.flops >= w->set.budget))
+            return w->residual.off <= (sp_real)10 ? SP_QP_INACCURATE : last ? SP_QP_ITERATIONS : SP_QP_BUDGET;
     }
 }
 

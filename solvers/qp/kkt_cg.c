@@ -19,9 +19,9 @@ static void sp__kkt_carve_cg(const sp_qp *qp, sp__qp *w, sp_arena *a)
     sp__cg_carve(&cg, qp->n, a);
     sp_real *v = sp__take(a, (size_t)qp->n, sizeof *v), *Av = sp__take(a, (size_t)qp->m, sizeof *Av);
     if (!w) return;
-    w->cg = cg;
-    w->v = v;
-    w->Av = Av;
+    w->kkt.cg = cg;
+    w->kkt.v = v;
+    w->kkt.Av = Av;
 }
 
 /* Preconditioner: 1 / diagonal. */
@@ -29,14 +29,14 @@ static void sp__kkt_factor_cg(sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
     for (int32_t j = 0; j < qp->n; j++) {
-        sp_real d = sp__qp_diagonal(w, j) + w->sigma;
+        sp_real d = sp__qp_diagonal(w, j) + w->kkt.sigma;
         for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) {
             const sp_real a = w->E[qp->Ai[k]] * qp->Ax[k] * w->D[j];
-            d += w->row[qp->Ai[k]] * a * a;
+            d += w->kkt.row[qp->Ai[k]] * a * a;
         }
-        w->cg.inverse[j] = (sp_real)1 / d;
+        w->kkt.cg.inverse[j] = (sp_real)1 / d;
     }
-    w->broken = 0;
+    w->kkt.broken = 0;
 }
 
 /* out <- (P + sigma I + A' rho A) in, scaled. */
@@ -44,28 +44,28 @@ static void sp__kkt_apply(const void *what, const sp_real *in, sp_real *out)
 {
     const sp__qp *w = what;
     const sp_qp *qp = &w->qp;
-    for (int32_t j = 0; j < qp->n; j++) w->v[j] = w->D[j] * in[j];
-    sp__qp_A(qp, w->v, w->Av, 0);
-    for (int32_t i = 0; i < qp->m; i++) w->Av[i] *= w->row[i] * w->E[i] * w->E[i];
-    sp__qp_P(qp, w->v, out, 0);
+    for (int32_t j = 0; j < qp->n; j++) w->kkt.v[j] = w->D[j] * in[j];
+    sp__qp_A(qp, w->kkt.v, w->kkt.Av, 0);
+    for (int32_t i = 0; i < qp->m; i++) w->kkt.Av[i] *= w->kkt.row[i] * w->E[i] * w->E[i];
+    sp__qp_P(qp, w->kkt.v, out, 0);
     for (int32_t j = 0; j < qp->n; j++) {
         sp_real s = w->c * out[j];
-        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) s += qp->Ax[k] * w->Av[qp->Ai[k]];
-        out[j] = w->D[j] * s + w->sigma * in[j];
+        for (int32_t k = sp__qp_a0(qp, j); k < sp__qp_a0(qp, j + 1); k++) s += qp->Ax[k] * w->kkt.Av[qp->Ai[k]];
+        out[j] = w->D[j] * s + w->kkt.sigma * in[j];
     }
 }
 
-static int64_t sp__kkt_cg_step_flops(const sp__qp *w) { return w->products + 12 * (int64_t)w->qp.n; }
+static int64_t sp__kkt_cg_step_flops(const sp__qp *w) { return w->cost.products + 12 * (int64_t)w->qp.n; }
 
 enum { SP__KKT_CG_LEAST = 4 };          /* steps that sp__kkt_solve_flops has counted */
 
 /* s <- M^-1 b from the guess in s, as many steps as the budget allows. */
 static void sp__kkt_cg(sp__qp *w, int32_t steps, sp_real tol)
 {
-    const int64_t each = sp__kkt_cg_step_flops(w), room = (w->limit - w->flops) / each + SP__KKT_CG_LEAST - 1;
+    const int64_t each = sp__kkt_cg_step_flops(w), room = (w->cost.limit - w->cost.flops) / each + SP__KKT_CG_LEAST - 1;
     if (room < steps) steps = room > 0 ? (int32_t)room : 0;
-    steps = sp__cg_solve(&w->cg, sp__kkt_apply, w, w->b, w->s, steps, tol);
-    w->flops += ((steps < 0 ? -steps : steps + 1) - SP__KKT_CG_LEAST) * each;
+    steps = sp__cg_solve(&w->kkt.cg, sp__kkt_apply, w, w->kkt.b, w->kkt.s, steps, tol);
+    w->cost.flops += ((steps < 0 ? -steps : steps + 1) - SP__KKT_CG_LEAST) * each;
 }
 
 /* P_jj >= 0 and P_ij^2 <= P_ii P_jj, scaled and up to rounding; in d (n) the roots of the diagonal. */
@@ -92,13 +92,13 @@ static int sp__kkt_cg_no_descent(sp__qp *w)
     uint32_t seed = 1;
     for (int32_t j = 0; j < w->qp.n; j++) {
         seed = seed * 1664525u + 1013904223u;
-        w->b[j] = (sp_real)(int32_t)(seed >> 16) / (sp_real)32768 - (sp_real)1;
-        w->s[j] = 0;
+        w->kkt.b[j] = (sp_real)(int32_t)(seed >> 16) / (sp_real)32768 - (sp_real)1;
+        w->kkt.s[j] = 0;
     }
-    return sp__cg_solve(&w->cg, sp__kkt_apply, w, w->b, w->s, w->qp.n, (sp_real)4 * SP_EPSILON) >= 0;
+    return sp__cg_solve(&w->kkt.cg, sp__kkt_apply, w, w->kkt.b, w->kkt.s, w->qp.n, (sp_real)4 * SP_EPSILON) >= 0;
 }
 
-static int sp__kkt_cg_semidefinite(sp__qp *w) { return sp__kkt_cg_minors(w, w->b) && sp__kkt_cg_no_descent(w); }
+static int sp__kkt_cg_semidefinite(sp__qp *w) { return sp__kkt_cg_minors(w, w->kkt.b) && sp__kkt_cg_no_descent(w); }
 
 #else
 

@@ -3,10 +3,10 @@
  *     min 1/2 x'Px + q'x   subject to   Ax = z,  l <= z <= u
  *
  *   paper [OSQP]                code            shape
- *   x, z, y; x~, nu             x z y; s        n, m, m; n + m together: what the linear system gives
+ *   x, z, y; x~, nu             x z y; kkt.s    n, m, m; n + m together: what the linear system gives
  *   P q A l u                   qp              n x n, n, m x n, m, m; as given, never copied
  *   D, E, c                     D E c           scales: the iteration runs on cDPD, cDq, EAD, El, Eu, multiplied on the fly
- *   sigma, rho_i; alpha         sigma row; relax
+ *   sigma, rho_i; alpha         kkt.sigma .row; set.relax
  *   X, Y                        X Y             n, m: a point in the units of the data; everything is judged there
  *
  * Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP", Math. Programming Computation 12 [OSQP].
@@ -25,28 +25,45 @@
 #define SP__QP_RHO_MOST  ((sp_real)1e6)
 #define SP__QP_FREE_ROW  ((sp_real)1e20)                /* 1 / rho of a row that shall not matter */
 
-struct sp_qp_work {                     /* pointers first: near offsets make short instructions */
-    sp_qp qp;
-    sp_real *D, *E, *row;               /* row: rho of each row */
-    sp_real *x, *z, *y, *xc, *yc;       /* iterate; xc, yc: at the look before this one */
-    sp_real *b, *s;                     /* n + m: right-hand side and solution of the linear system */
-    sp_real *X, *Y, *Px, *Aty, *Ax;     /* a point and its products, in the units of the data */
+/* The linear system of every iteration (kkt.c). */
+typedef struct sp__kkt {
+    sp_real *b, *s, *row;               /* n + m: right-hand side and solution; m: rho of each row */
     sp_real *M;                         /* dense: lower triangle by rows */
-    signed char *side;                  /* m, polish: the row is outside its bounds */
-    int32_t stale;                      /* the factor is not that of rho */
-    int32_t factorisations, iterations, changes, broken;
-    sp_real c, rho, sigma;
-    sp_qp_settings set;
+    int32_t stale, broken;              /* the factor is not that of rho; pivots that had to be bent */
+    sp_real rho, sigma;
     sp__ldl ldl;
 #if SP__WITH_QP_CG
     sp__cg cg;
     sp_real *v, *Av;                    /* cg: n, m */
 #endif
+} sp__kkt;
+
+/* How good X, Y are. */
+typedef struct sp__qp_residual {
+    sp_real primal, dual, gap, objective;
+    sp_real off;                        /* largest residual relative to its tolerance */
+    sp_real rel_primal, rel_dual;       /* scaled residuals relative to their terms */
+} sp__qp_residual;
+
+/* What it costs, and what it may. */
+typedef struct sp__qp_cost {
     int64_t flops, limit;               /* limit: where flops must end */
     int64_t products, vectors;          /* flops of P x, A x and A'y together; of what else a step or a look does, about */
     int64_t factoring;                  /* flops of a factorisation */
-    sp_real primal, dual, gap, objective, off;  /* of X, Y; off: largest residual relative to its tolerance */
-    sp_real rel_primal, rel_dual;       /* scaled residuals relative to their terms */
+} sp__qp_cost;
+
+struct sp_qp_work {                     /* pointers first: near offsets make short instructions */
+    sp_qp qp;
+    sp_real *D, *E;                     /* scales, with c */
+    sp_real *x, *z, *y, *xc, *yc;       /* iterate; xc, yc: at the look before this one */
+    sp_real *X, *Y, *Px, *Aty, *Ax;     /* a point and its products, in the units of the data */
+    int32_t factorisations, iterations, changes;        /* changes: of rho */
+    sp__kkt kkt;
+    sp__qp_cost cost;
+    sp_qp_settings set;
+    sp__qp_residual residual;           /* of X, Y */
+    sp_real c;
+    signed char *side;                  /* m, polish: the row is outside its bounds */
 };
 typedef struct sp_qp_work sp__qp;
 
@@ -195,7 +212,7 @@ static void sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
 {
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a, 1);
-        const sp_real r = sp__abs(a - to) + SP_EPSILON * w->b[w->qp.n + i];
+        const sp_real r = sp__abs(a - to) + SP_EPSILON * w->kkt.b[w->qp.n + i];
         sp__rest_widen(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
     }
 }
@@ -214,8 +231,8 @@ static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
         xPx += x * p;
         qx += x * q;
     }
-    w->objective = (sp_real)0.5 * xPx + qx;
-    w->gap = xPx + qx;
+    w->residual.objective = (sp_real)0.5 * xPx + qx;
+    w->residual.gap = xPx + qx;
 }
 
 /* Residuals of X, Y on the data as given, and how far off they are in units of their tolerances.            [seed 4.2]
@@ -234,24 +251,25 @@ static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
 SP__NOINLINE static void sp__qp_residuals(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
+    sp__qp_residual *out = &w->residual;
     sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;
     sp_real terms;
     sp__qp_A(qp, w->X, w->Ax, 0);
-    sp__qp_A(qp, w->X, w->b + qp->n, 1);
+    sp__qp_A(qp, w->X, w->kkt.b + qp->n, 1);
     sp__qp_P(qp, w->X, w->Px, 0);
-    sp__qp_P(qp, w->X, w->b, 1);
+    sp__qp_P(qp, w->X, w->kkt.b, 1);
     sp__qp_primal(w, z, &primal);
-    sp__qp_dual(w, w->b, &dual);
-    w->primal = primal.r;
-    w->dual = dual.r;
-    w->rel_primal = sp__rest_relative(&primal);
-    w->rel_dual = sp__rest_relative(&dual);
-    w->off = sp__max(sp__rest_over(w, &primal), sp__rest_over(w, &dual));
-    const sp_real open = sp__abs(w->gap + sp__qp_support(qp, w->Y, &terms)) + SP_EPSILON * terms + dual.price;
-    w->gap = sp__max(primal.price, open);
-    if (w->set.strict) w->off = sp__max(w->off, sp__qp_over(w, w->gap, sp__abs(w->objective)));
-    if (!(w->off < SP__NEVER) || !sp__finite(primal.price + open + w->objective)) w->off = SP__NEVER;
-    w->flops += 2 * w->products + w->vectors;
+    sp__qp_dual(w, w->kkt.b, &dual);
+    out->primal = primal.r;
+    out->dual = dual.r;
+    out->rel_primal = sp__rest_relative(&primal);
+    out->rel_dual = sp__rest_relative(&dual);
+    out->off = sp__max(sp__rest_over(w, &primal), sp__rest_over(w, &dual));
+    const sp_real open = sp__abs(out->gap + sp__qp_support(qp, w->Y, &terms)) + SP_EPSILON * terms + dual.price;
+    out->gap = sp__max(primal.price, open);
+    if (w->set.strict) out->off = sp__max(out->off, sp__qp_over(w, out->gap, sp__abs(out->objective)));
+    if (!(out->off < SP__NEVER) || !sp__finite(primal.price + open + out->objective)) out->off = SP__NEVER;
+    w->cost.flops += 2 * w->cost.products + w->cost.vectors;
 }
 
 /* The iterate in the units of the data. */

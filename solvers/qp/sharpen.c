@@ -31,23 +31,23 @@ SP__NOINLINE static void sp__sharpen_y(sp__qp *w)
     for (int32_t i = 0; i < m; i++) w->Y[i] /= w->E[i];
     const sp_real little = (sp_real)1e-3 * sp__largest(w->Y, m);
     w->c = 0;
-    w->sigma = SP__QP_DELTA;
+    w->kkt.sigma = SP__QP_DELTA;
     for (int32_t i = 0; i < m; i++) {
-        w->row[i] = sp__abs(w->Y[i]) > little ? (sp_real)1 : (sp_real)0;
-        w->Y[i] *= w->row[i];
+        w->kkt.row[i] = sp__abs(w->Y[i]) > little ? (sp_real)1 : (sp_real)0;
+        w->Y[i] *= w->kkt.row[i];
     }
-    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
+    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->kkt.ldl, sp__kkt_walk, w);
     sp__kkt_factor(w);
     for (int round = 0; round < 4; round++) {
-        for (int32_t j = 0; j < n; j++) w->b[j] = 0;
-        for (int32_t i = 0; i < m; i++) w->b[n + i] = -w->Y[i];
+        for (int32_t j = 0; j < n; j++) w->kkt.b[j] = 0;
+        for (int32_t i = 0; i < m; i++) w->kkt.b[n + i] = -w->Y[i];
         sp__kkt_solve(w, 1);
-        for (int32_t i = 0; i < m; i++) w->Y[i] = w->row[i] > 0 ? w->s[n + i] : (sp_real)0;
+        for (int32_t i = 0; i < m; i++) w->Y[i] = w->kkt.row[i] > 0 ? w->kkt.s[n + i] : (sp_real)0;
     }
     for (int32_t i = 0; i < m; i++) w->Y[i] *= w->E[i];
     w->c = c;
-    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->ldl, sp__kkt_walk, w);
-    w->stale = 1;
+    if (w->set.backend == SP_QP_SPARSE) sp__ldl_values(&w->kkt.ldl, sp__kkt_walk, w);
+    w->kkt.stale = 1;
 }
 
 /* X (unscaled) <- the nearest vector with PX = 0 and A_T X = 0, T the rows that must not move: the proximal point method on
@@ -58,21 +58,21 @@ SP__NOINLINE static void sp__sharpen_x(sp__qp *w)
     sp__qp_A(qp, w->X, w->Ax, 0);
     for (int32_t i = 0; i < qp->m; i++) w->Ax[i] *= w->E[i];
     const sp_real little = (sp_real)1e-3 * sp__largest(w->Ax, qp->m);
-    w->sigma = SP__QP_DELTA;
+    w->kkt.sigma = SP__QP_DELTA;
     for (int32_t i = 0; i < qp->m; i++) {
         const int stays = (!sp__qp_no_u(qp, i) && w->Ax[i] > -little) || (!sp__qp_no_l(qp, i) && w->Ax[i] < little);
-        w->row[i] = stays ? (sp_real)1 / w->sigma : (sp_real)0;
+        w->kkt.row[i] = stays ? (sp_real)1 / w->kkt.sigma : (sp_real)0;
     }
     sp__kkt_factor(w);
     for (int32_t j = 0; j < qp->n; j++) w->X[j] /= w->D[j];
     for (int round = 0; round < 4; round++) {
-        for (int32_t j = 0; j < qp->n; j++) w->b[j] = w->sigma * w->X[j];
-        for (int32_t i = 0; i < qp->m; i++) w->b[qp->n + i] = 0;
+        for (int32_t j = 0; j < qp->n; j++) w->kkt.b[j] = w->kkt.sigma * w->X[j];
+        for (int32_t i = 0; i < qp->m; i++) w->kkt.b[qp->n + i] = 0;
         sp__kkt_solve(w, 1);
-        for (int32_t j = 0; j < qp->n; j++) w->X[j] = w->s[j];
+        for (int32_t j = 0; j < qp->n; j++) w->X[j] = w->kkt.s[j];
     }
     for (int32_t j = 0; j < qp->n; j++) w->X[j] *= w->D[j];
-    w->stale = 1;
+    w->kkt.stale = 1;
 }
 
 #else
