@@ -56,7 +56,7 @@ static void sp__island_rest(const sp__check *found)
 }
 
 /* Add the result of island k to that of the whole; forces and motion are in its arrays already. */
-SP__NOINLINE static void sp__island_keep(const int32_t *rank, int32_t k, const sp__check *found, sp__check *c)
+SP__NOINLINE static void sp__island_add(const int32_t *rank, int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_result *from = &found->r;
     sp_result *r = &c->r;
@@ -230,7 +230,7 @@ SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__c
 {
     const sp_coupled *o = &found->r.coupled;
     sp__island_rest(found);
-    if (!w->again) sp__island_keep(w->t.rank, w->at, found, c);
+    if (!w->again) sp__island_add(w->t.rank, w->at, found, c);
     else sp__cost_add(&c->r.spent.total, &found->r.spent.total);
     w->proof_kept &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);
     if (o->proof.nodes) {

@@ -47,7 +47,7 @@ static void sp__plan_reduced(const sp_problem *pb, const sp__reduction *f, int64
 /* Adds the work of a problem. */
 SP__NOINLINE static sp_status sp__plan_problem(const sp_problem *pb, const sp_settings *set, sp_arena scratch, sp__work *o)
 {
-    const int hangs = sp__plan_forest(pb, set, scratch);
+    const int forest = sp__plan_forest(pb, set, scratch);
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t blocks = w ? sp__system_analyse(w, pb, &scratch) : -1;
     if (blocks < 0) return SP_E_MEMORY;
@@ -59,7 +59,7 @@ SP__NOINLINE static sp_status sp__plan_problem(const sp_problem *pb, const sp_se
     o->unknowns += 6 * b + 3 * v;
     o->flops += full;
     o->problems++;
-    o->forests += hangs;
+    o->forests += forest;
     o->search += SP__PLAN_SEARCH * (assembly + w->L.flops + SP__PLAN_SWEEPS * sweep);
     if (sp__reduction_choose(pb, set, reduction)) sp__plan_reduced(pb, reduction, full, w->L.flops, o);
     return SP_OK;

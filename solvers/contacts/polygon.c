@@ -50,7 +50,7 @@ static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size
     sp__reverse(p, 0, size);
 }
 /* Keep loop l of the clipper if B's plane is near. */
-static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
+static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
     const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
     sp_real (*point)[3] = t->pair.point + t->pair.points;
@@ -71,7 +71,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
     if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, t->now.gap / t->now.unit)) { t->status = SP_E_MEMORY; return; }
-    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
+    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_add_loop(t, p, q, l);
 }
 
 /* Patches of one block near the box of another. Returns how many. */

@@ -33,7 +33,7 @@ static void sp__pair_gather(sp__touch *t, const sp__patch *p)
 {
     sp__clip *c = &t->clip;
     sp__hull *h = &t->pair.hull;
-    if (t->pair.corners + c->corners > c->cap) {
+    if (t->pair.corners + c->corners > c->room) {
         t->pair.parts++;
         sp__pair_close(t, p);
     }
@@ -48,7 +48,7 @@ static void sp__pair_gather(sp__touch *t, const sp__patch *p)
 }
 
 /* Gather loop l of the clipper, a polygon in the plane of patch p, if B's plane is near. */
-static void sp__pair_keep(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
+static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
     const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
     for (int32_t k = 0; k < size; k++) sp__pair_to_space(t, p, t->clip.corner[from + k], t->pair.point[k]);
@@ -63,7 +63,7 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *u, 
     sp__pair_region(t, p, q, 1);
     if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, t->now.gap / t->now.unit)) { t->status = SP_E_MEMORY; return; }
     if (t->clip.bent) { t->status = SP_E_UNSUPPORTED; return; }
-    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_keep(t, p, q, l);
+    for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_add_loop(t, p, q, l);
 }
 
 /* All contacts of one pair, plane by plane of A, and their overlap. */

@@ -16,8 +16,8 @@ static void sp__touch_carve(sp__contact_arrays *l, sp__clip *clip, sp__pair_buff
     l->patch = sp__take(a, (size_t)n->faces, sizeof *l->patch);
     l->bound = sp__take(a, (size_t)n->corners, sizeof *l->bound);
     sp__clip_carve(clip, side, side, a);
-    pair->point = sp__take(a, (size_t)clip->cap, sizeof *pair->point);
-    sp__hull_carve(&pair->hull, clip->cap, a);
+    pair->point = sp__take(a, (size_t)clip->room, sizeof *pair->point);
+    sp__hull_carve(&pair->hull, clip->room, a);
 }
 
 static size_t sp__contacts_memory(const sp_scene *scene)

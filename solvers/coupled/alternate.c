@@ -377,12 +377,12 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
 }
 
 /* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a, b first from the round's forces. They stand where the
- * other search has lam and cap, which this one has not.
+ * other search has lam and bound, which this one has not.
  * The derivative for a step in proportion to a and b:  D = a e e' + b g g'. */
-SP__NOINLINE static void sp__alt_spread(const sp__alt *m, int first)
+SP__NOINLINE static void sp__alt_slip_forces(const sp__alt *m, int first)
 {
     const sp__cra *c = m->c;
-    sp_real *a = c->spring.lam, *b = c->drag.cap;
+    sp_real *a = c->spring.lam, *b = c->drag.bound;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
@@ -413,7 +413,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
 {
     const sp__cra *c = m->c;
     sp__system *w = c->w;
-    sp_real *a = c->spring.lam, *b = c->drag.cap, least = -1;
+    sp_real *a = c->spring.lam, *b = c->drag.bound, least = -1;
     sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
     sp__system_solve(w, w->r, w->d);
     for (int pass = 0; pass < 2; pass++)
@@ -444,12 +444,12 @@ static int sp__alt_offer(sp__alt *m)
                           || (sp__alt_pull(m, v) > 0 && sp__abs(c->spring.d[3 * v] + c->k.eps) <= (sp_real)0.01);
     sp__cra_press(c);
     for (int step = 0; step < SP__ALT_STEPS; step++) {
-        sp__alt_spread(m, !step);
+        sp__alt_slip_forces(m, !step);
         sp__cra_balance(c, c->spring.f, 1);
         if (sp__system_norm(c->w, c->w->r) <= 32 * (sp_real)SP_EPSILON * c->w->measure.load) break;
         sp__alt_step(m);
     }
-    sp__alt_spread(m, 0);
+    sp__alt_slip_forces(m, 0);
     return sp__cra_offer(c);
 }
 

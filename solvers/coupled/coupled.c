@@ -10,7 +10,7 @@
 #if SP__WITH_COUPLED
 
 /* The motion of the free blocks into the scene's; where the certificate check takes spins off they stay off, also among other islands. */
-static void sp__cra_spread(const sp__cra *c)
+static void sp__cra_write_motion(const sp__cra *c)
 {
     const sp_problem *pb = c->pb;
     const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;
@@ -115,7 +115,7 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */
 static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_arena *a)
 {
-    const int found = c->offer.residual <= 1 || sp__cra_hang(c, *a);
+    const int found = c->offer.residual <= 1 || sp__cra_forest(c, *a);
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * c->pb->points;       /* offers pay for themselves */
     const int plane = found || !SP__WITH_REDUCTION ? 0 : sp__cra_plane(c, state->left, a);
     if (plane < 0) return SP_E_MEMORY;
@@ -170,7 +170,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
         sp__cra_begin(c);
         sp__cra_help(c, r->demand);
     }
-    sp__cra_spread(c);
+    sp__cra_write_motion(c);
     return status;
 }
 

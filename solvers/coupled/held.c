@@ -37,7 +37,7 @@ SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
 }
 
 /* The best answer so far: forces, and the motion with its alpha. */
-SP__NOINLINE static void sp__cra_keep(sp__cra *c)
+SP__NOINLINE static void sp__cra_record(sp__cra *c)
 {
     const sp__system *w = c->w;
     const sp_real soft = 1 / c->set->penalty.gamma;
@@ -59,7 +59,7 @@ SP__NOINLINE static void sp__cra_keep(sp__cra *c)
 }
 
 /* The penalty form in the motion at hand, put onto dn = -eps.     returns 1 when it is the best so far */
-SP__NOINLINE static int sp__cra_hold(sp__cra *c)
+SP__NOINLINE static int sp__cra_try_motion(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__system *w = c->w;
@@ -70,7 +70,7 @@ SP__NOINLINE static int sp__cra_hold(sp__cra *c)
     c->descent.goal = SP__AGREE;
     const int balanced = sp__cra_descend(c) && sp__system_norm(w, w->r) <= SP__AGREE * w->measure.load;
     const int better = balanced && -c->descent.energy < c->held.least;
-    if (better) sp__cra_keep(c);
+    if (better) sp__cra_record(c);
     c->held.on = 0;
     memcpy(w->y, c->held.y, n * sizeof *w->y);
     return better;

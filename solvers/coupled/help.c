@@ -45,7 +45,7 @@ SP__NOINLINE static void sp__cra_help(sp__cra *c, sp_demand *demand)
         memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
         sp__cra_close(c, (sp_real)0.01);
         if (k >= 4) sp__cra_search(c);
-        else if (sp__cra_descend(c)) sp__cra_hold(c);
+        else if (sp__cra_descend(c)) sp__cra_try_motion(c);
     }
     c->out->rounds = rounds;
     if (c->held.least < SP__HUGE) sp__cra_demand(c, demand);

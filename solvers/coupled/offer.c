@@ -11,7 +11,7 @@
 
 /* Forces are laid along the slips: df = -D Aeq' z where Aeq D Aeq' z = Aeq f + p; D of a vertex that presses, of one whose
  * friction is free in size, of one at the rim of its cone.     returns 0 when a force changes its sign */
-SP__NOINLINE static int sp__cra_lay(sp__cra *c)
+SP__NOINLINE static int sp__cra_align(sp__cra *c)
 {
     sp__system *w = c->w;
     for (int round = 0; round < 4; round++) {
@@ -62,11 +62,11 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
 }
 
 /* A triple in the plane as one in space: motions out of the axes e, f and alpha of mirrored corners those of their images. */
-static void sp__cra_lift(const sp__cra *c)
+static void sp__cra_to_space(const sp__cra *c)
 {
     const sp__reduction *o = sp__reduced(c->w);
     if (!o) return;
-    sp__reduction_lift(c->w, c->offer.t.dq);
+    sp__reduction_to_space(c->w, c->offer.t.dq);
     sp__reduction_copy_forces(o, c->pb, c->offer.t.f);
     for (int32_t v = 0; v < c->pb->points; v++) c->offer.t.alpha[v] = c->offer.t.alpha[o->image[v] < v ? o->image[v] : v];
 }
@@ -87,7 +87,7 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
             if (slip > 0) c->offer.t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
         }
     }
-    sp__cra_lift(c);
+    sp__cra_to_space(c);
     if (!sp__system_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
     c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
     c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
@@ -108,7 +108,7 @@ SP__NOINLINE static int sp__cra_polish(sp__cra *c)
     }
     sp__cra_press(c);
     sp__cra_freedoms(c);
-    return sp__cra_lay(c) && sp__cra_offer(c);
+    return sp__cra_align(c) && sp__cra_offer(c);
 }
 
 #endif

@@ -17,7 +17,7 @@ SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
     for (int round = 0; round < 25; round++) {
         c->out->rounds++;
         if (!sp__cra_descend(c)) return -1;
-        if (c->spring.soft > 0 && sp__cra_hold(c)) return 1;
+        if (c->spring.soft > 0 && sp__cra_try_motion(c)) return 1;
         c->descent.too_far = 0;
         if (sp__cra_update(c, damp)) {
             c->descent.too_far = sp__cra_extent(c, c->w->y) > c->k.eta + SP__STIFF * SP__GIVE;
@@ -77,7 +77,7 @@ static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
         const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->measure.unit);
-            c->drag.cap[v] = c->drag.viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
+            c->drag.bound[v] = c->drag.viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
         }
     }
 }

@@ -15,9 +15,9 @@
  * looks for alpha. It starts with a drag so weak that joints close before friction carries anything, cuts each vertex's friction
  * at mu times the normal force it saw last, and lets the drag grow, which shortens the slips:
  *
- *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2       h: drag/2 |dt|^2, from drag |dt| = cap on linear
+ *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2       h: drag/2 |dt|^2, from drag |dt| = bound on linear
  *
- * by Newton steps on the block matrix of the dual; lam <- fn, cap <- mu fn. Where forces and slips then agree, the motion is
+ * by Newton steps on the block matrix of the dual; lam <- fn, bound <- mu fn. Where forces and slips then agree, the motion is
  * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
 
 /* Springs at the vertices, in units of force and of L; D, of a vertex: nn n1 n2 11 12 22. */
@@ -30,7 +30,7 @@ typedef struct sp__springs {
 /* What friction carries: drag of the slip, up to a bound. */
 typedef struct sp__drag {
     sp_real size;                       /* of slip, in sbar / L */
-    sp_real *cap;                       /* points: bound of the friction; viscous: a factor on the drag */
+    sp_real *bound;                     /* points: bound of the friction; viscous: a factor on the drag */
     int viscous;                        /* friction beyond its cone is lessened by its drag; else cut */
     sp_real grow;                       /* how fast a drag that was lessened may grow again */
 } sp__drag;
@@ -109,7 +109,7 @@ static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_are
     c->spring.d = sp__take(a, v, 3 * sizeof *c->spring.d);
     c->spring.D = sp__take(a, v, 6 * sizeof *c->spring.D);
     c->spring.lam = sp__take(a, v, sizeof *c->spring.lam);
-    c->drag.cap = sp__take(a, v, sizeof *c->drag.cap);
+    c->drag.bound = sp__take(a, v, sizeof *c->drag.bound);
     c->descent.from = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->descent.from);
     c->held.y = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->held.y);
     c->held.vertex = sp__take(a, localise ? v : 0, sizeof *c->held.vertex);
@@ -171,11 +171,11 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
 {
     const int viscous = c->drag.viscous;
     const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
-    const sp_real drag = c->drag.size * s * (viscous ? c->drag.cap[v] : 1), cap = viscous ? SP__HUGE : c->drag.cap[v];
+    const sp_real drag = c->drag.size * s * (viscous ? c->drag.bound[v] : 1), bound = viscous ? SP__HUGE : c->drag.bound[v];
     const sp_real fn = c->spring.lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
     sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
-    const int slides = drag * slip > cap;
-    const sp_real al = slides ? cap / slip : drag, z = al / (SP__STIFF * c->most);
+    const int slides = drag * slip > bound;
+    const sp_real al = slides ? bound / slip : drag, z = al / (SP__STIFF * c->most);
     const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
     f[0] = fn > 0 ? fn : c->spring.soft * fn;
     f[1] = -al * d[1];
@@ -185,7 +185,7 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     D[3] = z * (1 - x * x);
     D[4] = -z * x * y;
     D[5] = z * (1 - y * y);
-    *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? cap * (slip - cap / (2 * drag)) : al * slip * slip / 2);
+    *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? bound * (slip - bound / (2 * drag)) : al * slip * slip / 2);
 }
 
 /* Forces in a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
@@ -326,7 +326,7 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
             const sp_real s = sp__cra_sbar(c, t);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *f = c->spring.f + 3 * (size_t)v;
-                sp_real *cap = &c->drag.cap[v];
+                sp_real *bound = &c->drag.bound[v];
                 const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->spring.d + 3 * (size_t)v) * fp;
                 const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
                 if (!pass) {
@@ -334,11 +334,11 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
                     n->change = sp__max(n->change, sp__abs(fp - c->spring.lam[v]) / (SP__STIFF * s));
                     c->spring.lam[v] = fp;
                 } else if (c->drag.viscous) {
-                    if (ft > 0) *cap *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->drag.grow);
-                    if (*cap > 1) *cap = 1;
-                } else *cap = *cap < SP__HUGE ? damp * room + (1 - damp) * *cap : room;
+                    if (ft > 0) *bound *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->drag.grow);
+                    if (*bound > 1) *bound = 1;
+                } else *bound = *bound < SP__HUGE ? damp * room + (1 - damp) * *bound : room;
             }
-            if (q + 1 == c->pb->contacts && !pass && n->violation <= n->goal) pass = 1;     /* the caps are good */
+            if (q + 1 == c->pb->contacts && !pass && n->violation <= n->goal) pass = 1;     /* the bounds are good */
         }
     return n->violation <= n->goal && n->change <= n->goal;
 }

@@ -270,7 +270,7 @@ static void sp__clip_wind(const sp__clip_graph *g, int32_t at, int flat, int32_t
 }
 
 /* Does edge e bound the common region: 1 on its left, -1 on its right, 0 neither or both. left = right + w. */
-static int sp__clip_keep(const sp__clip_graph *g, int32_t at)
+static int sp__clip_bounds(const sp__clip_graph *g, int32_t at)
 {
     const sp__clip_edge *e = &g->edge[at];
     const sp_real dx = g->xy[e->to][0] - g->xy[e->from][0], dy = g->xy[e->to][1] - g->xy[e->from][1];
@@ -291,7 +291,7 @@ static int sp__clip_classify(sp__clip_graph *g)
 {
     int32_t kept = 0, open = 0;
     int32_t *side = g->next, *from = g->path, *to = g->order, *leaving = g->place;       /* no longer needed as such */
-    for (int32_t k = 0; k < g->edges; k++) side[k] = sp__clip_keep(g, g->order[k]);
+    for (int32_t k = 0; k < g->edges; k++) side[k] = sp__clip_bounds(g, g->order[k]);
     for (int32_t k = 0; k < g->edges; k++) {            /* ends first, then edges: the merged edges may overlap */
         const sp__clip_edge *e = &g->edge[g->order[k]];
         if (!side[k]) continue;

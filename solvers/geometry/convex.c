@@ -15,7 +15,7 @@
 #if SP__WITH_SMALL
 
 typedef struct sp__clip {
-    int32_t cap, sides;         /* room of each array; corners of Q */
+    int32_t room, sides;        /* of each array; corners of Q */
     int32_t full;               /* a capacity was too small: no result */
     int32_t bent;
     int32_t corners, loops;     /* of P, then of the result; one loop or none */
@@ -28,7 +28,7 @@ typedef struct sp__clip {
 static void sp__clip_carve(sp__clip *c, int64_t p, int64_t q, sp_arena *a)
 {
     const int64_t n = p + q + 8;
-    c->cap = n < INT32_MAX ? (int32_t)n : 0;
+    c->room = n < INT32_MAX ? (int32_t)n : 0;
     c->corner = sp__take(a, (size_t)n, sizeof *c->corner);
     c->spare = sp__take(a, (size_t)n, sizeof *c->spare);
     c->side = sp__take(a, (size_t)n, sizeof *c->side);
@@ -41,7 +41,7 @@ static void sp__clip_clear(sp__clip *c) { c->sides = c->corners = c->full = 0; }
 static void sp__clip_add(sp__clip *c, int32_t side, const sp_real x[2])
 {
     int32_t *n = side ? &c->sides : &c->corners;
-    if (*n >= c->cap) { c->full = 1; return; }
+    if (*n >= c->room) { c->full = 1; return; }
     memcpy((side ? c->side : c->corner)[(*n)++], x, sizeof *c->side);
 }
 

@@ -7,7 +7,7 @@
 #if SP__WITH_INTERIOR
 
 /* The motion just certified into b->dq, and what joints with strength take of it. */
-static void sp__bracket_keep(sp__bracket *b)
+static void sp__bracket_take_motion(sp__bracket *b)
 {
     b->resist = sp__problem_strong(&b->pb) ? b->certificate.resist * b->certificate.unit : 0;
     memcpy(b->dq, b->certificate.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
@@ -20,7 +20,7 @@ SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
     int32_t final;
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
     sp__certify_motion(&b->certificate, b->dq, 0, &final);
-    sp__bracket_keep(b);
+    sp__bracket_take_motion(b);
     return 1;
 }
 
@@ -48,7 +48,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
         if (!(value[k] > b->set.tol)) break;
         b->least = sp__certify_motion(j, b->whole, sp__certify_rest[k], &b->final);
         if (all) sp__check_motion(j, all);
-        sp__bracket_keep(b);
+        sp__bracket_take_motion(b);
         if (!beyond || sp__bracket_falls_beyond(b)) return 1;
         value[k] = 0;
     }

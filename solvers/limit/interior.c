@@ -56,8 +56,8 @@ static void sp__limit_sizes(sp__limit *L)
         g->state.dq[k] = L->bracket.hint[k] / unit;
         w->d[k] = -L->bracket.hint[n + k] / unit;
     }
-    sp__reduction_drop(g->reduction, w->pb->blocks, g->state.dq);
-    sp__reduction_drop(g->reduction, w->pb->blocks, w->d);
+    sp__reduction_from_space(g->reduction, w->pb->blocks, g->state.dq);
+    sp__reduction_from_space(g->reduction, w->pb->blocks, w->d);
     sp__system_sizes(w, g->state.dq);
 }
 
@@ -106,7 +106,7 @@ SP__NOINLINE static void sp__limit_candidate(sp__limit *L, const sp_real *y)
     L->none = none;
     L->slack = slack;
     for (size_t k = 0; k < n; k++) L->bracket.dq[k] = -w->measure.weight[k / 3] * y[k];
-    sp__reduction_lift(w, L->bracket.dq);
+    sp__reduction_to_space(w, L->bracket.dq);
 }
 
 /* y, and y with the least change in the metric of W after which no contact resists, its work as the embedding wants it at last:

@@ -193,7 +193,7 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     sp_status status = sp__limit_build(L, scene, settings, number, &a);
     if (!status) status = sp__limit_decide(L, &a);
     if (status) return status;
-    L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__bracket_holds(&L->bracket, &L->r);
+    L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__bracket_verify(&L->bracket, &L->r);
     if (L->r.kind && !L->r.verified) L->r.reason = L->bracket.spent ? SP_REASON_BUDGET : SP_REASON_UNVERIFIED;
     if (!L->r.verified) L->r.kind = SP_LIMIT_UNDECIDED;
     L->r.cost = *sp__engine_cost(&L->engine, &L->bracket);

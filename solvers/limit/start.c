@@ -42,7 +42,7 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
         if (k) sp__bilateral_solve(g->w); else sp__system_bilateral(g->w);
         if (g->w->budget.spent) return SP_OK;
         g->state.y0 = y0[k];
-        sp__bilateral_keep(g->w, &g->state);
+        sp__bilateral_write_y0(g->w, &g->state);
     }
     for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
     b->y0 = L->r.y0;
@@ -65,7 +65,7 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
     if (!g->w->budget.spent && !(done && L->none) && L->best < SP__HUGE) sp__limit_sharpen(L);
     if (L->none && !done) done = L->none = sp__bracket_falls(b, 0, 1, NULL);
     b->spent |= g->w->budget.spent;
-    return done || sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
+    return done || sp__limit_ends_meet(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 /* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */

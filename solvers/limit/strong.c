@@ -32,7 +32,7 @@ SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
     const sp_real off = (c + sp__dot(g->q, w->y, n)) / g->G[0];
     if (sp__abs(off) * g->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
         sp__system_axpy(w, -off, g->Vq, w->y);
-        sp__newton_look(w, &g->n, &g->state);
+        sp__newton_measure(w, &g->n, &g->state);
         return 1;
     }
     for (size_t k = 0; k < n; k++) w->d[k] = -w->r[k] - g->n.prox * w->y[k];
@@ -70,7 +70,7 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
 }
 
 /* Are both ends found, and no farther apart than so much? */
-static int sp__limit_closed(const sp__limit *L, sp_real apart)
+static int sp__limit_ends_meet(const sp__limit *L, sp_real apart)
 {
     return L->best < SP__HUGE && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= apart * (1 + sp__abs(L->best));
 }
@@ -82,7 +82,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
     memcpy(g->state.dq, L->bracket.dq, n * sizeof *g->state.dq);
-    sp__reduction_drop(g->reduction, w->pb->blocks, g->state.dq);
+    sp__reduction_from_space(g->reduction, w->pb->blocks, g->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
     sp__newton_settle(w, &g->state);
     for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->measure.weight[k / 3];
@@ -111,8 +111,8 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
         L->r.imbalance = L->bracket.imbalance;
         memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
     }
-    if (sharpen && L->best < SP__HUGE && !sp__limit_closed(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);
-    return sp__limit_closed(L, SP__STRONG_NEAR);
+    if (sharpen && L->best < SP__HUGE && !sp__limit_ends_meet(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);
+    return sp__limit_ends_meet(L, SP__STRONG_NEAR);
 }
 
 /* Both ends, by larger and larger c, until they meet or lambda no longer changes. Where Newton fails, c goes back to its last value
@@ -152,7 +152,7 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
         c *= times;
     }
     g->n.left += others;
-    return sp__limit_closed(L, SP__LIMIT_WIDE * L->r.tol);
+    return sp__limit_ends_meet(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
 #endif

@@ -15,7 +15,7 @@ static sp_real sp__bracket_within(const sp_limit_result *r, sp_real balance)
 }
 
 /* Every end that the claim has. */
-SP__NOINLINE static int sp__bracket_holds(sp__bracket *b, const sp_limit_result *r)
+SP__NOINLINE static int sp__bracket_verify(sp__bracket *b, const sp_limit_result *r)
 {
     if (r->kind == SP_LIMIT_UNBOUNDED && !sp__bracket_stands(b, 0, 1, r->ray, NULL)) return 0;
     if (r->kind != SP_LIMIT_NONE && r->lower < 0) return 0;
@@ -61,7 +61,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
     b->room = scratch;
     sp__take(&room, 1, sp__certifier_need(&b->pb, &b->set));
     if (sp__failed(&room)) return SP_E_MEMORY;
-    *held = claim->kind != SP_LIMIT_UNDECIDED && sp__bracket_holds(b, claim);
+    *held = claim->kind != SP_LIMIT_UNDECIDED && sp__bracket_verify(b, claim);
     return SP_OK;
 }
 

@@ -41,17 +41,17 @@ static sp_real sp__cg_norm(const sp__cg *cg)
     return s;
 }
 
-/* x <- M^-1 b from the guess in x, until |r| <= tol |b| or `cap` steps.
+/* x <- M^-1 b from the guess in x, until |r| <= tol |b| or `most` steps.
  * Returns the steps, or -1 - steps when d'Md <= 0 was met: M is not positive definite. */
 SP__NOINLINE static int32_t sp__cg_solve(const sp__cg *cg, sp__apply apply, const void *what, const sp_real *b, sp_real *x,
-                                      int32_t cap, sp_real tol)
+                                      int32_t most, sp_real tol)
 {
     const int32_t n = cg->n;
     const sp_real enough = tol * tol * sp__inner(b, b, n);
     apply(what, x, cg->md);
     for (int32_t i = 0; i < n; i++) { cg->r[i] = b[i] - cg->md[i]; cg->d[i] = cg->inverse[i] * cg->r[i]; }
     sp_real rho = sp__cg_norm(cg);
-    for (int32_t step = 0; step < cap; step++) {
+    for (int32_t step = 0; step < most; step++) {
         if (!(sp__inner(cg->r, cg->r, n) > enough) || !(rho > 0)) return step;
         apply(what, cg->d, cg->md);
         const sp_real curvature = sp__inner(cg->d, cg->md, n);
@@ -62,7 +62,7 @@ SP__NOINLINE static int32_t sp__cg_solve(const sp__cg *cg, sp__apply apply, cons
         for (int32_t i = 0; i < n; i++) cg->d[i] = cg->inverse[i] * cg->r[i] + beta * cg->d[i];
         rho = next;
     }
-    return cap;
+    return most;
 }
 
 #endif

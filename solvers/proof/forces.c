@@ -30,7 +30,7 @@ static void sp__certifier_admit(const sp__certifier *j, const sp_contact *t, con
     out[1] = f[1] * share;
     out[2] = f[2] * share;
     const sp_real size = sp__norm3(out);
-    if (size > j->cap) sp__scale3(j->cap / size, out, out);
+    if (size > j->force_cap) sp__scale3(j->force_cap / size, out, out);
 }
 
 /* Imbalance of a force state. Every force is first made admissible; the imbalance is then the largest of |r_i| / s_i
@@ -42,7 +42,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
     sp__certifier_load_rows(j);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        j->cap = sp__certifier_cap(j, t);
+        j->force_cap = sp__certifier_force_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
             for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
@@ -174,7 +174,7 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
     *final = 1;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        const sp_real cap = sp__certifier_cap(j, t);
+        const sp_real cap = sp__certifier_force_cap(j, t);
         const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];

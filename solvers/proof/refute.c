@@ -134,7 +134,7 @@ static void sp__refute_forces(sp__refute *w)
     }
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
-        w->most[v] = sp__certifier_cap(j, t);
+        w->most[v] = sp__certifier_force_cap(j, t);
         w->total += w->most[v];
         w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
         w->slack_of_work += 2 * w->any_friction[v] * w->k->eta;

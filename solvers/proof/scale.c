@@ -26,7 +26,7 @@ typedef struct sp__scale {
     sp_real load, couple;               /* |force|, |moment| of the load */
     sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
     sp_real s, S;                       /* sbar, Sbar */
-    sp_real cap;                        /* sbar that bounds the forces of its contacts */
+    sp_real force_cap;                  /* sbar that bounds the forces of its contacts */
     sp_real known;                      /* 1: f0 balances this block */
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
@@ -46,7 +46,7 @@ typedef struct sp__certifier {
     sp_real *x, *e, *r, *p, *q, *g;     /* 6b each: potential of f0 in two parts, residual, direction, G p, G r */
     sp_real unit;                       /* of force [N]; everything below is counted in it */
     sp_real total;                      /* sum of |load| */
-    sp_real cap;                        /* of the contact at hand */
+    sp_real force_cap;                  /* c_v of the contact at hand */
     sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
     int32_t most;                       /* passes that the scales may take; 0: scales of the loads alone */
@@ -324,9 +324,9 @@ static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         if (!j->most) s->known = 1;
-        s->cap = s->load + s->f0;
+        s->force_cap = s->load + s->f0;
         if (s->known < 1) {
-            s->cap = settled ? s->cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
+            s->force_cap = settled ? s->force_cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
             s->f0 = s->load;
             s->m0 = s->load * s->arm;
         }
@@ -336,9 +336,9 @@ static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
 }
 
 /* c_v, the largest force at a vertex of a contact that a proof counts with. */
-static sp_real sp__certifier_cap(const sp__certifier *j, const sp_contact *t)
+static sp_real sp__certifier_force_cap(const sp__certifier *j, const sp_contact *t)
 {
-    return j->set->force_bound * sp__lesser(t, &j->scale->cap, sizeof *j->scale / sizeof j->scale->cap);
+    return j->set->force_bound * sp__lesser(t, &j->scale->force_cap, sizeof *j->scale / sizeof j->scale->force_cap);
 }
 
 /* Strength of a vertex in units; none where the joint has none. */

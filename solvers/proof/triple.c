@@ -156,7 +156,7 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__leng
         const sp_contact *t = &pb->contact[c];
         const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
-        j->cap = sp__certifier_cap(j, t);
+        j->force_cap = sp__certifier_force_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], d[3];
             for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;

@@ -114,14 +114,14 @@ SP__NOINLINE static sp_real sp__auglag_stride(sp__qp *w, sp_real r)
 }
 
 /* X, Y to x, y; the iterate is not needed any more once they are good enough. */
-static void sp__auglag_keep(sp__qp *w)
+static void sp__auglag_save(sp__qp *w)
 {
     for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->X[j];
     for (int32_t i = 0; i < w->qp.m; i++) w->y[i] = w->Y[i];
 }
 
 /* The point that was kept into X, Y.     returns 1, 0: none was */
-static int sp__auglag_kept(sp__qp *w, const sp__auglag *g)
+static int sp__auglag_restore(sp__qp *w, const sp__auglag *g)
 {
     if (!(g->best < SP__NEVER)) return 0;
     for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = w->x[j];
@@ -137,7 +137,7 @@ static int sp__auglag_round(sp__qp *w, sp__auglag *g, sp_real off)
     sp__qp_residuals(w, NULL);
     if (!(w->residual.off < SP__NEVER)) return 1;
     if (w->residual.off <= off && w->residual.off < (sp_real)0.5 * g->best) {
-        sp__auglag_keep(w);
+        sp__auglag_save(w);
         g->best = w->residual.off;
         if (w->residual.off <= (sp_real)1e-8 * off) return 1;
     } else if (g->best < SP__NEVER && ++g->vain > SP__AUGLAG_VAIN) return 1;
@@ -182,9 +182,9 @@ SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;
         sp__qp_dual(w, NULL, &dual);
-        if (!sp__finite(dual.r)) return sp__auglag_kept(w, &g);
+        if (!sp__finite(dual.r)) return sp__auglag_restore(w, &g);
         if (sp__rest_relative(&dual) <= g.tol || (g.full && !g.moved)) {
-            if (sp__auglag_round(w, &g, off)) return sp__auglag_kept(w, &g);
+            if (sp__auglag_round(w, &g, off)) return sp__auglag_restore(w, &g);
             continue;
         }
         sp__auglag_direction(w, &g);
@@ -193,7 +193,7 @@ SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
         g.idle = g.moved || g.t > SP__AUGLAG_LITTLE ? 0 : g.idle + 1;
         for (int32_t j = 0; j < w->qp.n; j++) w->X[j] += g.t * w->xc[j];
     }
-    if (sp__auglag_kept(w, &g)) return 1;
+    if (sp__auglag_restore(w, &g)) return 1;
     sp__auglag_hand_back(w, &g, before);
     return 0;
 }

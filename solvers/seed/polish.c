@@ -42,7 +42,7 @@ SP__NOINLINE static void sp__polish_round(sp__system *w, const sp_real *y, sp_re
 }
 
 /* A round and its imbalance. keep (NULL: not on a budget) gets the forces of the least imbalance as proof/ measures it. */
-SP__NOINLINE static sp_real sp__polish_look(sp__system *w, sp_real *f, sp_real *keep, sp_real *best)
+SP__NOINLINE static sp_real sp__polish_measure(sp__system *w, sp_real *f, sp_real *keep, sp_real *best)
 {
     if (keep) sp__carry_begin(w);
     sp__polish_round(w, w->y, f, w->r);
@@ -76,18 +76,18 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     state->reason = SP_REASON_BUDGET;
     sp__system_bilateral(w);
     if (w->budget.spent) return SP_OK;
-    if (!set->seed) sp__bilateral_keep(w, state);
+    if (!set->seed) sp__bilateral_write_y0(w, state);
     sp__system_sizes(w, w->y);
     if (set->seed) sp__system_forces(w, SP__BILATERAL, w->y, state);
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
     if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
     memset(state->f, 0, size * sizeof *state->f);
-    sp_real imbalance = sp__polish_look(w, state->f, keep, &best), last = imbalance;
+    sp_real imbalance = sp__polish_measure(w, state->f, keep, &best), last = imbalance;
     if (w->budget.spent) return SP_OK;
     for (int round = 1; imbalance > goal && round <= seed->rounds; round++) {
         sp__system_solve(w, w->r, w->y);
         for (size_t k = 0; k < n; k++) w->y[k] = -w->y[k];
-        const sp_real now = sp__polish_look(w, state->f, keep, &best);
+        const sp_real now = sp__polish_measure(w, state->f, keep, &best);
         if (w->budget.spent) break;
         imbalance = now;
         state->cost.iterations++;

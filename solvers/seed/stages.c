@@ -43,7 +43,7 @@ static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set,
     state->reason = SP_REASON_BUDGET;
     sp__system_bilateral(w);
     if (w->budget.spent) return SP_OK;
-    if (form != SP__METRIC) sp__bilateral_keep(w, state);
+    if (form != SP__METRIC) sp__bilateral_write_y0(w, state);
     sp__system_forces(w, SP__BILATERAL, w->y, state);
     if (w->budget.spent) return SP_OK;
     state->reason = SP_REASON_STAGES;

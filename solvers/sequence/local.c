@@ -120,7 +120,7 @@ SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
     int certified = 1;
     for (int32_t k = 0; k < c->pb.contacts; k++) {
         const sp_contact *t = &c->pb.contact[k];
-        q->certificate.cap = q->set.force_bound * sp__contact_least_load(q, t);
+        q->certificate.force_cap = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
             sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(t->point + v), g);

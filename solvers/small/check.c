@@ -169,7 +169,7 @@ SP__NOINLINE static void sp__small_sweep(sp__small *w, const sp_real *y, sp__wan
     if (want & SP__HESSIAN) memset(w->H, 0, (size_t)(w->row[n - 1] + n) * sizeof *w->H);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
-        w->S = w->metric > 0 ? w->metric * sp__certifier_cap(&w->j, t) : 1;
+        w->S = w->metric > 0 ? w->metric * sp__certifier_force_cap(&w->j, t) : 1;
         if (!(w->S > 0)) w->S = 1;
         w->side[0] = t->a < t->b ? t->a : t->b;
         w->side[1] = t->a < t->b ? t->b : t->a;
@@ -212,7 +212,7 @@ SP__NOINLINE static void sp__small_try(sp__small *w, const sp_real *y)
 }
 
 /* Do the forces of the last sweep balance? */
-static void sp__small_look(sp__small *w)
+static void sp__small_measure(sp__small *w)
 {
     sp_result *r = w->to;
     for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
@@ -272,7 +272,7 @@ SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
     }
     if (!sp__certifier_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
-        const sp_real cap = sp__certifier_cap(&w->j, &w->pb->contact[c]);
+        const sp_real cap = sp__certifier_force_cap(&w->j, &w->pb->contact[c]);
         if (cap < least) least = cap;
         if (cap > most) most = cap;
     }
@@ -302,7 +302,7 @@ SP__NOINLINE static sp_real sp__small_move(sp__small *w)
         else if (s > 1000) break;
         else s *= 4;
     }
-    sp__small_look(w);
+    sp__small_measure(w);
     return s;
 }
 
@@ -328,7 +328,7 @@ SP__NOINLINE static sp_real sp__small_step(sp__small *w, sp_real shift)
     return s;
 }
 
-static int sp__small_open(const sp__small *w) { return w->left > 0 && !w->to->verdict; }
+static int sp__small_undecided(const sp__small *w) { return w->left > 0 && !w->to->verdict; }
 
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
 static void sp__small_plain(sp__small *w)
@@ -336,7 +336,7 @@ static void sp__small_plain(sp__small *w)
     sp_real shift = SP__SHIFT;
     w->prox = 0;
     w->stalled = 0;
-    for (int it = 0, tiny = 0; it < 12 && sp__small_open(w) && tiny < 2; it++) {
+    for (int it = 0, tiny = 0; it < 12 && sp__small_undecided(w) && tiny < 2; it++) {
         const sp_real s = sp__small_step(w, shift);
         if (s < (sp_real)0.03) { tiny++; shift = shift * 1000 < 1 ? shift * 1000 : 1; }
         if (s > (sp_real)0.5) shift = sp__max(SP__SHIFT, shift / 100);
@@ -350,7 +350,7 @@ SP__NOINLINE static void sp__small_path(sp__small *w)
     sp_real level = SP__HUGE;
     for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->y[k] = 0;
     w->prox = (sp_real)0.1;
-    for (int extra = 8; extra > 0 && sp__small_open(w); ) {
+    for (int extra = 8; extra > 0 && sp__small_undecided(w); ) {
         sp__small_step(w, 0);
         if (w->to->verdict) return;
         if (w->prox <= SP__SHIFT) {
@@ -405,14 +405,14 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
     sp__small_purify(w, w->d);
     if (w->metric > 0) sp__small_bilateral(w);
     sp__small_sweep(w, w->y, SP__GRADIENT);
-    sp__small_look(w);
+    sp__small_measure(w);
     sp__small_plain(w);
     sp__small_path(w);
     sp__small_plain(w);
     sp__small_sharpen(w);
     if (r->verdict != SP_STABLE) {
         sp__small_sweep(w, w->best, SP__GRADIENT);
-        sp__small_look(w);
+        sp__small_measure(w);
         if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
         sp__check_motion(&w->j, r->dq);
     }

@@ -75,7 +75,7 @@ static void sp__system_bilateral(sp__system *w)
 }
 
 /* state->y0 <- unweighted potential of metric 1, [N/m]: f0 = Aeq' (y0 + y0'), in two parts. */
-static void sp__bilateral_keep(sp__system *w, sp_state *state)
+static void sp__bilateral_write_y0(sp__system *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     const sp__reduction *o = sp__reduced(w);
@@ -84,8 +84,8 @@ static void sp__bilateral_keep(sp__system *w, sp_state *state)
         state->y0[k] = w->measure.unit * w->measure.weight[k / 3] * w->y[k];
         state->y0[n + k] = -w->measure.unit * w->measure.weight[k / 3] * w->d[k];
     }
-    sp__reduction_lift(w, state->y0);
-    sp__reduction_lift(w, state->y0 + n);
+    sp__reduction_to_space(w, state->y0);
+    sp__reduction_to_space(w, state->y0 + n);
     state->has_y0 = 1;
 }
 
@@ -105,7 +105,7 @@ SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_
     sp__system *w = sp__system_full(pb, set, SP__LEAST, &state->cost, &arena);
     if (!w) return SP_E_MEMORY;
     sp__system_bilateral(w);
-    sp__bilateral_keep(w, state);
+    sp__bilateral_write_y0(w, state);
     return SP_OK;
 }
 

@@ -41,7 +41,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     if (sp__system_metric(w)) { sp__system_bilateral(w); looked = 0; }
     if (whole) sp__newton_prove(w, n, w->y, state);
     if (looked) sp__newton_record(w, n, state);
-    else sp__newton_look(w, n, state);
+    else sp__newton_measure(w, n, state);
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
     const int cones = SP__WITH_INTERIOR && !sp__problem_strong(w->pb);  /* with strength K is none */
@@ -81,7 +81,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     sp__system_bilateral(w);
     if (w->budget.spent) return SP_OK;
     if (reduction) reduction->spent = 0;
-    sp__bilateral_keep(w, state);
+    sp__bilateral_write_y0(w, state);
     const int looked = sp__reduced(w) && !w->singular;  /* w->r is of this y */
     if (looked && sp__bilateral_admissible(w, state)) {
         sp__reduction_copy_forces(reduction, pb, state->f);
@@ -99,7 +99,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     if (n.proved && set->localise) sp__newton_settle(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
-    sp__reduction_lift(w, state->dq);
+    sp__reduction_to_space(w, state->dq);
     sp__reduction_copy_forces(reduction, pb, state->f);
     if (reduction) reduction->spent = spent;
     *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;

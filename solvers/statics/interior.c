@@ -320,7 +320,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         sp__ipm_step(w, m, state);
         idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }
-    sp__newton_look(w, n, state);
+    sp__newton_measure(w, n, state);
     if (idle == SP__IPM_IDLE) {                         /* y still shows what goes together, roughly */
         memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
         sp__newton_tie(w, n, SP__PLAY_IDLE, state);

@@ -84,7 +84,7 @@ SP__NOINLINE static void sp__reduction_place(sp__system *w, sp_real *m)
 }
 
 /* Motions out of the axes e, of a forest with what goes sideways; in 6 rows there is nothing to do. */
-static void sp__reduction_lift(sp__system *w, sp_real *m)
+static void sp__reduction_to_space(sp__system *w, sp_real *m)
 {
     if (!sp__reduced(w)) return;
     if (w->reduction->forest) sp__reduction_place(w, m);
@@ -93,7 +93,7 @@ static void sp__reduction_lift(sp__system *w, sp_real *m)
 
 #if SP__WITH_LIMIT
 /* Motions into the axes e, planar rows alone; o NULL: nothing to do. */
-static void sp__reduction_drop(const sp__reduction *o, int32_t blocks, sp_real *m)
+static void sp__reduction_from_space(const sp__reduction *o, int32_t blocks, sp_real *m)
 {
     if (!SP__WITH_REDUCTION || !o) return;
     for (int32_t i = 0; i < 2 * blocks; i++, m += 3) {

@@ -25,7 +25,7 @@ static void sp__newton_record(const sp__system *w, sp__newton *n, sp_state *stat
 SP__NOINLINE static void sp__newton_residual(sp__system *w) { sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL); }
 
 /* r and the imbalance of the y at hand. */
-static void sp__newton_look(sp__system *w, sp__newton *n, sp_state *state)
+static void sp__newton_measure(sp__system *w, sp__newton *n, sp_state *state)
 {
     sp__newton_residual(w);
     sp__newton_record(w, n, state);
@@ -130,7 +130,7 @@ SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_stat
     for (int it = 0; it < 4; it++) {
         const sp_real last = n->imbalance;
         sp__newton_correct(w);
-        sp__newton_look(w, n, state);
+        sp__newton_measure(w, n, state);
         if (n->imbalance > last / 10) break;
     }
     memcpy(w->y, state->y, size * sizeof *w->y);
@@ -209,7 +209,7 @@ SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state 
     n->prox = (sp_real)0.1;
     n->shift = 0;
     n->level = SP__HUGE;
-    sp__newton_look(w, n, state);
+    sp__newton_measure(w, n, state);
     for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->imbalance > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
         if (n->prox <= SP__SHIFT) {

@@ -56,7 +56,7 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
     if (w->budget.spent) return SP_OK;
     sp__system_sizes(w, w->y);
     if (sp__system_metric(w)) sp__system_bilateral(w);
-    sp__newton_look(w, &n, state);
+    sp__newton_measure(w, &n, state);
     n.shift = SP__SHIFT;
     while (sp__newton_left(w, &n) && n.imbalance > n.goal) sp__newton_step(w, &n, state);
     if (n.imbalance <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a stone that touches nothing */

@@ -16,7 +16,7 @@ floors='base linear qp geometry cone scene contacts proof statics seed coupled c
 
 # What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
 offered='sp__certifier sp__scale sp__certifier_need sp__certifier_carve sp__certifier_open sp__certifier_begin sp__certifier_scales
- sp__certifier_cone sp__certifier_load sp__certifier_cap sp__certify_forces sp__certify_mechanism sp__certify_motion
+ sp__certifier_cone sp__certifier_load sp__certifier_force_cap sp__certify_forces sp__certify_mechanism sp__certify_motion
  sp__certify_rest sp__certifier_admit sp__certify_coupled sp__certifier_remove_spin sp__certify_refutation sp__check_motion
  sp__verify_motion sp__lengths sp__coupled_lengths sp__refute sp__refute_need sp__budget_sweeps SP__FLOPS_CERTIFICATE
  SP__COUPLED_TOL SP__GIVE SP__SLIP SP__PROOF_DEPTH'

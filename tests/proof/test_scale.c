@@ -64,8 +64,8 @@ TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
             CHECK_NEAR(s->s, 2, TOL(1e-9, 1e-4));
             CHECK_NEAR(s->arm, arm, TOL(1e-12, 1e-6));
             CHECK_NEAR(s->S, side[q] / sqrt(2.0) + slack, TOL(1e-9, 1e-4));
-            CHECK_NEAR(s->cap, 2, TOL(1e-9, 1e-4));
-            CHECK_NEAR(sp__certifier_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
+            CHECK_NEAR(s->force_cap, 2, TOL(1e-9, 1e-4));
+            CHECK_NEAR(sp__certifier_force_cap(&o.j, o.pb.contact), 200, TOL(1e-9, 1e-4));
             test_arena = mark;
         }
 }
@@ -84,7 +84,7 @@ TEST(hint_changes_no_scale)
         NEED(judge(&o, hint));
         CHECK_NEAR(o.j.scale[0].s, own.s, TOL(1e-8, 1e-3));
         CHECK_NEAR(o.j.scale[0].S, own.S, TOL(1e-8, 1e-3));
-        CHECK_NEAR(o.j.scale[0].cap, own.cap, TOL(1e-8, 1e-3));
+        CHECK_NEAR(o.j.scale[0].force_cap, own.force_cap, TOL(1e-8, 1e-3));
     }
 }
 
@@ -101,7 +101,7 @@ TEST(admitted_force_is_in_the_cone)
         o.set.inscribed = q % 2;
         NEED(judge(&o, NULL));
         const sp_contact *t = o.pb.contact;
-        o.j.cap = 50;
+        o.j.force_cap = 50;
         for (int k = 0; k < 500; k++) {
             const sp_real f[3] = { test_random_real(-1, 60), test_random_real(-9, 9), test_random_real(-9, 9) };
             sp_real g[3];
@@ -114,7 +114,7 @@ TEST(admitted_force_is_in_the_cone)
             }
             CHECK(g[0] >= 0);
             CHECK(most <= mu * (double)g[0] + u * 60);
-            CHECK(sp__norm3(g) <= o.j.cap * (1 + R(u)));
+            CHECK(sp__norm3(g) <= o.j.force_cap * (1 + R(u)));
             CHECK_WITHIN(g[1] * f[2] - g[2] * f[1], 0, u * 600);
             CHECK(g[1] * f[1] + g[2] * f[2] >= 0);
             if (f[0] > 0 && f[0] < 40) CHECK_NEAR(g[0], f[0], u);
@@ -136,7 +136,7 @@ TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
         NEED(place(&o, 1, 1, 0.5, 0, 0.7));
         o.set.faces = faces[q];
         NEED(judge(&o, NULL));
-        o.j.cap = 1e6f;
+        o.j.force_cap = 1e6f;
         for (int k = 0; k < 60; k++) {
             const sp_real u[3] = { test_random_real(-1, 1), test_random_real(-1, 1), test_random_real(-1, 1) };
             const double got = (double)sp__certifier_cone_resistance(&o.j, o.pb.contact, u);
