@@ -1,6 +1,6 @@
 /* hard: scenes that try to break the numbers, each with its reason and its truth. Tests and instruments share them.
  *
- * tests/proof/test_attack.c has claims made to mislead and the odd shapes one by one; here every scene is one row, so that it can be
+ * tests/proof has claims made to mislead and the odd shapes one by one; here every scene is one row, so that it can be
  * run in another arithmetic. Made by the public calls; all of it is static, for one file to include.
  */
 #ifndef HARD_H

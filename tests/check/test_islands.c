@@ -1,0 +1,373 @@
+/* Islands: each is checked by itself, and what is said of all follows from each. */
+#include "../scenes/planned.h"
+
+TEST(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
+{
+    for (int k = 0; k < 2; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        s = two("arch", "overhang", "factor", 1.1, k ? other : plain);
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, NULL, &a);
+        int32_t moving = 0;
+        CHECK_INT(r.verdict, SP_UNSTABLE);
+        CHECK_INT(r.reason, SP_REASON_MECHANISM);
+        CHECK_INT(r.islands.count, 2);
+        NEED(r.islands.each && r.islands.of);
+        CHECK_INT(r.islands.each[0].verdict, SP_STABLE);
+        CHECK_INT(r.islands.each[0].reason, SP_REASON_FORCES);
+        CHECK_INT(r.islands.each[1].verdict, SP_UNSTABLE);
+        CHECK_INT(r.islands.each[0].blocks + r.islands.each[1].blocks, r.counts.free_blocks);
+        CHECK_INT(r.islands.of[r.islands.each[1].block], 1);
+        for (int32_t i = 0; i < s.count.blocks; i++) {
+            const sp_real *dq = r.dq + 6 * (size_t)i;
+            int goes = 0;
+            for (int q = 0; q < 6; q++) goes |= dq[q] < 0 || dq[q] > 0;
+            CHECK_INT(r.islands.of[i] < 0, s.block[i].fixed == SP_FIXED);
+            CHECK(!goes || r.islands.of[i] == 1);
+            moving += goes;
+        }
+        CHECK(moving > 0);
+        CHECK_INT(r.effect[SP_EFFECT_TOGETHER], SP_WHY_APART);
+        CHECK_INT(full(&s, NULL, &a).verdict, SP_UNSTABLE);
+    }
+}
+
+TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
+{
+    static const struct { double left, right; sp_verdict verdict[3]; } want[] = {
+        { 0.3, 0.4, { SP_STABLE, SP_STABLE, SP_STABLE } },      { 0.6, 0.4, { SP_UNSTABLE, SP_STABLE, SP_UNSTABLE } },
+        { 0.6, 0.7, { SP_UNSTABLE, SP_UNSTABLE, SP_UNSTABLE } }, { 0.5, 0.4, { SP_UNDECIDED, SP_STABLE, SP_UNDECIDED } },
+        { 0.5, 0.6, { SP_UNDECIDED, SP_UNSTABLE, SP_UNSTABLE } }
+    };
+    for (size_t k = 0; k < sizeof want / sizeof want[0]; k++) {
+        test_arena.used = 0;
+        const sp_scene a = part("two-cubes", "offset", want[k].left, -1), b = part("two-cubes", "offset", want[k].right, -1);
+        sp_scene s = room(4, 2, 8);
+        add(&s, &a, 0, plain);
+        add(&s, &b, 10, plain);
+        sp_arena rest = test_arena;
+        const sp_result r = check(&s, NULL, &rest);
+        NEED(r.islands.each != NULL);
+        for (int q = 0; q < 2; q++)
+            if (want[k].verdict[q] != SP_UNDECIDED) CHECK_INT(r.islands.each[q].verdict, want[k].verdict[q]);
+        if (want[k].verdict[0] != SP_UNDECIDED) CHECK_INT(r.verdict, want[k].verdict[2]);
+        CHECK(r.islands.each[0].verdict != SP_UNSTABLE || r.verdict == SP_UNSTABLE);
+        CHECK_INT(full(&s, NULL, &rest).verdict, r.verdict);
+    }
+}
+
+/* Piles of boxes that touch nothing but what is under them, some off their base. */
+static sp_scene piles(int32_t count, manner m)
+{
+    const sp_real down[3] = { 0, 0, R(-m.length) };
+    sp_scene s = room(1 + 6 * count, 6 * count, 24 * count);
+    for (int k = 0; k < 3; k++) s.gravity[k] *= R(m.length);
+    CHECK_INT(sp_scene_body(&s, 0, down, SP_FIXED, NULL), SP_OK);
+    for (int32_t p = 0; p < count; p++) {
+        const int32_t high = test_random_int(1, 6);
+        double x = 10 * p, y = 0;
+        for (int32_t k = 0, below = 0; k < high; k++) {
+            const double most = p % 3 ? 0.2 : 0.45;
+            const double dx = (double)test_random_real(-most, most), dy = (double)test_random_real(-most, most);
+            const double l = m.length, lo = k ? (dx > 0 ? dx : 0) : 0, hi = k ? (dx > 0 ? 1 : 1 + dx) : 1;
+            const double near = k ? (dy > 0 ? dy : 0) : 0, far = k ? (dy > 0 ? 1 : 1 + dy) : 1;
+            const sp_real foot[12] = { R(l * (x + lo)), R(l * (y + near)), R(l * k), R(l * (x + hi)), R(l * (y + near)), R(l * k),
+                                       R(l * (x + hi)), R(l * (y + far)), R(l * k), R(l * (x + lo)), R(l * (y + far)), R(l * k) };
+            const sp_strength strength = sp_strength_friction(R(0.6));
+            if (k) { x += dx; y += dy; }
+            const sp_real c[3] = { R(l * (x + 0.5)), R(l * (y + 0.5)), R(l * (k + 0.5)) };
+            int32_t id = 0;
+            CHECK_INT(sp_scene_body(&s, R(m.mass * 1000), c, 0, &id), SP_OK);
+            CHECK_INT(sp_scene_joint(&s, below, id, 4, foot, &strength, NULL), SP_OK);
+            below = id;
+        }
+    }
+    return s;
+}
+
+TEST(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
+{
+    int32_t stable = 0, unstable = 0;
+    for (int32_t k = 0; k < 60; k++) {
+        size_t bytes = 0;
+        test_arena.used = 0;
+        sp_scene s = piles(1 + k % 5, k % 2 ? other : plain);
+        if (k % 7 == 0) {
+            const sp_load load = { s.count.blocks - 1, 0, { 0, 0, 0 }, { R(3), 0, R(-50) }, { 0, 0, 0 }, 0 };
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        NEED(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes) == SP_OK);
+        sp_arena exact = test_arena, all = test_arena;
+        exact.base += (exact.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        exact.used = exact.peak = 0;
+        exact.cap = bytes;
+        const sp_arena fresh = exact;
+        sp_result r, other_way;
+        CHECK_INT(sp_check(&s, NULL, &exact, &r), SP_OK);
+        CHECK_INT(r.spent.peak_bytes, bytes);
+        const sp_verdict verdict = r.verdict;
+        exact = fresh;
+        exact.cap = bytes - 1;
+        CHECK_INT(sp_check(&s, NULL, &exact, &other_way), SP_E_MEMORY);
+        CHECK_INT(exact.used, 0);
+        CHECK_INT(full(&s, NULL, &all).verdict, verdict);
+        stable += verdict == SP_STABLE;
+        unstable += verdict == SP_UNSTABLE;
+    }
+    CHECK(stable > 5 && unstable > 5);
+}
+
+TEST(a_coupled_check_of_islands_answers_as_of_the_whole)
+{
+    static const double mu[] = { 0.84, 1.2 };
+    for (int k = 0; k < 2; k++) {
+        test_arena.used = 0;
+        const sp_scene h = part("h-model", NULL, 0, mu[k]), c = part("two-cubes", NULL, 0, -1);
+        sp_scene s = room(h.count.blocks + 2, h.count.joints + 1, h.count.points + 4);
+        sp_settings set = sp_settings_default();
+        add(&s, &h, 0, plain);
+        add(&s, &c, 50, plain);
+        set.coupled.asked = 1;
+        sp_arena a = test_arena;
+        const sp_result r = check(&s, &set, &a), f = full(&s, &set, &a);
+        CHECK_INT(r.islands.count, 2);
+        CHECK_INT(f.islands.count, 1);
+        CHECK_INT(r.coupled.verdict, f.coupled.verdict);
+        CHECK_INT(r.verdict, f.verdict);
+    }
+}
+
+#ifndef SP_NO_CRA
+/* An arena of `bytes` behind what is taken of test_arena. */
+static sp_arena behind(size_t bytes)
+{
+    sp_arena a = test_arena;
+    a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    a.used = a.peak = 0;
+    a.cap = bytes;
+    return a;
+}
+
+TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
+{
+    const sp_scene h = part("h-model", NULL, 0, 0.45);
+    sp_scene s = room(7 * h.count.blocks, 7 * h.count.joints, 7 * h.count.points);
+    sp_settings set = sp_settings_default();
+    sp_evidence e;
+    for (int k = 0; k < 7; k++) add(&s, &h, 20 * k, plain);
+    set.coupled.asked = 1;
+    set.localise = 0;
+    CHECK(s.count.points > SP_EXACT_POINTS);
+    sp_arena a = test_arena;
+    sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.verdict, SP_UNSTABLE);
+    CHECK_INT(r.reason, SP_REASON_NO_MOTION);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+    CHECK(r.coupled.margin > 0 && r.verified);
+    CHECK_INT(r.islands.count, 7);
+    for (int32_t k = 0; k < r.islands.count; k++) {
+        CHECK_INT(r.islands.each[k].verdict, SP_UNSTABLE);
+        CHECK_INT(r.islands.each[k].reason, SP_REASON_NO_MOTION);
+        CHECK_INT(r.islands.each[k].coupling, SP_COUPLING_REFUTED);
+        CHECK_INT(r.islands.each[k].coupling_reason, SP_COUPLING_NO_MOTION);
+    }
+    test_arena = a;
+    a = behind(test_bytes(&s, SP_FOR_VERIFY, NULL));
+    CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+    CHECK_INT(e.verdict, SP_UNSTABLE);
+    CHECK(e.margin > 0);
+    static const int32_t wrong[] = { 0, -1, 8, INT32_MAX };             /* a proof of what it is not of */
+    for (int k = 0; k < 4; k++) {
+        r.coupled.proof.island = wrong[k];
+        CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+        CHECK_INT(e.verdict, SP_STABLE);
+        CHECK(!(e.margin > 0));
+    }
+}
+
+TEST(what_refutes_one_island_is_no_proof_against_another)
+{
+    const sp_scene h = part("h-model", NULL, 0, 0.45), c = part("two-cubes", NULL, 0, -1);
+    sp_scene s = room(2 * h.count.blocks + 4, 2 * h.count.joints + 2, 2 * h.count.points + 8);
+    sp_settings set = sp_settings_default();
+    sp_evidence e;
+    set.coupled.asked = 1;
+    for (int k = 0; k < 2; k++) {
+        add(&s, &c, 50 * k, plain);
+        add(&s, &h, 50 * k + 20, plain);
+    }
+    for (int32_t k = 0; k < 2; k++) s.joint[s.count.joints - 1 - k].strength.mu = R(1.2);      /* the last of them jams */
+    sp_arena a = test_arena;
+    sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.islands.count, 4);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_REFUTED);
+    CHECK_INT(r.coupled.proof.island, 2);
+    for (int32_t k = 0; k < 4; k++) CHECK_INT(r.islands.each[k].verdict, k == 1 ? SP_UNSTABLE : SP_STABLE);
+    for (int32_t k = 1; k <= 4; k++) {
+        r.coupled.proof.island = k;
+        CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
+        CHECK_INT(e.margin > 0, k == 2);
+    }
+}
+
+/* One of several scenes that are coupled, refuted, fall, or hang between. */
+static sp_scene some_part(void)
+{
+    static const struct { const char *name, *param; double from, to, low, high; } kind[] = {
+        { "h-model", NULL, 0, 0, 0.7, 1.2 },            { "two-cubes", "offset", 0, 0.55, 0.6, 0.9 },
+        { "incline", "angle", 0, 50, 0.5, 0.9 },        { "overhang", "factor", 0.8, 1.1, 0.6, 0.6 },
+        { "tower", "lean", 0, 0.1, 0.6, 0.6 },          { "flat-arch", "height", 0.2, 0.6, 0, 0.9 }
+    };
+    const int32_t k = test_random_int(0, 5);
+    sp_scene s;
+    gen_scene g;
+    memset(&s, 0, sizeof s);
+    CHECK_INT(gen_open(&g, kind[k].name), 1);
+    if (kind[k].param) CHECK_INT(gen_set(&g, kind[k].param, (double)test_random_real(kind[k].from, kind[k].to)), 1);
+    if (k > 2) CHECK_INT(gen_set(&g, "n", k == 5 ? 3 : 4), 1);
+    CHECK_INT(gen_set(&g, "mu", (double)test_random_real(kind[k].low, kind[k].high)), 1);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    return s;
+}
+
+/* An island's forces from its first joint on are those of a check of it alone, but for the rounding of a unit. */
+static int same_forces(const sp_result *r, int32_t point, const sp_result *alone, int32_t points)
+{
+    double far = 0, most = 0;
+    for (size_t k = 0; k < 3 * (size_t)points; k++) {
+        far = fmax(far, fabs((double)(r->f[3 * (size_t)point + k] - alone->f[k])));
+        most = fmax(most, fabs((double)alone->f[k]));
+    }
+    return far <= 8 * (double)SP_EPSILON * most;
+}
+
+/* A check in no more than sp_memory tells, exactly that where it localises, and not in a byte less if `tight`. Its arrays stay. */
+static sp_result checked_exactly(const sp_scene *s, const sp_settings *set, int tight)
+{
+    sp_result r = { 0 };
+    size_t bytes = 0;
+    CHECK_INT(sp_memory(s, SP_FOR_CHECK, set, test_arena, &bytes), SP_OK);
+    sp_arena a = behind(bytes);
+    CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
+    if (set->localise) CHECK_INT((int64_t)r.spent.peak_bytes, (int64_t)bytes);
+    CHECK(r.spent.peak_bytes <= bytes);
+    a = behind(r.spent.peak_bytes - 1);
+    if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_E_MEMORY);
+    a = behind(bytes);
+    if (tight) CHECK_INT(sp_check(s, set, &a, &r), SP_OK);
+    CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.joints, s->count.points, 0)
+                   + SP_COUPLED_BYTES(s->count.blocks, s->count.points, 48000));
+    test_arena.used += bytes + SP_ALIGN;
+    return r;
+}
+
+static void claim_holds(const sp_scene *s, const sp_settings *set, const sp_result *r)
+{
+    sp_evidence e;
+    sp_arena scratch = behind(test_bytes(s, SP_FOR_VERIFY, NULL));
+    CHECK_INT(sp_verify(s, set, r, scratch, &e), SP_OK);
+    CHECK(r->verdict == SP_UNDECIDED || e.verdict == r->verdict);
+    CHECK(r->verdict != SP_STABLE || (e.level == SP_COUPLED && r->level == SP_COUPLED));
+}
+
+/* Island q of r, whose contact vertices begin at `first`, against a check of that piece alone.     returns its verdict */
+static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const sp_scene *piece, sp_settings set, int32_t seen[4])
+{
+    const sp_island *p = &r->islands.each[q];
+    sp_scene alone = room(piece->count.blocks, piece->count.joints, piece->count.points);
+    add(&alone, piece, 0, plain);
+    set.coupled.eps = r->coupled.eps;
+    set.coupled.eta = 0;                                /* 100 eps, as of the whole */
+    sp_arena rest = test_arena;
+    const sp_result o = check(&alone, &set, &rest);
+    CHECK_INT(p->verdict, o.verdict);
+    CHECK_INT(p->reason, o.reason);
+    CHECK_INT(p->coupling, o.coupled.verdict);
+    CHECK_INT(p->coupling_reason, o.coupled.reason);
+    if (o.coupled.verdict == SP_COUPLING_COUPLED) CHECK(same_forces(r, first, &o, alone.count.points));
+    seen[o.coupled.verdict]++;
+    return o.verdict;
+}
+
+TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
+{
+    int32_t coupled = 0, refuted = 0, open = 0, whole = 0, beyond = 0, seen[4] = { 0, 0, 0, 0 };
+    for (int32_t k = 0; k < SOME_OF(24, 12); k++) {
+        sp_scene piece[5], s;
+        const int32_t pieces = test_random_int(2, 5);
+        int32_t blocks = 0, joints = 0, points = 0;
+        sp_settings set = sp_settings_default();
+        test_arena.used = 0;
+        for (int32_t q = 0; q < pieces; q++) {
+            piece[q] = some_part();
+            blocks += piece[q].count.blocks; joints += piece[q].count.joints; points += piece[q].count.points;
+        }
+        s = room(blocks, joints, points);
+        for (int32_t q = 0; q < pieces; q++) add(&s, &piece[q], 0, plain);
+        set.coupled.asked = 1;
+        set.localise = k % 3 != 0;
+        const sp_result r = checked_exactly(&s, &set, k < 3);
+        NEED(r.islands.count == pieces);
+        claim_holds(&s, &set, &r);
+        sp_verdict worst = SP_STABLE;
+        for (int32_t q = 0, first = 0; q < pieces; first += piece[q].count.points, q++) {
+            const sp_verdict alone = as_alone(&r, q, first, &piece[q], set, seen);
+            if (alone == SP_UNSTABLE || worst == SP_STABLE) worst = alone;
+        }
+        CHECK_INT(r.verdict, worst);
+        coupled += r.verdict == SP_STABLE;
+        refuted += r.reason == SP_REASON_NO_MOTION;
+        open += r.verdict == SP_UNDECIDED;
+        if (k >= SOME_OF(8, 3)) continue;
+        sp_arena rest = test_arena;
+        set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
+        set.coupled.nodes = 1000;
+        set.localise = 0;
+        const sp_result f = check(&s, &set, &rest);
+        CHECK_INT(f.islands.count, 1);
+        CHECK(f.verdict == r.verdict || f.verdict == SP_UNDECIDED);
+        whole++;
+        beyond += f.verdict != r.verdict;
+    }
+    TEST_PRINT("    %ld coupled, %ld refuted, %ld open; of %ld asked of the whole %ld are decided by islands only\n", (long)coupled,
+               (long)refuted, (long)open, (long)whole, (long)beyond);
+    CHECK(coupled > SOME_OF(5, 1) && refuted > SOME_OF(2, 0) && beyond < whole);
+    CHECK(seen[SP_COUPLING_COUPLED] > SOME_OF(20, 9) && seen[SP_COUPLING_REFUTED] > SOME_OF(TOL(20, 5), TOL(5, 1)));
+}
+#endif
+
+TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
+{
+    const sp_real low[3] = { 0, 0, R(-1) }, high[3] = { R(1), 0, R(-1) };
+    const sp_real side[12] = { R(0.5), 0, R(-2), R(0.5), R(1), R(-2), R(0.5), R(1), 0, R(0.5), 0, 0 };
+    const sp_strength strength = sp_strength_friction(R(0.6));
+    sp_scene s = room(4, 3, 12);
+    CHECK_INT(sp_scene_body(&s, 0, low, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, high, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, side, &strength, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const sp_real c[3] = { R(k), 0, R(0.5) };
+        const sp_real foot[12] = { R(k - 0.4), R(-0.4), 0, R(k + 0.4), R(-0.4), 0, R(k + 0.4), R(0.4), 0, R(k - 0.4), R(0.4), 0 };
+        CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, 0, 2 + k, 4, foot, &strength, NULL), SP_OK);
+    }
+    sp_arena a = test_arena;
+    const sp_result r = check(&s, NULL, &a);
+    CHECK_INT(r.verdict, SP_STABLE);
+    CHECK_INT(r.islands.count, 2);
+    CHECK_INT(r.counts.joints, 2);
+}
+
+TEST_LIST(islands)
+    RUN(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
+    RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
+    RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
+    RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
+#ifndef SP_NO_CRA
+    RUN(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
+    RUN(what_refutes_one_island_is_no_proof_against_another)
+    RUN(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
+#endif
+    RUN(supports_join_nothing_and_contacts_between_them_take_no_part)
+TEST_END
