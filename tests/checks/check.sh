@@ -22,7 +22,7 @@ host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
  -Wwrite-strings -Werror'
 all=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
 core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')      # these need no program
-quick=$(echo "$core" | grep -vxE 'budget|coupled|exact|hard|limit|plan|sequence|settle')       # a fifth of the time of all
+quick=$(echo "$core" | grep -vxE 'budget|coupled|exact|hard|islands|limit|plan|sequence|settle|spared')       # a fifth of the time of all
 stems() { for st in "$@"; do printf 'X(%s) ' "$st"; done; }
 suite_c() { for sc in "$@"; do ls tests/*/test_"$sc".c; done | tr '\n' ' '; }
 host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
@@ -86,7 +86,7 @@ tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$C
 check_switches() {
     no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
     no_ipm=$(echo "$core" | grep -vx limit)
-    no_plan=$(echo "$core" | grep -vxE 'plan|map')
+    no_plan=$(echo "$core" | grep -vxE 'plan|map|spared')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
@@ -106,18 +106,18 @@ check_switches() {
     done
     for sw_real in '' -DSP_REAL_FLOAT; do
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' -DSP_QP_ONLY $sw_real
-        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene contacts matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
+        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene mesh joint contacts matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
     done
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
     # In double all, in float those near what is left out.
     count "tests, SP_NO_QP" tests_without "$no_qp" -DSP_NO_QP
-    count "tests, SP_NO_QP, float" tests_without 'admm stages fence coupled' -DSP_NO_QP -DSP_REAL_FLOAT
+    count "tests, SP_NO_QP, float" tests_without 'admm stages custom fence coupled alternation' -DSP_NO_QP -DSP_REAL_FLOAT
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
-    count "tests, SP_NO_IPM, float" tests_without 'stages closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
+    count "tests, SP_NO_IPM, float" tests_without 'stages custom settings closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
     count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
     count "tests, SP_NO_PLAN, float" tests_without 'limit memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA
-    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA, float" tests_without 'admm dykstra qp stages' -DSP_NO_ADMM -DSP_NO_DYKSTRA -DSP_REAL_FLOAT
+    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA, float" tests_without 'admm dykstra qp stages custom settings alternation' -DSP_NO_ADMM -DSP_NO_DYKSTRA -DSP_REAL_FLOAT
 }
 check_combinations() { count "switches, alone and in pairs, three ways" sh tests/checks/switches.sh; }
 check_warnings() {
