@@ -51,7 +51,7 @@ SP_API sp_settings sp_settings_seed(void)
 /* Settings that follow from rounding and the scene.
  *
  *     force_bound   min(1e6, tol / (10 u)): larger forces round to more than tol. A finer tol brings it down no further than
- *                   SP__FORCES_LEAST: a proof below that says nothing of what stands.
+ *                   SP__FORCES_LEAST: a scene that stands may need forces of that size, so a smaller bound would prove nothing.
  *     tol           within it a block may miss balance sideways by tol of its forces, where friction holds mu of them: an
  *                   eighth of the least mu at most, or a cube on a slope of 2 mu would stand. */
 static void sp__settings_fit(const sp_scene *scene, sp_settings *s)

@@ -79,7 +79,7 @@ static void sp__cone_frame(const sp__cone *k, const sp_real u[3], sp__foot *o)
     if (o->b < 0) { o->b = -o->b; o->side = -1; }
 }
 
-/* Of the set with strength, from the frame of u: where is its foot? A true cone has b = tan(pi/K) = 0. */
+/* Foot of u on the set with strength, in the frame of u. A true cone has b = tan(pi/K) = 0. */
 static void sp__yield_foot(const sp__cone *k, const sp__yield *y, sp_real x, sp__foot *o)
 {
     const sp_real mu = y->mu, e = mu * k->tan_half, at = x < -y->T ? -y->T : x > y->N ? y->N : x;

@@ -8,7 +8,7 @@
 #include "patch.c"
 #include "small_patch.c"
 
-/* Nothing of a closed block beyond a face of it? */
+/* Is the block closed and convex, no corner of it in front of any of its faces? */
 static int sp__touch_convex(const sp__touch *t, const sp__body *body)
 {
     const sp_block *k = &t->scene->block[t->own.block];

@@ -69,8 +69,8 @@ static void sp__pair_buffer_carve(sp__pair_buffer *p, const sp__top_sizes *most,
     p->rank = sp__take(a, (size_t)room, sizeof *p->rank);
 }
 
-/* Before the patches are known: a block has no more of them than faces, and no more edges than corners. Of a closed block one
- * patch has at most half of these, because their opposites bound others. */
+/* The most there can be before the patches are known: a block has no more patches than faces, and no more edges than corners.
+ * A patch of a closed block has at most half of its edges, because their opposites bound other patches. */
 static void sp__top_sizes_guess(sp__top_sizes *most, const sp_scene *scene)
 {
     memset(most, 0, sizeof *most);

@@ -6,7 +6,7 @@
 
 #if SP__WITH_SMALL
 
-/* Everything: of a pair there are never more than two faces at once, and the hull of what some of them share. */
+/* All arrays of the search. A pair never needs more than two faces at once and the hull of what they share. */
 static void sp__touch_carve(sp__contact_arrays *l, sp__clip *clip, sp__pair_buffer *pair, const sp_scene *scene, sp_arena *a)
 {
     const sp_capacity *n = &scene->count;

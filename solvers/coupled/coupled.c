@@ -40,16 +40,18 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
 
 /* No triple was found: is there none? With mu = 0 this is one linear program that decides either way: ft = 0, alpha = 0, and what is left is
  * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
- * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that programme, |d| <= eta among its rows. */
+ * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that program, |d| <= eta among its rows. */
 SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     int frictionless = 1;
     for (int32_t q = 0; q < c->pb->contacts; q++) if (c->pb->contact[q].joint->strength.mu > 0) frictionless = 0;
-    const int same = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;   /* float needs it */
-    if (same) sp__coupled_scales(c, NULL);              /* rounding of the search before must not change its tree */
+    /* scales anew, without a hint, so that rounding of the search before cannot change the tree; float keeps the hint, for
+     * without it fewer scenes are refuted */
+    const int anew = sizeof(sp_real) == 8 && c->set->budget <= 0 && sp__branch_need(c->pb, c->set) > 0;
+    if (anew) sp__coupled_scales(c, NULL);
     sp__triple *t = frictionless ? &c->offer.t : NULL;
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, t, a, c->out);
-    if (same) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
+    if (anew) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
     if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
     c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
     c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
@@ -149,7 +151,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     if (sp__failed(a)) return SP_E_MEMORY;
     sp__certifier_begin(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sp__budget_sweeps(set, pb, state->left));
     const size_t mark = a->used;
-    sp__take(a, 1, sp__branch_need(pb, set));           /* whoever finds one: the same memory */
+    sp__take(a, 1, sp__branch_need(pb, set));           /* for the decision, so that the peak depends on no method's success */
     if (sp__failed(a)) return SP_E_MEMORY;
     a->used = mark;
     c->pb = pb;

@@ -16,12 +16,12 @@
  *     2          engaged                       dn = -g
  *     4..7       engaged, slip in a quarter    dt and -ft both between the ends a, b of the sector; 2s and 2s + 1 halve s
  * All states are covered by 1 and 2; 2 by 4..7; s by 2s and 2s + 1. Whatever the states, p.dq = -f.d = g sum fn - sum ft.dt
- * (virtual work), so g sum fn <= p . dq joins f and dq. A node is one linear programme over (f, dq); where it has no point, its
+ * (virtual work), so g sum fn <= p . dq joins f and dq. A node is one linear program over (f, dq); where it has no point, its
  * Farkas vector is kept. Where its point meets all conditions, no finer state would exclude it, and the search ends.
  */
 #define SP__BRANCH_DEEP (1 << 24)       /* a sector of this state is not halved any more: 4e-7 rad */
 
-/* Rows of the programme: 6b of balance, one of work, then of every vertex: */
+/* Rows of the program: 6b of balance, one of work, then of every vertex: */
 enum {
     SP__ROW_GAP,                        /* dn */
     SP__ROW_SLIP,                       /* 4: dt along 0, 45, 90, 135 degrees of (t1, t2) */
@@ -48,14 +48,14 @@ typedef struct sp__branch {
     int32_t *contact, *at;              /* V: contact and point of the scene */
     sp_real (*d)[3][12];                /* V: rows n, t1, t2 of Aeq' on the motions of b and a, rotations times arm */
     sp_real *mu, *size;                 /* V: friction in force; force of one unit of f [unit] */
-    int32_t *state, *loaded;            /* V: of the node; in the programme */
+    int32_t *state, *loaded;            /* V: of the node; in the program */
     sp__frame *stack;
     int32_t depth;
     sp_proof *proof;
     int32_t nodes, entries;             /* the proof has room for */
 } sp__branch;
 
-/* Entries of the programme's rows: balance 18 a vertex and side, work, 8 rows of motion, 13 x 3 of force. */
+/* Entries of the program's rows: balance 18 a vertex and side, work, 8 rows of motion, 13 x 3 of force. */
 static int32_t sp__branch_entries(const sp_problem *pb)
 {
     int32_t sides = 0, points = 0;
@@ -113,7 +113,7 @@ static int32_t sp__sector_face(int32_t state, int32_t K)
     return (int32_t)((K * (2 * (2 * i + 1) + turn) + turn) / (2 * turn) % K);
 }
 
-/* Row `row` of the programme gets values: x n + y t1 + z t2 of the motion at vertex v. */
+/* Row `row` of the program gets values: x n + y t1 + z t2 of the motion at vertex v. */
 static void sp__branch_motion_row(sp__branch *s, int32_t v, int32_t row, sp_real x, sp_real y, sp_real z)
 {
     sp_real *to = s->lp.value + s->lp.start[row];
@@ -176,7 +176,7 @@ SP__NOINLINE static void sp__branch_sector(sp__branch *s, int32_t v, int32_t sta
     sp__branch_near(s, v, state, a, m, b);
 }
 
-/* The programme's rows of vertex v for a state. */
+/* The program's rows of vertex v for a state. */
 static void sp__branch_load(sp__branch *s, int32_t v, int32_t state)
 {
     const int32_t gap = sp__branch_row(s, v, SP__ROW_GAP), f = s->lp.m + 3 * v;
@@ -305,7 +305,7 @@ static void sp__branch_fixed(sp__branch *s, int32_t v, int32_t *e)
     }
 }
 
-/* The root programme. */
+/* The root program. */
 SP__NOINLINE static void sp__branch_make(sp__branch *s)
 {
     const sp_problem *pb = s->pb;
@@ -332,7 +332,7 @@ SP__NOINLINE static void sp__branch_make(sp__branch *s)
     sp__lp_start(&s->lp);
 }
 
-/* d of vertex v at the programme's point. */
+/* d of vertex v at the program's point. */
 static void sp__branch_rate(const sp__branch *s, int32_t v, sp_real d[3])
 {
     const int32_t row = sp__branch_row(s, v, SP__ROW_GAP);
@@ -517,7 +517,7 @@ static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
 
 typedef struct sp__triple { sp_real *f, *dq, *alpha; } sp__triple;      /* 3 x points, 6b, points [N; m, 1; N/m] */
 
-/* fn and dq of the programme's point. */
+/* fn and dq of the program's point. */
 static void sp__branch_point(const sp__branch *s, const sp__triple *t)
 {
     memset(t->f, 0, 3 * (size_t)s->pb->points * sizeof *t->f);

@@ -27,7 +27,7 @@ typedef struct sp__engine {
     sp__homogeneous h;
 } sp__engine;
 
-/* Its arrays; `rows` as of the small engine.       returns 0: no memory */
+/* Arrays of the engine; `rows` is for the small engine only.       returns 0: no memory */
 static int sp__engine_carve(sp__engine *g, const sp_problem *pb, sp_arena *rows, sp_arena *a)
 {
     const size_t blocks = (size_t)pb->blocks;
@@ -56,7 +56,7 @@ static int64_t sp__engine_flops(const sp__bracket *b)
     return b->limit - b->cost.flops - 80 * SP__FLOPS_CERTIFICATE * (int64_t)b->pb.points;
 }
 
-/* May it be asked again? */
+/* May the engine be asked again? */
 static int sp__engine_left(const sp__engine *g, const sp__bracket *b) { return g->n.left > 0 && sp__engine_flops(b) > 0; }
 
 /* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
@@ -130,8 +130,8 @@ static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
     return *beyond || sp__bracket_falls(b, lambda, 0, NULL);
 }
 
-/* Of forces f that carry a large multiple lambda little is due to dead loads. Do they balance the live loads alone without what is
- * so small?     returns 1: f does */
+/* Forces f carry a large multiple lambda, so dead loads have a small share in them. Do they balance the live loads alone
+ * once the tiny ones are dropped?     returns 1: f does */
 SP__NOINLINE static int sp__engine_unbounded(sp__bracket *b, sp_real *f, sp_real lambda, sp_real ref)
 {
     sp__drop_tiny_forces(f, b->pb.points, 100 * ref / lambda);

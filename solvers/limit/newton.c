@@ -30,7 +30,7 @@ typedef struct sp__limit {
 #define SP__LIMIT_STEP 4
 #endif
 
-/* The engine at d dead + a live.       returns what it claims; bracket.dq, or f, says it */
+/* Asks the engine at d dead + a live.       returns what it claims; its motion is in bracket.dq, its forces in f */
 static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real a, sp_real *f)
 {
     return sp__engine_ask(&L->engine, &L->bracket, d, a * L->ref, f);

@@ -27,7 +27,7 @@ typedef struct sp__engine {
     sp_result at;                       /* of the search at hand */
 } sp__engine;
 
-/* Its arrays; rows of the factor in `rows`, the same arena or scratch where `a` only counts.       returns 0: no memory */
+/* Arrays of the engine; rows of the factor in `rows`, which is `a`, or scratch where `a` only counts.       returns 0: no memory */
 static int sp__engine_carve(sp__engine *g, const sp_problem *pb, sp_arena *rows, sp_arena *a)
 {
     g->at.dq = sp__take(a, (size_t)pb->scene->count.blocks, 6 * sizeof *g->at.dq);
@@ -71,7 +71,7 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     return g->at.verdict;
 }
 
-/* Its verdict is certified already. */
+/* The smallest search certifies its verdict itself. */
 static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
 {
     (void)lambda;

@@ -248,7 +248,7 @@ SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *p
 }
 
 #ifndef SP_SMALL
-/* Sweeps the certificate check may take for the scales out of so many flops. */
+/* How many sweeps the certificate check may take to find the scales, out of a budget of flops. */
 static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
 {
     if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
@@ -273,7 +273,7 @@ static void sp__check_motion(const sp__certifier *j, sp_real *dq)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-/* The motion of the free blocks out of a claim's. */
+/* Takes the motion of the free blocks out of that of all blocks in a result. */
 static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
 {
     for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);

@@ -255,7 +255,7 @@ SP__NOINLINE static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row,
     return 1;
 }
 
-/* One multiplier.     returns 0: the proof is none */
+/* Adds one multiplier's row.     returns 0: it is not admissible, so the tree proves nothing */
 static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
 {
     const int32_t n = 6 * w->j->pb->blocks;

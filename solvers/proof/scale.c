@@ -31,7 +31,8 @@ typedef struct sp__scale {
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
 
-/* Numbers only: sp__lesser walks through it in steps of whole numbers, and i386 aligns a double to half of one. */
+/* sp__scale holds numbers only, because sp__lesser steps through an array of them by whole numbers; i386 would align a double
+ * to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
 #define SP__FLOPS_CERTIFICATE 90    /* a vertex in a sweep; scales take 2 sweeps or more, forces or a triple 1, a motion 7 */

@@ -147,7 +147,7 @@ static int sp__rest_behind(const sp_mesh *mesh, const sp_real n[3], const sp_rea
     return 1;
 }
 
-/* Is a face with these corners, earlier than one in the plane (n, o), the one that stands for this plane? */
+/* Does a face with these corners lie in the plane (n, o), the whole stone behind it? */
 static int sp__rest_same(const sp_mesh *mesh, const int32_t *corner, int32_t size, const sp_real n[3], const sp_real o[3],
                          sp_real eps)
 {
@@ -156,6 +156,7 @@ static int sp__rest_same(const sp_mesh *mesh, const int32_t *corner, int32_t siz
     return sp__face_normal(mesh, corner, size, m) && sp__rest_behind(mesh, m, mesh->xyz + 3 * (size_t)corner[0], eps);
 }
 
+/* Is `face` the first of its faces in the plane (n, o)? So each plane is counted once. */
 static int sp__rest_first(const sp_mesh *mesh, int32_t face, const sp_real n[3], const sp_real o[3], sp_real eps)
 {
     const int32_t *corner = mesh->corner;

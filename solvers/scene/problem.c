@@ -5,7 +5,7 @@
 
 #include "../base/vec3.c"
 
-/* To so many digits is the bilateral force found where it is a scale: by the search, and by the certificate check. */
+/* How exactly the bilateral force is solved for where it serves as a scale, by the search and by the certificate check. */
 #ifdef SP_REAL_FLOAT
 #define SP__SCALE_TOL ((sp_real)1e-4)
 #else

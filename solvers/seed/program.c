@@ -200,7 +200,7 @@ static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp
     return sp__ratio(pull, press);
 }
 
-/* Work of a run of the quadratic program before it heeds a budget: two looks at the first guess. */
+/* Flops that a run of the quadratic program takes before it looks at its budget: it measures the first guess twice. */
 static int64_t sp__program_least(const sp_qp *qp)
 {
     const int64_t products = 4 * ((int64_t)qp->Ap[qp->n] + 2 * (int64_t)qp->n) + 2 * (int64_t)qp->Ap[qp->n];

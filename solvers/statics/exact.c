@@ -53,7 +53,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
         sp__newton_finish(w, n, state);
     }
     if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {
-        /* y is as near as it goes: on in forces */
+        /* y has come as near as it can: the interior-point method goes on from here and looks for forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
         else memcpy(w->y, state->y, bytes);

@@ -6,10 +6,10 @@
 
 #if SP__WITH_LARGE
 
-/* From now on gradients tell what the blocks bear, in the place of solutions: none is asked for meanwhile. */
+/* From now on gradients also sum what each block carries, in the memory of solutions, which are not needed meanwhile. */
 static void sp__carry_begin(sp__system *w) { w->carried = w->L.t; }
 
-/* Force g of size |g| at l, in the contact's frame, into what the blocks bear. */
+/* Add force g of size |g| at l, in the contact's frame, to what its blocks carry. */
 SP__NOINLINE static void sp__carry(sp__system *w, const sp_contact *t, const sp_real *l, const sp_real g[3], sp_real size)
 {
     const sp_joint *f = t->joint;

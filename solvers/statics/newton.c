@@ -41,7 +41,7 @@ SP__NOINLINE static void sp__line_begin(const sp__system *w, const sp__newton *n
     l->noise = 64 * (sp_real)SP_EPSILON * w->measure.load * sp__system_norm(w, w->d);
 }
 
-/* y += s d, the whole step first: its gradient tells the slope there, and mostly that is all. */
+/* y += s d. The whole step is tried first: its gradient gives the slope there, and mostly no shorter step is needed. */
 SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -168,9 +168,10 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
         tiny += sp__newton_damp(n, sp__newton_step(w, n, state));
 }
 
-/* On the path y = (mechanism) / prox + (what balances the forces), and the caps magnify the second part. Newton without the
- * load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x), a little too far, moves the direction of y to where no contact resists it at
- * all; curved cones want more than the inverse iteration that is enough for hinges. */
+/* On the proximal path y = (mechanism) / prox + (what balances the forces). The second part is no mechanism: contacts resist
+ * it, and a proof multiplies that by their caps. So Newton steps without the load, x <- x - (H + shift)^-1 Aeq S P_K(Aeq' x),
+ * each a little too long, move the direction of y to where no contact resists. For hinges inverse iteration would be enough,
+ * for curved cones it is not. */
 SP__NOINLINE static void sp__newton_restore(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -223,7 +224,7 @@ SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state 
     }
 }
 
-/* A motion that not even bilateral joints resist: the part of the load along null vectors, by inverse iteration. */
+/* Tries a motion that not even bilateral joints resist: the part of the load along null vectors, by inverse iteration. */
 static void sp__newton_unresisted(sp__system *w, sp__newton *n, sp_state *state)
 {
     sp__system_load(w, w->d);

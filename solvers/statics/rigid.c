@@ -41,7 +41,7 @@ SP__NOINLINE static void sp__rigid_groups(const sp__system *w, const sp_real *x,
     }
 }
 
-/* Groups take the place of the graph's row starts, whose pattern is in L by then; offsets that of a motion in state->dq. */
+/* Groups are kept where the graph had its row starts: L has the pattern by then. Offsets are kept in state->dq. */
 static int32_t *sp__rigid_room(const sp__system *w) { return w->graph.xadj; }
 static sp_real (*sp__rigid_offsets(const sp_state *state))[3] { return (sp_real (*)[3])state->dq; }
 

@@ -34,7 +34,7 @@ static sp_real sp__system_imbalance(const sp__system *w, const sp_real *r)
     return imbalance;
 }
 
-/* Are forces and motions of the rows at hand all of the scene's? Else sizes are the loads alone, which are less. */
+/* Do the rows at hand see all forces and motions of the scene? If not, sizes are the loads alone, which are less. */
 static int sp__system_covers(const sp__system *w)
 {
     const sp__reduction *o = sp__reduced(w);

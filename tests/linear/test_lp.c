@@ -1,5 +1,5 @@
-/* Linear programmes without an objective: points that meet every row, proofs where there is none, and both again from where the
- * programme before ended. Programmes are made around a known point or around a known proof. */
+/* Linear programs without an objective: points that meet every row, proofs where there is none, and both again from where the
+ * program before ended. Programs are made around a known point or around a known proof. */
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/base/words.c"
@@ -44,7 +44,7 @@ static void bounds_around(int32_t n, int32_t m, const double *x, int32_t tight)
     }
 }
 
-/* The programme of A, low, high in the test's arena, every entry stored so that rows can change. */
+/* The program of A, low, high in the test's arena, every entry stored so that rows can change. */
 static void load(sp__lp *lp, int32_t n, int32_t m)
 {
     memset(lp, 0, sizeof *lp);

@@ -1,4 +1,4 @@
-/* lp: one linear programme after the other, for lp.py.
+/* lp: one linear program after the other, for lp.py.
  *     in    n m, m rows of n coefficients, m + n pairs of bounds
  *     out   status steps, then x (status 0) or the multipliers of all constraints (status 1) */
 #define SP_API static
