@@ -75,11 +75,11 @@ typedef enum sp_status {
 /* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
 typedef struct sp_arena {
     unsigned char *base;        /* aligned start */
-    size_t cap, used, peak;     /* [byte] */
+    size_t cap, used, peak;     /* [byte]; used <= cap, used <= peak */
 } sp_arena;
 /* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
  * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
- *   returns SP_OK; SP_E_ARGUMENT: a null pointer; SP_E_MEMORY: not even one aligned byte */
+ *   returns SP_OK, SP_E_ARGUMENT (a null pointer), SP_E_MEMORY (not even one aligned byte) */
 SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 
 #ifndef SP_QP_ONLY
@@ -95,7 +95,7 @@ typedef struct sp_result sp_result;                     /* verdict, reason; f[3 
 typedef struct sp_evidence sp_evidence;                 /* verdict that the evidence proves; verified: it is the result's */
 typedef struct sp_joint_force sp_joint_force;           /* force[3] on b in x y z, its point[3]; utilisation |ft| / (mu fn) of the
                                                            joint as a whole */
-/* What a scene has room for. Each number >= 0. */
+/* What a scene has room for, each >= 0. */
 typedef struct sp_capacity {
     int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
     int32_t joints, points;                     /* contacts; points: sum of the joints' vertex counts */
@@ -109,21 +109,21 @@ typedef struct sp_mesh {
     const int32_t *corner;      /* vertex numbers, 0-based, face after face */
 } sp_mesh;
 
-/* Start an empty scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_MEMORY */
+/* Start an empty scene, sp_scene_memory(cap) bytes in the arena.     returns SP_OK, SP_E_ARGUMENT (also a number < 0), SP_E_MEMORY */
 SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
 
 #define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
-/* Add a block of uniform density [kg/m^3]. fixed: held directions; a support (SP_FIXED) may be open or flat. id may be NULL.
+/* Add a block of uniform density > 0 [kg/m^3]. fixed: held directions, 0 .. SP_FIXED; a support (SP_FIXED) may be open or flat.
  *   returns what sp_mesh_mass returns, SP_E_RANGE (density <= 0, fixed > SP_FIXED), SP_E_CAPACITY */
 SP_API sp_status sp_scene_block(sp_scene *scene, const sp_mesh *mesh, sp_real density, uint32_t fixed, int32_t *id);
 /* Add a block without a mesh, known by its mass [kg] (> 0, or >= 0 for a support) and centroid [m].
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE, SP_E_CAPACITY */
 SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real centroid[3], uint32_t fixed, int32_t *id);
-SP_API sp_strength sp_strength_friction(sp_real mu);     /* friction mu and nothing else */
+SP_API sp_strength sp_strength_friction(sp_real mu);     /* friction mu and nothing else; mu < 0 is refused where it is used */
 /* Add a contact polygon, `points` >= 3 corners in 3 x points numbers, anticlockwise seen from B: its normal by the right hand
- * points from a into b. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA, SP_E_PLANE, SP_E_RANGE (strength),
- *           SP_E_CAPACITY */
+ * points from a into b [m]. Plane to 1e-6 of its diameter; collinear corners and repeated joints are legal.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_SELF, SP_E_AREA (also points < 3), SP_E_PLANE,
+ *           SP_E_RANGE (strength), SP_E_CAPACITY */
 SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                 const sp_strength *strength, int32_t *id);
 
@@ -134,18 +134,18 @@ SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t p
  *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY; SP_E_UNSUPPORTED of SP_SMALL */
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch, sp_contact_report *report);
 typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
-/* Does it stand? The arrays of the result live in the arena, which wants what sp_memory tells for SP_FOR_CHECK.
+/* Does it stand? The arrays of the result live in the arena, of which it takes what sp_memory tells for SP_FOR_CHECK.
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
  *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (strength of a joint in a coupled check; what
  *             this build leaves out) */
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
 
-/* Re-check the evidence of a result from the scene, now or later.
+/* Re-check the evidence of a result from the scene, now or later. scratch: sp_memory, SP_FOR_VERIFY; overwritten.
  *   returns as sp_check; SP_E_NOT_FINITE (in f, a dq or alpha) */
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
                            sp_evidence *evidence);
 
-/* Resultant of one joint on its block b.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+/* Resultant of one joint on its block b; reads result.f alone.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
 SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint, sp_joint_force *out);
 /* ================================================= You can stop here. ================================================= */
 #endif /* SP_QP_ONLY */
@@ -187,26 +187,22 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 #define SP_QP_NO_POLISH
 #endif
 
-/* Words for enumerators. */
-typedef enum sp_words {
+typedef enum sp_words {       /* which enumeration sp_text is asked about */
     SP_WORDS_STATUS = 0, SP_WORDS_QP_STATUS, SP_WORDS_VERDICT, SP_WORDS_LEVEL, SP_WORDS_REASON, SP_WORDS_STAGE, SP_WORDS_EFFECT,
     SP_WORDS_EFFECT_WHY, SP_WORDS_COUPLING, SP_WORDS_COUPLING_REASON, SP_WORDS_PRESENCE, SP_WORDS_HELD_PROOF, SP_WORDS_LIMIT,
     SP_WORDS_JOINT, SP_WORDS_NBO
 } sp_words;
 
-/* What a value of that enumeration is called, lower case; an unknown one "unknown". Never NULL; static storage. C and C++ call
- * sp_verdict_text and its kin, which look after the type. With SP_QP_ONLY words from SP_WORDS_VERDICT on are "unknown". */
+/* What a value of that enumeration is called, lower case; of a status: one sentence. An unknown value or enumeration is "unknown",
+ * with SP_QP_ONLY all from SP_WORDS_VERDICT on. Never NULL; static storage. C and C++ call sp_verdict_text and its kin. */
 SP_API const char *sp_text(sp_words of, int32_t value);
-
-/* One sentence on a status, for a message. */
 static inline const char *sp_status_text(sp_status status) { return sp_text(SP_WORDS_STATUS, (int32_t)status); }
 
 #ifndef SP_QP_ONLY
-
 /* -------------------------------------------------------------------------------------------------------- the scene in full */
 
-/* What a joint can carry. K_v of each of its vertices, which share the joint's area A alike (A_v = A / points):
- *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= cap A_v                                    [Mohr-Coulomb]
+/* What a joint can carry: the set K_v of forces at each of its corners, which share the joint's area A alike (A_v = A / points):
+ *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= crushing A_v                               [Mohr-Coulomb]
  * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K) of
  * both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
  * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
@@ -223,8 +219,8 @@ typedef struct sp_block {
     sp_real density;            /* [kg/m^3], 0 for a block given by its mass */
     sp_real volume, diameter;   /* [m^3], [m] */
     uint32_t fixed;             /* held directions, SP_FIXED: a support */
-    int32_t vertex, vertices;   /* its part of scene.vertex */
-    int32_t face, faces;        /* its part of scene.face */
+    int32_t vertex, vertices;   /* its part of scene.vertex, first and how many; none of a block given by its mass */
+    int32_t face, faces;        /* its part of scene.face, likewise */
 } sp_block;
 
 typedef struct sp_face { int32_t corner, corners; } sp_face;    /* its part of scene.corner; vertex numbers of the scene */
@@ -239,8 +235,8 @@ typedef struct sp_joint {
 
 /* What acts on a block besides its own weight. All of it may be 0; on a support it does nothing. */
 typedef struct sp_load {
-    int32_t block;
-    int32_t live;               /* 0: always there; 1: counts scene.live times */
+    int32_t block;              /* 0 .. blocks - 1 */
+    int32_t live;               /* 0: always there; else: counts scene.live times */
     sp_real point[3];           /* where force and mass act; it moves with the block [m] */
     sp_real force[3];           /* world axes [N] */
     sp_real couple[3];          /* moment besides that of the force, world axes [N m] */
@@ -251,14 +247,14 @@ typedef struct sp_load {
  * was added last, set count back to what it was before (all of it, or joints and points to find them anew). Lives in an arena.
  * Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
 struct sp_scene {
-    sp_real gravity[3];         /* [m/s^2]; set to (0, 0, -9.80665) by sp_scene_create */
-    sp_real live;               /* multiple at which live loads and `body` act; set to 1 */
+    sp_real gravity[3];         /* [m/s^2], finite; set to (0, 0, -9.80665) by sp_scene_create */
+    sp_real live;               /* multiple at which live loads and `body` act, finite; set to 1 */
     sp_real body[3];            /* live acceleration of every block and every load's mass [m/s^2], 0 */
-    sp_capacity cap, count;
+    sp_capacity cap, count;     /* room, and how much of it is used; count.blocks entries of block[], ... */
     sp_block *block;
     sp_real (*vertex)[3];       /* [m] */
     sp_face *face;
-    int32_t *corner;
+    int32_t *corner;            /* vertex numbers of the scene, face after face */
     sp_joint *joint;
     sp_real (*point)[3];        /* contact vertices [m] */
     sp_load *load;
@@ -267,7 +263,6 @@ struct sp_scene {
 /* Bytes a scene of this capacity takes from an arena, exact; 0 if a number is negative or the size overflows. */
 SP_API size_t sp_scene_memory(const sp_capacity *cap);
 
-/* Volume integrals of a closed mesh. */
 typedef struct sp_mass {
     sp_real volume;             /* [m^3] */
     sp_real centroid[3];        /* [m] */
@@ -280,39 +275,38 @@ typedef struct sp_mass {
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_DEGENERATE, SP_E_WARPED, SP_E_OPEN, SP_E_INWARD */
 SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass);
 
-/* Add a point or edge contact: one or more points that share the normal n (any length > 0) from a into b.
- *   returns as sp_scene_joint; SP_E_AREA: also strength without an area */
+/* Add a point or edge contact: points >= 1 in 3 x points numbers [m] that share the normal n (any length > 0) from a into b.
+ *   returns as sp_scene_joint, SP_E_RANGE (points < 1), SP_E_AREA (n without length, strength other than friction) */
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
                                  const sp_real *xyz, const sp_strength *strength, int32_t *id);
 
-/* Use one friction coefficient for every joint.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+/* Use one friction coefficient mu >= 0 for every joint there is.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
 
-/* Add a load.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_RANGE (mass < 0), SP_E_CAPACITY */
+/* Add a load (copied).     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_RANGE (mass < 0), SP_E_CAPACITY */
 SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id);
 
 /* Add a pressure [Pa] on one face (its number within the block) as the force it comes to: -pressure x area vector, at the
- * centroid of the face; < 0 pulls.     returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (no area) */
+ * centroid of the face; < 0 pulls. live as sp_load.live.     returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (no area) */
 SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face, sp_real pressure, int32_t live, int32_t *id);
 
 /* --------------------------------------------------------------------------------------------------------- contacts in full */
 
 struct sp_contact_settings {
-    sp_real distance;           /* faces nearer than this touch; relative to the smaller block's diameter     1e-6 */
-    sp_real angle;              /* largest sine of the angle between touching faces                           1e-3 */
-    int32_t absolute;           /* 1: distance is in m                                                           0 */
-    sp_strength strength;             /* given to every contact found                                            mu 0.84 */
+    sp_real distance;           /* faces nearer than this touch, >= 0; relative to the smaller block's diameter  1e-6 */
+    sp_real angle;              /* largest sine of the angle between touching faces, 0 .. 0.5                    1e-3 */
+    int32_t absolute;           /* 1: distance is in m                                                              0 */
+    sp_strength strength;       /* given to every contact found                                               mu 0.84 */
 };
 
 typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* two blocks inside each other by `depth` [m] */
 
 struct sp_contact_report {
     int32_t joints, points;         /* found; also when the scene had no room for them */
-    int32_t overlaps;                   /* pairs of blocks inside each other beyond the distance */
-    int32_t overlap_cap;                /* in: room in `overlap`, may be 0 */
-    sp_overlap *overlap;                /* the first overlap_cap of them, by block numbers; may be NULL */
+    int32_t overlaps;               /* pairs of blocks inside each other beyond the distance */
+    int32_t overlap_cap;            /* in: room in `overlap`, >= 0 */
+    sp_overlap *overlap;            /* in: the caller's, or NULL; out: the first overlap_cap of them, by block numbers */
 };
-
 SP_API sp_contact_settings sp_contact_settings_default(void);
 
 /* sp_contacts_find's small print. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
@@ -357,7 +351,7 @@ typedef enum sp_stage_id {
 /* Work done, in units that are the same on every machine. */
 typedef struct sp_cost {
     int64_t flops;              /* + - * / and square roots on matrices and forces, counted by formula */
-    int32_t factorisations, iterations;
+    int32_t factorisations, iterations;     /* of all methods that ran */
     int32_t interior;           /* of the iterations those of the interior-point method */
 } sp_cost;
 
@@ -395,8 +389,7 @@ typedef enum sp_effect_why {
     SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple follows without a search */
 } sp_effect_why;
 
-/* What was found about one joint's share of help, from the penalty form; joined with a motion where that was asked and one
- * was found. */
+/* The help one joint would need, from the penalty form; joined with a motion where that was asked and one was found. */
 typedef struct sp_demand {
     sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
     sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
@@ -445,7 +438,7 @@ typedef struct sp_coupled {
     sp_proof proof;             /* of a refuted, unless statics refute it; behind all other arrays */
     sp_real margin;             /* of the proof, > 0: what is left of its weakest leaf when all that a triple may be
                                    out by, and rounding, are taken off                                                   [1] */
-    sp_cost cost;               /* of this check alone; also in result.spent */
+    sp_cost cost;               /* of this check alone; also in result.spent.total */
 } sp_coupled;
 
 /* Free blocks that touch each other, or touch a third that does; the rest of the scene cannot help or harm them. An
@@ -456,10 +449,10 @@ typedef struct sp_island {
     sp_stage_id stage;
     sp_coupling coupling;       /* its coupled check */
     sp_coupling_reason coupling_reason;
-    int32_t block, blocks;      /* its first block, how many it has */
+    int32_t block, blocks;      /* its first block, how many it has, >= 1 */
 } sp_island;
 
-/* What its joints carry at most, and which of them is worst off. */
+/* What the joints carry at most (0 where they carry none), and which of them is worst off. */
 typedef struct sp_extremes {
     sp_real compression;        /* largest fn of a corner [N] */
     sp_real tension;            /* largest demanded tension [N] */
@@ -474,11 +467,11 @@ typedef struct sp_counts { int32_t free_blocks, joints, points; } sp_counts;
 /* Islands, which are checked one by one: the verdict of all is that of the worst. */
 typedef struct sp_islands {
     int32_t count;              /* 1: solved as one, 0: nothing to solve */
-    int32_t *of;                /* per block of the scene: its island, -1: a support; NULL where count < 2 */
+    int32_t *of;                /* scene.count.blocks: island of each, 0 .. count - 1, -1: a support; NULL where count < 2 */
     sp_island *each;            /* count of them, in the order of their first blocks; NULL where count < 2 */
 } sp_islands;
 
-/* What a check took. */
+/* What a check took; sums of all islands. */
 typedef struct sp_spent {
     sp_cost total;              /* all stages */
     sp_cost by_stage[SP_STAGES_MAX];        /* in the order of settings.stage */
@@ -489,21 +482,21 @@ struct sp_result {
     sp_verdict verdict;
     sp_level level;             /* of a STABLE, else SP_NONE */
     sp_reason reason;
-    int32_t final;              /* of an UNSTABLE: no force of any size would do, for the true cone */
-    int32_t verified;           /* the evidence passed sp_verify's own computation */
-    sp_stage_id stage;          /* that decided */
+    int32_t final;              /* 1, of an UNSTABLE: no force of any size would do, for the true cone */
+    int32_t verified;           /* 1: the evidence passed sp_verify's own computation */
+    sp_stage_id stage;          /* that decided, or SP_STAGE_NONE */
     sp_real imbalance;          /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
                                    (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
-    sp_real least_imbalance;    /* proved by dq: no capped admissible force comes below this relative imbalance         [1] */
+    sp_real least_imbalance;    /* proved by dq: no admissible forces within force_bound come below this one            [1] */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
                                    of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
                                    displacement is the largest distance of a joint from its block's centroid          [m, 1] */
-    sp_demand *demand;          /* per joint; zero where not asked for */
+    sp_demand *demand;          /* scene.count.joints; zero where not asked for */
     sp_extremes extremes;
     sp_real tol, force_bound;   /* in force */
-    sp_effect missing;          /* of SP_REASON_EFFECT: what was left out */
-    sp_effect_why effect[SP_EFFECTS];           /* what was simulated and what not, by sp_effect */
+    sp_effect missing;          /* of SP_REASON_EFFECT alone: what was left out */
+    sp_effect_why effect[SP_EFFECTS];           /* by sp_effect: what was simulated and what not, and why */
     sp_counts counts;
     sp_islands islands;
     sp_coupled coupled;
@@ -514,37 +507,34 @@ struct sp_result {
 
 /* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
  * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual
- * allows; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and coupled.proof (if it has nodes); nothing else. tol,
- * force_bound, eps and eta are those of the settings. A y0 that is not finite is ignored. */
+ * allows and ignored where it is not finite; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and
+ * coupled.proof (if it has nodes); nothing else. tol, force_bound, eps and eta are those of the settings. */
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
-    int32_t final;
+    int32_t final;              /* as in sp_result, and so the next two [1] */
     sp_real imbalance, least_imbalance;
-    sp_level level;             /* of a STABLE; coupled: the triple proves that, too */
-    sp_real residual;           /* of the triple; 0 where none was asked for or claimed */
-    sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof */
+    sp_level level;             /* of a STABLE, else SP_NONE; coupled: the triple proves that, too */
+    sp_real residual;           /* of the triple, proved where <= 1; 0 where none was asked for or claimed [1] */
+    sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof [1] */
 };
 
 struct sp_joint_force {
     sp_real force[3];           /* resultant on b, world axes [N] */
     sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
-    sp_real min_fn, max_fn;     /* [N] */
-    sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area); 0 where less than
-                                   1e-4 of the lighter block's weight is carried [1] */
+    sp_real min_fn, max_fn;     /* of its corners [N] */
+    sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area) [1]; 0 below 1e-4 of the lighter block's weight */
 };
 
 /* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
- * balance its weight; a support pushes back with the opposite, which is its reaction.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+ * balance its weight and loads; a support's reaction is the opposite. Reads result.f alone.     returns as sp_joint_resultant */
 SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
                                     sp_real moment[3]);
 
-/* Words for enumerators, lower case, static storage. */
+/* As sp_text. sp_effect_on: 1: simulated, 0: left out. */
 static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(SP_WORDS_VERDICT, (int32_t)verdict); }
 static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
 static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
 static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
-/* 1: simulated, 0: left out */
 static inline int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
 static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
 static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
@@ -559,7 +549,7 @@ typedef struct sp_coupled_settings {
     sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */
-    int32_t rounds;             /* 0: the default search; else the seed's alternation instead, at most so many rounds [3.3]
+    int32_t rounds;             /* >= 0; 0: the default search; else the seed's alternation, at most so many rounds    [3.3]
                                    (SP_E_UNSUPPORTED where there is no preset of the seed)                               0 */
     int32_t nodes;              /* of the exact decision's tree, at most; memory for its proof: about 210 bytes each.
                                    0: none; below 0, of V contact vertices: 24 V^3, 48000 at most, above SP_EXACT_POINTS none;
@@ -568,9 +558,7 @@ typedef struct sp_coupled_settings {
 
 #define SP_EXACT_POINTS 48      /* contact vertices of an island up to which the coupled check is decided by branch and bound */
 
-struct sp_stage;
-struct sp_qp_solver;
-struct sp_seed;
+struct sp_stage; struct sp_qp_solver; struct sp_seed;
 
 #define SP_TOL_QUICK ((sp_real)1e-3)    /* steps of the one dial, settings.tol */
 #ifdef SP_REAL_FLOAT
@@ -585,8 +573,7 @@ struct sp_seed;
 typedef struct sp_penalty_settings {
     sp_real gamma, tau;         /* weight of tension, of friction, relative to compression, > 0                       1e3, 1 */
     int32_t net;                /* 1: friction on fp - fm instead of fp; shows no tension                                  0 */
-    const struct sp_qp_solver *solver;          /* of the quadratic programs of SP_STAGE_ADMM and coupled.rounds; NULL:
-                                                   sp_qp_solve                                                    NULL */
+    const struct sp_qp_solver *solver;          /* for SP_STAGE_ADMM and coupled.rounds; NULL: sp_qp_solve           NULL */
 } sp_penalty_settings;
 
 /* Settings of a check. Get them from sp_settings_default() and change what you must: first what most callers change. */
@@ -594,7 +581,7 @@ struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
                                    above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
                                    float 1e-4, as that; the result says what was in force */
-    int64_t budget;             /* flops the check may spend, never more; 0: no limit. Islands are solved as one then. The result
+    int64_t budget;             /* flops >= 0 the check may spend, never more; 0: no limit. Islands are solved as one then. The result
                                    is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
                                    is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
                                    at most). A custom stage heeds state.left by itself                        0 */
@@ -602,13 +589,13 @@ struct sp_settings {
     sp_coupled_settings coupled;                /* the coupled check */
     int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
                                    where not coupled, joined with a motion                                             1 */
-    int32_t iterations;         /* factorisations an exact solve may spend; below 300 nothing is left out by plan    300 */
+    int32_t iterations;         /* >= 0: factorisations an exact solve may spend; below 300 nothing is left out by plan 300 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
-                                   0: tol/(10u), 4 at least, 1e6 at most
+                                   >= 0; 0: tol/(10u), 4 at least, 1e6 at most
                                    larger decides nearer to friction locks, smaller decides collapse sooner */
-    int32_t faces;              /* friction pyramid of 3..64 faces; 0: the true cone (ADMM: 8 faces inscribed)         0 */
-    int32_t inscribed;          /* pyramid inside the cone (mu cos(pi/K)) or around it (mu)                            1 */
-    int32_t stage_count;                        /*                                                                     2 */
+    int32_t faces;              /* 3 .. 64: friction pyramid of so many; 0: the true cone (ADMM: 8 faces inscribed)    0 */
+    int32_t inscribed;          /* 1: pyramid inside the cone (mu cos(pi/K)); 0: around it (mu)                        1 */
+    int32_t stage_count;                        /* 1 .. SP_STAGES_MAX                                                  2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
     const struct sp_seed *seed;                 /* constants and gates of the seed (the seed, below); NULL: only its constants where
@@ -618,7 +605,6 @@ struct sp_settings {
                                    `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
                                    memory. For sp_check; plan, sequence, limit do without                           NULL */
 };
-
 SP_API sp_settings sp_settings_default(void);
 
 /* ---------------------------------------------------------------------------------------------------------- how much memory */
@@ -637,11 +623,11 @@ typedef enum sp_memory_for {
     SP_FOR_PROBLEM              /* sp_problem_build */
 } sp_memory_for;
 
-/* Bytes that a call with this scene and these settings (NULL: the default ones) takes.
+/* Bytes that a call with this scene and these settings (NULL: the default ones) takes from its arena.
  *   scratch   check, work, limit, sequence run their symbolic step in it and may overwrite it; the others follow from counts alone
  *             and leave it alone: an empty one will do
- *   returns   SP_OK; SP_E_MEMORY: scratch too small (sp_memory_scratch tells how much), or more bytes than can be counted; what this
- *             build leaves out: SP_E_UNSUPPORTED; else what the call returns. On failure *bytes is untouched */
+ *   returns   SP_OK, SP_E_ARGUMENT (also an unknown `what`), SP_E_MEMORY (scratch too small, sp_memory_scratch tells how much; or
+ *             more bytes than can be counted), SP_E_UNSUPPORTED (what this build leaves out), else what the call returns */
 SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes);
 
 /* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
@@ -649,10 +635,9 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
 SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
 
 #ifndef SP_NO_IPM
-
 /* ------------------------------------------------------------------------------------------------------ how far from falling
  *
- * The largest multiple lambda >= 0 of the live loads (those with live = 1, and scene.body) that the assembly bears on top of
+ * The largest multiple lambda >= 0 of the live loads (those with live not 0, and scene.body) that the assembly bears on top of
  * the others: the largest lambda for which an admissible force state exists. With friction that is an upper value: such a
  * state is necessary for standing, not sufficient, and a real wall may fall at less (its friction does not make it open as it
  * slides). Without friction, and where nothing slides, it is exact.               [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
@@ -669,7 +654,7 @@ typedef struct sp_limit_result {
     sp_limit_kind kind;
     sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open at
                                    this tol, or SP_REASON_UNVERIFIED */
-    sp_real multiplier;         /* lambda: power balance of dq, -(dead . dq) / (live . dq), within the bracket; 0 unless FOUND */
+    sp_real multiplier;         /* lambda >= 0 [1]: power balance of dq, -(dead . dq) / (live . dq), in the bracket; 0 unless FOUND */
     sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
     sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
                                    Of a NONE 0 */
@@ -677,8 +662,8 @@ typedef struct sp_limit_result {
                                    at lower in the mechanism; it counts against the loads, not against a small multiplier */
     sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
     sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
-    sp_real imbalance;              /* largest relative imbalance of f */
-    sp_real least_imbalance;    /* that dq proves at upper */
+    sp_real imbalance;          /* largest relative imbalance of f [1] */
+    sp_real least_imbalance;    /* that dq proves at upper [1] */
     int32_t final;              /* of dq at upper: no force of any size would do, for the true cone */
     int32_t verified;           /* sp_limit_verify agrees */
     sp_real tol, force_bound;   /* in force */
@@ -691,19 +676,19 @@ typedef struct sp_limit_result {
 } sp_limit_result;
 
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
- * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction, of a
- * capped one nothing) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
+ * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction; nothing
+ * of one that may crush) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
  * What either leaves open is left to the exact stage, by Newton's method on the power balance.
  *   scene     its `live` is not read
  *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
  *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where joints,
  *             dead and live loads share a mirror
- *   result    its arrays live in the arena, before anything else taken from it later
+ *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_LIMIT
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
 
 /* Do both ends hold? Recomputes them from the scene by what sp_verify uses: kind, lower, upper, f, ray, dq and (if not NULL) y0
- * of the claim are read. Scratch as for sp_verify and 48 numbers a block.
+ * of the claim are read. scratch: sp_memory, SP_FOR_LIMIT_VERIFY; overwritten.
  *   out       held: 1 if every end the claim has is proved; a FOUND and an UNBOUNDED have a lower one, a FOUND an upper one
  *   returns   as sp_verify */
 SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *claim,
@@ -726,15 +711,13 @@ typedef struct sp_joint_motion {
     sp_real a[3], b[3];         /* of a hinge or a sliding joint: the corners in touch that lie farthest apart        [m] */
 } sp_joint_motion;
 
-/* dq: 6 x scene.count.blocks, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
+/* dq: 6 x scene.count.blocks, finite, the motion of a result.     returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX */
 SP_API sp_status sp_joint_moves(const sp_scene *scene, const sp_real *dq, int32_t joint, sp_joint_motion *motion);
 
 static inline const char *sp_joint_text(sp_joint_kind kind) { return sp_text(SP_WORDS_JOINT, (int32_t)kind); }
-
 #endif
 
 #ifndef SP_EXACT_ONLY
-
 /* --------------------------------------------------------------------------------------------------------- a build order
  *
  * Does it stand at every step, and what must be held meanwhile? The scene is the finished one; which of its blocks are there
@@ -769,7 +752,7 @@ typedef struct sp_step {
     int32_t islands, checked;   /* how many there are, and were looked at in this step */
     int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
     int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
-    sp_real imbalance;              /* largest relative imbalance of a block, or more                                       [1] */
+    sp_real imbalance;          /* largest relative imbalance of a block, or more                                       [1] */
     sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
     const sp_real *f;           /* 3 x scene.count.points: forces, 0 where a block is absent; until the next call       [N] */
     const sp_real *dq;          /* 6 x scene.count.blocks: how islands that fall move, each as sp_result.dq; 0: at rest */
@@ -783,12 +766,13 @@ typedef struct sp_step {
  *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
 SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
 
-/* One block comes, goes, is held or let go; a support is there or absent. What it touched is looked at again.
+/* One block (its number in the scene) comes, goes, is held or let go; a support is there or absent. What it touched is looked at
+ * again. step: its f and dq are the sequence's, until the next call.
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, presence), SP_E_INDEX */
 SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step);
 
 /* All blocks at once, presence[scene.count.blocks]: a later start, or the finished scene that is to be taken down.
- *   returns   SP_OK, SP_E_ARGUMENT (null pointers, a presence) */
+ *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, a presence) */
 SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *presence, sp_step *step);
 
 typedef enum sp_held_proof {
@@ -799,9 +783,9 @@ typedef enum sp_held_proof {
 
 /* Blocks to be held besides those that are, so that what is there stands. */
 typedef struct sp_held {
-    int32_t count;
-    const int32_t *block;       /* their numbers, ascending within an island; until the next call */
-    const int32_t *must;        /* of each: 1: it falls even when all others of its island are held */
+    int32_t count;              /* >= 0; 0: nothing need be held */
+    const int32_t *block;       /* count: their numbers, ascending within an island; until the next call */
+    const int32_t *must;        /* count: 1: it falls even when all others of its island are held */
     sp_held_proof proof;
     int32_t checks;             /* sets that were tried */
     sp_cost cost;
@@ -817,9 +801,9 @@ typedef struct sp_held {
 SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held *held);
 
 typedef struct sp_suggestion {
-    int32_t block;              /* -1: none keeps everything standing, or the budget ended first */
-    int32_t tried;
-    int32_t all;                /* the budget sufficed */
+    int32_t block;              /* its number; -1: none keeps everything standing, or the budget ended first */
+    int32_t tried;              /* stones looked at */
+    int32_t all;                /* 1: the budget sufficed */
     sp_cost cost;
 } sp_suggestion;
 
@@ -831,7 +815,6 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
 
 static inline const char *sp_presence_text(sp_presence presence) { return sp_text(SP_WORDS_PRESENCE, (int32_t)presence); }
 static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_text(SP_WORDS_HELD_PROOF, (int32_t)proof); }
-
 #endif
 
 /* -------------------------------------------------------------------------------- is there a motion, too: the coupled check */
@@ -860,9 +843,8 @@ static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_te
 /* ----------------------------------------------------------------------------------------------- what will a check simulate */
 
 #ifndef SP_NO_PLAN
-
 typedef struct sp_planned {
-    sp_effect_why why;
+    sp_effect_why why;          /* is it simulated, and why */
     int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
                                            what stands within a factor of 5, for what falls often less than it takes; bytes:
                                            exact, below 0 where the tables of small islands take more than they spare */
@@ -871,14 +853,14 @@ typedef struct sp_planned {
 /* What a check is predicted to do. Unknowns: 6 rows a free block, 3 forces a contact vertex. */
 typedef struct sp_outlook {
     sp_planned effect[SP_EFFECTS];
-    int32_t islands;
+    int32_t islands;            /* how many, as sp_islands.count */
     int64_t unknowns, flops, full_unknowns, full_flops;         /* as planned, and with all effects the scene has */
-    size_t bytes, full_bytes;
+    size_t bytes, full_bytes;                                   /* likewise, of the arena */
 } sp_outlook;
 
-/* What will sp_check simulate, what not, and why?            returns what sp_check returns */
+/* What will sp_check simulate, what not, and why? settings NULL: the default ones. scratch: sp_memory, SP_FOR_PLAN; overwritten.
+ *   returns what sp_check returns */
 SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
-
 #endif
 
 /* -------------------------------------------------------------------------------------------------------- placing a stone
@@ -895,12 +877,12 @@ typedef struct sp_support {
     sp_real offset;             /* of the centre of mass from the hull's centroid                                    [m] */
 } sp_support;
 
-/* Bytes of scratch for `points` contact points; 0 if points < 0 or the size overflows. */
+/* Bytes of scratch for `points` contact points, exact; 0 if points < 0 or the size overflows. */
 SP_API size_t sp_support_memory(int32_t points);
 
 /* clr(c) = min over hull edges of n_in . (c - a).                                                               [seed 6.1]
  *   in   xyz, points   3 x points contact points, in any order, repeats allowed; points >= 0                        [m]
- *   in   com           centre of mass of the stone [m];   gravity: any length > 0
+ *   in   com           centre of mass of the stone [m];   gravity: any length > 0;   scratch: sp_support_memory(points)
  *   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE (also a size whose square overflows), SP_E_RANGE (gravity), SP_E_MEMORY */
 SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const sp_real com[3], const sp_real gravity[3],
                                       sp_arena scratch, sp_support *support);
@@ -912,16 +894,15 @@ typedef struct sp_seat {
     sp_real height;             /* h of the stone, > 0                                                               [m] */
     sp_real width;              /* mean width of the stones at hand, > 0                                             [m] */
     sp_real trapped;            /* volume enclosed under the stone, >= 0                                           [m^3] */
-    sp_real seat;               /* height of the seat                                                                [m] */
+    sp_real seat;               /* height of the seat above any one level, any sign                                  [m] */
 } sp_seat;
 
 /* Weights of the four terms, >= 0: small support, centre of mass off its middle, void underneath, high seat. */
 typedef struct sp_seat_weights { sp_real area, offset, trapped, seat; } sp_seat_weights;
-
 SP_API sp_seat_weights sp_seat_weights_default(void);   /* 1, 1, 1, 0.5 */
 
 /* J = w1 (1 - A_hull / A_foot) + w3 |c - g_hull| / W + wu V_under / (A_foot h) + ws z_seat / W; less is better.  [seed 6.1]
- *   weights NULL: the default ones.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+ *   weights NULL: the default ones; J: one number [1].     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_support_cost(const sp_seat *seat, const sp_seat_weights *weights, sp_real *J);
 
 /* Order seats: those with clearance >= margin [m] first, then by J, ties by number.
@@ -943,14 +924,14 @@ typedef struct sp_rest {
  * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
  * is recognised to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
  *   scratch  sp_support_memory(mesh->vertices)
- *   out  rest, count   the first `cap` of them, and how many there are: SP_E_CAPACITY if more than cap
+ *   out  rest, count   the first `cap` >= 0 of them (rest may be NULL for 0), and how many there are: SP_E_CAPACITY if more
  *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
 SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
 
 /* A stone laid down, as the next-best-object gate asks for it. */
 typedef struct sp_laid {
     const sp_real *xyz;         /* 3 x points: the corners it rests on, in place [m] */
-    int32_t points;
+    int32_t points;             /* >= 0 */
     sp_real com[3];             /* centre of mass, in place [m] */
     sp_real normal[3];          /* of the resting face, outward (downward when level), any length > 0 */
     sp_real depth, height;      /* extents of the laid stone into the wall and along gravity, >= 0 [m] */
@@ -969,7 +950,6 @@ typedef struct sp_nbo_settings {
     sp_real slender;            /* least depth / height                                                               0.5 */
     sp_real level;              /* least cosine between the resting face's normal and gravity, 0.7: 45 degrees        0.7 */
 } sp_nbo_settings;
-
 SP_API sp_nbo_settings sp_nbo_settings_default(void);
 
 /* Accept or reject a laid stone; the reason is the first of the enumerators' order that applies.                [seed 6.2]
@@ -1068,7 +1048,7 @@ typedef struct sp_contact {
     int32_t a, b;               /* rows of the free blocks, -1: a support */
     int32_t point, points;      /* its part of problem.point and problem.local; of scene.point it is joint->point */
     int32_t id;                 /* joint of the scene */
-    const sp_joint *joint;  /* that joint: frame and friction */
+    const sp_joint *joint;      /* that joint: frame and strength */
     sp_real ra[3], rb[3];       /* origin of the contact (mean of its vertices) seen from the two centroids [m] */
 } sp_contact;
 
@@ -1084,13 +1064,15 @@ typedef struct sp_problem {
                                            scene.live times the live ones [N, N m] */
     sp_real *live;                      /* 6b: the live ones once; NULL where there are none */
     int32_t keep_order;                 /* 1: blocks are eliminated in the order they stand in, 0: in that of least fill */
-    int32_t ignore_strength;            /* 1: of strength only what loads without end leave: friction, of a capped joint nothing */
+    int32_t ignore_strength;            /* 1: of strength only what loads without end leave: friction; nothing
+                                           of a joint that may crush */
 } sp_problem;
 
-/* Make a problem of a scene.     returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
+/* Make a problem of a scene, which must stay as it is; its arrays live in the arena, sp_memory, SP_FOR_PROBLEM.
+ *   returns SP_OK, SP_E_ARGUMENT, SP_E_EMPTY, SP_E_NOT_FINITE, SP_E_MEMORY */
 SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_problem *problem);
 
-/* A sparse matrix by entries, in any order, and by columns (row numbers ascending). */
+/* A sparse matrix by count entries (i, j, x), in any order, and by columns: p[cols + 1], row numbers ascending. In an arena. */
 typedef struct sp_triplets { int32_t rows, cols, count; int32_t *i, *j; sp_real *x; } sp_triplets;
 typedef struct sp_csc { int32_t rows, cols; int32_t *p, *i; sp_real *x; } sp_csc;
 
@@ -1106,7 +1088,7 @@ SP_API sp_status sp_matrix_afr(const sp_problem *problem, const sp_settings *set
                                sp_triplets *out);
 
 /* Columns of a matrix given by entries; entries at the same place are added in their order.
- *   returns SP_OK, SP_E_ARGUMENT, SP_E_INDEX, SP_E_MEMORY */
+ *   returns SP_OK, SP_E_ARGUMENT (also a count < 0), SP_E_INDEX, SP_E_MEMORY */
 SP_API sp_status sp_csc_from(const sp_triplets *t, sp_arena *arena, sp_csc *out);
 
 /* ------------------------------------------------------------------------------------------------------ for experts: stages */
@@ -1136,7 +1118,6 @@ typedef struct sp_stage {
                      sp_verdict *claim);
     size_t (*need)(const sp_problem *problem, const sp_settings *settings, sp_arena scratch);
 } sp_stage;
-
 #endif /* SP_QP_ONLY */
 
 /* ----------------------------------------------------------------------------------------------------- quadratic programs
@@ -1180,23 +1161,23 @@ typedef enum sp_qp_status {
 /* Get them from sp_qp_default() and change what you must. */
 typedef struct sp_qp_settings {
     sp_qp_backend backend;      /*                                                                                 sparse */
-    sp_real eps_abs, eps_rel;   /* largest residual: eps_abs + eps_rel x the size of its terms       1e-6 1e-5, float 1e-4 */
-    sp_real eps_pinf, eps_dinf; /* certificates looser than this are not looked at                                   1e-4 */
-    sp_real radius;             /* a certificate must rule out solutions so many times larger than the iterate  1e6, 1e3 */
+    sp_real eps_abs, eps_rel;   /* >= 0, not both 0: residual <= eps_abs + eps_rel x its terms       1e-6 1e-5, float 1e-4 */
+    sp_real eps_pinf, eps_dinf; /* certificates looser than this, > 0, are not looked at                             1e-4 */
+    sp_real radius;             /* >= 1: a certificate must rule out solutions so many times the iterate  1e6, float 1e3 */
     int32_t strict;             /* also: the objective right to eps_abs + eps_rel |objective| (see gap), and residuals within
                                    eps in equilibrated units, so that small rows count as large ones                    1 */
     int32_t polish;             /* method of multipliers from the iterate for the last digits, and where ADMM takes long;
                                    about as much work as ADMM's                                  1 (0: SP_QP_NO_POLISH) */
-    int32_t iterations;         /*                                                                                   8000 */
-    int64_t budget;             /* a cap on the flops of a run; one too small for an iteration judges the guess; 0: none 0 */
-    int32_t check;              /* iterations between looks at the residuals                                           10 */
-    int32_t passes;             /* of equilibration                                                                    10 */
-    sp_real sigma, relax;       /* proximal weight, over-relaxation                           1e-6 (float 1e-3) and 1.6 */
-    sp_real rho, rho_equal;     /* penalty, its factor on equations                           0.1 and 1e3 (float 1e2) */
-    int32_t adapt, adapt_most;  /* iterations between changes of rho (0: never), most changes                  100 and 10 */
-    sp_real adapt_factor;       /* rho is multiplied or divided by this when the residuals are more than 10 apart       5 */
-    int32_t cg_steps;           /* of conjugate gradients per iteration                                               250 */
-    sp_real cg_tol;             /* its relative residual                                            1e-10, float 1e-6 */
+    int32_t iterations;         /* at most, > 0                                                                      8000 */
+    int64_t budget;             /* most flops of a run, >= 0; one too small for an iteration judges the guess; 0: none 0 */
+    int32_t check;              /* iterations between looks at the residuals, > 0                                      10 */
+    int32_t passes;             /* of equilibration, >= 0                                                              10 */
+    sp_real sigma, relax;       /* proximal weight, 0 < .. <= 1; over-relaxation, 0 < .. < 2  1e-6 (float 1e-3) and 1.6 */
+    sp_real rho, rho_equal;     /* penalty, 1e-6 .. 1e6; its factor on equations, >= 1        0.1 and 1e3 (float 1e2) */
+    int32_t adapt, adapt_most;  /* iterations between changes of rho, >= 0 (0: never); most changes            100 and 10 */
+    sp_real adapt_factor;       /* > 1: rho is multiplied or divided by this when the residuals are more than 10 apart  5 */
+    int32_t cg_steps;           /* of conjugate gradients per iteration, > 0                                          250 */
+    sp_real cg_tol;             /* its relative residual, > 0                                       1e-10, float 1e-6 */
 } sp_qp_settings;
 
 typedef struct sp_qp_result {
@@ -1236,7 +1217,6 @@ typedef struct sp_qp_solver {
 } sp_qp_solver;
 
 #ifndef SP_NO_QP
-
 /* Ours: sp_qp_solve and sp_qp_memory. */
 SP_API sp_qp_solver sp_qp_admm(void);
 
@@ -1260,8 +1240,8 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
  *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
  *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u, settings),
  *           SP_E_UNSUPPORTED (a back end or polish that this build leaves out),
- *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its largest entry, float -2.5e-7 n; the matrix-free back
- *           end can only look for one and may miss one that is small), SP_E_MEMORY */
+ *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its largest entry, float -2.5e-7 n; the
+ *           matrix-free back end can only look for one and may miss one that is small), SP_E_MEMORY */
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
                              const sp_real *y0, sp_qp_result *result);
 
@@ -1282,18 +1262,16 @@ SP_API sp_status sp_qp_rho(sp_qp_work *work, sp_real rho);
 SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y0, sp_qp_result *result);
 
 static inline const char *sp_qp_status_text(sp_qp_status status) { return sp_text(SP_WORDS_QP_STATUS, (int32_t)status); }
-
 #endif /* SP_NO_QP */
 
 #ifndef SP_QP_ONLY
-
 /* ------------------------------------------------------------------------------------------------ the seed's constants
  *
  * "Seed" is the specification, [n.m] its sections in solvers/seed/README.md; departures from it are numbered in solvers/README.md.
  * It asks least squares, then polish, then ADMM, and reads a verdict off the third one's tension. Here the same stages, constants
  * and gates only propose, and verdicts are proved as ever: a finite gamma buys a little tension even where none is needed
- * [departure 2]. Values are those of double; what a float can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5,
- * reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
+ * [departure 2]. Ranges: faces 3 .. 64, window, balance and reg > 0, gain < 1, no number < 0. Values are those of double; what a float
+ * can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5, reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
 
 typedef struct sp_seed {
     int32_t faces, inscribed;   /* friction pyramid, mu_eff = mu cos(pi/faces)                             8, 1     [1.4] */
@@ -1324,9 +1302,7 @@ SP_API const sp_seed *sp_seed_table(void);
 /* gates, least squares, polish, ADMM with the seed's cone, constants, gates and its tolerance for tension as tol; a coupled
  * check, where it is asked for, by the seed's alternation alone. */
 SP_API sp_settings sp_settings_seed(void);
-
 #endif
-
 #endif /* SP_QP_ONLY */
 
 /* ------------------------------------------------------------------------------------------------------------ configuration
@@ -1386,5 +1362,4 @@ SP_API sp_settings sp_settings_seed(void);
 #ifdef __cplusplus
 }
 #endif
-
 #endif /* STONEPACK_H */
