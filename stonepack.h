@@ -1,8 +1,8 @@
 /* stonepack: does this assembly of blocks stand, how sure are we, and why?
  *
- * Rigid blocks touch in plane polygons, their joints. Each corner carries one force, f = fn n + ft1 t1 + ft2 t2, which acts on block
- * B (its opposite on A); n points from A into B, fn > 0 presses, |ft| <= mu fn. The library looks for forces that hold every free
- * block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
+ * Rigid blocks touch in plane polygons, their joints. Each corner carries one force, f = fn n + ft1 t1 + ft2 t2, which acts on
+ * block B (its opposite on A); n points from A into B, fn > 0 presses, |ft| <= mu fn. The library looks for forces that hold
+ * every free block in equilibrium, Aeq f + p = 0, or for a motion that proves there are none.
  *
  *   units      SI: m, kg, s, N; angles never appear. Any consistent set works as well. Gravity is (0, 0, -9.80665) unless
  *              scene.gravity is set.
@@ -48,7 +48,7 @@ typedef float sp_real;
 typedef __float128 sp_real;
 #define SP_EPSILON 9.6296497219361793e-35               /* u, unit roundoff: 2^-113 */
 #define sp_arena_init sp_arena_init_quad
-#elif !defined SP_REAL_OTHER                            /* defined: sp_real and SP_EPSILON stand before this header; for tests */
+#elif !defined SP_REAL_OTHER                            /* defined (tests): sp_real, SP_EPSILON stand before this */
 typedef double sp_real;
 #define SP_EPSILON 1.1102230246251565e-16               /* u, unit roundoff: 2^-53 */
 #endif
@@ -89,12 +89,12 @@ typedef struct sp_strength sp_strength;                 /* of a joint: friction 
 typedef struct sp_contact_settings sp_contact_settings;
 typedef struct sp_contact_report sp_contact_report;     /* joints, points found; overlaps */
 typedef struct sp_settings sp_settings;                 /* of a check; NULL everywhere: the default ones */
-typedef struct sp_result sp_result;                     /* verdict, reason; f[3 i .. 3 i + 2] = fn, ft1, ft2 of corner i, corners in
-                                                           the order of joints as added; of an UNSTABLE f balances nothing, and dq
-                                                           is the motion of the collapse */
+typedef struct sp_result sp_result;                     /* verdict, reason; f[3 i .. 3 i + 2] = fn, ft1, ft2 of corner i,
+                                                           corners in the order of joints as added; of an UNSTABLE f balances
+                                                           nothing, and dq is the motion of the collapse */
 typedef struct sp_evidence sp_evidence;                 /* verdict that the evidence proves; verified: it is the result's */
-typedef struct sp_joint_force sp_joint_force;           /* force[3] on b in x y z, its point[3]; utilisation |ft| / (mu fn) of the
-                                                           joint as a whole */
+typedef struct sp_joint_force sp_joint_force;           /* force[3] on b in x y z, its point[3]; utilisation |ft| / (mu fn) of
+                                                           the joint as a whole */
 /* What a scene has room for, each >= 0. */
 typedef struct sp_capacity {
     int32_t blocks, vertices, faces, corners;   /* meshes; corners: sum of the faces' vertex counts */
@@ -109,7 +109,7 @@ typedef struct sp_mesh {
     const int32_t *corner;      /* vertex numbers, 0-based, face after face */
 } sp_mesh;
 
-/* Start an empty scene, sp_scene_memory(cap) bytes in the arena.     returns SP_OK, SP_E_ARGUMENT (also a number < 0), SP_E_MEMORY */
+/* Start an empty scene, sp_scene_memory(cap) bytes in the arena.   returns SP_OK, SP_E_ARGUMENT (a number < 0), SP_E_MEMORY */
 SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
 
 #define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
@@ -127,17 +127,17 @@ SP_API sp_strength sp_strength_friction(sp_real mu);     /* friction mu and noth
 SP_API sp_status sp_scene_joint(sp_scene *scene, int32_t a, int32_t b, int32_t points, const sp_real *xyz,
                                 const sp_strength *strength, int32_t *id);
 
-/* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their exact
- * common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one block count as
- * one face. scratch: sp_memory, SP_FOR_CONTACTS; overwritten. settings NULL: friction 0.84, distances as below.
+/* Find what touches what: every pair of opposed near-coplanar face patches of two blocks, not both fixed, clipped to their
+ * exact common polygon(s), one joint each, appended to the scene in the order of (a, b). Coplanar neighbouring faces of one
+ * block count as one face. scratch: sp_memory, SP_FOR_CONTACTS; overwritten. settings NULL: friction 0.84, distances as below.
  *   report    filled also on SP_E_CAPACITY (nothing is appended then: give the scene that much room and call again)
- *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY; SP_E_UNSUPPORTED of SP_SMALL */
-SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch, sp_contact_report *report);
+ *   returns   SP_OK, SP_E_ARGUMENT, SP_E_RANGE, SP_E_NOT_FINITE (strength), SP_E_MEMORY, SP_E_CAPACITY, SP_E_UNSUPPORTED */
+SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
+                                  sp_contact_report *report);
 typedef enum sp_verdict { SP_UNDECIDED = 0, SP_STABLE = 1, SP_UNSTABLE = 2 } sp_verdict;
 /* Does it stand? The arrays of the result live in the arena, of which it takes what sp_memory tells for SP_FOR_CHECK.
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT, SP_E_EMPTY, SP_E_RANGE (settings), SP_E_MEMORY (arena unchanged,
- *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (strength of a joint in a coupled check; what
- *             this build leaves out) */
+ *             result untouched), SP_E_NOT_FINITE (loads overflow), SP_E_UNSUPPORTED (in this build; strength if coupled) */
 SP_API sp_status sp_check(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_result *result);
 
 /* Re-check the evidence of a result from the scene, now or later. scratch: sp_memory, SP_FOR_VERIFY; overwritten.
@@ -193,18 +193,18 @@ typedef enum sp_words {       /* which enumeration sp_text is asked about */
     SP_WORDS_JOINT, SP_WORDS_NBO
 } sp_words;
 
-/* What a value of that enumeration is called, lower case; of a status: one sentence. An unknown value or enumeration is "unknown",
- * with SP_QP_ONLY all from SP_WORDS_VERDICT on. Never NULL; static storage. C and C++ call sp_verdict_text and its kin. */
+/* What a value of that enumeration is called, lower case; of a status: one sentence. An unknown value or enumeration is
+ * "unknown", with SP_QP_ONLY all from SP_WORDS_VERDICT on. Never NULL; static storage. sp_verdict_text and others call it. */
 SP_API const char *sp_text(sp_words of, int32_t value);
 static inline const char *sp_status_text(sp_status status) { return sp_text(SP_WORDS_STATUS, (int32_t)status); }
 
 #ifndef SP_QP_ONLY
 /* -------------------------------------------------------------------------------------------------------- the scene in full */
 
-/* What a joint can carry: the set K_v of forces at each of its corners, which share the joint's area A alike (A_v = A / points):
+/* What a joint can carry: the set K_v of forces at each of its corners, which share the joint's area A alike, A_v = A / points:
  *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= crushing A_v                               [Mohr-Coulomb]
- * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K) of
- * both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
+ * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K)
+ * of both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
  * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
 struct sp_strength {
     sp_real mu;                 /* friction coefficient, >= 0 [1] */
@@ -243,9 +243,9 @@ typedef struct sp_load {
     sp_real mass;               /* a weight laid on or hung to the point, a gripper for instance, >= 0 [kg] */
 } sp_load;
 
-/* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). To take out what
- * was added last, set count back to what it was before (all of it, or joints and points to find them anew). Lives in an arena.
- * Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
+/* The assembly. Read it freely; change it through the calls below (gravity, live and body may be set directly). To take out
+ * what was added last, set count back to what it was before (all of it, or joints and points to find them anew). Lives in an
+ * arena. Body forces: to shake or tilt a scene for good, change gravity (a seismic coefficient k along x: gravity[0] = k g). */
 struct sp_scene {
     sp_real gravity[3];         /* [m/s^2], finite; set to (0, 0, -9.80665) by sp_scene_create */
     sp_real live;               /* multiple at which live loads and `body` act, finite; set to 1 */
@@ -280,14 +280,14 @@ SP_API sp_status sp_mesh_mass(const sp_mesh *mesh, sp_mass *mass);
 SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp_real n[3], int32_t points,
                                  const sp_real *xyz, const sp_strength *strength, int32_t *id);
 
-/* Use one friction coefficient mu >= 0 for every joint there is.     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
+/* Use one friction coefficient mu >= 0 for every joint there is.   returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_RANGE */
 SP_API sp_status sp_scene_friction(sp_scene *scene, sp_real mu);
 
 /* Add a load (copied).     returns SP_OK, SP_E_ARGUMENT, SP_E_NOT_FINITE, SP_E_INDEX, SP_E_RANGE (mass < 0), SP_E_CAPACITY */
 SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id);
 
 /* Add a pressure [Pa] on one face (its number within the block) as the force it comes to: -pressure x area vector, at the
- * centroid of the face; < 0 pulls. live as sp_load.live.     returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (no area) */
+ * centroid of the face; < 0 pulls. live as sp_load.live.    returns as sp_scene_load, SP_E_INDEX (face), SP_E_AREA (none) */
 SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face, sp_real pressure, int32_t live, int32_t *id);
 
 /* --------------------------------------------------------------------------------------------------------- contacts in full */
@@ -309,10 +309,10 @@ struct sp_contact_report {
 };
 SP_API sp_contact_settings sp_contact_settings_default(void);
 
-/* sp_contacts_find's small print. A patch with a hole, or a concave one, is one or several simple polygons with all true corners (of
- * SP_SMALL the convex hull of what faces share in one plane). Scratch is enough unless two faces cross each other like combs, in more
- * places than eight a corner: then it returns SP_E_MEMORY and wants more. SP_SMALL: SP_E_UNSUPPORTED where a face that is not convex
- * lies in one plane with an opposed one and their boxes meet, whether or not they touch. */
+/* sp_contacts_find's small print. A patch with a hole, or a concave one, is one or several simple polygons with all true
+ * corners (of SP_SMALL the convex hull of what faces share in one plane). Scratch is enough unless two faces cross each other
+ * like combs, in more places than eight a corner: then it returns SP_E_MEMORY and wants more. SP_SMALL: SP_E_UNSUPPORTED where
+ * a face that is not convex lies in one plane with an opposed one and their boxes meet, whether or not they touch. */
 
 /* ------------------------------------------------------------------------------------------------------- what a check tells */
 
@@ -414,8 +414,9 @@ typedef enum sp_coupling_reason {
 /* A proof that no triple meets the conditions of the coupled check; its grammar stands with what is for experts. */
 typedef struct sp_proof {
     int32_t nodes, leaves, entries;     /* 0: no proof */
-    int32_t island;                     /* 0: of the whole scene; k: of its k-th island alone, by their first blocks: its blocks,
-                                           contact vertices, V and b, and its own unit of force; eps and eta of the whole */
+    int32_t island;                     /* 0: of the whole scene; k: of its k-th island alone, by their first blocks: its
+                                           blocks, contact vertices, V and b, and its own unit of force; eps and eta of the
+                                           whole */
     int32_t *node;
     uint16_t *row;
     sp_real *y;
@@ -486,7 +487,7 @@ struct sp_result {
     int32_t verified;           /* 1: the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided, or SP_STAGE_NONE */
     sp_real imbalance;          /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
-                                   (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less                   [1] */
+                                   (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less              [1] */
     sp_real least_imbalance;    /* proved by dq: no admissible forces within force_bound come below this one            [1] */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
@@ -506,9 +507,9 @@ struct sp_result {
 };
 
 /* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
- * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its residual
- * allows and ignored where it is not finite; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless NULL) and
- * coupled.proof (if it has nodes); nothing else. tol, force_bound, eps and eta are those of the settings. */
+ * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its
+ * residual allows and ignored where it is not finite; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
+ * NULL) and coupled.proof (if it has nodes); nothing else. tol, force_bound, eps and eta are those of the settings. */
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;              /* as in sp_result, and so the next two [1] */
@@ -526,7 +527,7 @@ struct sp_joint_force {
 };
 
 /* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they
- * balance its weight and loads; a support's reaction is the opposite. Reads result.f alone.     returns as sp_joint_resultant */
+ * balance its weight and loads; a support's reaction is the opposite. Reads result.f alone.    returns as sp_joint_resultant */
 SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
                                     sp_real moment[3]);
 
@@ -535,11 +536,17 @@ static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(S
 static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
 static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
 static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
-static inline int sp_effect_on(sp_effect_why why) { return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES; }
+static inline int sp_effect_on(sp_effect_why why)
+{
+    return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES;
+}
 static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
 static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
 static inline const char *sp_coupling_text(sp_coupling coupling) { return sp_text(SP_WORDS_COUPLING, (int32_t)coupling); }
-static inline const char *sp_coupling_reason_text(sp_coupling_reason reason) { return sp_text(SP_WORDS_COUPLING_REASON, (int32_t)reason); }
+static inline const char *sp_coupling_reason_text(sp_coupling_reason reason)
+{
+    return sp_text(SP_WORDS_COUPLING_REASON, (int32_t)reason);
+}
 
 /* ---------------------------------------------------------------------------------------------------- what a check is asked */
 
@@ -569,7 +576,7 @@ struct sp_stage; struct sp_qp_solver; struct sp_seed;
 #define SP_TOL_PRECISE ((sp_real)1e-9)
 #endif
 
-/* The penalty form, min 1/2 sum(fp^2 + gamma fm^2 + tau |ft|^2): what localise and SP_STAGE_ADMM solve.              [seed 1.5] */
+/* The penalty form, min 1/2 sum(fp^2 + gamma fm^2 + tau |ft|^2): what localise and SP_STAGE_ADMM solve.           [seed 1.5] */
 typedef struct sp_penalty_settings {
     sp_real gamma, tau;         /* weight of tension, of friction, relative to compression, > 0                       1e3, 1 */
     int32_t net;                /* 1: friction on fp - fm instead of fp; shows no tension                                  0 */
@@ -581,10 +588,10 @@ struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
                                    above an eighth of the least friction > 0 counts as that, with coupled.asked above 1e-6,
                                    float 1e-4, as that; the result says what was in force */
-    int64_t budget;             /* flops >= 0 the check may spend, never more; 0: no limit. Islands are solved as one then. The result
-                                   is the best evidence so far: a larger budget decides what a smaller one did, and its imbalance
-                                   is no larger (ADMM's last iterate may be worse; in float without interior points by a fifth
-                                   at most). A custom stage heeds state.left by itself                        0 */
+    int64_t budget;             /* flops >= 0 the check may spend, never more; 0: no limit. Islands are solved as one then. The
+                                   result is the best evidence so far: a larger budget decides what a smaller one did, and its
+                                   imbalance is no larger (ADMM's last iterate may be worse; in float without interior points by
+                                   a fifth at most). A custom stage heeds state.left by itself                           0 */
     sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
     sp_coupled_settings coupled;                /* the coupled check */
     int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
@@ -598,8 +605,8 @@ struct sp_settings {
     int32_t stage_count;                        /* 1 .. SP_STAGES_MAX                                                  2 */
     sp_stage_id stage[SP_STAGES_MAX];           /* order in which stages are tried                          gates, exact */
     const struct sp_stage *custom;              /* for SP_STAGE_CUSTOM, else NULL */
-    const struct sp_seed *seed;                 /* constants and gates of the seed (the seed, below); NULL: only its constants where
-                                                   a stage has no other, gates by tol                                NULL */
+    const struct sp_seed *seed;                 /* constants and gates of the seed (the seed, below); NULL: only its constants
+                                                   where a stage has no other, gates by tol                NULL */
     sp_penalty_settings penalty;                /* the penalty form */
     struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
                                    `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
@@ -611,8 +618,9 @@ SP_API sp_settings sp_settings_default(void);
 
 /* What memory is asked for. Told before the call, exact unless said otherwise. */
 typedef enum sp_memory_for {
-    SP_FOR_CHECK = 0,           /* sp_check, from its arena; at most where nothing is to be carried, and with coupled.asked and not
-                                   localise: what statics refuse is not asked. With settings.work: without what that arena takes */
+    SP_FOR_CHECK = 0,           /* sp_check, from its arena; at most where nothing is to be carried, and with coupled.asked and
+                                   not localise: what statics refuse is not asked. With settings.work: without what that arena
+                                   takes */
     SP_FOR_WORK,                /* sp_check, of the arena settings.work (whatever that is now) */
     SP_FOR_VERIFY,              /* sp_verify's scratch, at most (for 64 faces) */
     SP_FOR_CONTACTS,            /* sp_contacts_find's scratch, at most */
@@ -624,11 +632,12 @@ typedef enum sp_memory_for {
 } sp_memory_for;
 
 /* Bytes that a call with this scene and these settings (NULL: the default ones) takes from its arena.
- *   scratch   check, work, limit, sequence run their symbolic step in it and may overwrite it; the others follow from counts alone
- *             and leave it alone: an empty one will do
- *   returns   SP_OK, SP_E_ARGUMENT (also an unknown `what`), SP_E_MEMORY (scratch too small, sp_memory_scratch tells how much; or
- *             more bytes than can be counted), SP_E_UNSUPPORTED (what this build leaves out), else what the call returns */
-SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes);
+ *   scratch   check, work, limit, sequence run their symbolic step in it and may overwrite it; the others follow from counts
+ *             alone and leave it alone: an empty one will do
+ *   returns   SP_OK, SP_E_ARGUMENT (also an unknown `what`), SP_E_MEMORY (scratch too small, sp_memory_scratch tells how much;
+ *             or more bytes than can be counted), SP_E_UNSUPPORTED (what this build leaves out), else what the call returns */
+SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch,
+                           size_t *bytes);
 
 /* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
  * A penalty.solver whose `need` wants more than sp_qp_memory would must say so itself. */
@@ -640,7 +649,7 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const
  * The largest multiple lambda >= 0 of the live loads (those with live not 0, and scene.body) that the assembly bears on top of
  * the others: the largest lambda for which an admissible force state exists. With friction that is an upper value: such a
  * state is necessary for standing, not sufficient, and a real wall may fall at less (its friction does not make it open as it
- * slides). Without friction, and where nothing slides, it is exact.               [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
+ * slides). Without friction, and where nothing slides, it is exact.              [Drucker 1954; Gilbert, Casapulla, Ahmed 2006]
  */
 
 typedef enum sp_limit_kind {
@@ -652,15 +661,18 @@ typedef enum sp_limit_kind {
 
 typedef struct sp_limit_result {
     sp_limit_kind kind;
-    sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open at
-                                   this tol, or SP_REASON_UNVERIFIED */
-    sp_real multiplier;         /* lambda >= 0 [1]: power balance of dq, -(dead . dq) / (live . dq), in the bracket; 0 unless FOUND */
+    sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open
+                                   at this tol, or SP_REASON_UNVERIFIED */
+    sp_real multiplier;         /* lambda >= 0 [1]: power balance of dq, -(dead . dq) / (live . dq), in the bracket; 0 unless
+                                   FOUND */
     sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
     sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
                                    Of a NONE 0 */
-    sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives forces
-                                   at lower in the mechanism; it counts against the loads, not against a small multiplier */
-    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold it */
+    sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives
+                                   forces at lower in the mechanism; it counts against the loads, not against a small
+                                   multiplier */
+    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold
+                                   it */
     sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
     sp_real imbalance;          /* largest relative imbalance of f [1] */
     sp_real least_imbalance;    /* that dq proves at upper [1] */
@@ -676,13 +688,13 @@ typedef struct sp_limit_result {
 } sp_limit_result;
 
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
- * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction; nothing
- * of one that may crush) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with lambda in it.
- * What either leaves open is left to the exact stage, by Newton's method on the power balance.
+ * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction;
+ * nothing of one that may crush) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with
+ * lambda in it. What either leaves open is left to the exact stage, by Newton's method on the power balance.
  *   scene     its `live` is not read
  *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
- *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where joints,
- *             dead and live loads share a mirror
+ *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where
+ *             joints, dead and live loads share a mirror
  *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_LIMIT
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
@@ -696,8 +708,8 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
 
 static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
 
-/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what opens
- * more is open. */
+/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what
+ * opens more is open. */
 typedef enum sp_joint_kind {
     SP_JOINT_RIGID = 0,         /* no corner moves */
     SP_JOINT_HINGE,             /* some corners stay in touch, others open */
@@ -766,8 +778,8 @@ typedef struct sp_step {
  *             SP_E_NOT_FINITE (loads overflow), SP_E_MEMORY: arena too small. On failure arena and *sequence are untouched */
 SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence);
 
-/* One block (its number in the scene) comes, goes, is held or let go; a support is there or absent. What it touched is looked at
- * again. step: its f and dq are the sequence's, until the next call.
+/* One block (its number in the scene) comes, goes, is held or let go; a support is there or absent. What it touched is looked
+ * at again. step: its f and dq are the sequence's, until the next call.
  *   returns   SP_OK (whatever the verdict), SP_E_ARGUMENT (null pointers, presence), SP_E_INDEX */
 SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presence presence, sp_step *step);
 
@@ -845,8 +857,8 @@ static inline const char *sp_held_proof_text(sp_held_proof proof) { return sp_te
 #ifndef SP_NO_PLAN
 typedef struct sp_planned {
     sp_effect_why why;          /* is it simulated, and why */
-    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes, for
-                                           what stands within a factor of 5, for what falls often less than it takes; bytes:
+    int64_t unknowns, flops, bytes;     /* what leaving it out is predicted to save; flops: a guess of the steps a search takes,
+                                           for what stands within a factor of 5, for what falls often less than it takes; bytes:
                                            exact, below 0 where the tables of small islands take more than they spare */
 } sp_planned;
 
@@ -858,7 +870,7 @@ typedef struct sp_outlook {
     size_t bytes, full_bytes;                                   /* likewise, of the arena */
 } sp_outlook;
 
-/* What will sp_check simulate, what not, and why? settings NULL: the default ones. scratch: sp_memory, SP_FOR_PLAN; overwritten.
+/* What will sp_check simulate, what not, and why? settings NULL: the default ones. scratch: sp_memory, SP_FOR_PLAN.
  *   returns what sp_check returns */
 SP_API sp_status sp_plan(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_outlook *out);
 #endif
@@ -1011,8 +1023,10 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
      + ((nodes) ? SP_PROOF_BYTES(SP_EXACT_MOST(blocks), SP_EXACT_MOST(vertices), nodes) : 0))
 #define SP_EXACT_MOST(count) ((size_t)(count) < SP_EXACT_POINTS ? (size_t)(count) : (size_t)SP_EXACT_POINTS)
 #define SP_PROOF_BYTES(b, v, nodes) \
-    ((sizeof(sp_real) + 2) * (20 * (size_t)(nodes) + 3 * (v) + 6 * (b) + 1) + (sizeof(sp_real) + 4) * (229 * (v) + 48 * (b) + 3) \
-     + sizeof(sp_real) * ((3 * (v) + 6 * (b)) * (3 * (v) + 6 * (b)) + 38 * (v) + 2 * (b)) + 4 * (size_t)(nodes) + 400 * (v) + 1000)
+    ((sizeof(sp_real) + 2) * (20 * (size_t)(nodes) + 3 * (v) + 6 * (b) + 1) \
+     + (sizeof(sp_real) + 4) * (229 * (v) + 48 * (b) + 3) \
+     + sizeof(sp_real) * ((3 * (v) + 6 * (b)) * (3 * (v) + 6 * (b)) + 38 * (v) + 2 * (b)) \
+     + 4 * (size_t)(nodes) + 400 * (v) + 1000)
 #define SP_ADMM_BYTES(blocks, vertices, faces) \
     (SP_ADMM_CG_BYTES(blocks, vertices, faces) \
      + SP_FACTOR_BYTES(6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices), \
@@ -1111,7 +1125,7 @@ typedef struct sp_state {
  *   run    may take memory from the arena (given back after it); sets *claim to SP_STABLE (judge f), SP_UNSTABLE (judge dq) or
  *          SP_UNDECIDED (f and dq are its best attempts; the next stage goes on)
  *          pieces of its own start at multiples of SP_ALIGN
- *   need   bytes run takes from an arena, exact; the symbolic step, if there is one, runs in `scratch`; SIZE_MAX: it is too small
+ *   need   bytes run takes from an arena, exact; the symbolic step, if there is one, runs in `scratch`; SIZE_MAX: too small
  *   returns SP_OK or SP_E_MEMORY */
 typedef struct sp_stage {
     sp_status (*run)(const sp_problem *problem, const sp_settings *settings, sp_state *state, sp_arena *arena,
@@ -1129,8 +1143,8 @@ typedef struct sp_stage {
  */
 #define SP_QP_INFINITY ((sp_real)1e20)  /* l <= -1e20, u >= 1e20 (also IEEE infinities): no bound */
 
-/* The problem, the caller's: nothing is copied, it must stay as it is until the solver is done. Matrices by columns: column j is
- * entries p[j] .. p[j+1]-1, row numbers i ascending without repeats, p[0] = 0.
+/* The problem, the caller's: nothing is copied, it must stay as it is until the solver is done. Matrices by columns: column j
+ * is entries p[j] .. p[j+1]-1, row numbers i ascending without repeats, p[0] = 0.
  * P is given as its UPPER TRIANGLE with the diagonal: an entry below the diagonal is refused, not read. */
 typedef struct sp_qp {
     int32_t n, m;               /* unknowns >= 1, rows >= 0 */
@@ -1152,7 +1166,8 @@ typedef enum sp_qp_status {
     SP_QP_SOLVED = 0,           /* residuals within eps, and the objective (strict), on the data as given */
     SP_QP_INACCURATE,           /* stopped (iterations, budget), all within 10 eps */
     SP_QP_PRIMAL_INFEASIBLE,    /* y proves: no x with |x| < radius meets the constraints */
-    SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, to the same kind of radius */
+    SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, to the same kind of
+                                   radius */
     SP_QP_ITERATIONS,           /* iteration limit; x, y are the last iterate */
     SP_QP_BUDGET,               /* work budget spent; likewise */
     SP_QP_NUMERICAL             /* numbers left the range of sp_real; x, y are the last that were finite */
@@ -1238,8 +1253,8 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
 
 /* Solve. settings NULL: the default ones. x0 (n), y0 (m): a guess, each may be NULL.
  *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
- *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u, settings),
- *           SP_E_UNSUPPORTED (a back end or polish that this build leaves out),
+ *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u,
+ *           settings), SP_E_UNSUPPORTED (a back end or polish that this build leaves out),
  *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its largest entry, float -2.5e-7 n; the
  *           matrix-free back end can only look for one and may miss one that is small), SP_E_MEMORY */
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
@@ -1267,11 +1282,12 @@ static inline const char *sp_qp_status_text(sp_qp_status status) { return sp_tex
 #ifndef SP_QP_ONLY
 /* ------------------------------------------------------------------------------------------------ the seed's constants
  *
- * "Seed" is the specification, [n.m] its sections in solvers/seed/README.md; departures from it are numbered in solvers/README.md.
- * It asks least squares, then polish, then ADMM, and reads a verdict off the third one's tension. Here the same stages, constants
- * and gates only propose, and verdicts are proved as ever: a finite gamma buys a little tension even where none is needed
- * [departure 2]. Ranges: faces 3 .. 64, window, balance and reg > 0, gain < 1, no number < 0. Values are those of double; what a float
- * can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5, reg 1e-6, sigma 1e-3, rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
+ * "Seed" is the specification, [n.m] its sections in solvers/seed/README.md; departures from it are numbered in
+ * solvers/README.md. It asks least squares, then polish, then ADMM, and reads a verdict off the third one's tension. Here the
+ * same stages, constants and gates only propose, and verdicts are proved as ever: a finite gamma buys a little tension even
+ * where none is needed [departure 2]. Ranges: faces 3 .. 64, window, balance and reg > 0, gain < 1, no number < 0. Values are
+ * those of double; what a float can't reach is float's own in sp_seed_table: balance 1e-5, cone 1e-5, reg 1e-6, sigma 1e-3,
+ * rho_equal 1e2, cg_tol 1e-6, eps 1e-4. */
 
 typedef struct sp_seed {
     int32_t faces, inscribed;   /* friction pyramid, mu_eff = mu cos(pi/faces)                             8, 1     [1.4] */
@@ -1290,7 +1306,7 @@ typedef struct sp_seed {
     int32_t turns;              /* settings.coupled.rounds                                                 12       [3.3] */
     sp_qp_settings admm;        /* sigma 1e-6, relax 1.6, rho 0.1 and 1e3 of it on equations, eps 1e-4, eps_pinf 1e-4, check 10,
                                    adapt 100, at most 10 by 5, 3 passes, CG 250 and 1e-10                   [4.2, 4.3] */
-    sp_qp_settings native;      /* what settings.penalty.solver is asked for: 1e-6, 1e-5, 6000 iterations, polish        [4.4] */
+    sp_qp_settings native;      /* what settings.penalty.solver is asked for: 1e-6, 1e-5, 6000 iterations, polish   [4.4] */
 } sp_seed;
 
 /* The one table of all of them; static storage. Copy it, change what you like and point settings.seed to the copy. NULL of
@@ -1313,12 +1329,12 @@ SP_API sp_settings sp_settings_seed(void);
  *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
- *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength, all
- *                   blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks: number
- *                   them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is undecided
- *                   is at its LIMIT; demand, effect and extremes stay 0, weakest -1 (sp_joint_resultant tells). Budgets, effects
- *                   left out, stages but the gates and the exact one (which are one here; so sp_settings_seed, too, and
- *                   sp_seed_table is NULL), pyramids, the coupled check, contacts of faces that are not convex:
+ *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength,
+ *                   all blocks together, by a search that stops at tol. Its factor is an envelope in the order of the blocks:
+ *                   number them so that what touches is near. All that falls is a MECHANISM, fewer of them are final, what is
+ *                   undecided is at its LIMIT; demand, effect and extremes stay 0, weakest -1 (sp_joint_resultant tells).
+ *                   Budgets, effects left out, stages but the gates and the exact one (which are one here; so sp_settings_seed,
+ *                   too, and sp_seed_table is NULL), pyramids, the coupled check, contacts of faces that are not convex:
  *                   SP_E_UNSUPPORTED, also for a number or choice of these that no build takes.
  *                   custom, penalty and what coupled has but for asked are neither read nor checked.
  *                   What two blocks share in one plane is one contact, its convex hull, which carries the same forces; left
@@ -1332,7 +1348,7 @@ SP_API sp_settings sp_settings_seed(void);
  *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
- *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; leaving out the depth: SP_E_UNSUPPORTED
+ *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; depth left out: SP_E_UNSUPPORTED
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_ADMM      defined: no preset of the seed (the seed, below); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
