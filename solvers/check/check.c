@@ -51,7 +51,8 @@ SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
 }
 
 /* The status of arguments that sp_check can't work with. */
-static sp_status sp__check_arguments(const sp_scene *scene, const sp_settings *settings, const sp_arena *arena, const sp_result *result)
+static sp_status sp__check_arguments(const sp_scene *scene, const sp_settings *settings, const sp_arena *arena,
+                                     const sp_result *result)
 {
     if (!scene || !arena || !arena->base || !result) return SP_E_ARGUMENT;
     if (settings && settings->work && (settings->work == arena || !settings->work->base)) return SP_E_ARGUMENT;

@@ -13,7 +13,8 @@
 #define SP__ISLANDS_ENOUGH ((sp_real)(sizeof(sp_real) == 4 ? 0.9 : 0.999))
 
 #if SP__WITH_COUPLED
-/* Numbers of an island's coupled check into those of the whole. Where it is coupled its forces take the place of the penalty form. */
+/* Numbers of an island's coupled check into those of the whole.
+ * Where it is coupled its forces take the place of the penalty form. */
 SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, sp__check *c)
 {
     const sp_coupled *from = &found->r.coupled;
@@ -103,7 +104,8 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     }
     const int refuted = out->proof.nodes > 0;
     for (int32_t k = r->islands.count - 1; k >= 0; k--)
-        if (r->islands.each[k].coupling == SP_COUPLING_NOT_FOUND && r->islands.each[k].coupling_reason != SP_COUPLING_STATICS) open = k;
+        if (r->islands.each[k].coupling == SP_COUPLING_NOT_FOUND
+            && r->islands.each[k].coupling_reason != SP_COUPLING_STATICS) open = k;
     out->verdict = r->verdict == SP_UNSTABLE || refuted ? SP_COUPLING_REFUTED : SP_COUPLING_NOT_FOUND;
     out->reason = refuted ? SP_COUPLING_NO_MOTION : r->verdict != SP_STABLE ? SP_COUPLING_STATICS
                 : open >= 0 ? r->islands.each[open].coupling_reason : SP_COUPLING_LIMIT;
@@ -135,7 +137,7 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     if (w->proof.nodes) r->coupled.proof = w->proof;
     r->coupled.margin = w->margin;
     const sp_island *worst = &r->islands.each[sp__islands_worst(r)];
-    for (int32_t i = 0; i < scene->count.blocks; i++)                   /* only the motion of the islands that gave the verdict */
+    for (int32_t i = 0; i < scene->count.blocks; i++)   /* only the motion of islands that gave the verdict */
         if (label[i] >= 0 && r->islands.each[label[i]].verdict != worst->verdict)
             memset(r->dq + 6 * (size_t)i, 0, 6 * sizeof *r->dq);
     a->used = w->start;                                                 /* the tables are no longer needed */
@@ -160,7 +162,8 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
 
 #if SP__WITH_COUPLED
 /* eps and eta of the whole, for its islands. */
-SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set, sp_arena a)
+SP__NOINLINE static sp_status sp__islands_lengths(const sp_scene *scene, sp_coupled_settings *cs, const sp_settings *set,
+                                                  sp_arena a)
 {
     sp_problem pb;
     const sp_status status = sp_problem_build(scene, &a, &pb);
@@ -214,8 +217,8 @@ static void sp__island_results(const sp_result *whole, sp_result *r)
 }
 
 /* A check of the k-th island. A proof goes into the room the whole has for it. */
-SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__island_loop *w, int32_t k, const sp__check *c, sp_arena *a,
-                                         sp__check **found)
+SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__island_loop *w, int32_t k, const sp__check *c,
+                                                   sp_arena *a, sp__check **found)
 {
     w->at = k < c->r.islands.count ? k : w->proof.island - 1;
     w->again = k == c->r.islands.count;

@@ -28,9 +28,9 @@ static void sp__drop_tiny_forces(sp_real *f, int32_t points, sp_real share)
     for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
 }
 
-/* The verdict that the state's forces and motion prove, whatever was claimed. The forces are checked first; the motion, too, unless
- * they prove STABLE or were all that was claimed. Both go to the result at the scene's numbers; with `best` (on a budget) only if
- * they are better than what it has. */
+/* The verdict that the state's forces and motion prove, whatever was claimed. The forces are checked first; the motion, too,
+ * unless they prove STABLE or were all that was claimed. Both go to the result at the scene's numbers; with `best` (on a
+ * budget) only if they are better than what it has. */
 SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
@@ -100,8 +100,8 @@ typedef struct sp__reduced_outcome {
 } sp__reduced_outcome;
 
 /* Run the search in 3 rows, if one is planned, in the memory that the search in 6 rows takes after it. */
-SP__NOINLINE static sp_status sp__reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r, sp_state *state,
-                                            sp_arena *a, sp__reduced_outcome *s)
+SP__NOINLINE static sp_status sp__reduced_search(const sp_problem *pb, const sp_settings *set, const sp_result *r,
+                                                 sp_state *state, sp_arena *a, sp__reduced_outcome *s)
 {
     sp_arena room = sp__work_open(set, a);
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
@@ -122,11 +122,11 @@ SP__NOINLINE static sp_status sp__hint_in_full(const sp_problem *pb, const sp_se
     return sp__bilateral_hint(pb, set, state, sp__work_open(set, a));
 }
 
-/* Certificate check, in 6 rows, of what the search in 3 rows found. If its bilateral force is not that of 6 rows, forces are first
- * checked by the scales of the loads alone; if that proves nothing, f0 is found in 6 rows and all is checked again, unless there
- * is a budget. A search that the budget ended is checked, too. */
-SP__NOINLINE static sp_status sp__reduced_evidence(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s, sp_state *state,
-                                            sp_arena *a, sp_result *r)
+/* Certificate check, in 6 rows, of what the search in 3 rows found. If its bilateral force is not that of 6 rows, forces are
+ * first checked by the scales of the loads alone; if that proves nothing, f0 is found in 6 rows and all is checked again,
+ * unless there is a budget. A search that the budget ended is checked, too. */
+SP__NOINLINE static sp_status sp__reduced_evidence(const sp_problem *pb, const sp_settings *set, const sp__reduced_outcome *s,
+                                                   sp_state *state, sp_arena *a, sp_result *r)
 {
     const int32_t most = sp__budget_sweeps(set, pb, sp__budget_left(set, r) - state->cost.flops);
     if (s->known) return sp__check_evidence(pb, set, most, s->claim, state, a, r);
@@ -139,8 +139,8 @@ SP__NOINLINE static sp_status sp__reduced_evidence(const sp_problem *pb, const s
     return status ? status : sp__check_evidence(pb, set, INT32_MAX, s->claim, state, a, r);
 }
 
-/* The search in 3 rows and its certificate check; *done: the check is decided. A planar scene is not tried without friction. Where
- * the settings leave out the third dimension no search in 6 rows follows. */
+/* The search in 3 rows and its certificate check; *done: the check is decided. A planar scene is not tried without friction.
+ * Where the settings leave out the third dimension no search in 6 rows follows. */
 SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                            sp_arena *a, sp_result *r, int *done)
 {
@@ -170,8 +170,8 @@ SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_set
 }
 
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
-SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state, sp_arena *a,
-                                         sp_result *r, int *done)
+SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
+                                            sp_arena *a, sp_result *r, int *done)
 {
     sp_verdict claim = SP_UNDECIDED;
     const int last = k + 1 == set->stage_count;
@@ -189,7 +189,8 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
     r->extremes.tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
-        const sp_status judged = sp__check_evidence(pb, set, sp__budget_sweeps(set, pb, left - state->cost.flops), claim, state, a, r);
+        const int32_t sweeps = sp__budget_sweeps(set, pb, left - state->cost.flops);
+        const sp_status judged = sp__check_evidence(pb, set, sweeps, claim, state, a, r);
         if (judged) return judged;
         *done = r->verdict != SP_UNDECIDED;
         r->verified = *done;

@@ -64,8 +64,8 @@ SP__NOINLINE static size_t sp__result_arrays_need(const sp_scene *scene, int32_t
     return dry.used;
 }
 
-/* The state that stages work on, numbered as the problem is; what has been checked of it is written at the scene's numbers. The forces of a
- * whole scene are the result's own unless there is a budget, where the result keeps the best of all stages. */
+/* The state that stages work on, numbered as the problem is; what has been checked of it is written at the scene's numbers. The
+ * forces of a whole scene are the result's own unless there is a budget, where the result keeps the best of all stages. */
 static void sp__state_carve(sp_state *s, const sp_problem *pb, const sp_settings *set, int part, sp_arena *a)
 {
     s->y = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->y);
@@ -173,7 +173,8 @@ static sp_status sp__whole_need(const sp_scene *scene, sp__check *c, sp_arena sc
 }
 
 /* Bytes of a part's check; c: what it works on. */
-SP__NOINLINE static sp_status sp__part_need(const sp_scene *scene, const sp__part *part, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__part_need(const sp_scene *scene, const sp__part *part, sp__check *c, sp_arena scratch,
+                                            size_t *bytes)
 {
     sp_arena dry = sp__arena_dry();
     sp_status status = sp__part_build(scene, part, &scratch, &c->pb);
@@ -208,7 +209,8 @@ SP__NOINLINE static size_t sp__island_loop_bytes(const sp_scene *scene, int32_t 
 }
 
 /* Bytes of the tables and the island that wants most. */
-SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t count, sp__check *c, sp_arena scratch,
+                                               size_t *bytes)
 {
     size_t most = 0;
     sp__islands *t = sp__take(&scratch, 1, sizeof *t);
@@ -227,7 +229,8 @@ SP__NOINLINE static sp_status sp__islands_need(const sp_scene *scene, int32_t co
 }
 
 /* Bytes behind what a check keeps: islands counts, then all of them judged; or the whole. */
-SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islands, sp__check *c, sp_arena scratch,
+                                            size_t *bytes)
 {
     if (islands < 2) return sp__whole_need(scene, c, scratch, bytes);
     sp__problem_count(scene, &c->pb);
@@ -237,9 +240,11 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
     return status;
 }
 
-/* SP_MEMORY_BYTES holds only if structs and sizes that the header does not show are no larger than this, in double and float. */
+/* SP_MEMORY_BYTES holds only if structs and sizes that the header does not show are no larger than this,
+ * in double and float. */
 typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <= 400 && sizeof(sp__yield) <= 64
-                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real) && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
+                                    && sizeof(sp__scale) <= 13 * sizeof(sp_real)
+                                    && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
 typedef char sp__memory_bytes_holds_reduction[sizeof(sp_real) > 8 || SP__REDUCTION_G <= 20 ? 1 : -1];
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
 
@@ -274,12 +279,14 @@ static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, 
     return SP_OK;
 }
 
-SP__NOINLINE static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__check_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
+                                               size_t *bytes)
 {
     return sp__memory(scene, settings, NULL, scratch, bytes);
 }
 
-SP__NOINLINE static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
+                                              size_t *bytes)
 {
     sp_arena work = sp__arena_dry();
     const sp_status status = sp__memory(scene, settings, &work, scratch, bytes);

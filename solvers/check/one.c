@@ -9,7 +9,8 @@
 #if SP__WITH_LARGE
 
 /* Where tension is missing in a part that is not stable: the penalty form's demand on each joint. */
-SP__NOINLINE static sp_status sp__find_missing_tension(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
+SP__NOINLINE static sp_status sp__find_missing_tension(const sp_problem *pb, const sp_settings *set, sp_state *state,
+                                                       sp_arena *a, sp_result *r)
 {
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
@@ -58,7 +59,8 @@ SP__NOINLINE static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
     if (!c->pb.blocks) {
         out->verdict = SP_COUPLING_COUPLED;
         out->reason = SP_COUPLING_MOTION;
-    } else if (c->state.left >= 10 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb.points && (r->verdict == SP_STABLE || c->set.localise))
+    } else if (c->state.left >= 10 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb.points
+               && (r->verdict == SP_STABLE || c->set.localise))
         status = sp__coupled_run(&c->pb, &c->set, &c->state, a, r);
     sp__points_write(&c->pb, 3, c->state.f, r->f);
     a->used = mark;
@@ -74,7 +76,8 @@ static int sp__apply_coupled_verdict(const sp_settings *set, sp_coupling couplin
     if (coupling <= SP_COUPLING_COUPLED || why == SP_COUPLING_STATICS) return 0;
     const int refuted = coupling == SP_COUPLING_REFUTED;
     *verdict = refuted ? SP_UNSTABLE : SP_UNDECIDED;
-    *reason = refuted ? SP_REASON_NO_MOTION : set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT ? SP_REASON_EFFECT : SP_REASON_NOT_COUPLED;
+    *reason = refuted ? SP_REASON_NO_MOTION
+            : set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT ? SP_REASON_EFFECT : SP_REASON_NOT_COUPLED;
     return 1;
 }
 #else
@@ -91,7 +94,7 @@ static sp_status sp__run_coupled(sp__check *c, sp_arena *a)
 static void sp__result_start(sp_result *r, const sp_settings *set, int32_t b, int32_t contacts, int32_t points)
 {
     r->extremes.tension_ratio = r->coupled.tension_ratio = -1;
-    if (set->budget > 0 || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;         /* of no forces at all */
+    if (set->budget > 0 || set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) r->imbalance = b ? 1 : 0;    /* of no forces at all */
     r->tol = set->tol;
     r->force_bound = set->force_bound;
     r->counts.free_blocks = b;
@@ -119,8 +122,8 @@ static void sp__result_clear(const sp_scene *scene, int32_t free_blocks, sp_resu
 
 /* Everything of a check in arena `a` but the problem; `a` may be used up.
  *   out    *check: where the result is found on SP_OK */
-SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings, const sp__island_counts *counts,
-                                          sp_arena *a, sp__check **check)
+SP__NOINLINE static sp_status sp__check_open(const sp_scene *scene, const sp_settings *settings,
+                                             const sp__island_counts *counts, sp_arena *a, sp__check **check)
 {
     sp_problem count;
     sp__result_arrays arrays;

@@ -36,7 +36,8 @@ static void sp__island_hint(const sp__island_claim *p, const sp_scene *scene, co
     for (int32_t i = 0; i < scene->count.blocks; i++) all += p->t.rank[i] >= 0;
     for (size_t i = 0; i < b; i++)
         for (size_t half = 0; half < 2; half++)
-            memcpy(p->hint + 6 * (half * b + i), y0 + 6 * (half * all + (size_t)p->t.rank[p->pb.block[i]]), 6 * sizeof *p->hint);
+            memcpy(p->hint + 6 * (half * b + i), y0 + 6 * (half * all + (size_t)p->t.rank[p->pb.block[i]]),
+                   6 * sizeof *p->hint);
 }
 
 /* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
@@ -65,8 +66,8 @@ SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_
 }
 
 /* The triple of a coupled check, and a proof that there is none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
-SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim, sp_real *dq,
-                                    sp_arena *scratch, sp_arena room, sp_evidence *e)
+SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim,
+                                                 sp_real *dq, sp_arena *scratch, sp_arena room, sp_evidence *e)
 {
     sp_status status = SP_OK;
     if (c->set.coupled.asked && claim->coupled.dq && claim->coupled.alpha) {

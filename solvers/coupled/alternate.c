@@ -1,4 +1,4 @@
-/* alternate: the specification's search for a triple, for comparison: forces and motion take turns.           [seed 3.2, 3.3] */
+/* alternate: the specification's search for a triple, for comparison: forces and motion take turns.          [seed 3.2, 3.3] */
 #ifndef SP__COUPLED_ALTERNATE_C
 #define SP__COUPLED_ALTERNATE_C
 
@@ -333,7 +333,8 @@ static sp_real sp__alt_gap(const sp__alt *m, size_t v)
     return m->weight[v] * sp__abs(m->c->spring.d[3 * v] + m->c->k.eps);
 }
 
-/* Corners that the motion does not explain lose their force: of E the worst, of F those off their slip.     returns how many were pinned */
+/* Corners that the motion does not explain lose their force: of E the worst, of F those off their slip.
+ *     returns how many were pinned */
 static int32_t sp__alt_remove_worst(sp__alt *m, sp_real worst)
 {
     const sp_real most = sp__max(m->seed->gate, m->seed->drop * worst);
@@ -435,7 +436,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
         }
 }
 
-/* Forces along the motion's slips where it presses, and the triple to the certificate check.     returns 1 when it is verified */
+/* Forces along the motion's slips where it presses, and the triple to the certificate check.   returns 1 when it is verified */
 static int sp__alt_offer(sp__alt *m)
 {
     sp__cra *c = m->c;

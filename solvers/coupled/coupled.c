@@ -9,7 +9,8 @@
 
 #if SP__WITH_COUPLED
 
-/* The motion of the free blocks into the scene's; where the certificate check takes spins off they stay off, also among other islands. */
+/* The motion of the free blocks into the scene's; where the certificate check takes spins off they stay off,
+ * also among other islands. */
 static void sp__cra_write_motion(const sp__cra *c)
 {
     const sp_problem *pb = c->pb;
@@ -38,9 +39,10 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)(c->j.sweeps - before) * c->pb->points;
 }
 
-/* No triple was found: is there none? With mu = 0 this is one linear program that decides either way: ft = 0, alpha = 0, and what is left is
- * linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g, meet fn (dn + g) = 0,
- * because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that program, |d| <= eta among its rows. */
+/* No triple was found: is there none? With mu = 0 this is one linear program that decides either way: ft = 0, alpha = 0, and
+ * what is left is linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g,
+ * meet fn (dn + g) = 0, because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that program,
+ * |d| <= eta among its rows. */
 SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     int frictionless = 1;
@@ -61,10 +63,10 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     return SP_OK;
 }
 
-/* The search in the plane, where one plane is a mirror of everything (statics/mirror.c): motions in it that turn about its normal, 3
- * rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and mirrored corners
- * carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space, whose check has the last
- * word.
+/* The search in the plane, where one plane is a mirror of everything (statics/mirror.c): motions in it that turn about its
+ * normal, 3 rows a block, corners in pairs. There dt of every corner lies in the plane, so ft = -alpha dt does, too, and
+ * mirrored corners carry mirrored forces: what meets the conditions there, forces shared by halves, meets them in space,
+ * whose check has the last word.
  * From rest the search in space would stay in the plane by itself: energy, caps and drags are symmetric, so are Newton's steps.
  * So where this one finds nothing the decision comes before the search in space. That there is nothing in the plane proves
  * nothing: motions that explain forces need not be convex, and the mean of a triple and its image is none.
@@ -138,8 +140,8 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
 /* Is there a triple? Its forces become state->f. Else, where asked, what the joints would have to carry.
  *   in     r->coupled.verdict, reason: statics, if there are no forces (state->f) to begin with; r->imbalance of the forces
  *          state->left: flops, ten sweeps or more
- *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->imbalance of the new forces, r->demand; r->effect: in space after
- *          all */
+ *   out    verdict, reason, residual, rounds, dq, alpha, cost; r->imbalance of the new forces, r->demand;
+ *          r->effect: whether it was looked for in space after all */
 SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a,
                                            sp_result *r)
 {

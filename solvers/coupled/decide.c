@@ -349,8 +349,8 @@ static void sp__branch_rate(const sp__branch *s, int32_t v, sp_real d[3])
 #endif
 
 /* The vertex to branch on: of the unknown the one that presses and gapes most, by its gap; then of those not open the one with
- * the most friction across its slip, as a force, times the width of its sector. -1: the point meets all conditions as closely as
- * states can tell. */
+ * the most friction across its slip, as a force, times the width of its sector. -1:
+ * the point meets all conditions as closely as states can tell. */
 static int32_t sp__branch_pick(const sp__branch *s)
 {
     int32_t pick = -1;
@@ -391,8 +391,8 @@ static sp_real sp__branch_weight(const sp__branch *s, int32_t i)
     return 1 / s->size[v];
 }
 
-/* Multiplier of the k-th active constraint, of the failed one for k = n; 0 for what is only rounding, or where it would ask for a bound that is
- * none. */
+/* Multiplier of the k-th active constraint, of the failed one for k = n; 0 for what is only rounding,
+ * or where it would ask for a bound that is none. */
 static sp_real sp__branch_multiplier(const sp__branch *s, int32_t k, sp_real largest)
 {
     const sp__lp *lp = &s->lp;
@@ -523,12 +523,14 @@ static void sp__branch_point(const sp__branch *s, const sp__triple *t)
     memset(t->f, 0, 3 * (size_t)s->pb->points * sizeof *t->f);
     memset(t->alpha, 0, (size_t)s->pb->points * sizeof *t->alpha);
     for (int32_t v = 0; v < s->points; v++) t->f[3 * (size_t)s->at[v]] = s->lp.x[3 * v] * s->size[v] * s->j->unit;
-    for (int32_t r = 0; r < 6 * s->pb->blocks; r++) t->dq[r] = s->k.L * s->lp.x[3 * s->points + r] / (r % 6 < 3 ? 1 : s->arm[r / 6]);
+    for (int32_t r = 0; r < 6 * s->pb->blocks; r++)
+        t->dq[r] = s->k.L * s->lp.x[3 * s->points + r] / (r % 6 < 3 ? 1 : s->arm[r / 6]);
 }
 
-/* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL): gets
- * the point, if there is one; it is a triple where mu = 0. */
-SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__certifier *j, const sp__lengths *k,
+/* Is there no triple? The proof, once checked, is left in out->proof, its margin, verdict and reason with it. t (may be NULL):
+ * gets the point, if there is one; it is a triple where mu = 0. */
+SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_settings *set, sp__certifier *j,
+                                                const sp__lengths *k,
                                              int64_t left, const sp__triple *t, sp_arena *a, sp_coupled *out)
 {
     const size_t mark = a->used;

@@ -1,5 +1,6 @@
-/* forest: where joints close no loop between blocks a triple needs no search. All blocks sink by eps, and each edge of the graph
- * slips as a plate whose friction is spread as its pressure: dt = -s g(r), g(r) = G + w x (r - o)  (sp__forest_slip_of). */
+/* forest: where joints close no loop between blocks a triple needs no search. All blocks sink by eps, and each edge of the
+ * graph slips as a plate whose friction is spread as its pressure: dt = -s g(r),
+ * g(r) = G + w x (r - o) (sp__forest_slip_of). */
 #ifndef SP__COUPLED_FOREST_C
 #define SP__COUPLED_FOREST_C
 
@@ -96,7 +97,10 @@ static void sp__forest_slip_at(const sp__forest_slip *p, const sp_real r[3], sp_
 }
 
 /* +1, or -1 for a joint whose A is the other's B. */
-static sp_real sp__forest_slip_side(const sp__forest_slip *p, const sp_contact *t) { return t->b == p->first->b ? (sp_real)1 : (sp_real)-1; }
+static sp_real sp__forest_slip_side(const sp__forest_slip *p, const sp_contact *t)
+{
+    return t->b == p->first->b ? (sp_real)1 : (sp_real)-1;
+}
 
 /* Friction that statics found at point v of contact t, on the B side of the first. */
 static void sp__forest_slip_friction(const sp__cra *c, const sp__forest_slip *p, const sp_contact *t, int32_t v, sp_real ft[3])
@@ -189,10 +193,11 @@ SP__NOINLINE static void sp__forest_slip_write(const sp__cra *c, const sp__fores
  *
  *     ft = fn g(r),    dt = -s g(r),    alpha = fn / s      s > 0 as small as eta likes
  *
- * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps and
- * eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the normal,
- * and else the certificate check decides. One cycle, and slips are not free: the H model's block lies between two contacts with supports, the
- * beam snug between a wall and an upright in a ring through the ground, although it has no self-stress.
+ * Their sum and moment are those of the friction that statics found, and fn stays, so balance stays; [K 8-10] hold whatever eps
+ * and eta. What is left is |g| <= mu: of forces in their cones |Ft| <= mu F, so it holds where friction has no moment about the
+ * normal, and else the certificate check decides. One cycle, and slips are not free: the H model's block lies between two
+ * contacts with supports, the beam snug between a wall and an upright in a ring through the ground,
+ * although it has no self-stress.
  *   returns 1 when the triple is verified */
 SP__NOINLINE static int sp__cra_forest(sp__cra *c, sp_arena a)
 {
@@ -202,7 +207,8 @@ SP__NOINLINE static int sp__cra_forest(sp__cra *c, sp_arena a)
     if (!sp__forest_allowed(c->set) || !sp__forest_of(pb, &g, &a)) return 0;
     for (int32_t k = pb->blocks; k-- > 0;) {
         sp__forest_slip p;
-        const sp_real most = sp__forest_slip_of(c, &g, g.join[g.order[k]], &p), slip = c->k.L * (c->k.eta < 2 ? c->k.eta / 2 : 1);
+        const sp_real most = sp__forest_slip_of(c, &g, g.join[g.order[k]], &p);
+        const sp_real slip = c->k.L * (c->k.eta < 2 ? c->k.eta / 2 : 1);
         const sp_real s = most > 0 ? slip / most : 0;
         sp__forest_slip_carry(c, g.order[k], &p, s);
         sp__forest_slip_write(c, &g, &p, s);

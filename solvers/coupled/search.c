@@ -1,5 +1,5 @@
-/* search: the search for a triple: rounds of Newton steps with springs and drag (springs.c), from several starts, the drag growing
- * until slips are short enough. */
+/* search: the search for a triple: rounds of Newton steps with springs and drag (springs.c), from several starts, the drag
+ * growing until slips are short enough. */
 #ifndef SP__COUPLED_SEARCH_C
 #define SP__COUPLED_SEARCH_C
 

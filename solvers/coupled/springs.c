@@ -1,4 +1,5 @@
-/* springs: forces from a motion, by springs at pressing corners and drag at slipping ones, and Newton steps on the energy of both. */
+/* springs: forces from a motion, by springs at pressing corners and drag at slipping ones,
+ * and Newton steps on the energy of both. */
 #ifndef SP__COUPLED_SPRINGS_C
 #define SP__COUPLED_SPRINGS_C
 
@@ -8,14 +9,15 @@
 #if SP__WITH_COUPLED
 
 /* Is there a virtual motion that explains the forces? Only asked where forces were found; every triple the search offers is
- * judged by the certificate check.                                                             [Kao 2022, Eqs. 8-11; departure 3]
+ * judged by the certificate check.
+ *                                                                                          [Kao 2022, Eqs. 8-11; departure 3]
  *
  * For any alpha >= 0 the motion that minimises   -p . dq + 1/2 sum alpha |dt|^2   subject to dn >= -eps   meets every condition
  * but two: fn, its multiplier, balances the loads with ft = -alpha dt, but |ft| may exceed mu fn, and slips eta. So the search
- * looks for alpha. It starts with a drag so weak that joints close before friction carries anything, cuts each vertex's friction
- * at mu times the normal force it saw last, and lets the drag grow, which shortens the slips:
+ * looks for alpha. It starts with a drag so weak that joints close before friction carries anything, cuts each vertex's
+ * friction at mu times the normal force it saw last, and lets the drag grow, which shortens the slips:
  *
- *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2       h: drag/2 |dt|^2, from drag |dt| = bound on linear
+ *     min  -p . dq + sum h(|dt|) + kn/2 sum max(0, lam/kn - (dn + eps))^2    h: drag/2 |dt|^2, from drag |dt| = bound on linear
  *
  * by Newton steps on the block matrix of the dual; lam <- fn, bound <- mu fn. Where forces and slips then agree, the motion is
  * put onto dn = -eps and the forces, along their slips, onto balance, both to rounding. */
@@ -193,7 +195,8 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
 static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy)
 {
     const sp__held_vertex *held = &c->held.vertex[v];
-    const sp_real *d = c->spring.d + 3 * v, *e = held->against, soft = 1 / c->set->penalty.gamma, slide = 1 / SP_SQRT(c->set->penalty.tau);
+    const sp_real *d = c->spring.d + 3 * v, *e = held->against;
+    const sp_real soft = 1 / c->set->penalty.gamma, slide = 1 / SP_SQRT(c->set->penalty.tau);
     const sp_real m = held->reach / slide, x = -d[0], z = -slide * (e[0] * d[1] + e[1] * d[2]);
     const sp_real on = (x + m * z) / (1 + m * m);
     const int open = held->reach < 0, inside = !open && x > 0 && z > 0 && z <= m * x, rim = !open && !inside && z > 0 && on > 0;
@@ -269,7 +272,8 @@ static sp_real sp__cra_at(sp__cra *c, sp_real step)
     return sp__cra_springs(c);
 }
 
-/* Line search: the step between 0 and `high` along d at which the energy is least; it falls by `down` at first, and rises at `step`. */
+/* Line search: the step between 0 and `high` along d at which the energy is least; it falls by `down` at first,
+ * and rises at `step`. */
 static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real down)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;

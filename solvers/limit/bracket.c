@@ -58,7 +58,8 @@ static sp_status sp__bracket_build(const sp_scene *scene, const sp_settings *set
 /* Are there hints? SP_SMALL makes none and takes none. */
 static int sp__bracket_hinted(const sp__bracket *b) { return SP__WITH_INTERIOR && b->y0; }
 
-/* p = d dead + l live. Live loads without dead ones stand for ever more of them: what they want of joints is there without end. */
+/* p = d dead + l live. Live loads without dead ones stand for ever more of them:
+ * what they want of joints is there without end. */
 static void sp__bracket_load(sp__bracket *b, sp_real d, sp_real l)
 {
     const size_t n = 6 * (size_t)b->pb.blocks;

@@ -123,7 +123,8 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     return claim;
 }
 
-/* Does the motion that the engine claims to fall at lambda pass the certificate check?     *beyond: and at every larger multiple */
+/* Does the motion that the engine claims to fall at lambda pass the certificate check?
+ *   *beyond: and at every larger multiple */
 static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
 {
     *beyond = sp__bracket_falls(b, lambda, 1, NULL);

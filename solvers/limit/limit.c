@@ -129,7 +129,8 @@ static size_t sp__limit_scratch(const sp_scene *scene)
     return sizeof(sp__limit) + SP_ALIGN + sp__limit_verify_memory(scene) + SP_ALIGN + sp__limit_start_scratch(&pb);
 }
 
-SP__NOINLINE static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
+                                               size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;

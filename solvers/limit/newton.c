@@ -1,4 +1,5 @@
-/* newton: the bracket of lambda, by Newton's method on the power balance -(p . dq) / (q . dq) of motions.      [Dinkelbach 1967] */
+/* newton: the bracket of lambda, by Newton's method on the power balance -(p . dq) / (q . dq) of motions.
+ *                                                                                                          [Dinkelbach 1967] */
 #ifndef SP__LIMIT_NEWTON_C
 #define SP__LIMIT_NEWTON_C
 
@@ -21,7 +22,8 @@ typedef struct sp__limit {
 } sp__limit;
 
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
-#define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked for */
+#define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked
+                                                                       for */
 #define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist depends on caps, and those on the multiple */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
 #ifdef SP_REAL_MIXED
@@ -44,8 +46,9 @@ static sp_real sp__limit_balance(const sp__limit *L)
     return sp__abs(dead) < SP__HUGE * sp__abs(live) ? -dead / live : SP__HUGE;
 }
 
-/* Motion `lower` proves collapse below `least`, motion `upper` above `best`. Where best <= least, their sum in the shares by which
- * live loads do no work proves it at every multiple: joints resist a sum of motions with no more than they resist each with. */
+/* Motion `lower` proves collapse below `least`, motion `upper` above `best`. Where best <= least, their sum in the shares by
+ * which live loads do no work proves it at every multiple: joints resist a sum of motions with no
+ * more than they resist each with. */
 static int sp__limit_never_stands(sp__limit *L)
 {
     sp__bracket *b = &L->bracket;
@@ -78,8 +81,8 @@ static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
     return beyond ? *a < last : *a > last;
 }
 
-/* Live loads alone. If forces balance them there is no upper end; r.ray keeps those forces. If something falls under them, its power
- * balance is a first upper end. */
+/* Live loads alone. If forces balance them there is no upper end; r.ray keeps those forces. If something falls under them, its
+ * power balance is a first upper end. */
 SP__NOINLINE static void sp__limit_live_alone(sp__limit *L)
 {
     sp__bracket *b = &L->bracket;
@@ -117,7 +120,8 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
                 L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
-            if (any || L->best < SP__HUGE || (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref))) return 1;
+            if (any || L->best < SP__HUGE) return 1;
+            if (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref)) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
         }

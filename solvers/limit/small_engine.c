@@ -10,8 +10,8 @@
 /* Joints have no strength: contacts without motion are all that resists. */
 static int sp__bracket_resists(sp__bracket *b, sp_real lambda) { (void)b; (void)lambda; return 1; }
 
-/* Does b->dq fall at lambda, and at every larger one, too? What moves in the best proof stays in b->dq, and in `all` (may be NULL)
- * as a result has it. */
+/* Does b->dq fall at lambda, and at every larger one, too? What moves in the best proof stays in b->dq, and in `all` (may be
+ * NULL) as a result has it. */
 SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 {
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
@@ -27,7 +27,7 @@ typedef struct sp__engine {
     sp_result at;                       /* of the search at hand */
 } sp__engine;
 
-/* Arrays of the engine; rows of the factor in `rows`, which is `a`, or scratch where `a` only counts.       returns 0: no memory */
+/* Arrays of the engine; rows of the factor in `rows`, which is `a`, or scratch where `a` only counts.   returns 0: no memory */
 static int sp__engine_carve(sp__engine *g, const sp_problem *pb, sp_arena *rows, sp_arena *a)
 {
     g->at.dq = sp__take(a, (size_t)pb->scene->count.blocks, 6 * sizeof *g->at.dq);

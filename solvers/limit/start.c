@@ -1,4 +1,5 @@
-/* start: first values of both ends: interior points for joints of friction, climb on the dual (strong.c) for joints with strength. */
+/* start: first values of both ends: interior points for joints of friction,
+ * climb on the dual (strong.c) for joints with strength. */
 #ifndef SP__LIMIT_START_C
 #define SP__LIMIT_START_C
 
@@ -6,8 +7,8 @@
 
 #if SP__WITH_INTERIOR
 
-/* engine.reduction, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand are those of
- * about the size both have at work. */
+/* engine.reduction, the last thing taken from `a`, where one mirror is that of joints, dead and live loads. The loads at hand
+ * are those of about the size both have at work. */
 static void sp__limit_reduction(sp__limit *L, sp_arena *a)
 {
     sp__engine *g = &L->engine;
@@ -18,7 +19,8 @@ static void sp__limit_reduction(sp__limit *L, sp_arena *a)
     int planar = o != NULL;
     for (int k = 0; k < 3 && planar; k++) {             /* both, dead, live */
         sp__bracket_load(b, k != 2, k != 1 ? L->ref : 0);
-        planar = k ? sp__mirror_loads(&b->pb, &b->set, o->e[2], 0) : sp__reduction_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
+        planar = k ? sp__mirror_loads(&b->pb, &b->set, o->e[2], 0)
+               : sp__reduction_choose(&b->pb, &b->set, o) && o->mode == SP__PLANE;
     }
     if (planar) g->reduction = o;
     else if (o) a->used = start;
@@ -68,7 +70,8 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
     return done || sp__limit_ends_meet(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
-/* Does it stand under the dead loads alone, so that there is something to climb from? Or fall, whatever the live ones do: L->none */
+/* Does it stand under the dead loads alone, so that there is something to climb from? Or fall,
+ * whatever the live ones do: L->none */
 SP__NOINLINE static int sp__strong_starts(sp__limit *L)
 {
     sp__engine *g = &L->engine;
@@ -118,7 +121,7 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     L->ref = sp__engine_reference(&L->bracket);
     sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
-    if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);         /* of other loads there may be one */
+    if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);  /* other loads may have one */
     const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, SP__LIMIT, reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);

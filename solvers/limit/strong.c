@@ -14,9 +14,10 @@
  *
  *   max c lambda - 1/2 sum |f_v|^2 / S_v,  Aeq f + p + lambda q = 0,  f in K         dual: min D(y) with p alone, q . y = -c
  *
- * The larger c, the nearer lambda is to the limit (it lacks |f|^2 / 2c at most, and nothing from some c on if K is polyhedral) and y
- * to a multiple of the mechanism, along which D is flat; but q is not across it, so a bordered Newton step is regular there:
- * d = -H^-1 (r + dlambda q), q . d = 0.                                              [Mangasarian, Meyer 1979: exact for large c] */
+ * The larger c, the nearer lambda is to the limit (it lacks |f|^2 / 2c at most, and nothing from some c on if K is polyhedral)
+ * and y to a multiple of the mechanism, along which D is flat; but q is not across it, so a bordered Newton step is regular
+ * there: d = -H^-1 (r + dlambda q), q . d = 0.
+ *                                                                             [Mangasarian, Meyer 1979: exact for large c] */
 SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
 {
     sp__engine *g = &L->engine;
@@ -90,8 +91,8 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     sp__limit_candidate(L, g->Vq);
 }
 
-/* Both ends from the y of this c. Upper: its motion, its derivative in c (-Vq), its change since the last c (Vp keeps that y), and
- * the best of the three sharpened. Lower: its forces.                                             returns 1: they meet */
+/* Both ends from the y of this c. Upper: its motion, its derivative in c (-Vq), its change since the last c (Vp keeps that y),
+ * and the best of the three sharpened. Lower: its forces.                                             returns 1: they meet */
 SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
 {
     sp__engine *g = &L->engine;
@@ -115,8 +116,9 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
     return sp__limit_ends_meet(L, SP__STRONG_NEAR);
 }
 
-/* Both ends, by larger and larger c, until they meet or lambda no longer changes. Where Newton fails, c goes back to its last value
- * and takes a smaller step from there.                                                     returns 1: they are near enough to close the bracket */
+/* Both ends, by larger and larger c, until they meet or lambda no longer changes. Where Newton fails, c goes back to its last
+ * value and takes a smaller step from there.                                                     returns 1: they are near
+ * enough to close the bracket */
 SP__NOINLINE static int sp__strong_run(sp__limit *L)
 {
     sp__engine *g = &L->engine;

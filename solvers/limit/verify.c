@@ -7,8 +7,8 @@
 
 #if SP__WITH_LIMIT
 
-/* By how much the multiplier may be off. dq proves (upper - balance) live . dq = least scale, and forces within tol carry at most
- * tol scale / (live . dq) more than they should. */
+/* By how much the multiplier may be off. dq proves (upper - balance) live . dq = least scale, and forces within tol carry at
+ * most tol scale / (live . dq) more than they should. */
 static sp_real sp__bracket_within(const sp_limit_result *r, sp_real balance)
 {
     return r->upper - r->lower + r->tol * sp__ratio(r->upper - balance, r->least_imbalance);

@@ -24,7 +24,8 @@ SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const
     return scene ? SP_ALIGN : 0;
 }
 
-SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, sp_arena scratch,
+                           size_t *bytes)
 {
     if (!scene || !bytes) return SP_E_ARGUMENT;
     switch (what) {
@@ -34,7 +35,8 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
     case SP_FOR_CONTACTS: return sp__memory_counted(sp__contacts_memory(scene), bytes);
     case SP_FOR_PLAN: return SP__WITH_PLAN ? sp__memory_counted(sp__plan_memory(scene, settings), bytes) : SP_E_UNSUPPORTED;
     case SP_FOR_LIMIT: return sp__limit_memory(scene, settings, scratch, bytes);
-    case SP_FOR_LIMIT_VERIFY: return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
+    case SP_FOR_LIMIT_VERIFY:
+        return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
     case SP_FOR_SEQUENCE: return sp__sequence_memory(scene, settings, scratch, bytes);
     case SP_FOR_PROBLEM: return sp__memory_counted(sp__problem_memory(scene), bytes);
     }

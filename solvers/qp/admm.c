@@ -174,7 +174,8 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
 
 /* ------------------------------------------------------------------------------------------------------------ arguments */
 
-static sp_status sp__qp_check_matrix(const int32_t *p, const int32_t *i, const sp_real *x, int32_t rows, int32_t cols, int upper)
+static sp_status sp__qp_check_matrix(const int32_t *p, const int32_t *i, const sp_real *x, int32_t rows, int32_t cols,
+                                     int upper)
 {
     if (!p || p[0] != 0) return p ? SP_E_INDEX : SP_E_ARGUMENT;
     for (int32_t j = 0; j < cols; j++) {

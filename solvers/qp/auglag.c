@@ -9,7 +9,8 @@
  * refinement of their KKT system, which is the polish of [OSQP, sec. 4]; until then it finds them where ADMM takes very long.
  * The linear systems are those of ADMM with rho = r on these rows and nothing on the others, so R_i = r E_i^2 / c here.
  *
- * X is the point, yc the guess, Y what follows from both: the gradient at X is PX + q + A'Y. Without polish a run finds nothing.
+ * X is the point, yc the guess, Y what follows from both: the gradient at X is PX + q + A'Y.
+ * Without polish a run finds nothing.
  */
 #ifndef SP__AUGLAG_C
 #define SP__AUGLAG_C

@@ -1,7 +1,7 @@
 /* certificate: proofs that a quadratic program has no solution, judged on the data as given.
  *
- * y with A'y = 0 and u'y+ + l'y- < 0 proves that nothing is feasible, for y'Ax <= u'y+ + l'y- wherever l <= Ax <= u [OSQP, 3.4].
- * Numbers leave a rest r = A'y; then any feasible x has
+ * y with A'y = 0 and u'y+ + l'y- < 0 proves that nothing is feasible, for y'Ax <= u'y+ + l'y- wherever l <= Ax <= u [OSQP,
+ * 3.4]. Numbers leave a rest r = A'y; then any feasible x has
  *
  *     |r|_D |x / D|_1 >= r'x >= ... >= -(u'y+ + l'y-),       |r|_D = max_j D_j |r_j|
  *

@@ -34,8 +34,8 @@ enum { SP__DYKSTRA_ROUNDS = 500 };
 #endif
 
 #ifdef SP_SMALL
-/* Dykstra's projections without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement: slower, and no row
- * is told to be lost. */
+/* Dykstra's projections without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement:
+ * slower, and no row is told to be lost. */
 
 /* Row i at x in X, its weight a W^-1 a' in *d; then x <- x - W^-1 a' t. */
 static sp_real sp__dykstra_row(sp__qp *w, int32_t i, sp_real t, sp_real *d)
@@ -237,7 +237,8 @@ static void sp__dykstra_round(sp__dykstra *w)
     for (int32_t i = 0; i < qp->m; i++) {
         if (sp__qp_equation(qp, i) || !(w->d[i] > 0)) continue;
         const sp_real s = sp__dykstra_ax(w, i) + w->y[i] * w->d[i];
-        const sp_real over = !sp__qp_no_u(qp, i) && s > qp->u[i] ? s - qp->u[i] : !sp__qp_no_l(qp, i) && s < qp->l[i] ? s - qp->l[i] : 0;
+        const sp_real over = !sp__qp_no_u(qp, i) && s > qp->u[i] ? s - qp->u[i]
+                           : !sp__qp_no_l(qp, i) && s < qp->l[i] ? s - qp->l[i] : 0;
         sp__dykstra_push(w, i, over / w->d[i] - w->y[i]);
     }
     for (int32_t r = 0; r < w->equations; r++) w->t[r] = sp__dykstra_ax(w, w->row[r]) - qp->l[w->row[r]];
@@ -270,7 +271,8 @@ static sp_real sp__dykstra_residuals(sp__dykstra *w, const sp_qp_settings *set, 
     }
     out->objective = (sp_real)0.5 * xPx + qx;
     out->gap = sp__max(price, sp__abs(xPx + qx + sp__qp_support(qp, w->y, &terms)) + moved);
-    const sp_real off = sp__max(out->primal / (set->eps_abs + set->eps_rel * rows), out->dual / (set->eps_abs + set->eps_rel * columns));
+    const sp_real off = sp__max(out->primal / (set->eps_abs + set->eps_rel * rows),
+                                out->dual / (set->eps_abs + set->eps_rel * columns));
     return sp__finite(out->objective + out->gap + off) ? off : SP__NEVER;
 }
 

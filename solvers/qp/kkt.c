@@ -71,7 +71,8 @@ static void sp__kkt_factor_dense(sp__qp *w)
 static int64_t sp__kkt_solve_flops(const sp__qp *w, int32_t rounds)
 {
     if (sp__qp_backend(&w->set) == SP_QP_SPARSE)
-        return w->kkt.ldl.solve_flops + (w->kkt.broken ? 2 : rounds) * (w->kkt.ldl.solve_flops + 4 * (int64_t)w->kkt.ldl.entries);
+        return w->kkt.ldl.solve_flops
+             + (w->kkt.broken ? 2 : rounds) * (w->kkt.ldl.solve_flops + 4 * (int64_t)w->kkt.ldl.entries);
     if (SP__WITH_QP_CG && sp__qp_backend(&w->set) == SP_QP_CG)
         return w->cost.products + SP__KKT_CG_LEAST * sp__kkt_cg_step_flops(w);
     return w->cost.products + 2 * (int64_t)w->qp.n * w->qp.n;

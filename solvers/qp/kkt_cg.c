@@ -1,8 +1,9 @@
-/* kkt_cg: the matrix-free back end, conjugate gradients on the eliminated KKT system                                  [seed 4.2]
+/* kkt_cg: the matrix-free back end, conjugate gradients on the eliminated KKT system                                 [seed 4.2]
  *
  *     (P + sigma I + A' rho A) x~ = bx + A' rho bz        all scaled; no matrix is formed, memory 6 n + m numbers
  *
- * Without it (SP_QP_NO_CG, SP_SMALL) nothing below does anything: settings that ask for it are refused, or taken for dense ones.
+ * Without it (SP_QP_NO_CG, SP_SMALL) nothing below does anything: settings that ask for it are refused,
+ * or taken for dense ones.
  */
 #ifndef SP__KKT_CG_C
 #define SP__KKT_CG_C

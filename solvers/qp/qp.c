@@ -191,7 +191,10 @@ SP__NOINLINE static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp
 }
 
 /* Relative size of the equilibrated residual. */
-SP__NOINLINE static sp_real sp__rest_relative(const sp__rest *a) { return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled; }
+SP__NOINLINE static sp_real sp__rest_relative(const sp__rest *a)
+{
+    return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled;
+}
 
 /* r over its tolerance. */
 SP__NOINLINE static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)

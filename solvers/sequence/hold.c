@@ -7,8 +7,8 @@
 #if SP__WITH_LARGE
 
 /* Holding a block takes its six equations away and forbids no force: whatever set makes an assembly stand, a larger one does,
- * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every set,
- * one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
+ * too (forces between two held blocks are 0, which every K_v holds). So a block that falls with all others held is in every
+ * set, one pass of letting go leaves a set that can lose no block, and sets of one and two need few proofs. */
 
 /* h->worst: the block that moves farthest in what was found, of equals the first. */
 SP__NOINLINE static void sp__hold_farthest(sp__hold *h, const sp__check *c)

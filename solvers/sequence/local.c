@@ -89,8 +89,8 @@ SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int w
     return 2 * n > size ? -1 : n;
 }
 
-/* Forces of joints with free blocks outside the part are loads on it. Where they cancel, the rest from rounding is dropped, for it
- * has no mirror image. */
+/* Forces of joints with free blocks outside the part are loads on it. Where they cancel, the rest from rounding is dropped, for
+ * it has no mirror image. */
 SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 {
     for (int32_t i = 0; i < pb->blocks; i++) {

@@ -42,9 +42,11 @@ SP__NOINLINE static void sp__part_choose(sp_sequence *q)
     sp__part *p = &q->part;
     p->block = p->joint = p->load = -1;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) q->number[b] = -1;
-    for (int32_t k = q->pb.blocks - 1; k >= 0; k--) if (q->mark[q->order[k]]) sp__part_put(q->order[k], &p->block, q->block_next);
+    for (int32_t k = q->pb.blocks - 1; k >= 0; k--)
+        if (q->mark[q->order[k]]) sp__part_put(q->order[k], &p->block, q->block_next);
     for (int32_t b = p->block; b >= 0; b = q->block_next[b]) q->number[b] = row++;
-    for (int32_t c = q->pb.contacts - 1; c >= 0; c--) if (sp__part_has(q, c)) sp__part_put(q->pb.contact[c].id, &p->joint, q->joint_next);
+    for (int32_t c = q->pb.contacts - 1; c >= 0; c--)
+        if (sp__part_has(q, c)) sp__part_put(q->pb.contact[c].id, &p->joint, q->joint_next);
     for (int32_t k = q->scene->count.loads - 1; k >= 0; k--)
         if (q->mark[q->scene->load[k].block]) sp__part_put(k, &p->load, q->load_next);
 }

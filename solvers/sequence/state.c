@@ -15,8 +15,8 @@
  *
  *     |r| <= tol' 1.8 |load|,   |m| <= tol' (|couple| + min(sum |x_v x f_v|, lever |load|)),   |f_v| <= force_bound min |load|
  *
- * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of certified blocks stands. Where a step left some that are not,
- * they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
+ * where lever |load| <= sum |x_v x f0_v| (sp__lever). An island of certified blocks stands. Where a step left some that are
+ * not, they and what is below them are solved alone, loaded by the forces of their joints with all others, which stay.    */
 
 #define SP__LOCAL_STEPS 4                /* factorisations for that */
 #define SP__LOCAL_TOL ((sp_real)0.25)    /* of tol for that: its blocks bear the forces of others */
@@ -121,7 +121,8 @@ static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *set
 }
 
 /* Bytes of a check of the whole, and of its symbolic step: a part in the same order of elimination fills no more. */
-SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *work)
+SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
+                                                size_t *work)
 {
     sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
     if (!q) return SP_E_MEMORY;
@@ -149,7 +150,8 @@ SP__NOINLINE static sp_status sp__sequence_count(const sp_scene *scene, sp_arena
     return SP_OK;
 }
 
-SP__NOINLINE static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
+SP__NOINLINE static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
+                                                  size_t *bytes)
 {
     if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
@@ -170,7 +172,8 @@ typedef struct sp__lever_work { sp_real FF[21], GG[21], M[21]; } sp__lever_work;
 
 /* F'F and G'G of a contact seen from block b, F = [1, -[x]], G = [x] F, x in units of the longest |x|: f = F (V, W) is a force
  * of the kind f0 has, x x f = G (V, W) its moment, [x]'[x] = |x|^2 - x x'. */
-SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit, sp__lever_work *w)
+SP__NOINLINE static void sp__lever_matrices(const sp_problem *pb, const sp_contact *t, int32_t i, sp_real unit,
+                                            sp__lever_work *w)
 {
     for (int k = 0; k < 21; k++) w->FF[k] = w->GG[k] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {

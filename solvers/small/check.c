@@ -10,12 +10,13 @@
  *
  *   D(y) = 1/2 sum S_v |P_K(u_v)|^2 + p . y,   u = Aeq' y,   f = S P_K(u)         [Qi, Sun 1993; Rockafellar 1976]
  *
- * vertex by vertex in world axes, its Hessian in an envelope in the order of the blocks. What forces and motions are worth it asks
- * the certificate check, of which it uses the scales and sums but nothing else: that check uses nothing of this. */
+ * vertex by vertex in world axes, its Hessian in an envelope in the order of the blocks. What forces and motions are worth it
+ * asks the certificate check, of which it uses the scales and sums but nothing else: that check uses nothing of this. */
 
 #define SP__FLOPS_VERTEX 900            /* a vertex in a Hessian, at most; its gradient and a judgement together no more */
 
-typedef enum sp__want { SP__GRADIENT, SP__HESSIAN, SP__LINEAR, SP__LINEAR_HESSIAN } sp__want;     /* linear: P_K = 1, bilateral */
+/* What a sweep computes; linear: P_K = 1, bilateral. */
+typedef enum sp__want { SP__GRADIENT, SP__HESSIAN, SP__LINEAR, SP__LINEAR_HESSIAN } sp__want;
 
 typedef struct sp__small {
     const sp_problem *pb;
@@ -25,7 +26,7 @@ typedef struct sp__small {
     sp_real *z;                         /* 6b: weights of the rows, 0 where a block is held */
     sp_real *y, *r, *d, *x, *base;      /* 6b each: potential, gradient, step, motion -z y, y before a step */
     sp_real *best;                      /* 6b: y of the least imbalance */
-    sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of -Aeq': of its blocks of the lower, the higher number */
+    sp_real e[3][12];                   /* n, t1, t2 of a vertex as rows of -Aeq', the lower block first */
     int32_t side[2];                    /* these blocks, -1: a support */
     sp_real metric, S;                  /* 1 / largest cap, or 0: S = 1; S of the contact at hand */
     sp_real prox, imbalance;                /* weight of |y|^2 / 2; the least imbalance so far */
@@ -98,7 +99,7 @@ static void sp__small_motion(const sp__small *w, const sp_real *y)
     for (int32_t k = 0; k < 6 * w->pb->blocks; k++) w->x[k] = -w->z[k] * y[k];
 }
 
-/* Row k of a vertex: (s e, s arm x e) of both blocks, the rates -Aeq'.                                     returns u = row . x */
+/* Row k of a vertex: (s e, s arm x e) of both blocks, the rates -Aeq'.                                   returns u = row . x */
 static sp_real sp__small_row(sp__small *w, const sp_contact *t, int32_t v, int k, const sp_real axis[3])
 {
     sp_real u = 0;
@@ -261,7 +262,8 @@ SP__NOINLINE static void sp__small_bilateral(sp__small *w)
     }
 }
 
-/* Scales of the certificate check by that force, and a metric where contacts of very different load meet.       returns 0: no memory */
+/* Scales of the certificate check by that force, and a metric where contacts of very different load meet.
+ *       returns 0: no memory */
 SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
 {
     const int32_t n = 6 * w->pb->blocks;
@@ -343,8 +345,8 @@ static void sp__small_plain(sp__small *w)
     }
 }
 
-/* Proximal path from y = 0: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y grows
- * into the mechanism. */
+/* Proximal path from y = 0: minimise D(y) + prox |y|^2 / 2 for prox = 0.1, 0.001, ... Either the imbalance vanishes, or -y
+ * grows into the mechanism. */
 SP__NOINLINE static void sp__small_path(sp__small *w)
 {
     sp_real level = SP__HUGE;
@@ -368,8 +370,8 @@ SP__NOINLINE static void sp__small_path(sp__small *w)
 }
 
 #ifndef SP_EXACT_ONLY
-/* A motion that capped forces might resist: what they resist by is rounding, if all that resists it lets it pass in a null vector
- * of the Hessian there. */
+/* A motion that capped forces might resist: what they resist by is rounding, if all that resists it lets it pass in a null
+ * vector of the Hessian there. */
 SP__NOINLINE static void sp__small_sharpen(sp__small *w)
 {
     sp_result *r = w->to;
@@ -495,7 +497,8 @@ static int sp__small_need(sp__small *w, const sp_problem *pb, const sp_settings 
 }
 
 /* Bytes of a check: of its result, and of all else.                         flops: of a factor; may be NULL */
-static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, int64_t *flops, size_t part[2])
+static sp_status sp__small_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, int64_t *flops,
+                                  size_t part[2])
 {
     if (!scene || !scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;

@@ -35,7 +35,8 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_t wor
 }
 
 /* Settings, and bytes of a check: one of the whole takes the most. */
-static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_settings *set, size_t *work)
+static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, sp_settings *set,
+                                   size_t *work)
 {
     *set = settings ? *settings : sp_settings_default();
     set->work = NULL;
@@ -112,7 +113,10 @@ static void sp__sequence_start(sp_sequence *q)
     q->tries = 0;
 }
 
-static int sp__free_now(const sp_sequence *q, int32_t b) { return q->who[b] == SP_PRESENT && q->scene->block[b].fixed != SP_FIXED; }
+static int sp__free_now(const sp_sequence *q, int32_t b)
+{
+    return q->who[b] == SP_PRESENT && q->scene->block[b].fixed != SP_FIXED;
+}
 
 static void sp__sequence_step(sp_sequence *q, sp_step *step)
 {
@@ -246,7 +250,10 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
 
 #elif SP__WITH_SMALL
 
-static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings) { return (void)settings, scene ? SP_ALIGN : 0; }
+static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings)
+{
+    return (void)settings, scene ? SP_ALIGN : 0;
+}
 static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch, size_t *bytes)
 {
     return (void)scene, (void)settings, (void)scratch, (void)bytes, SP_E_UNSUPPORTED;

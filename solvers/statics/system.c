@@ -126,11 +126,14 @@ typedef struct sp__system {
     int singular;                       /* the bilateral matrix has null vectors that the load has a part along */
 } sp__system;
 
-/* What a system is made for. EXACT, LIMIT: with interior points; LEAST, LEAST_DENSE, POLISH: the bilateral force, METRIC with H of the
- * penalty form, POLISH with the seed's constants, too; MOTION: the coupled check. */
-typedef enum sp__form { SP__EXACT, SP__LEAST, SP__LEAST_DENSE, SP__METRIC, SP__POLISH, SP__PENALTY, SP__LIMIT, SP__MOTION } sp__form;
+/* What a system is made for. EXACT, LIMIT: with interior points; LEAST, LEAST_DENSE, POLISH: the bilateral force, METRIC with H
+ * of the penalty form, POLISH with the seed's constants, too; MOTION: the coupled check. */
+typedef enum sp__form {
+    SP__EXACT, SP__LEAST, SP__LEAST_DENSE, SP__METRIC, SP__POLISH, SP__PENALTY, SP__LIMIT, SP__MOTION
+} sp__form;
 
-/* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid; the polish its best forces on a budget. */
+/* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid;
+ * the polish its best forces on a budget. */
 static size_t sp__form_numbers(sp__form form, const sp_settings *set)
 {
     if (form == SP__POLISH) return set->budget > 0 ? 3 : 0;
@@ -162,7 +165,8 @@ static void sp__system_carve_graph(sp__system *w, const sp_problem *pb, sp_arena
 }
 
 /* All other arrays, for nnz blocks of L below the diagonal. */
-static void sp__system_carve(sp__system *w, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, sp_arena *a)
+static void sp__system_carve(sp__system *w, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz,
+                             sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
     w->dense = form == SP__LEAST_DENSE ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
@@ -255,9 +259,10 @@ SP__NOINLINE static size_t sp__system_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Where a dual ends that begins at `from`, with so many blocks below the diagonal: the symbolic step and the factor share the space
- * behind the graph. t is used up; t->reduction: in 3 rows. */
-static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz, size_t from)
+/* Where a dual ends that begins at `from`, with so many blocks below the diagonal: the symbolic step and the factor share the
+ * space behind the graph. t is used up; t->reduction: in 3 rows. */
+static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz,
+                             size_t from)
 {
     sp_arena dry = sp__arena_dry();
     dry.used = from;
@@ -271,7 +276,8 @@ static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_setti
 
 /* Bytes of the whole system; reduction (may be NULL): and of one in 3 rows before it, behind *reduction, which takes more where
  * few blocks have many joints. */
-static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, sp__form form, sp__reduction *reduction, sp_arena scratch)
+static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, sp__form form, sp__reduction *reduction,
+                              sp_arena scratch)
 {
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__system_analyse(w, pb, &scratch) : -1;

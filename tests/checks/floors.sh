@@ -9,7 +9,8 @@
 #   4. every part compiles alone, in double and in float
 #   5. no private name is defined twice, but where a precision or the smallest build takes another way
 #   6. no file is longer than LINES
-#   7. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
+#   7. no line of the core is wider than 128 columns
+#   8. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
 . tests/checks/tally.sh
 most=${1:-700}
 floors='base linear qp geometry cone scene contacts proof statics seed coupled check small limit sequence memory'
@@ -90,6 +91,10 @@ once() {
 }
 short() { wc -l stonepack.c solvers/*/*.c | awk -v most="$most" '$2 != "total" && $1 > most { print $2 " has " $1 " lines"; bad = 1 } END { exit bad }'; }
 
+narrow() {
+    awk 'length($0) > 128 { print FILENAME ":" FNR ": " length($0) " columns"; bad = 1 } END { exit bad }' stonepack.[ch] solvers/*/*.c
+}
+
 # A body opens with a brace at the left edge and closes with one. SP_REAL_*: precision.
 bodies() {
     awk -v most="$1" '
@@ -107,5 +112,6 @@ part "floors: every part compiles alone" alone
 part "floors: every part compiles alone, float" alone -DSP_REAL_FLOAT
 part "floors: no private name twice" once
 part "floors: no file over $most lines" short
+part "floors: no line over 128 columns" narrow
 part "floors: no switch inside a body" bodies 0
 total
