@@ -180,11 +180,11 @@ static void text_penalty(FILE *out, const report *r)
 static void text_scene(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
+    const sp_counts *n = &x->counts;
     const int32_t blocks = r->scene->scene.count.blocks;
     report_row(out, "scene");
     fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)blocks, blocks == 1 ? "" : "s",
-            (long)x->counts.free_blocks, (long)x->counts.joints, x->counts.joints == 1 ? "" : "s", r->scene->found ? " found" : "",
-            (long)x->counts.points);
+            (long)n->free_blocks, (long)n->joints, n->joints == 1 ? "" : "s", r->scene->found ? " found" : "", (long)n->points);
     if (x->reason != SP_REASON_EFFECT) return;
     report_row(out, "left out");
     fprintf(out, "%s\n", sp_effect_text(x->missing));

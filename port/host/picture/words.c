@@ -71,8 +71,8 @@ static void title_of_check(const words *w)
             "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", PAGE_MARGIN, color, word);
     page_text(w->out, file_name(w->of->scene->path), 60);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
-    fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s", (long)x->counts.free_blocks,
-            (long)x->counts.joints, x->counts.joints == 1 ? "" : "s");
+    fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s",
+            (long)x->counts.free_blocks, (long)x->counts.joints, x->counts.joints == 1 ? "" : "s");
     put_friction(w);
     fputs("; largest compression ", w->out);
     page_quantity(w->out, (double)x->extremes.compression, "N");

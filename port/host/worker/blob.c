@@ -540,8 +540,9 @@ static void io_arrays(io *s, const sp_scene *scene, sp_result *r, const extra *x
     for (int32_t k = 0; k < p->nodes; k++) io_int(s, &p->node[k], INT32_MIN, INT32_MAX);
     for (int32_t k = 0; p->nodes && k < p->entries; k++) p->row[k] = (uint16_t)io_bits(s, p->row[k], 2);
     if (p->nodes) io_reals(s, p->y, (size_t)p->entries);
-    for (int32_t k = 0; r->islands.count > 1 && k < scene->count.blocks; k++) io_int(s, &r->islands.of[k], -1, r->islands.count - 1);
-    for (int32_t k = 0; r->islands.count > 1 && k < r->islands.count; k++) io_part(s, scene, &r->islands.each[k]);
+    const sp_islands *apart = &r->islands;
+    for (int32_t k = 0; apart->count > 1 && k < scene->count.blocks; k++) io_int(s, &apart->of[k], -1, apart->count - 1);
+    for (int32_t k = 0; apart->count > 1 && k < apart->count; k++) io_part(s, scene, &apart->each[k]);
 }
 
 sp_status blob_write_result(blob *b, const sp_scene *scene, const sp_result *result, const run_cost *cost)
