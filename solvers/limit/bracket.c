@@ -21,7 +21,7 @@ typedef struct sp__bracket {
     sp_cost cost;
     sp_arena room;                      /* for certifying */
     sp_problem pb;                      /* p: some multiples of both loads */
-    sp__certifier certificate;          /* the one at hand */
+    sp__certifier certifier;        /* the one at hand */
     sp_settings set, wide;              /* resolved; with a pyramid around the cone: `final` then tells of it */
     sp_scene scene;                     /* without live loads in p */
 } sp__bracket;
@@ -83,19 +83,19 @@ static int sp__bracket_certify_begin(sp__bracket *b, sp_real d, sp_real l)
     sp_arena room = b->room;
     if (!sweeps) { b->spent = 1; return 0; }
     sp__bracket_load(b, d, l);
-    return sp__certifier_open(&b->certificate, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
+    return sp__certifier_open(&b->certifier, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
 }
 
 SP__NOINLINE_SMALL static void sp__bracket_certify_end(sp__bracket *b)
 {
-    if (SP__WITH_INTERIOR) b->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)b->certificate.sweeps * b->pb.points;
+    if (SP__WITH_INTERIOR) b->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)b->certifier.sweeps * b->pb.points;
 }
 
 /* Do these forces balance d dead + l live?     admitted: as sp__certify_forces */
 SP__NOINLINE static int sp__bracket_stands(sp__bracket *b, sp_real d, sp_real l, const sp_real *f, sp_real *admitted)
 {
     if (!sp__bracket_certify_begin(b, d, l)) return 0;
-    b->imbalance = sp__certify_forces(&b->certificate, f, admitted);
+    b->imbalance = sp__certify_forces(&b->certifier, f, admitted);
     sp__bracket_certify_end(b);
     return b->imbalance <= b->set.tol;
 }
@@ -115,11 +115,11 @@ SP__NOINLINE static int sp__bracket_falls_beyond(sp__bracket *b)
     sp__bracket_load(b, 1, 0);
     const sp_real dead = sp__load_unit(&b->pb);
     if (!sp__bracket_certify_begin(b, 0, 1)) return 0;
-    b->certificate.set = &b->wide;
-    const int pushes = sp__certify_motion(&b->certificate, b->dq, 0, &final) > 0;
+    b->certifier.set = &b->wide;
+    const int pushes = sp__certify_motion(&b->certifier, b->dq, 0, &final) > 0;
     sp__bracket_certify_end(b);
     if (pushes) return 1;
-    const sp_real ratio = sp__ratio(dead, b->certificate.unit);
+    const sp_real ratio = sp__ratio(dead, b->certifier.unit);
     if (!final || (b->resist > 0 && !b->final)) return 0;
     return sp__bracket_work(b, b->dead) - b->resist + b->set.force_bound * ratio * sp__bracket_work(b, b->live) >= 0;
 }

@@ -9,8 +9,8 @@
 /* The motion just certified into b->dq, and what joints with strength take of it. */
 static void sp__bracket_take_motion(sp__bracket *b)
 {
-    b->resist = sp__problem_strong(&b->pb) ? b->certificate.resist * b->certificate.unit : 0;
-    memcpy(b->dq, b->certificate.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    b->resist = sp__problem_strong(&b->pb) ? b->certifier.resist * b->certifier.unit : 0;
+    memcpy(b->dq, b->certifier.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     sp__bracket_certify_end(b);
 }
 
@@ -19,7 +19,7 @@ SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
 {
     int32_t final;
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
-    sp__certify_motion(&b->certificate, b->dq, 0, &final);
+    sp__certify_motion(&b->certifier, b->dq, 0, &final);
     sp__bracket_take_motion(b);
     return 1;
 }
@@ -33,7 +33,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
     int32_t final[6] = { 0, 0, 0, 0, 0, 0 };
     memcpy(b->whole, b->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
-        sp__certifier *j = &b->certificate;
+        sp__certifier *j = &b->certifier;
         int k = 0;
         if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
         if (pass == 0) {

@@ -103,9 +103,9 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 sp_real F[3], m[3];
                 sp__block_force(q, t, b, v, F, m);
-                for (int c = 0; c < 3; c++) { p[c] += q->certificate.unit * F[c]; p[3 + c] += q->certificate.unit * m[c]; }
-                size[0] += q->certificate.unit * sp__norm3(F);
-                size[1] += q->certificate.unit * sp__norm3(m);
+                for (int c = 0; c < 3; c++) { p[c] += q->certifier.unit * F[c]; p[3 + c] += q->certifier.unit * m[c]; }
+                size[0] += q->certifier.unit * sp__norm3(F);
+                size[1] += q->certifier.unit * sp__norm3(m);
             }
             q->cost.flops += 76 * (int64_t)t->points;
         }
@@ -120,12 +120,12 @@ SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
     int certified = 1;
     for (int32_t k = 0; k < c->pb.contacts; k++) {
         const sp_contact *t = &c->pb.contact[k];
-        q->certificate.force_cap = q->set.force_bound * sp__contact_least_load(q, t);
+        q->certifier.force_cap = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
-            sp__scale3(1 / q->certificate.unit, c->state.f + 3 * (size_t)(t->point + v), g);
-            sp__certifier_admit(&q->certificate, t, g, g);
-            sp__scale3(q->certificate.unit, g, f);
+            sp__scale3(1 / q->certifier.unit, c->state.f + 3 * (size_t)(t->point + v), g);
+            sp__certifier_admit(&q->certifier, t, g, g);
+            sp__scale3(q->certifier.unit, g, f);
         }
     }
     for (int32_t k = 0; k < c->pb.blocks; k++) {

@@ -85,7 +85,7 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real
 static void sp__block_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
 {
     const sp_joint *j = t->joint;
-    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certificate.unit;
+    const sp_real *f = q->f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certifier.unit;
     sp_real arm[3];
     for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);
     sp__arm(&q->pb, q->row[b], v, arm);
@@ -100,7 +100,7 @@ static sp_real sp__contact_least_load(const sp_sequence *q, const sp_contact *t)
         const int32_t b = side ? t->joint->b : t->joint->a;
         sp_real p[6];
         if (!sp__free_now(q, b)) continue;
-        sp__certifier_load(&q->certificate, q->row[b], p);
+        sp__certifier_load(&q->certifier, q->row[b], p);
         const sp_real load = sp__norm3(p);
         if (load < least) least = load;
     }
@@ -113,7 +113,7 @@ SP__NOINLINE static void sp__block_certify(sp_sequence *q, int32_t b)
     sp__block_state *s = &q->state[b];
     sp_real r[6], m1 = 0;
     int large = 0;
-    sp__certifier_load(&q->certificate, q->row[b], r);
+    sp__certifier_load(&q->certifier, q->row[b], r);
     const sp_real load = sp__norm3(r), couple = sp__norm3(r + 3), lever = q->lever[q->row[b]] * load;
     for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
         const sp_contact *t = &q->pb.contact[q->joint[k]];

@@ -49,7 +49,7 @@ struct sp_sequence {
     const sp_scene *scene;
     sp_settings set;
     sp_problem pb;                      /* of the finished scene, all blocks there */
-    sp__certifier certificate;                      /* its units and cone */
+    sp__certifier certifier;            /* its units and cone */
     sp__part part;                      /* the blocks at hand, in the order of elimination, and their joints and loads */
     sp__block_state *state, *state_saved;      /* per block */
     int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
@@ -91,7 +91,7 @@ static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_p
     q->f_saved = sp__take(a, v, 3 * sizeof *q->f_saved);
     q->dq = sp__take(a, n, 6 * sizeof *q->dq);
     q->dq_saved = sp__take(a, n, 6 * sizeof *q->dq_saved);
-    q->certificate.direction = sp__take(a, 64, sizeof *q->certificate.direction);
+    q->certifier.direction = sp__take(a, 64, sizeof *q->certifier.direction);
     const sp__part part = { -1, -1, -1, q->block_next, q->joint_next, q->load_next, q->number };
     q->part = part;
     q->work.base = sp__take(a, work, 1);
@@ -268,8 +268,8 @@ SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *sett
     if (status) return status;
     sp__sequence_carve(q, scene, &q->pb, work, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
-    q->certificate.pb = &q->pb;
-    sp__certifier_cone(&q->certificate, &q->pb, &q->set);
+    q->certifier.pb = &q->pb;
+    sp__certifier_cone(&q->certifier, &q->pb, &q->set);
     const size_t n = (size_t)scene->count.blocks;
     memset(q->state, 0, n * sizeof *q->state);
     memset(q->was, 0, n * sizeof *q->was);
