@@ -619,8 +619,8 @@ SP_API sp_settings sp_settings_default(void);
 /* What memory is asked for. Told before the call, exact unless said otherwise. */
 typedef enum sp_memory_for {
     SP_FOR_CHECK = 0,           /* sp_check, from its arena. At most where nothing is to be carried, where a stage decides
-                                   before one that takes more, with coupled.asked and not localise (what statics refuse is
-                                   not asked). With settings.work: without what that arena takes */
+                                   before one that takes more, where the budget ends it, with coupled.asked where statics
+                                   refuse. With settings.work: without what that arena takes */
     SP_FOR_WORK,                /* sp_check, of the arena settings.work (whatever that is now) */
     SP_FOR_VERIFY,              /* sp_verify's scratch, at most (for 64 faces) */
     SP_FOR_CONTACTS,            /* sp_contacts_find's scratch, at most */

@@ -193,7 +193,7 @@ SP__NOINLINE static size_t sp__alt_own(const sp_problem *pb)
 /* Bytes of the alternation; SIZE_MAX: scratch too small. */
 static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
-    if (!set->coupled.rounds) return 0;
+    if (!set->coupled.rounds || !pb->blocks) return 0;
     const size_t forces = sp__admm_need(pb, set, scratch), motion = sp__explain_need(pb, set, scratch);
     if (forces == SIZE_MAX || motion == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();

@@ -135,7 +135,8 @@ TEST(every_smaller_capacity_is_refused_cleanly)
     }
 }
 
-/* Where gates decide the size is exact, too; where nothing is to be carried it is enough, and less is refused without a trace. */
+/* Of two blocks the size is exact where gates decide, too; where nothing is to be carried it is enough, and less is refused without
+ * a trace. */
 TEST(what_gates_decide_takes_no_more)
 {
     static const sp_capacity cap = { 3, 0, 0, 0, 1, 4, 0 };
@@ -441,6 +442,117 @@ static void random_islands(sp_scene *scene, int32_t blocks, int32_t islands, int
     if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
 }
 
+/* Settings that take memory each in its own way. */
+typedef enum variant { BY_DEFAULT, BY_LOCALISE, BY_BUDGET, BY_SPENT, BY_PYRAMID, BY_TOGETHER, BY_SPACE, BY_LADDER,
+                       BY_LEAST, BY_DENSE, BY_POLISH, BY_POLISH_BUDGET, BY_EXACT, BY_ADMM,
+                       BY_COUPLED, BY_COUPLED_LOCALISE, BY_COUPLED_NODES, BY_COUPLED_ROUNDS, VARIANTS } variant;
+
+/* The settings of a variant.     returns 0: this build leaves it out */
+static int variant_settings(variant k, sp_settings *set)
+{
+    static const sp_stage_id alone[] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_DENSE, SP_STAGE_POLISH, SP_STAGE_POLISH, SP_STAGE_EXACT,
+                                         SP_STAGE_ADMM };
+    *set = sp_settings_default();
+    set->localise = k == BY_LOCALISE || k == BY_COUPLED_LOCALISE || k == BY_COUPLED_NODES;
+    if (k == BY_BUDGET || k == BY_POLISH_BUDGET) set->budget = 1000000000;
+    if (k == BY_SPENT) set->budget = 20000;
+    if (k == BY_PYRAMID) set->faces = 8;
+    if (k == BY_TOGETHER) set->effect[SP_EFFECT_TOGETHER] = SP_WITH;
+    if (k == BY_SPACE) set->effect[SP_EFFECT_DEPTH] = SP_WITH;
+    if (k >= BY_LEAST && k <= BY_ADMM) { set->stage_count = 1; set->stage[0] = alone[k - BY_LEAST]; }
+    for (int q = 0; k == BY_LADDER && q < 5; q++) { set->stage[q] = (sp_stage_id)(SP_STAGE_GATES + q); set->stage_count = q + 1; }
+    set->coupled.asked = k >= BY_COUPLED;
+    if (k == BY_COUPLED_NODES) set->coupled.nodes = 500;
+    if (k == BY_COUPLED_ROUNDS) set->coupled.rounds = 10;
+#if defined SP_NO_CRA || defined SP_NO_QP || defined SP_NO_ADMM
+    if (k == BY_ADMM || k == BY_COUPLED_ROUNDS) return 0;
+#endif
+#ifdef SP_NO_CRA
+    if (set->coupled.asked) return 0;
+#endif
+#ifdef SP_NO_PLAN
+    if (k == BY_SPACE) return 0;
+#endif
+    return 1;
+}
+
+/* Was a part asked all that the settings ask, so that the header promises exact bytes? No earlier stage decided it, no budget ended it,
+ * there was something to carry, and forces to ask a coupled check about. */
+static int part_was_asked(const sp_settings *set, sp_stage_id stage, sp_reason why, sp_coupling_reason coupled)
+{
+    if (why == SP_REASON_NO_CONTACT || why == SP_REASON_NO_SUPPORT || why == SP_REASON_NOTHING || why == SP_REASON_BUDGET) return 0;
+    if (stage && stage != set->stage[set->stage_count - 1]) return 0;
+    return !set->coupled.asked || coupled != SP_COUPLING_STATICS;
+}
+
+static int all_was_asked(const sp_settings *set, const sp_result *r)
+{
+    int all = r->islands.count > 1 || part_was_asked(set, r->stage, r->reason, r->coupled.reason);
+    for (int32_t k = 0; k < r->islands.count && r->islands.count > 1; k++)
+        all &= part_was_asked(set, r->islands.each[k].stage, r->islands.each[k].reason, r->islands.each[k].coupling_reason);
+    return all;
+}
+
+/* Exactly so many bytes do and all of them are used; with one SP_ALIGN less nothing is written, in the arena or out of it.
+ *   returns 1: the bytes were those promised to be exact */
+static int takes_what_was_counted(const sp_scene *scene, const sp_settings *set)
+{
+    sp_result r, before;
+    size_t bytes = 0;
+    const sp_status counted = sp_memory(scene, SP_FOR_CHECK, set, test_arena, &bytes);
+    fenced f = fence(bytes);
+    sp_arena a = fenced_arena(&f);
+    if (!CHECK_INT(counted, SP_OK) || !CHECK_INT(sp_check(scene, set, &a, &r), SP_OK) || !CHECK(fence_holds(&f))) return 0;
+    CHECK(r.spent.peak_bytes <= bytes);
+    if (!all_was_asked(set, &r)) return 0;
+    CHECK_INT(r.spent.peak_bytes, bytes);
+    f = fence(bytes - SP_ALIGN);
+    a = fenced_arena(&f);
+    memset(&r, 0x5a, sizeof r);
+    before = r;
+    CHECK_INT(sp_check(scene, set, &a, &r), SP_E_MEMORY);
+    CHECK(a.used == 0 && a.cap == bytes - SP_ALIGN && memcmp(&r, &before, sizeof r) == 0 && fence_holds(&f));
+    return 1;
+}
+
+TEST(what_is_counted_is_taken_whatever_is_asked)
+{
+    const int bundled = (int)(sizeof sample / sizeof *sample);
+    for (int k = 0; k < VARIANTS; k++) {
+        const int scenes = k < BY_COUPLED ? SOME_OF(400, 40) : k < BY_COUPLED_ROUNDS ? SOME_OF(100, 20) : bundled;
+        int exact = 0;
+        sp_settings set;
+        if (!variant_settings((variant)k, &set)) continue;
+        for (int q = 0; q < scenes; q++) {
+            sp_scene scene;
+            test_arena.used = 0;
+            if (q < bundled) build(sample[q].name, sample[q].param, sample[q].value, &scene);
+            else if (q % 2) random_scene(&scene, test_random_int(1, 6), test_random_int(0, 12));
+            else random_islands(&scene, test_random_int(3, 8), 2, test_random_int(0, 12), 4);
+            exact += takes_what_was_counted(&scene, &set);
+        }
+        if (!CHECK(exact >= 5)) TEST_PRINT("  variant %d: %d of %d exact\n", k, exact, scenes);
+    }
+}
+
+/* Stones that touch nothing, with weight, without, and all of them supports: whatever is asked, the bytes are counted and do. */
+TEST(where_nothing_touches_bytes_are_counted)
+{
+    static const sp_capacity cap = { 2, 0, 0, 0, 0, 0, 0 };
+    for (int k = 0; k < 3 * VARIANTS; k++) {
+        sp_scene s;
+        sp_settings set;
+        const sp_real low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 3 };
+        test_arena.used = 0;
+        if (!variant_settings((variant)(k / 3), &set)) continue;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        const uint32_t fixed = k % 3 == 2 ? SP_FIXED : 0;
+        NEED(sp_scene_body(&s, 9, low, fixed, NULL) == SP_OK && sp_scene_body(&s, 5, high, fixed, NULL) == SP_OK);
+        if (k % 3 == 1) s.gravity[2] = 0;
+        takes_what_was_counted(&s, &set);
+    }
+}
+
 TEST(islands_of_few_stones_with_many_joints_are_bounded)
 {
     enum { PLAIN, DENSE, PYRAMID, COUPLED, ALL };
@@ -514,6 +626,8 @@ TEST(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
 }
 
 TEST_LIST(memory)
+    RUN(what_is_counted_is_taken_whatever_is_asked)
+    RUN(where_nothing_touches_bytes_are_counted)
     RUN(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
     RUN(sp_memory_is_exact)
     RUN(stages_can_work_in_another_memory)
