@@ -414,9 +414,8 @@ typedef enum sp_coupling_reason {
 /* A proof that no triple meets the conditions of the coupled check; its grammar stands with what is for experts. */
 typedef struct sp_proof {
     int32_t nodes, leaves, entries;     /* 0: no proof */
-    int32_t island;                     /* 0: of the whole scene; k: of its k-th island alone, by their first blocks: its
-                                           blocks, contact vertices, V and b, and its own unit of force; eps and eta of the
-                                           whole */
+    int32_t island;                     /* 0: of the whole scene; k: of its k-th island, islands.each[k - 1], alone: its
+                                           blocks, vertices, V, b and its own unit of force; eps and eta of the whole */
     int32_t *node;
     uint16_t *row;
     sp_real *y;
@@ -536,10 +535,7 @@ static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(S
 static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
 static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
 static inline const char *sp_stage_text(sp_stage_id stage) { return sp_text(SP_WORDS_STAGE, (int32_t)stage); }
-static inline int sp_effect_on(sp_effect_why why)
-{
-    return why == SP_WHY_CALLED || why == SP_WHY_ASKED || why == SP_WHY_STAGES;
-}
+static inline int sp_effect_on(sp_effect_why w) { return w == SP_WHY_CALLED || w == SP_WHY_ASKED || w == SP_WHY_STAGES; }
 static inline const char *sp_effect_text(sp_effect effect) { return sp_text(SP_WORDS_EFFECT, (int32_t)effect); }
 static inline const char *sp_effect_why_text(sp_effect_why why) { return sp_text(SP_WORDS_EFFECT_WHY, (int32_t)why); }
 static inline const char *sp_coupling_text(sp_coupling coupling) { return sp_text(SP_WORDS_COUPLING, (int32_t)coupling); }
@@ -663,16 +659,13 @@ typedef struct sp_limit_result {
     sp_limit_kind kind;
     sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open
                                    at this tol, or SP_REASON_UNVERIFIED */
-    sp_real multiplier;         /* lambda >= 0 [1]: power balance of dq, -(dead . dq) / (live . dq), in the bracket; 0 unless
-                                   FOUND */
+    sp_real multiplier;         /* lambda >= 0: power balance of dq, -(dead . dq) / (live . dq), bracketed; 0 unless FOUND */
     sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
     sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
                                    Of a NONE 0 */
     sp_real within;             /* of a FOUND: by so much the multiplier may be off: the bracket's width, and what tol forgives
-                                   forces at lower in the mechanism; it counts against the loads, not against a small
-                                   multiplier */
-    sp_verdict dead;            /* under the dead loads alone, evidence verified but not kept; UNSTABLE: live loads must hold
-                                   it */
+                                   forces at lower in the mechanism; counts against the loads, not a small multiplier */
+    sp_verdict dead;            /* under the dead loads alone, verified, evidence not kept; UNSTABLE: live loads must hold it */
     sp_real lowest;             /* least multiple found at which it stands: 0 where dead is STABLE; -1: none */
     sp_real imbalance;          /* largest relative imbalance of f [1] */
     sp_real least_imbalance;    /* that dq proves at upper [1] */
@@ -708,8 +701,7 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
 
 static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
 
-/* What a joint does in a motion. Friction of the method is associative: what slides opens by mu times its slip at most, what
- * opens more is open. */
+/* What a joint does in a motion. Friction is associative: what slides opens by mu times its slip at most, else it is open. */
 typedef enum sp_joint_kind {
     SP_JOINT_RIGID = 0,         /* no corner moves */
     SP_JOINT_HINGE,             /* some corners stay in touch, others open */
@@ -1166,8 +1158,7 @@ typedef enum sp_qp_status {
     SP_QP_SOLVED = 0,           /* residuals within eps, and the objective (strict), on the data as given */
     SP_QP_INACCURATE,           /* stopped (iterations, budget), all within 10 eps */
     SP_QP_PRIMAL_INFEASIBLE,    /* y proves: no x with |x| < radius meets the constraints */
-    SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, to the same kind of
-                                   radius */
+    SP_QP_DUAL_INFEASIBLE,      /* x is a direction that goes down for ever: unbounded if feasible, up to radius */
     SP_QP_ITERATIONS,           /* iteration limit; x, y are the last iterate */
     SP_QP_BUDGET,               /* work budget spent; likewise */
     SP_QP_NUMERICAL             /* numbers left the range of sp_real; x, y are the last that were finite */
