@@ -98,8 +98,17 @@ build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h
 	@mkdir -p build
 	$(CXX) -std=c++11 -ffp-contract=off $(CFLAGS) $(WARN) $(BULLET_I) -c $< -o $@
 
-build/stonepack: $(MAIN) $(HOST) $(PLUG) $(HOST_H) $(SETTLE_O) build/libstonepack.a build/plugins
-	$(CC) $(ALL_C) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) $(SETTLE_O) build/libstonepack.a $(PLUG_L) -lm -o $@
+# The program, file by file: an edit of one compiles that one, an edit of the core none. V=1 shows the commands.
+Q         = $(if $(V),,@echo "  $@";)
+PROGRAM_O = $(patsubst %.c,build/program/%.o,$(MAIN) $(HOST) $(PLUG))
+build/program/%.o: %.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ALL_C) $(PLUG_C) -MMD -MP -c $< -o $@
+
+build/stonepack: $(PROGRAM_O) $(SETTLE_O) build/libstonepack.a build/plugins
+	$(Q)$(CC) $(ALL_C) $(filter %.o %.a,$^) $(PLUG_L) -lm -o $@
+
+-include $(PROGRAM_O:.o=.d)
 
 # What is built in; changes when one comes or goes.
 build/plugins: always
@@ -107,9 +116,8 @@ build/plugins: always
 	@echo '$(PLUG_C) $(PLUG_L)' | cmp -s - $@ || echo '$(PLUG_C) $(PLUG_L)' > $@
 
 # Tests: the same files in double, in float and with SP_SMALL, optimised little: a minute from nothing, seconds after an edit.
-# White-box tests include parts, hence -MMD. TEST_O is the library's; what stands on it is small. V=1 shows the commands.
+# White-box tests include parts, hence -MMD. TEST_O is the library's; what stands on it is small.
 TEST_O  ?= -O1
-Q        = $(if $(V),,@echo "  $@";)
 TEST_CC  = $(Q)$(CC) $(STRICTC) $(if $(filter stonepack.c,$<),$(TEST_O),-O0) $(WARN) $(PLUG_C) -Wno-unused-function -MMD -MP
 
 build/double/%.o: %.c
@@ -142,10 +150,12 @@ SMALL_O  = run$(OF).o $(patsubst %.c,%.o,$(SMALL_C) $(GEN) stonepack.c)
 RUN_L    = $(if $(LOOKS),$(PLUG_L)) -lm
 
 build/run$(OF) build/run_float$(OF) build/run_small$(OF): Makefile
-$(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o \
-  build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
-# In double the library of the program, which is there anyway; of one wing one that is made sooner.
-build/run$(OF): $(if $(THESE),$(RUN_O:%=build/double/%),$(filter-out %stonepack.o,$(RUN_O:%=build/double/%)) build/stonepack.o) $(if $(LOOKS),$(SETTLE_O))
+$(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o) \
+  $(foreach p,double float program,build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
+# In double library and objects of the program, which are there anyway; of one wing a library that is made sooner.
+OWN_O    = run.o $(SUITE_C:%.c=%.o)
+build/run$(OF): $(if $(THESE),$(RUN_O:%=build/double/%),$(OWN_O:%=build/double/%) $(filter-out %/main.o,$(PROGRAM_O)) build/stonepack.o) \
+  $(if $(LOOKS),$(SETTLE_O))
 	$(Q)$(CC) $(filter %.o,$^) $(RUN_L) -o $@
 
 build/run_float$(OF): $(RUN_O:%=build/float/%) $(if $(LOOKS),$(SETTLE_O))
@@ -173,7 +183,8 @@ test: build/run$(OF) build/run_float$(OF) $(if $(SMALL_C),build/run_small$(OF))
 	@sh tests/checks/test.sh $^
 endif
 
-# One number over the bundled scenes, verdicts and force bits; every other build must find the same.
+# One number over the bundled scenes, verdicts and force bits; every other build must find the same. The library is optimised, what
+# asks it not: that is asked by `make check ONLY=bits`.
 CORPUS = tests/corpus/corpus.c $(GEN)
 
 build/scenes.h: tests/corpus/scenes.awk $(wildcard tests/scenes/*.obj)
@@ -183,7 +194,7 @@ build/scenes.h: tests/corpus/scenes.awk $(wildcard tests/scenes/*.obj)
 build/corpus-double.txt: build/stonepack.o
 build/corpus-float.txt: build/float/stonepack.o
 build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) build/scenes.h
-	LIBRARY=$(filter %stonepack.o,$^) sh tests/corpus/corpus.sh $* $(CC) $(CFLAGS) > $@.new && mv $@.new $@
+	LIBRARY=$(filter %stonepack.o,$^) sh tests/corpus/corpus.sh $* $(CC) -O0 > $@.new && mv $@.new $@
 
 test-boards: build/corpus-double.txt build/corpus-float.txt
 	+@sh port/board/boards.sh

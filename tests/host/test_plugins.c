@@ -457,7 +457,7 @@ TEST(ipopt_and_we_do_not_contradict_each_other)
         { "tower", "n", 3, 0.84 }, { "overhang", "n", 3, 0.84 }, { "arch", "n", 5, 0.84 }, { "arch", "t", 0.3, 0.84 },
         { "keystone", "angle", -10, 0.84 }, { "keystone", "angle", 20, 0.2 }, { "flat-arch", "n", 3, 0.84 } };
     int solved = 0, verified = 0;
-    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++) {
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k += SOME_OF(1, 2)) {
         static pair p;
         compare(&p, scene[k].name, scene[k].number, scene[k].value, scene[k].mu, 8);
         solved += p.his.answer.solved;
@@ -465,8 +465,8 @@ TEST(ipopt_and_we_do_not_contradict_each_other)
         if (p.ours.coupled.verdict == SP_COUPLING_REFUTED) CHECK(!p.his.answer.solved && !proved(&p));
         if (proved(&p)) CHECK(p.ours.verdict != SP_UNSTABLE);
     }
-    CHECK(verified >= 8);                               /* of the ten that stand */
-    CHECK(solved >= 8);
+    CHECK(verified >= SOME_OF(8, 4));                   /* of the ten that stand */
+    CHECK(solved >= SOME_OF(8, 4));
 }
 
 TEST(ipopt_that_stops_early_has_solved_nothing)
