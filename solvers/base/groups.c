@@ -6,12 +6,14 @@
 
 #if SP__WITH_LARGE
 
+/* The lowest number of the group of i. */
 static int32_t sp__root(int32_t *up, int32_t i)
 {
     while (up[i] != i) { up[i] = up[up[i]]; i = up[i]; }
     return i;
 }
 
+/* Joins the groups of i and k. */
 static void sp__join(int32_t *up, int32_t i, int32_t k)
 {
     i = sp__root(up, i); k = sp__root(up, k);

@@ -40,6 +40,7 @@ static void sp__cone_carve(sp__cone *k, int32_t faces, sp_arena *a)
     k->direction = sp__take(a, (size_t)faces, sizeof *k->direction);
 }
 
+/* Edges and half angle of the pyramid, if the cone is one. */
 static void sp__cone_make(sp__cone *k)
 {
     sp_real c;

@@ -16,6 +16,7 @@
 
 typedef struct sp__nt { sp_real w[3], s; } sp__nt;
 
+/* det x = x'J x = x0^2 - |(x1, x2)|^2, > 0 inside the cone. */
 static sp_real sp__soc_det(const sp_real x[3])
 {
     const sp_real t = SP_SQRT(x[1] * x[1] + x[2] * x[2]);

@@ -52,11 +52,13 @@ static sp_real sp__face_distance(const sp__touch *t, int32_t f, const sp_real n[
     return most;
 }
 
+/* The box of one point. */
 static void sp__box_start(sp_real lo[3], sp_real hi[3], const sp_real p[3])
 {
     for (int c = 0; c < 3; c++) lo[c] = hi[c] = p[c];
 }
 
+/* The box of what it holds and p. */
 static void sp__box_add(sp_real lo[3], sp_real hi[3], const sp_real p[3])
 {
     for (int c = 0; c < 3; c++) {

@@ -121,6 +121,7 @@ static void sp__branch_motion_row(sp__branch *s, int32_t v, int32_t row, sp_real
     for (int32_t e = 0; e < n; e++) to[e] = x * s->d[v][0][e] + y * s->d[v][1][e] + z * s->d[v][2][e];
 }
 
+/* Number of row `which` of vertex v in the program. */
 static int32_t sp__branch_row(const sp__branch *s, int32_t v, int32_t which)
 {
     return 6 * s->pb->blocks + 1 + SP__ROWS * v + which;
@@ -133,6 +134,7 @@ static void sp__branch_force_row(sp__branch *s, int32_t row, sp_real x, sp_real 
     to[0] = x; to[1] = y; to[2] = z;
 }
 
+/* Bounds of a row: low <= row x <= high. */
 static void sp__branch_bound(sp__branch *s, int32_t row, sp_real low, sp_real high)
 {
     s->lp.lower[row] = low;
@@ -438,6 +440,7 @@ static int64_t sp__branch_check(const sp__branch *s)
 
 typedef enum sp__outcome { SP__OUT_REFUTED, SP__OUT_POINT, SP__OUT_BUDGET } sp__outcome;
 
+/* Walks the tree: a linear program at every node, which is split where its point does not meet all conditions. */
 SP__NOINLINE static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
 {
     s->depth = 0;

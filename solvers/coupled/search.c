@@ -68,6 +68,7 @@ SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
  * any of the drag. */
 typedef enum sp__start { SP__START_FREE, SP__START_STATICS, SP__START_DRAG, SP__START_LONE, SP__START_OTHERS } sp__start;
 
+/* Sets the bound of friction at every vertex, and whether drag grows, for a start. */
 static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
 {
     c->drag.viscous = how >= SP__START_DRAG;

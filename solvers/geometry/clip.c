@@ -439,6 +439,7 @@ static void sp__clip_walk(sp__clip *c, int32_t start)
     while (depth > 0) c->g.place[c->g.path[--depth]] = -1;
 }
 
+/* Every unused edge starts a walk along the boundary. */
 static void sp__clip_trace(sp__clip *c)
 {
     for (int32_t k = 0; k < c->g.nodes; k++) c->g.first[k] = c->g.place[k] = -1;

@@ -32,6 +32,7 @@ static void sp__bracket_carve(sp_real *at[5], int32_t blocks, sp_arena *a)
     for (int k = 0; k < 5; k++) at[k] = sp__take(a, (size_t)blocks, (k < 4 ? 6 : 12) * sizeof *at[k]);
 }
 
+/* Settings resolved, problem built, both loads apart. */
 static sp_status sp__bracket_build(const sp_scene *scene, const sp_settings *settings, sp__bracket *b, sp_arena *a)
 {
     memset(b, 0, sizeof *b);
@@ -86,6 +87,7 @@ static int sp__bracket_certify_begin(sp__bracket *b, sp_real d, sp_real l)
     return sp__certifier_open(&b->certifier, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
 }
 
+/* Counts what the certificate check took. */
 SP__NOINLINE_SMALL static void sp__bracket_certify_end(sp__bracket *b)
 {
     if (SP__WITH_INTERIOR) b->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)b->certifier.sweeps * b->pb.points;
@@ -100,6 +102,7 @@ SP__NOINLINE static int sp__bracket_stands(sp__bracket *b, sp_real d, sp_real l,
     return b->imbalance <= b->set.tol;
 }
 
+/* load . dq */
 static sp_real sp__bracket_work(const sp__bracket *b, const sp_real *load)
 {
     return sp__dot(load, b->dq, 6 * (size_t)b->pb.blocks);

@@ -40,6 +40,7 @@ static int sp__engine_carve(sp__engine *g, const sp_problem *pb, sp_arena *rows,
     return 1;
 }
 
+/* A fresh start of the search, with all its iterations. */
 static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena *rest)
 {
     memset(g->state.y, 0, 6 * (size_t)b->pb.blocks * sizeof *g->state.y);

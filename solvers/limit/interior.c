@@ -27,6 +27,7 @@
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
 
+/* Loads dead + a live, from now on. */
 static void sp__limit_loads(sp__limit *L, sp_real a)
 {
     sp__engine *g = &L->engine;

@@ -192,6 +192,7 @@ static void sp__bchol_square(sp__low *c, const sp__low *a)
     }
 }
 
+/* A = L L' in place, blocks of 6 x 6, column after column. */
 SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
@@ -234,6 +235,7 @@ static void sp__bchol3_block(sp_real *d, sp_real floor)
     }
 }
 
+/* The same for blocks of 3 x 3. */
 SP__NOINLINE static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
 {
     for (int32_t k = 0; k < f->n; k++) {
@@ -338,6 +340,7 @@ SP__NOINLINE static void sp__bchol_unbalance(sp__bchol *f)
     }
 }
 
+/* All blocks of the matrix 0, before it is assembled. */
 static void sp__bchol_zero(sp__bchol *f)
 {
     if (SP__WITH_REDUCTION && f->rows == 3) {

@@ -69,6 +69,7 @@ static void sp__ldl_carve_factor(sp__ldl *f, int32_t nnz, sp_arena *a)
     f->lx = sp__take(a, (size_t)nnz, sizeof *f->lx);
 }
 
+/* An entry counts for the degree of both its unknowns. */
 static void sp__ldl_degree(void *to, int32_t r, int32_t c, sp_real x)
 {
     sp__ldl *f = to;
@@ -77,6 +78,7 @@ static void sp__ldl_degree(void *to, int32_t r, int32_t c, sp_real x)
     f->xadj[c + 1]++;
 }
 
+/* Both unknowns of an entry list each other as neighbours. */
 static void sp__ldl_edge(void *to, int32_t r, int32_t c, sp_real x)
 {
     sp__ldl *f = to;
@@ -85,6 +87,7 @@ static void sp__ldl_edge(void *to, int32_t r, int32_t c, sp_real x)
     f->adj[f->xadj[c]++] = r;
 }
 
+/* An entry counts in its column of K, in elimination order. */
 static void sp__ldl_column(void *to, int32_t r, int32_t c, sp_real x)
 {
     sp__ldl *f = to;
@@ -93,6 +96,7 @@ static void sp__ldl_column(void *to, int32_t r, int32_t c, sp_real x)
     f->kp[(a < b ? b : a) + 1]++;
 }
 
+/* An entry goes to its place in K. */
 static void sp__ldl_put(void *to, int32_t r, int32_t c, sp_real x)
 {
     sp__ldl *f = to;
@@ -109,6 +113,7 @@ static void sp__ldl_back(int32_t *p, int32_t n)
     p[0] = 0;
 }
 
+/* The graph of K by rows. */
 static void sp__ldl_graph(sp__ldl *f, sp__walk walk, const void *what)
 {
     memset(f->xadj, 0, ((size_t)f->n + 1) * sizeof *f->xadj);

@@ -44,6 +44,7 @@ static void sp__order_insert(sp__order *o, int32_t i)
     o->head[d] = i;
 }
 
+/* Takes node i out of its degree list. */
 static void sp__order_remove(sp__order *o, int32_t i)
 {
     if (o->next[i] >= 0) o->last[o->next[i]] = o->last[i];

@@ -173,6 +173,7 @@ static void sp__refute_on_force(sp__refute *w, int32_t v, sp_real y, sp_real n, 
     w->fsize[v] += sp__abs(y) * (sp__abs(n) + sp__abs(t1) + sp__abs(t2));
 }
 
+/* A row on the motion of vertex v: y (dn n + dt . (t1, t2)). */
 static void sp__refute_on_motion(sp__refute *w, int32_t v, sp_real y, sp_real n, sp_real t1, sp_real t2)
 {
     w->d[v][0] += y * n;
@@ -181,6 +182,7 @@ static void sp__refute_on_motion(sp__refute *w, int32_t v, sp_real y, sp_real n,
     w->dsize[v] += sp__abs(y) * (sp__abs(n) + sp__abs(t1) + sp__abs(t2));
 }
 
+/* A right-hand side, y b. */
 static void sp__refute_right(sp__refute *w, sp_real y, sp_real b)
 {
     w->right += y * b;

@@ -35,7 +35,7 @@ enum { SP__DYKSTRA_ROUNDS = 500 };
 
 #ifdef SP_SMALL
 /* Dykstra's projections without rows of A by themselves and with equations one by one, on ADMM's work and by its judgement:
- * slower, and no row is told to be lost. */
+ * slower, and nearly dependent rows are not reported. */
 
 /* Row i at x in X, its weight a W^-1 a' in *d; then x <- x - W^-1 a' t. */
 static sp_real sp__dykstra_row(sp__qp *w, int32_t i, sp_real t, sp_real *d)
@@ -126,6 +126,7 @@ typedef struct sp__dykstra {
     int64_t flops, round;               /* round: flops of one */
 } sp__dykstra;
 
+/* How many rows are equations. */
 static int32_t sp__dykstra_equations(const sp_qp *qp)
 {
     int32_t count = 0;
@@ -189,6 +190,7 @@ static int sp__dykstra_start(sp__dykstra *w)
     return 1;
 }
 
+/* a_i x */
 static sp_real sp__dykstra_ax(const sp__dykstra *w, int32_t i)
 {
     sp_real s = 0;

@@ -146,6 +146,7 @@ static sp_status sp__joint_start(sp_scene *scene, int32_t a, int32_t b, int32_t 
     return SP_OK;
 }
 
+/* The joint written at the end of the list, and its vertices, count from now on. */
 static void sp__joint_add(sp_scene *scene, int32_t points, const sp_real *xyz, int32_t *id)
 {
     memcpy(scene->point + scene->count.points, xyz, (size_t)points * sizeof *scene->point);

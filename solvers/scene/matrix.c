@@ -50,6 +50,7 @@ static void sp__aeq_vertex(sp_triplets *t, const sp_problem *problem, const sp_c
     }
 }
 
+/* All entries of Aeq, contact by contact. */
 static void sp__aeq_entries(sp_triplets *t, const sp_problem *problem, int32_t columns)
 {
     t->count = 0;
@@ -82,6 +83,7 @@ typedef struct sp__friction {
     sp_real shrink;                     /* mu_eff / mu */
 } sp__friction;
 
+/* Faces, coefficient and first row of the pyramid. */
 static void sp__friction_open(sp__friction *r, int32_t faces, int32_t inscribed, int32_t net, int32_t first)
 {
     sp_real tangent;
@@ -109,6 +111,7 @@ static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_conta
     }
 }
 
+/* All entries of Afr, likewise. */
 static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_settings *settings, int32_t columns)
 {
     sp__friction r;

@@ -136,7 +136,7 @@ SP__NOINLINE static sp_status sp__solid_face(sp__solid *t, const sp__local *l, c
 
 /* Is 6V more than error? Coordinates good to e leave the volume of a surface A uncertain by e A, and rounding here acts as if
  * the corners had moved by u d; measured on flat bodies of all shapes and places: `least` / `sure` at most. So a body
- * that passes has its volume to a percent in double; float takes what can be told from flat at all, plates of 1e-6 among it. */
+ * that passes has its volume to a percent in double; float takes whatever it can tell from flat, plates of 1e-6 among it. */
 static sp_status sp__solid_status(const sp__solid *t, const sp__local *l)
 {
 #ifdef SP_REAL_FLOAT

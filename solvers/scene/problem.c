@@ -47,6 +47,7 @@ static int32_t sp__points_count(const sp_scene *scene)
     return n;
 }
 
+/* Free blocks and contacts of a scene. */
 static void sp__problem_count(const sp_scene *scene, sp_problem *problem)
 {
     problem->scene = scene;

@@ -46,6 +46,7 @@ SP__NOINLINE static int sp__hold_stands(sp__hold *h)
     return 1;
 }
 
+/* All members held, present or absent. */
 static void sp__hold_all(const sp__hold *h, sp_presence presence)
 {
     for (int32_t k = 0; k < h->members; k++) h->q->state[h->member[k]].presence = presence;
@@ -70,6 +71,7 @@ static void sp__hold_set(const sp__hold *h, uint32_t set)
     for (int32_t k = 0; k < h->members; k++) h->q->state[h->member[k]].presence = set >> k & 1u ? SP_HELD : SP_PRESENT;
 }
 
+/* How many members are held. */
 static int32_t sp__hold_size(const sp__hold *h)
 {
     int32_t n = 0;

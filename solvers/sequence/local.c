@@ -25,6 +25,7 @@ SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
     q->again += c->pb.blocks;
 }
 
+/* Adds block b to those to be solved, once; origin: above which block that began. */
 static void sp__local_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
 {
     if (q->mark[b]) return;

@@ -55,6 +55,7 @@ SP__NOINLINE static void sp__sequence_change(sp_sequence *q, int32_t b, sp_prese
     if (presence == SP_ABSENT) q->was[b] = 0;
 }
 
+/* Counts of a step start at 0. */
 static void sp__sequence_start(sp_sequence *q)
 {
     memset(&q->cost, 0, sizeof q->cost);

@@ -8,8 +8,8 @@
 
 #if SP__WITH_LARGE
 
-/* The stages a plan may shorten: those whose answer does not depend on which blocks are solved together, with the exact one; no
- * fewer iterations than usual, because what they buy is then told of the stages as they are. */
+/* May a plan leave effects out with these stages? Only if the exact stage is among them and no stage's answer depends on which
+ * blocks are solved together. Not with fewer iterations than usual: who asks for fewer wants to see what they buy as it is. */
 static int sp__plan_stages(const sp_settings *set)
 {
     int exact = 0;
