@@ -106,7 +106,7 @@ check_switches() {
     done
     for sw_real in '' -DSP_REAL_FLOAT; do
         count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' -DSP_QP_ONLY $sw_real
-        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene mesh joint contacts matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
+        count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene mesh joint contacts patch matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
     done
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
     # In double all, in float those near what is left out.
