@@ -22,7 +22,7 @@ host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
  -Wwrite-strings -Werror'
 all=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
 core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')      # these need no program
-quick=$(echo "$core" | grep -vxE 'budget|coupled|exact|hard|islands|limit|plan|sequence|settle|spared')       # a fifth of the time of all
+quick=$(echo "$core" | grep -vxE 'bracket|budget|coupled|exact|hard|islands|limit|plan|sequence|settle|spared')       # a fifth of the time of all
 stems() { for st in "$@"; do printf 'X(%s) ' "$st"; done; }
 suite_c() { for sc in "$@"; do ls tests/*/test_"$sc".c; done | tr '\n' ' '; }
 host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
@@ -85,7 +85,7 @@ without() {                                             # without GONE-REGEX FLA
 tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
 check_switches() {
     no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
-    no_ipm=$(echo "$core" | grep -vx limit)
+    no_ipm=$(echo "$core" | grep -vxE 'limit|bracket')
     no_plan=$(echo "$core" | grep -vxE 'plan|map|spared')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
@@ -115,7 +115,7 @@ check_switches() {
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
     count "tests, SP_NO_IPM, float" tests_without 'stages custom settings closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
     count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
-    count "tests, SP_NO_PLAN, float" tests_without 'limit memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
+    count "tests, SP_NO_PLAN, float" tests_without 'limit bracket memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA, float" tests_without 'admm dykstra qp stages custom settings alternation' -DSP_NO_ADMM -DSP_NO_DYKSTRA -DSP_REAL_FLOAT
 }

@@ -1,0 +1,489 @@
+/* A limit's bracket: it has an end or none, verdicts change inside it, and it does not depend on what does not matter. */
+#include "limit.h"
+
+/* What sp_check says with so many live loads. */
+static sp_verdict verdict_at(sp_scene s, const sp_settings *set, double lambda)
+{
+    sp_arena a = test_arena;
+    sp_result r;
+    s.live = R(lambda);
+    CHECK_INT(sp_check(&s, set, &a, &r), SP_OK);
+    return r.verdict;
+}
+
+#ifdef SP_NO_PLAN
+enum { PLANS = 0 };
+#else
+enum { PLANS = 1 };
+#endif
+
+/* On each free stone in turn, alone: pressed at its middle, off it, at a slant, pushed aside, turned. The stones above bear nothing
+ * of it, however much it is. */
+TEST(a_load_on_any_stone_has_an_end_or_none)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "tower", "n", 2 }, { "tower", "n", 6 }, { "wall", "rows", 3 }, { "rubble", "rows", 3 }, { "diamond", "rows", 3 }
+    };
+    static const double force[5][3] = { { 0, 0, -1 }, { 0, 0, -1 }, { 0.2, 0.05, -1 }, { 1, 0, 0 }, { 0, 0, 0 } };
+    int several[4] = { 0, 0, 0, 0 };
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++)
+        for (int32_t i = 1, stones = 2; i < stones; i += SOME_OF(1, 3)) {
+            for (int q = 0; q < 5; q++) {
+                sp_load load;
+                sp_scene s;
+                test_arena.used = 0;
+                CHECK_INT(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s), SP_OK);
+                stones = s.count.blocks;
+                const sp_block *b = &s.block[i];
+                if (b->fixed == SP_FIXED) continue;
+                memset(&load, 0, sizeof load);
+                load.block = i;
+                load.live = 1;
+                for (int x = 0; x < 3; x++) {
+                    load.force[x] = R(2000 * force[q][x]);
+                    load.point[x] = b->centroid[x] + (q == 1 && x < 2 ? R(0.1) * b->diameter : 0);
+                }
+                load.couple[1] = q == 4 ? R(1000) : 0;
+                s.load = &load;
+                s.count.loads = s.cap.loads = 1;
+                const sp_limit_result x = limit_of(&s, NULL);
+                several[x.kind]++;
+                if (x.kind == SP_LIMIT_UNDECIDED) TEST_PRINT("    %s %g, block %d, load %d\n", scene[k].name, scene[k].value, (int)i, q);
+                for (double times = 1e3; x.kind == SP_LIMIT_UNBOUNDED && times < 1e7; times *= 1e3)
+                    CHECK_INT(verdict_at(s, NULL, times), SP_STABLE);
+            }
+        }
+    CHECK_INT(several[SP_LIMIT_UNDECIDED], 0);
+    CHECK_INT(several[SP_LIMIT_NONE], 0);
+    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(100, 30) && several[SP_LIMIT_UNBOUNDED] > SOME_OF(100, 30));
+}
+
+/* Weight is taken away by the live load and then more: at 1 there is none, beyond that all that rests on something goes up; between
+ * two supports it is wedged. Nothing else than 1 holds what slides and leans. */
+TEST(a_load_that_lifts_everything_ends_at_its_weight)
+{
+    static const struct { const char *name, *param; double value, mu; sp_limit_kind kind; } scene[] = {
+        { "wall", "rows", 3, 0.84, SP_LIMIT_FOUND }, { "tower", "n", 5, 0.84, SP_LIMIT_FOUND }, { "arch", "n", 8, 0.84, SP_LIMIT_FOUND },
+        { "arch", "n", 8, 0, SP_LIMIT_FOUND }, { "diamond", "rows", 3, 0, SP_LIMIT_FOUND }, { "rubble", "rows", 2, 0, SP_LIMIT_FOUND },
+        { "keystone", "angle", 20, 0, SP_LIMIT_UNBOUNDED }, { "keystone", "angle", 20, 0.1, SP_LIMIT_UNBOUNDED }
+    };
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        CHECK_INT(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s), SP_OK);
+        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.mu = R(scene[k].mu);
+        s.body[2] = R(9.80665);
+        const sp_limit_result x = limit_of(&s, NULL);
+        if (!CHECK_INT(x.kind, scene[k].kind)) TEST_PRINT("    %s, mu %g\n", scene[k].name, scene[k].mu);
+        if (x.kind == SP_LIMIT_FOUND) CHECK_NEAR(x.multiplier, 1, NEAR);
+    }
+}
+
+/* A leaning tower too heavy for its stones: a push back would keep it from leaning, and not from being crushed. */
+TEST(what_its_own_weight_crushes_has_no_multiplier)
+{
+    for (int back = 0; back < 2; back++) {
+        sp_scene s;
+        test_arena.used = 0;
+        CHECK_INT(gen_make("tower", "lean", 0.08, &test_arena, &s), SP_OK);
+        for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength.crushing = R(20000);
+        s.body[0] = R(back ? -9.80665 : 9.80665);
+        CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
+    }
+}
+
+TEST(supports_alone_bear_any_load)
+{
+    sp_scene s = cube(sp_strength_friction(R(0.84)));
+    s.block[1].fixed = SP_FIXED;
+    push(&s, 1, weight, 0, 0, 0, 0.5, 1);
+    CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
+}
+
+TEST(without_live_load_it_is_all_or_nothing)
+{
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
+    CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
+    slope(&s, 0.3);
+    CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_NONE);
+}
+
+TEST(a_live_load_on_a_support_changes_nothing)
+{
+    sp_scene s = cube(sp_strength_friction(R(0.2)));
+    sp_load load = { 0, 1, { 0, 0, 0 }, { R(weight), 0, 0 }, { 0, 0, 0 }, 0 };
+    CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+    CHECK_INT(limit_of(&s, NULL).kind, SP_LIMIT_UNBOUNDED);
+}
+
+/* ------------------------------------------------------------------------------------------------------------ invariants */
+
+/* The arch in other units of length and mass, and moved: the same multiplier. */
+TEST(units_do_not_matter)
+{
+    for (int k = -1; k <= 1; k++)
+        for (int q = -1; q <= 1; q++) {
+            const double L = k < 0 ? 1e-3 : k ? 1e3 : 1, M = q < 0 ? 1e-4 : q ? 1e4 : 1;
+            sp_scene s = round_arch(0.15);
+            for (int32_t b = 0; b < s.count.blocks; b++) {
+                s.block[b].mass *= R(M);
+                for (int c = 0; c < 3; c++) s.block[b].centroid[c] *= R(L);
+            }
+            for (int32_t v = 0; v < s.count.points; v++) for (int c = 0; c < 3; c++) s.point[v][c] *= R(L);
+            s.body[0] = R(9.80665);
+            const sp_limit_result x = limit_of(&s, NULL);
+            CHECK_INT(x.kind, SP_LIMIT_FOUND);
+            CHECK_WITHIN(x.multiplier, 0.14888, TOL(5.1e-6, 2e-3));
+        }
+}
+
+TEST(live_loads_twice_as_large_have_half_the_multiplier)
+{
+    for (int k = -6; k <= 6; k += 3) {
+        sp_scene s = round_arch(0.15);
+        s.body[0] = R(9.80665 * pow(10, k));
+        const sp_limit_result x = limit_of(&s, NULL);
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK_NEAR((double)x.multiplier * pow(10, k), 0.14888, TOL(4e-5, 2e-2));
+    }
+}
+
+/* Every joint turned round: B pushes A. */
+TEST(which_side_is_called_a_does_not_matter)
+{
+    sp_scene s = round_arch(0.15), t = s;
+    sp_joint joint[21];
+    for (int k = 0; k < 21; k++) {
+        joint[k] = s.joint[k];
+        joint[k].a = s.joint[k].b;
+        joint[k].b = s.joint[k].a;
+        for (int c = 0; c < 3; c++) { joint[k].n[c] = -joint[k].n[c]; joint[k].t2[c] = -joint[k].t2[c]; }
+    }
+    s.body[0] = t.body[0] = R(9.80665);
+    t.joint = joint;
+    const double a = (double)limit_of(&s, NULL).multiplier, b = (double)limit_of(&t, NULL).multiplier;
+    CHECK(a > 0.1);
+    CHECK_NEAR(a, b, NEAR);
+}
+
+TEST(the_multiple_at_which_the_scene_stands_is_not_read)
+{
+    sp_scene s = cube(sp_strength_friction(R(0.3)));
+    push(&s, 1, weight, 0, 0, 0, 0.5, 0);
+    s.live = 77;
+    const sp_limit_result x = limit_of(&s, NULL);
+    CHECK_NEAR(x.multiplier, 0.3, NEAR);
+}
+
+/* ---------------------------------------------------------------------------------------------------------------- attack */
+
+/* A pile of up to four blocks, each on the one before, shaken in a random direction; sometimes it does not stand at all. */
+static sp_scene pile(void)
+{
+    const sp_capacity cap = { 6, 0, 0, 0, 6, 24, 0 };
+    const sp_real ground[3] = { 0, 0, R(-1) };
+    sp_scene s;
+    double x = 0, y = 0, z = 0, w = 2, d = 2;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    for (int32_t k = 0, n = test_random_int(1, 4); k < n; k++) {
+        const double nw = (double)test_random_real(0.4, 1.2), nd = (double)test_random_real(0.4, 1.2), h = (double)test_random_real(0.2, 1);
+        const double nx = x + (double)test_random_real(-0.4, 0.4), ny = y + (double)test_random_real(-0.4, 0.4);
+        const double lx = fmax(x - w / 2, nx - nw / 2), hx = fmin(x + w / 2, nx + nw / 2);
+        const double ly = fmax(y - d / 2, ny - nd / 2), hy = fmin(y + d / 2, ny + nd / 2);
+        const sp_real c[3] = { R(nx), R(ny), R(z + h / 2) };
+        const sp_real foot[12] = { R(lx), R(ly), R(z), R(hx), R(ly), R(z), R(hx), R(hy), R(z), R(lx), R(hy), R(z) };
+        const sp_strength strength = sp_strength_friction(test_random_real(0.1, 1));
+        CHECK_INT(sp_scene_body(&s, R(nw * nd * h * 2000), c, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_joint(&s, k, k + 1, 4, foot, &strength, NULL), SP_OK);
+        x = nx; y = ny; z += h; w = nw; d = nd;
+    }
+    for (int k = 0; k < 3; k++) s.body[k] = test_random_real(-5, 5);
+    return s;
+}
+
+TEST(bisection_of_verdicts_ends_within_the_bracket)
+{
+    int several[4] = { 0, 0, 0, 0 };
+    for (int trial = 0; trial < 200; trial++) {
+        sp_settings set = sp_settings_default();
+        sp_scene s = pile();
+        if (trial % 10 == 0) { s.body[0] = s.body[1] = 0; s.body[2] = R(-5); }  /* presses on what stands already */
+        set.faces = trial % 3 == 0 && !TEST_SMALL ? 8 : 0;
+        const sp_limit_result x = limit_of(&s, &set);
+        several[x.kind]++;
+        if (x.kind == SP_LIMIT_NONE) {
+            CHECK_INT(verdict_at(s, &set, 0), SP_UNSTABLE);
+            CHECK_INT(verdict_at(s, &set, 2), SP_UNSTABLE);
+        }
+        if (x.kind == SP_LIMIT_UNBOUNDED)
+            for (double more = 1; more < 1e4; more *= 100) CHECK_INT(verdict_at(s, &set, (double)x.lower + more), SP_STABLE);
+        if (x.kind != SP_LIMIT_FOUND) continue;
+        double lo = 0, hi = 2 * (double)x.upper + 1;
+        if (verdict_at(s, &set, lo) != SP_STABLE) lo = (double)x.lower * (1 - NEAR) - NEAR;
+        CHECK_INT(verdict_at(s, &set, lo), SP_STABLE);
+        for (int it = 0; it < TOL(26, 12); it++) {
+            const double mid = (lo + hi) / 2;
+            const sp_verdict v = verdict_at(s, &set, mid);
+            if (v == SP_UNDECIDED) break;
+            if (v == SP_STABLE) lo = mid; else hi = mid;
+        }
+        CHECK(lo <= (double)x.upper * (1 + NEAR) + NEAR && hi >= (double)x.lower * (1 - NEAR) - NEAR);
+    }
+    CHECK(several[SP_LIMIT_FOUND] > 50 && several[SP_LIMIT_NONE] > 5 && several[SP_LIMIT_UNBOUNDED] > 0);
+    CHECK(several[SP_LIMIT_UNDECIDED] <= (TEST_SMALL ? 30 : TOL(2, 4)));
+    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 200 undecided\n", several[SP_LIMIT_UNDECIDED]);
+}
+
+#ifdef SP_REAL_MIXED
+#define GLUED_OPEN 5
+#else
+#define GLUED_OPEN TOL(2, 4)
+#endif
+
+/* Scenes of joints with strength, some with a held stone, pushed as a whole or at one stone: against verdicts beside both ends. Of
+ * what is left open little may be told by verdicts. */
+TEST(glued_and_crushed_scenes_end_where_verdicts_change)
+{
+    static const struct { const char *name, *param; double value; } scene[] = {
+        { "two-cubes", "offset", 0.3 }, { "wall", "rows", 2 }, { "tower", "n", 3 }, { "diamond", "rows", 3 }, { "arch", "n", 8 },
+        { "keystone", "angle", 20 }, { "cantilever", "reach", 1.2 }, { "overhang", "factor", 0.9 }, { "incline", "angle", 20 },
+        { "flat-arch", "n", 5 }
+    };
+    enum { SCENES = sizeof scene / sizeof *scene };
+    int several[4] = { 0, 0, 0, 0 };
+    for (int trial = 0; trial < 80; trial++) {
+        const int k = test_random_int(0, SCENES - 1), type = test_random_int(1, 7), load = test_random_int(0, 5);
+        sp_load at;
+        sp_scene s;
+        double mass = 0, area = 0;
+        test_arena.used = 0;
+        NEED(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s) == SP_OK);
+        for (int32_t b = 0; b < s.count.blocks; b++) if (s.block[b].fixed != SP_FIXED) mass += (double)s.block[b].mass;
+        for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
+        const double p = 9.80665 * mass / area, c = p * pow(10, (double)test_random_real(-1, 3)), cap = p * pow(10, (double)test_random_real(0, 2));
+        for (int32_t i = 0; i < s.count.joints; i++) {
+            s.joint[i].strength.cohesion = type & 1 ? R(c) : 0;
+            s.joint[i].strength.tension = (type & 3) == 3 ? R(c / 4) : 0;
+            s.joint[i].strength.crushing = type & 4 ? R(cap) : 0;
+        }
+        int32_t b = test_random_int(0, s.count.blocks - 1);
+        if (trial % 3 == 0 && s.block[b].fixed != SP_FIXED) s.block[b].fixed = test_random_int(1, 62);
+        while (s.block[b].fixed == SP_FIXED) b = test_random_int(0, s.count.blocks - 1);
+        memset(&at, 0, sizeof at);
+        at.block = b;
+        at.live = 1;
+        for (int x = 0; x < 3; x++) {
+            const sp_real d = load == 0 ? R(-(x == 2)) : load == 1 ? R(x == 0) : test_random_real(-1, 1);
+            if (load < 4) s.body[x] = R(9.80665) * d;
+            at.force[x] = s.block[b].mass * R(9.80665) * d;
+            at.point[x] = s.block[b].centroid[x] + test_random_real(-0.2, 0.2) * s.block[b].diameter;
+        }
+        if (load > 3) { s.load = &at; s.count.loads = s.cap.loads = 1; }
+        const sp_limit_result x = limit_of(&s, NULL);
+        several[x.kind]++;
+        if (x.kind == SP_LIMIT_NONE || x.dead == SP_UNSTABLE) CHECK(verdict_at(s, NULL, 0) != SP_STABLE);
+        if (x.dead == SP_STABLE) CHECK(verdict_at(s, NULL, 0) != SP_UNSTABLE);
+        for (double more = 1; x.kind == SP_LIMIT_UNBOUNDED && more < 1e5; more *= 100) CHECK(verdict_at(s, NULL, (double)x.lower + more) != SP_UNSTABLE);
+        for (double more = 1e-3; x.kind == SP_LIMIT_NONE && more < 1e5; more *= 10) CHECK(verdict_at(s, NULL, more) != SP_STABLE);
+        if (x.upper >= 0) CHECK(verdict_at(s, NULL, (double)x.upper * (1 + TOL(1e-6, 1e-3)) + TOL(1e-9, 1e-4)) != SP_STABLE);
+        if (x.lower > 0 && x.dead == SP_STABLE) CHECK(verdict_at(s, NULL, (double)x.lower * (1 - TOL(1e-6, 1e-3))) != SP_UNSTABLE);
+    }
+    CHECK(several[SP_LIMIT_FOUND] > 30 && several[SP_LIMIT_UNBOUNDED] > 8 && several[SP_LIMIT_NONE] > 2);
+    CHECK(several[SP_LIMIT_UNDECIDED] <= GLUED_OPEN);
+    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 80 undecided\n", several[SP_LIMIT_UNDECIDED]);
+}
+
+/* Scenes with a mirror that live loads share, and without. */
+static const struct { const char *name, *param; double value, x, y; int planar; } mirrored[] = {
+    { "wall", "size", 40, 1, 0, 1 }, { "wall", "size", 40, -1, 0, 1 }, { "wall", "size", 40, 0, 1, 0 }, { "wall", "size", 150, 1, 0, 1 },
+    { "arch", "t", 0.15, 1, 0, 1 }, { "arch", "n", 60, -1, 0, 1 }, { "tower", "lean", 0.03, 1, 0, 1 }, { "diamond", "rows", 4, 1, 0, 1 },
+    { "vault", "mu", 0.84, 1, 0, 0 }, { "dome", "mu", 0.84, 1, 0, 0 }
+};
+enum { MIRRORED = sizeof mirrored / sizeof mirrored[0], DOME = MIRRORED - 1 };
+#ifdef SP_REAL_MIXED                    /* factors in float don't end at the dome's optimum: the exact stage asks for forces just below */
+#define DOME_TIMES 20
+#else
+#define DOME_TIMES 4
+#endif
+
+static sp_scene mirrored_scene(int k)
+{
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(gen_make(mirrored[k].name, mirrored[k].param, mirrored[k].value, &test_arena, &s), SP_OK);
+    s.body[0] = R(9.80665 * mirrored[k].x);
+    s.body[1] = R(9.80665 * mirrored[k].y);
+    return s;
+}
+
+TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
+{
+    for (int k = 0; k < 3 * MIRRORED; k += SOME_OF(1, 2)) {         /* every other still meets each cone and each scene */
+        const sp_scene s = mirrored_scene(k / 3);
+        sp_settings set = sp_settings_default(), space;
+        set.faces = k % 3 == 1 ? 4 : k % 3 == 2 ? 8 : 0;
+        set.inscribed = k % 3 == 2;
+        space = set;
+        space.effect[SP_EFFECT_DEPTH] = SP_WITH;
+        const sp_limit_result x = limit_of(&s, &set), all = limit_of(&s, &space);
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK_INT(all.kind, SP_LIMIT_FOUND);
+        CHECK_NEAR(x.multiplier, all.multiplier, NEAR);
+        const double times = (double)all.cost.flops / (double)x.cost.flops;     /* in float either may end sooner: by 1.4 at least */
+        if (!CHECK(PLANS && mirrored[k / 3].planar ? times > TOL(2, 1.2) : times > 0.9 && times < 1.1))       /* dead loads may have one */
+            TEST_PRINT("    %s, %s %g, %d faces: %.2f\n", mirrored[k / 3].name, mirrored[k / 3].param, mirrored[k / 3].value, (int)set.faces, times);
+    }
+}
+
+/* Work of a limit over that of a check of the same scene just beyond it. */
+TEST(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
+{
+    for (int k = 0; k < MIRRORED; k++) {
+        sp_scene s = mirrored_scene(k);
+        const sp_limit_result x = limit_of(&s, NULL);
+        sp_result r;
+        s.live = x.multiplier * TOL(R(1.01), R(1.1));
+        CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
+        if (TOL(1, 0)) CHECK_INT(r.verdict, SP_UNSTABLE);
+        else CHECK(r.verdict != SP_STABLE);             /* the arch of 60 is beyond float */
+        const double times = (double)x.cost.flops / (double)r.spent.total.flops;
+        if (!CHECK(times < (!PLANS ? 12 : k == DOME ? DOME_TIMES : 4)))
+            TEST_PRINT("    %s, %s %g: %.2f\n", mirrored[k].name, mirrored[k].param, mirrored[k].value, times);
+    }
+}
+
+/* A claim with either end pushed too far, or evidence of another scene, is not held. */
+TEST(a_changed_claim_is_not_held)
+{
+    sp_scene s = cube(sp_strength_friction(R(0.3)));
+    int32_t held = 1;
+    push(&s, 1, weight, 0, 0, 0, 0.5, 0);
+    const sp_limit_result x = limit_of(&s, NULL);
+    sp_limit_result y = x;
+    sp_real dq[12];
+    NEED(x.kind == SP_LIMIT_FOUND);
+    y.lower = y.upper = x.upper * R(1 + 10 * NEAR);
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+    y = x;
+    y.lower = y.upper = x.lower * R(1 - 10 * NEAR);
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+    y = x;
+    for (int k = 0; k < 12; k++) dq[k] = -x.dq[k];
+    y.dq = dq;
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+    y = x;
+    y.kind = SP_LIMIT_NONE;
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+    y.kind = SP_LIMIT_UNBOUNDED;
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 0);
+    y = x;
+    y.y0 = NULL;                                        /* hints are not needed */
+    CHECK_INT(sp_limit_verify(&s, NULL, &y, test_arena, &held), SP_OK);
+    CHECK_INT(held, 1);
+}
+
+/* ------------------------------------------------------------------------------------------------------ memory, refusals */
+
+TEST(memory_is_exact_and_one_byte_less_refused)
+{
+    for (int32_t faces = 0; faces <= (TEST_SMALL ? 0 : 8); faces += 8) {
+        sp_settings set = sp_settings_default();
+        sp_scene s = round_arch(0.15);
+        sp_limit_result x;
+        size_t bytes = 0;
+        set.faces = faces;
+        s.body[0] = R(9.80665);
+        sp_arena scratch = test_arena;
+        scratch.base += scratch.used;
+        scratch.cap = sp_memory_scratch(&s, SP_FOR_LIMIT, NULL);
+        scratch.used = 0;
+        while ((uintptr_t)scratch.base % SP_ALIGN) scratch.base++;
+        CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, &set, scratch, &bytes), SP_OK);
+        scratch.cap = bytes - 1;
+        memset(&x, 0, sizeof x);
+        CHECK_INT(sp_limit(&s, &set, &scratch, &x), SP_E_MEMORY);
+        CHECK_INT(scratch.used, 0);
+        CHECK(!x.f);
+        scratch.cap = bytes;
+        CHECK_INT(sp_limit(&s, &set, &scratch, &x), SP_OK);
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK_INT(x.peak_bytes, bytes);
+        CHECK(scratch.used < bytes);
+        scratch = test_arena;
+        CHECK(test_bytes(&s, SP_FOR_LIMIT_VERIFY, NULL) > 0);
+    }
+}
+
+TEST(a_budget_that_is_too_small_is_told)
+{
+    sp_settings set = sp_settings_default();
+    sp_scene s = round_arch(0.15);
+    sp_limit_result x;
+    s.body[0] = R(9.80665);
+    set.iterations = 3;
+    CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_OK);
+    CHECK_INT(x.kind, SP_LIMIT_UNDECIDED);
+    CHECK_INT(x.reason, SP_REASON_BUDGET);
+    CHECK(!x.verified && x.cost.factorisations <= 3 + 1);
+    for (int64_t flops = 1000; flops < 100000000; flops *= 3) {        /* a budget is kept; a large one changes nothing */
+        set = sp_settings_default();
+        set.budget = flops;
+        x = limit_of(&s, &set);
+        CHECK(x.cost.flops <= flops);
+        CHECK(x.kind == SP_LIMIT_FOUND || (x.kind == SP_LIMIT_UNDECIDED && x.reason == SP_REASON_BUDGET));
+    }
+    CHECK_INT(x.kind, SP_LIMIT_FOUND);
+}
+
+TEST(what_is_no_question_is_refused)
+{
+    sp_settings set = sp_settings_default();
+    sp_scene s = cube(sp_strength_friction(R(0.3))), none = s;
+    sp_limit_result x;
+    sp_joint_motion m;
+    size_t bytes;
+    push(&s, 1, weight, 0, 0, 0, 0.5, 0);
+    CHECK_INT(sp_limit(NULL, NULL, &test_arena, &x), SP_E_ARGUMENT);
+    CHECK_INT(sp_limit(&s, NULL, NULL, &x), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    none.count.blocks = 0;
+    CHECK_INT(sp_limit(&none, NULL, &test_arena, &x), SP_E_EMPTY);
+    CHECK_INT(sp_memory(&none, SP_FOR_LIMIT, NULL, test_arena, &bytes), SP_E_EMPTY);
+    set.coupled.asked = 1;
+    CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_E_UNSUPPORTED);
+    set = sp_settings_default();
+    set.tol = 2;
+    CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_E_RANGE);
+    s.body[0] = R(1e300) * R(1e300);
+    CHECK_INT(sp_limit(&s, NULL, &test_arena, &x), SP_E_NOT_FINITE);
+    CHECK_INT(sp_joint_moves(&s, s.gravity, 1, &m), SP_E_INDEX);
+    CHECK_TEXT(sp_limit_text(SP_LIMIT_NONE), "none");
+}
+
+TEST_LIST(bracket)
+    RUN_FULL(a_load_on_any_stone_has_an_end_or_none)
+    RUN(a_load_that_lifts_everything_ends_at_its_weight)
+    RUN_FULL(what_its_own_weight_crushes_has_no_multiplier)
+    RUN(supports_alone_bear_any_load)
+    RUN(without_live_load_it_is_all_or_nothing)
+    RUN(a_live_load_on_a_support_changes_nothing)
+    RUN(units_do_not_matter)
+    RUN(live_loads_twice_as_large_have_half_the_multiplier)
+    RUN(which_side_is_called_a_does_not_matter)
+    RUN(the_multiple_at_which_the_scene_stands_is_not_read)
+    RUN(bisection_of_verdicts_ends_within_the_bracket)
+    RUN_FULL(glued_and_crushed_scenes_end_where_verdicts_change)
+    RUN_FULL(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
+    RUN_FULL(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
+    RUN(a_changed_claim_is_not_held)
+    RUN(memory_is_exact_and_one_byte_less_refused)
+    RUN_FULL(a_budget_that_is_too_small_is_told)
+    RUN(what_is_no_question_is_refused)
+TEST_END
