@@ -967,14 +967,15 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
 
 /* ----------------------------------------------------------------------------------------------- for experts: static arrays */
 
-/* The same as constant expressions, for static arrays:
+/* The same as constant expressions, for static arrays. They are of 64 bits, whatever size_t has, and do not wrap for
+ * counts up to 2^23, alone or in sums: an array too large for the machine does not compile.
  *
  *   SP_SCENE_BYTES    sp_scene_memory of a capacity of these numbers, exact
  *   SP_MEMORY_BYTES   an upper bound on sp_memory for up to so many blocks (supports too), joints and contact vertices,
  *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
  *                     for the default ones; each load takes 4 more. The factor is taken as full, 36
  *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
- *                     need it cannot know, it is SIZE_MAX, which no array has.
+ *                     need it cannot know, it is SP_NO_ARRAY, larger than any.
  *   SP_PYRAMID_BYTES  what settings.faces takes besides
  *   SP_COUPLED_BYTES  what settings.coupled.asked takes besides, with room for coupled.nodes (0 or more) in a proof; without
  *                     coupled.rounds
@@ -983,14 +984,15 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *                     some ten times the truth for a few stones, a hundred times for twenty
  *   SP_ADMM_CG_BYTES  to be added instead of that where the seed has ADMM use conjugate gradients, which keep no factor
  *                     (dense_cells 0, admm.backend SP_QP_CG): near the truth */
+#define SP_NO_ARRAY ((uint64_t)1 << 63)
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, joints, points, loads) \
-    ((((size_t)(blocks) * sizeof(sp_block) + 15) & ~(size_t)15) \
-     + (((size_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) \
-     + (((size_t)(faces) * sizeof(sp_face) + 15) & ~(size_t)15) + (((size_t)(corners) * 4 + 15) & ~(size_t)15) \
-     + (((size_t)(joints) * sizeof(sp_joint) + 15) & ~(size_t)15) \
-     + (((size_t)(points) * 3 * sizeof(sp_real) + 15) & ~(size_t)15) + (size_t)(loads) * sizeof(sp_load))
+    ((((uint64_t)(blocks) * sizeof(sp_block) + 15) & ~(uint64_t)15) \
+     + (((uint64_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(uint64_t)15) \
+     + (((uint64_t)(faces) * sizeof(sp_face) + 15) & ~(uint64_t)15) + (((uint64_t)(corners) * 4 + 15) & ~(uint64_t)15) \
+     + (((uint64_t)(joints) * sizeof(sp_joint) + 15) & ~(uint64_t)15) \
+     + (((uint64_t)(points) * 3 * sizeof(sp_real) + 15) & ~(uint64_t)15) + (uint64_t)(loads) * sizeof(sp_load))
 #ifdef SP_REAL_MIXED                                    /* the matrix beside its factor, and what refines */
-#define SP_MIXED_BYTES(blocks, joints) (sizeof(sp_real) * (54 * (size_t)(blocks) + 36 * (size_t)(joints)) + 64)
+#define SP_MIXED_BYTES(blocks, joints) (sizeof(sp_real) * (54 * (uint64_t)(blocks) + 36 * (uint64_t)(joints)) + 64)
 #else
 #define SP_MIXED_BYTES(blocks, joints) 0
 #endif
@@ -998,35 +1000,35 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
 #define SP_SEARCH_BYTES(blocks, joints, vertices) \
     (SP_PAIRS_BYTES(blocks, 9) + (SP_PAIRS_BYTES(blocks, 27) > SP_MIRROR_BYTES(joints, vertices) \
                                   ? SP_PAIRS_BYTES(blocks, 27) : SP_MIRROR_BYTES(joints, vertices)))
-#define SP_PAIRS_BYTES(blocks, each) (sizeof(sp_real) * (each) * ((size_t)(blocks) + 1) * ((size_t)(blocks) + 1) / 2)
-#define SP_MIRROR_BYTES(joints, vertices) (20 * sizeof(sp_real) * (size_t)(joints) + 4 * (size_t)(vertices))
+#define SP_PAIRS_BYTES(blocks, each) (sizeof(sp_real) * (each) * ((uint64_t)(blocks) + 1) * ((uint64_t)(blocks) + 1) / 2)
+#define SP_MIRROR_BYTES(joints, vertices) (20 * sizeof(sp_real) * (uint64_t)(joints) + 4 * (uint64_t)(vertices))
 #define SP_MEMORY_BYTES(blocks, joints, vertices, stages) \
-    ((stages) & ~126 ? SIZE_MAX \
+    ((stages) & ~126 ? SP_NO_ARRAY \
      : ((stages) & 1 << SP_STAGE_ADMM ? SP_ADMM_BYTES(blocks, vertices, 8) : 0) \
-     + sizeof(sp_real) * (15 * (size_t)(vertices) + 85 * ((size_t)(blocks) + 1) + 102 \
-                          + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (size_t)(blocks) + 21) * ((size_t)(blocks) + 1) : 0)) \
+     + sizeof(sp_real) * (15 * (uint64_t)(vertices) + 85 * ((uint64_t)(blocks) + 1) + 102 \
+                          + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (uint64_t)(blocks) + 21) * ((uint64_t)(blocks) + 1) : 0)) \
      + SP_MIXED_BYTES(blocks, joints) + SP_SEARCH_BYTES(blocks, joints, vertices) \
-     + 4 * (((size_t)(blocks) + 1) * ((size_t)(blocks) + 30) / 2 + 5 * (size_t)(joints) + 3) \
-     + (sizeof(sp_demand) + sizeof(sp_contact)) * (size_t)(joints) + sizeof(sp_island) * ((size_t)(blocks) + 1) \
+     + 4 * (((uint64_t)(blocks) + 1) * ((uint64_t)(blocks) + 30) / 2 + 5 * (uint64_t)(joints) + 3) \
+     + (sizeof(sp_demand) + sizeof(sp_contact)) * (uint64_t)(joints) + sizeof(sp_island) * ((uint64_t)(blocks) + 1) \
      + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + 1776)
-#define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (size_t)(faces) * ((size_t)(vertices) + 4) + 64)
+#define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (uint64_t)(faces) * ((uint64_t)(vertices) + 4) + 64)
 #define SP_COUPLED_BYTES(blocks, vertices, nodes) \
-    (sizeof(sp_real) * (32 * (size_t)(vertices) + 79 * (size_t)(blocks)) + 1000 \
+    (sizeof(sp_real) * (32 * (uint64_t)(vertices) + 79 * (uint64_t)(blocks)) + 1000 \
      + ((nodes) ? SP_PROOF_BYTES(SP_EXACT_MOST(blocks), SP_EXACT_MOST(vertices), nodes) : 0))
-#define SP_EXACT_MOST(count) ((size_t)(count) < SP_EXACT_POINTS ? (size_t)(count) : (size_t)SP_EXACT_POINTS)
+#define SP_EXACT_MOST(count) ((uint64_t)(count) < SP_EXACT_POINTS ? (uint64_t)(count) : (uint64_t)SP_EXACT_POINTS)
 #define SP_PROOF_BYTES(b, v, nodes) \
-    ((sizeof(sp_real) + 2) * (20 * (size_t)(nodes) + 3 * (v) + 6 * (b) + 1) \
+    ((sizeof(sp_real) + 2) * (20 * (uint64_t)(nodes) + 3 * (v) + 6 * (b) + 1) \
      + (sizeof(sp_real) + 4) * (229 * (v) + 48 * (b) + 3) \
      + sizeof(sp_real) * ((3 * (v) + 6 * (b)) * (3 * (v) + 6 * (b)) + 38 * (v) + 2 * (b)) \
-     + 4 * (size_t)(nodes) + 400 * (v) + 1000)
+     + 4 * (uint64_t)(nodes) + 400 * (v) + 1000)
 #define SP_ADMM_BYTES(blocks, vertices, faces) \
     (SP_ADMM_CG_BYTES(blocks, vertices, faces) \
-     + SP_FACTOR_BYTES(6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices), \
-                       (4 * (size_t)(faces) + 50) * (size_t)(vertices)))
+     + SP_FACTOR_BYTES(6 * (uint64_t)(blocks) + ((uint64_t)(faces) + 6) * (uint64_t)(vertices), \
+                       (4 * (uint64_t)(faces) + 50) * (uint64_t)(vertices)))
 #define SP_FACTOR_BYTES(n, entries) ((sizeof(sp_real) + 4) * ((n) * (n) / 2 + (entries)) + 80 * (n))
 #define SP_ADMM_CG_BYTES(blocks, vertices, faces) \
-    ((sizeof(sp_real) + 4) * (4 * (size_t)(faces) + 50) * (size_t)(vertices) + sizeof(sp_real) * (size_t)(blocks) + 2200 \
-     + (15 * sizeof(sp_real) + 9) * (6 * (size_t)(blocks) + ((size_t)(faces) + 6) * (size_t)(vertices)))
+    ((sizeof(sp_real) + 4) * (4 * (uint64_t)(faces) + 50) * (uint64_t)(vertices) + sizeof(sp_real) * (uint64_t)(blocks) + 2200 \
+     + (15 * sizeof(sp_real) + 9) * (6 * (uint64_t)(blocks) + ((uint64_t)(faces) + 6) * (uint64_t)(vertices)))
 
 /* ------------------------------------------------------------------------------ for experts: proofs that there is no triple */
 

@@ -338,7 +338,7 @@ TEST(memory_by_counts_bounds_what_is_taken)
         CHECK(bytes <= SP_MEMORY_BYTES(blocks, joints, scene.count.points, ALL_STAGES) + loads);
     }
     CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
-    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SIZE_MAX);
+    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SP_NO_ARRAY);
 }
 
 /* Bounds by counts over the truth, smallest and largest, of scenes with some vertices. */
@@ -594,6 +594,26 @@ TEST(scene_memory_by_counts_is_exact)
     }
 }
 
+/* What a size_t of 32 bits cannot hold is told all the same, alone and in sums, up to the counts that the header names. */
+#define MANY (1 << 23)
+typedef char bytes_are_of_64_bits[sizeof(SP_SCENE_BYTES(1, 1, 1, 1, 1, 1, 1)) == 8 && sizeof(SP_MEMORY_BYTES(1, 1, 1, 0)) == 8
+                                  && sizeof(SP_PYRAMID_BYTES(1, 8)) == 8 && sizeof(SP_COUPLED_BYTES(1, 1, 0)) == 8
+                                  && sizeof(SP_ADMM_BYTES(1, 1, 8)) == 8 && sizeof(SP_ADMM_CG_BYTES(1, 1, 8)) == 8 ? 1 : -1];
+typedef char a_full_factor_is_not_wrapped[SP_MEMORY_BYTES(100000, 0, 0, 0) / 4096 > UINT32_MAX / 4096 ? 1 : -1];
+typedef char the_largest_are_not_wrapped[SP_ADMM_BYTES(MANY, MANY, 64) > (uint64_t)20 * MANY * MANY * 64
+                                         && SP_MEMORY_BYTES(MANY, MANY, MANY, ALL_STAGES) > (uint64_t)36 * MANY * MANY ? 1 : -1];
+
+TEST(bytes_by_counts_do_not_wrap)
+{
+    uint64_t last = 0;
+    for (int32_t n = 1; n <= MANY; n *= 2) {
+        const uint64_t all = SP_SCENE_BYTES(n, n, n, n, n, n, n) + SP_MEMORY_BYTES(n, n, n, ALL_STAGES) + SP_PYRAMID_BYTES(n, 64)
+                           + SP_COUPLED_BYTES(n, n, 48000) + SP_ADMM_BYTES(n, n, 64);
+        CHECK(all > last && all < SP_NO_ARRAY && all + SP_NO_ARRAY > all);
+        last = all;
+    }
+}
+
 TEST(a_static_array_sized_by_counts_is_enough)
 {
     const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 0 };
@@ -643,5 +663,6 @@ TEST_LIST(memory)
     RUN(pyramids_coupling_and_admm_by_counts_are_bounded)
     RUN(islands_of_few_stones_with_many_joints_are_bounded)
     RUN(scene_memory_by_counts_is_exact)
+    RUN(bytes_by_counts_do_not_wrap)
     RUN(a_static_array_sized_by_counts_is_enough)
 TEST_END
