@@ -25,7 +25,7 @@ typedef struct sp__refute {
     int32_t points;                     /* V: vertices that take part */
     int32_t *contact, *at, *state;      /* V */
     int32_t *stack;                     /* 2 x SP__PROOF_DEPTH x V: vertex, state before */
-    sp_real *most, total;               /* V: F; bound of sum fn */
+    sp_real *F, total;                  /* V: bound of fn; bound of sum fn */
     sp_real *any_friction;              /* V: friction of any direction */
     sp_real (*f)[3], (*d)[3];           /* V: c on f and on d, contact frame */
     sp_real *fsize, *dsize;             /* V: sizes of what was added up there */
@@ -47,7 +47,7 @@ static void sp__refute_carve(sp__refute *w, int32_t points, int32_t blocks, sp_a
     w->at = sp__take(a, n, sizeof *w->at);
     w->state = sp__take(a, n, sizeof *w->state);
     w->stack = sp__take(a, n, 2 * SP__PROOF_DEPTH * sizeof *w->stack);
-    w->most = sp__take(a, n, sizeof *w->most);
+    w->F = sp__take(a, n, sizeof *w->F);
     w->any_friction = sp__take(a, n, sizeof *w->any_friction);
     w->f = sp__take(a, n, sizeof *w->f);
     w->d = sp__take(a, n, sizeof *w->d);
@@ -134,15 +134,15 @@ static void sp__refute_forces(sp__refute *w)
     }
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
-        w->most[v] = sp__certifier_force_cap(j, t);
-        w->total += w->most[v];
+        w->F[v] = sp__certifier_force_cap(j, t);
+        w->total += w->F[v];
         w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
         w->slack_of_work += 2 * w->any_friction[v] * w->k->eta;
     }
     if (w->k->eps > 0) {
         const sp_real bound = (sp_real)1.01 * (work + w->slack_of_work);
         w->total = bound < w->total ? bound : w->total;
-        for (int32_t v = 0; v < w->points; v++) w->most[v] = bound < w->most[v] ? bound : w->most[v];
+        for (int32_t v = 0; v < w->points; v++) w->F[v] = bound < w->F[v] ? bound : w->F[v];
     }
     w->slack_of_work += SP__GIVE * w->total;
 }
@@ -290,8 +290,8 @@ static sp_real sp__refute_least_force(sp__refute *w)
         f[1] += sp__dot3(u, t->joint->t1);
         f[2] += sp__dot3(u, t->joint->t2);
         w->fsize[v] += sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b) + w->work * w->k->eps;
-        least += w->most[v] * ((f[0] < 0 ? f[0] : 0) - mu * (sp__abs(f[1]) + sp__abs(f[2])));
-        w->size += (1 + mu) * w->most[v] * w->fsize[v];
+        least += w->F[v] * ((f[0] < 0 ? f[0] : 0) - mu * (sp__abs(f[1]) + sp__abs(f[2])));
+        w->size += (1 + mu) * w->F[v] * w->fsize[v];
     }
     return least;
 }

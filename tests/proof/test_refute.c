@@ -52,7 +52,7 @@ static int begin(int32_t faces, int32_t inscribed, int32_t box)
     for (int32_t v = 0; v < 4; v++) {
         w->contact[v] = 0;
         w->at[v] = pb.contact[0].point + v;
-        w->any_friction[v] = w->most[v] = 0;
+        w->any_friction[v] = w->F[v] = 0;
     }
     return CHECK(!sp__failed(&test_arena));
 }
