@@ -28,7 +28,8 @@
  * Words
  *   f0          the bilateral force: joints may pull and slide as they like; least imbalance, then least norm
  *   sbar, Sbar  what a block's imbalance of force, of moment, is measured by: its load, and what f0 puts on it
- *   cap         the largest force of a contact that a proof counts with: force_bound times the lesser sbar of its blocks
+ *   cap         the largest force at a corner that a proof counts with (force_cap): force_bound times its blocks' lesser sbar
+ *   certifier   the certificate check at work: the scene it checks against, its scales and scratch
  *   metric      weights of contacts in |f|^2 by which a pebble beside a cathedral is not lost
  *   triple      forces, motion and slip rates (f, dq, alpha) of the coupled check
  *   island      free blocks that touch each other, directly or through others; supports do not join them
