@@ -50,10 +50,11 @@ SP__NOINLINE static void sp__cra_record(sp__cra *c)
             const sp_real fm = s * soft * sp__max(c->spring.d[3 * v], 0), *f = c->spring.f + 3 * v;
             sp_real *to = c->out->penalty + 4 * (v + (size_t)t->joint->point - (size_t)t->point);
             c->offer.t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held.vertex[v].per_slip;
-            to[0] = c->held.vertex[v].reach < 0 ? 0 : w->measure.unit * sp__max(f[0] + fm, 0);
-            to[1] = w->measure.unit * fm;
-            to[2] = w->measure.unit * f[1];
-            to[3] = w->measure.unit * f[2];
+            to[0] = c->held.vertex[v].reach < 0 ? 0 : sp__max(f[0] + fm, 0);
+            to[1] = fm;
+            to[2] = f[1];
+            to[3] = f[2];
+            sp__to_newtons(w->measure.unit, 4, to, to);
         }
     }
 }

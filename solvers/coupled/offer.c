@@ -84,7 +84,7 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real *f = c->spring.f + 3 * v, *d = c->spring.d + 3 * v;
             const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
-            sp__scale3(w->measure.unit, f, c->offer.t.f + 3 * v);
+            sp__to_newtons(w->measure.unit, 3, f, c->offer.t.f + 3 * v);
             if (slip > 0) c->offer.t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
         }
     }

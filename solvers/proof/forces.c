@@ -45,11 +45,11 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
         j->force_cap = sp__certifier_force_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
-            for (size_t k = 0; k < 3; k++) g[k] = f[3 * (size_t)v + k] / j->unit;
+            sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
             sp__certifier_admit(j, t, g, g);
             sp__joint_force(t->joint, g, F);
             sp__vertex_force(pb, t, v, F, j->r, j->q);
-            if (admitted) sp__scale3(j->unit, g, admitted + 3 * (size_t)v);
+            if (admitted) sp__to_newtons(j->unit, 3, g, admitted + 3 * (size_t)v);
         }
     }
     j->sweeps++;

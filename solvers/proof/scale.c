@@ -112,16 +112,15 @@ static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t 
 /* The load of free block i in units. */
 static void sp__certifier_load(const sp__certifier *j, int32_t i, sp_real p[6])
 {
-    for (size_t k = 0; k < 6; k++) p[k] = j->pb->p[6 * (size_t)i + k] / j->unit;
+    sp__to_units(j->unit, 6, j->pb->p + 6 * (size_t)i, p);
 }
 
 /* r = p, q = 0: where balances and their sums start. */
 static void sp__certifier_load_rows(sp__certifier *j)
 {
-    for (size_t k = 0; k < 6 * (size_t)j->pb->blocks; k++) {
-        j->r[k] = j->pb->p[k] / j->unit;
-        j->q[k] = 0;
-    }
+    const size_t n = 6 * (size_t)j->pb->blocks;
+    sp__to_units(j->unit, n, j->pb->p, j->r);
+    memset(j->q, 0, n * sizeof *j->q);
 }
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do

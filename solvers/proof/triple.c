@@ -159,7 +159,7 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__leng
         j->force_cap = sp__certifier_force_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], d[3];
-            for (size_t q = 0; q < 3; q++) g[q] = f[3 * (size_t)v + q] / j->unit;
+            sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
             sp__certifier_admit(j, t, g, g);
             sp__certifier_rate_at(j, t, v, d);
             worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));

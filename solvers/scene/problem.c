@@ -289,6 +289,17 @@ static sp_real sp__load_unit(const sp_problem *pb)
     return force > 0 ? force : couple > 0 ? couple : 1;
 }
 
+/* Numbers in newtons (or N m) into units, x = f / unit, and back, f = x unit; x may be f. */
+static void sp__to_units(sp_real unit, size_t n, const sp_real *f, sp_real *x)
+{
+    for (size_t k = 0; k < n; k++) x[k] = f[k] / unit;
+}
+
+static void sp__to_newtons(sp_real unit, size_t n, const sp_real *x, sp_real *f)
+{
+    for (size_t k = 0; k < n; k++) f[k] = x[k] * unit;
+}
+
 /* sbar of the free blocks of a contact, the smaller. */
 static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
 {

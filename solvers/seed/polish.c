@@ -97,7 +97,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     }
     *claim = imbalance <= (set->seed ? goal : set->tol) ? SP_STABLE : SP_UNDECIDED;
     if (keep && !*claim) memcpy(state->f, keep, size * sizeof *keep);
-    for (size_t k = 0; k < size; k++) state->f[k] *= w->measure.unit;
+    sp__to_newtons(w->measure.unit, size, state->f, state->f);
     if (!w->budget.spent) state->reason = SP_REASON_STAGES;
     return SP_OK;
 }

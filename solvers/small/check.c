@@ -216,7 +216,7 @@ SP__NOINLINE static void sp__small_try(sp__small *w, const sp_real *y)
 static void sp__small_measure(sp__small *w)
 {
     sp_result *r = w->to;
-    for (int32_t k = 0; k < 3 * w->pb->points; k++) r->f[k] *= w->j.unit;
+    sp__to_newtons(w->j.unit, 3 * (size_t)w->pb->points, r->f, r->f);
     r->imbalance = sp__certify_forces(&w->j, r->f, r->f);
     if (r->imbalance <= w->set->tol) r->verdict = SP_STABLE;
     if (!(r->imbalance < w->imbalance)) return;

@@ -95,7 +95,8 @@ static void sp__system_forces(sp__system *w, sp__law law, const sp_real *y, sp_s
     sp__system_gradient(w, law, y, w->r, state->f);
     for (int32_t c = 0; c < w->pb->contacts && !w->budget.spent; c++) {
         const sp_contact *t = &w->pb->contact[c];
-        for (size_t k = 3 * (size_t)t->point; k < 3 * (size_t)(t->point + t->points); k++) state->f[k] *= w->measure.unit;
+        sp_real *f = state->f + 3 * (size_t)t->point;
+        sp__to_newtons(w->measure.unit, 3 * (size_t)t->points, f, f);
     }
 }
 

@@ -207,7 +207,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__new
     }
     n->imbalance = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
-    for (size_t k = 0; k < 3 * (size_t)w->pb->points; k++) state->f[k] *= w->measure.unit;
+    sp__to_newtons(w->measure.unit, 3 * (size_t)w->pb->points, state->f, state->f);
     n->best = strict;
     n->found = 1;
 }

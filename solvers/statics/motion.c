@@ -89,7 +89,7 @@ static void sp__system_release(const sp__system *w, sp_real *r)
 /* Force (k even) or moment of the load of block k / 2 in units, in the axes of the rows. */
 static void sp__system_load_of(const sp__system *w, size_t k, sp_real p[3])
 {
-    for (size_t q = 0; q < 3; q++) p[q] = w->pb->p[3 * k + q] / w->measure.unit;
+    sp__to_units(w->measure.unit, 3, w->pb->p + 3 * k, p);
     if (!sp__reduced(w)) return;
     const int plane = w->reduction->mode == SP__PLANE, along = plane == (int)(k % 2);         /* rows 2 and 5, or the others */
     sp__reduction_turn(w->reduction, p, p);
