@@ -46,6 +46,21 @@ static int judge(one_block *o, const sp_real *hint)
     return CHECK(sp__certifier_open(&o->j, &o->pb, &o->set, hint, INT32_MAX, &test_arena));
 }
 
+/* What was counted for a certificate check is what it takes, of the cone and of pyramids. */
+TEST(a_certificate_check_takes_what_was_counted)
+{
+    for (int32_t faces = 0; faces <= 64; faces += 8) {
+        one_block o;
+        NEED(place(&o, 1, 1, 0.5, 0, 0.5));
+        o.set.faces = faces;
+        const size_t need = sp__certifier_need(&o.pb, &o.set), from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        sp_arena a = { test_arena.base + from, need, 0, 0 }, less = { test_arena.base + from, need - SP_ALIGN, 0, 0 };
+        CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &a));
+        CHECK_INT(a.peak, need);
+        CHECK(!sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &less));
+    }
+}
+
 /* The bilateral force under a block in the middle is a quarter of its weight at each corner: sbar = 2 W, and each quarter has
  * the arm a / sqrt 2 about the centroid, so Sbar = W a / sqrt 2 and what rounding adds. All in units of the largest load, W. */
 TEST(scale_of_a_block_in_the_middle_is_a_closed_form)
@@ -213,6 +228,7 @@ TEST(imbalance_is_relative_to_load_and_forces)
 }
 
 TEST_LIST(scale)
+    RUN(a_certificate_check_takes_what_was_counted)
     RUN(scale_of_a_block_in_the_middle_is_a_closed_form)
     RUN_FULL(hint_changes_no_scale)
     RUN_FULL(admitted_force_is_in_the_cone)
