@@ -31,7 +31,7 @@
  *   cap         the largest force at a corner that a proof counts with (force_cap): force_bound times its blocks' lesser sbar
  *   certifier   the certificate check at work: the scene it checks against, its scales and scratch
  *   metric      weights of contacts in |f|^2 by which a pebble beside a cathedral is not lost
- *   triple      forces, motion and slip rates (f, dq, alpha) of the coupled check
+ *   triple      forces, motion and friction per slip (f, dq, alpha) of the coupled check
  *   island      free blocks that touch each other, directly or through others; supports do not join them
  *   forest      joints that close no loop between blocks
  *   stage       one way to look for forces or a motion; it proposes, the certificate check decides

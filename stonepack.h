@@ -391,8 +391,8 @@ typedef enum sp_effect_why {
 
 /* The help one joint would need, from the penalty form; joined with a motion where that was asked and one was found. */
 typedef struct sp_demand {
-    sp_real tension;            /* largest max(0, fm - fp) of its vertices [N] */
-    sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, or 0 [N] */
+    sp_real tension;            /* largest max(0, fm - fp) of its vertices, less what its strength holds [N] */
+    sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, likewise, or 0 [N] */
 } sp_demand;
 
 typedef enum sp_coupling {
@@ -505,7 +505,7 @@ struct sp_result {
                                    part alone loses a pebble beside a cathedral); a hint for sp_verify */
 };
 
-/* The verdict that the evidence of a claim proves, recomputed from the scene by code that shares no step with the search.
+/* The verdict that the evidence of a claim proves, recomputed from the scene by a projection and sums of its own.
  * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its
  * residual allows and ignored where it is not finite; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
  * NULL) and coupled.proof (if it has nodes); nothing else. tol, force_bound, eps and eta are those of the settings. */

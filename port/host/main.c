@@ -68,7 +68,7 @@ static const char help_plan[] =
 static const char help_verify[] =
 "stonepack verify SCENE RESULT.json\n\n"
 "What does a stored result prove? Reads what `check --json --forces` wrote, takes its forces and mechanism but not its\n"
-"verdict, and judges them with code that shares nothing with the search. Exit status by the verdict proved.\n";
+"verdict, and judges them with code that shares no projection and no sum with the search. Exit status by the verdict proved.\n";
 
 static const char help_sequence[] =
 "stonepack sequence [options] SCENE\n\n"

@@ -1,4 +1,4 @@
-/* check: how a check begins, goes on and ends; sp_check itself stands in the spine */
+/* check: how a check begins, goes on and ends. sp_check itself stands at the end of stonepack.c. */
 #ifndef SP__CHECK_CHECK_C
 #define SP__CHECK_CHECK_C
 

@@ -113,7 +113,7 @@ SP__NOINLINE static sp_status sp__islands_couple(sp__check *c, sp_arena *a)
     sp__certifier j;
     const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
     if (!sp__certifier_open(&j, &c->pb, &c->set, c->state.has_y0 ? r->y0 : NULL, INT32_MAX, a)) return SP_E_MEMORY;
-    sp__verify_motion(&c->pb, out->dq, c->state.y);
+    sp__motion_read(&c->pb, out->dq, c->state.y);
     r->imbalance = sp__certify_forces(&j, r->f, r->f);
     out->residual = sp__certify_coupled(&j, &k, r->f, c->state.y, out->alpha);
     const sp_cost cost = { SP__FLOPS_CERTIFICATE * (int64_t)j.sweeps * c->pb.points, 0, 0, 0 };
@@ -143,11 +143,12 @@ SP__NOINLINE static sp_status sp__islands_certify(const sp_scene *scene, const s
     a->used = w->start;                                                 /* the tables are no longer needed */
     sp_status status = sp__check_problem(c, a);
     const size_t mark = a->used;
-    if (!status) sp__verify_motion(&c->pb, r->dq, c->state.dq);
+    if (!status) sp__motion_read(&c->pb, r->dq, c->state.dq);
     if (!status && !sp__take(a, 1, sp__certifier_need(&c->pb, &c->set))) status = SP_E_MEMORY;
     a->used = mark;
-    r->verdict = SP_STABLE;                                             /* all stand: every block has been checked */
-    if (!status && (worst->verdict != SP_STABLE || r->imbalance > SP__ISLANDS_ENOUGH * r->tol))
+    if (worst->verdict == SP_STABLE && r->imbalance <= SP__ISLANDS_ENOUGH * r->tol)
+        r->verdict = SP_STABLE;                                         /* every block has been checked, with its island */
+    else if (!status)
         status = sp__check_evidence(&c->pb, &c->set, INT32_MAX, worst->verdict, &c->state, a, r);
     if (status) return status;
     sp__cost_add(&r->spent.total, &c->state.cost);

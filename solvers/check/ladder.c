@@ -1,6 +1,6 @@
 /* ladder: the stages of a check in their order, each followed by the certificate check of what it found.
  *
- *   sp__run_stages           (one.c) for every stage until one is decided:
+ *   sp__run_stages           (in one.c, which calls this file) for every stage until one is decided:
  *     sp__run_reduced          before the exact stage: the search in 3 rows a block, the usual way for walls and arches
  *     sp__run_stage            runs the stage, which leaves forces or a motion in the state and a claim
  *       sp__check_evidence     opens the certificate check and asks it
@@ -28,9 +28,9 @@ static void sp__drop_tiny_forces(sp_real *f, int32_t points, sp_real share)
     for (size_t k = 0; k < n; k += 3) if (sp__norm3(f + k) < share * most) memset(f + k, 0, 3 * sizeof *f);
 }
 
-/* The verdict that the state's forces and motion prove, whatever was claimed. The forces are checked first; the motion, too,
- * unless they prove STABLE or were all that was claimed. Both go to the result at the scene's numbers; with `best` (on a
- * budget) only if they are better than what it has. */
+/* The verdict that the state's forces and motion prove: the one claimed, either where none was claimed; else UNDECIDED. The
+ * forces are checked first; the motion, too, unless they prove STABLE or were all that was claimed. Both go to the result at
+ * the scene's numbers; with `best` (on a budget) only if they are better than what it has. */
 SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp_state *state, sp_verdict claim, sp_result *r)
 {
     int32_t final = 0;
@@ -51,7 +51,7 @@ SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp
     const sp_real least = sp__certify_mechanism(j, state->dq, &final);
     if (best && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
-    if (claim != SP_UNSTABLE || least > r->tol) sp__check_motion(j, r->dq);
+    if (claim != SP_UNSTABLE || least > r->tol) sp__motion_write(j, r->dq);
     if (!(least > r->tol)) return SP_UNDECIDED;
     r->final = final;
     return SP_UNSTABLE;

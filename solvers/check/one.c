@@ -9,7 +9,7 @@
 #if SP__WITH_LARGE
 
 /* Where tension is missing in a part that is not stable: the penalty form's demand on each joint. */
-SP__NOINLINE static sp_status sp__find_missing_tension(const sp_problem *pb, const sp_settings *set, sp_state *state,
+SP__NOINLINE static sp_status sp__find_help(const sp_problem *pb, const sp_settings *set, sp_state *state,
                                                        sp_arena *a, sp_result *r)
 {
     memset(&state->cost, 0, sizeof state->cost);
@@ -32,7 +32,7 @@ static sp_status sp__run_stages(const sp_problem *pb, const sp_settings *set, sp
         if (status) return status;
     }
     if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
-    return sp__find_missing_tension(pb, set, state, a, r);
+    return sp__find_help(pb, set, state, a, r);
 }
 
 #if SP__WITH_COUPLED

@@ -72,7 +72,7 @@ SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__chec
     sp_status status = SP_OK;
     if (c->set.coupled.asked && claim->coupled.dq && claim->coupled.alpha) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        sp__verify_motion(&c->pb, claim->coupled.dq, dq);
+        sp__motion_read(&c->pb, claim->coupled.dq, dq);
         e->residual = sp__certify_coupled(j, &k, claim->f, dq, claim->coupled.alpha);
         if (e->level && e->residual <= 1) e->level = SP_COUPLED;
     }
@@ -140,7 +140,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
     if (sp__failed(&scratch) || !sp__certifier_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
-    sp__verify_motion(&c->pb, claim->dq, dq);
+    sp__motion_read(&c->pb, claim->dq, dq);
     e.imbalance = sp__certify_forces(&j, claim->f, NULL);
     e.least_imbalance = sp__certify_mechanism(&j, dq, &e.final);
     if (e.imbalance <= c->set.tol) e.verdict = SP_STABLE;

@@ -323,7 +323,7 @@ SP__NOINLINE static void sp__branch_make(sp__branch *s)
             s->contact[v] = k;
             s->at[v] = p;
             s->mu[v] = c * t->joint->strength.mu;
-            s->size[v] = sp__lesser(t, s->load, 1);
+            s->size[v] = sp__least_of_blocks(t, s->load, 1);
             s->state[v] = 0;
             s->loaded[v] = -1;
             sp__branch_vertex(s, v, t, pb->local[p]);

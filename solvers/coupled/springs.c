@@ -120,7 +120,7 @@ static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_are
 /* sbar of the vertices of contact c, the smaller. */
 static sp_real sp__cra_sbar(const sp__cra *c, const sp_contact *t)
 {
-    return sp__lesser(t, &c->j.scale->s, sizeof *c->j.scale / sizeof c->j.scale->s);
+    return sp__least_of_blocks(t, &c->j.scale->s, sizeof *c->j.scale / sizeof c->j.scale->s);
 }
 
 /* Largest |ft| / fn against slip d: mu, of a pyramid what it reaches in that direction. */

@@ -47,7 +47,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
         }
         if (!(value[k] > b->set.tol)) break;
         b->least = sp__certify_motion(j, b->whole, sp__certify_rest[k], &b->final);
-        if (all) sp__check_motion(j, all);
+        if (all) sp__motion_write(j, all);
         sp__bracket_take_motion(b);
         if (!beyond || sp__bracket_falls_beyond(b)) return 1;
         value[k] = 0;

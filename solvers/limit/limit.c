@@ -22,7 +22,7 @@ SP__NOINLINE static void sp__limit_upper(sp__limit *L)
         if ((it == 2 || (SP__WITH_SMALL && it > 2)) && !L->none) sp__limit_ask(L, 1, L->best + slack, r->ray);
         if (!sp__bracket_falls(&L->bracket, lambda, 1, r->dq)) continue;
         if (L->bracket.least < (sp_real)1.1 * L->bracket.set.tol) {   /* a marginal proof: again, as the result will hold it */
-            sp__verify_motion(&L->bracket.pb, r->dq, L->bracket.dq);
+            sp__motion_read(&L->bracket.pb, r->dq, L->bracket.dq);
             if (!sp__bracket_falls(&L->bracket, lambda, 1, NULL)) continue;
         }
         r->upper = lambda;

@@ -17,7 +17,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
     b->least = sp__certify_mechanism(&b->certifier, b->dq, &b->final);
     if (!(b->least > b->set.tol)) return 0;
-    if (all) sp__check_motion(&b->certifier, all);
+    if (all) sp__motion_write(&b->certifier, all);
     memcpy(b->dq, b->certifier.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     return !beyond || sp__bracket_falls_beyond(b);
 }
@@ -66,7 +66,7 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     g->w.metric = 0;
     if (!b->pb.blocks) return SP_STABLE;
     sp__small_run(&g->w, &room);
-    if (g->at.verdict == SP_UNSTABLE) sp__verify_motion(&b->pb, g->at.dq, b->dq);
+    if (g->at.verdict == SP_UNSTABLE) sp__motion_read(&b->pb, g->at.dq, b->dq);
     b->imbalance = g->at.imbalance;
     return g->at.verdict;
 }

@@ -12,7 +12,7 @@
 
 /* An admissible force near f: fn kept, ft shortened onto the cone; no tension beyond strength, no more than the cap (K_v is
  * convex and holds 0, so a shortened force stays in it). out may be f. */
-static void sp__certifier_admit(const sp__certifier *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
+static void sp__certifier_make_admissible(const sp__certifier *j, const sp_contact *t, const sp_real f[3], sp_real out[3])
 {
     const sp_real mu = t->joint->strength.mu * j->mu_factor;
     const int32_t faces = SP__HAS_STRENGTH ? j->set->faces : 0;
@@ -46,7 +46,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], F[3];
             sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
-            sp__certifier_admit(j, t, g, g);
+            sp__certifier_make_admissible(j, t, g, g);
             sp__joint_force(t->joint, g, F);
             sp__vertex_force(pb, t, v, F, j->r, j->q);
             if (admitted) sp__to_newtons(j->unit, 3, g, admitted + 3 * (size_t)v);
@@ -57,7 +57,8 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
         const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
-        const sp_real si = s->load + (f1 < s->f0 ? f1 : s->f0), Si = sp__scale_couple(j, s, m1 < s->m0 ? m1 : s->m0);
+        const sp_real si = s->load + (f1 < s->sum_f0 ? f1 : s->sum_f0);
+        const sp_real Si = sp__scale_couple(j, s, m1 < s->sum_m0 ? m1 : s->sum_m0);
         sp_real *row = j->r + 6 * (size_t)i;
         sp__drop_held(pb, i, row);
         imbalance = sp__max(imbalance, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
@@ -95,13 +96,14 @@ SP__NOINLINE static sp_real sp__certifier_cone_resistance(const sp__certifier *j
 }
 
 /* Largest f.u over f in K_v, |f| <= cap; K_v with strength lies between its lower rim (fn = -T, |ft| = low) and its upper one.
- *   over the hull of both rims:          max(low a - T un, high a + N un),  a = |ut|, of a pyramid d . ut + tan(pi/K) |d x ut|
+ *   over the hull of both rims:          max(low a - T un, high a + N un),  a = |ut|; of a pyramid the largest of
+ *                                        d . ut + tan(pi/K) |d x ut| over the normals d of its faces
  *   over lower rim + cone, |f| <= cap:   low a - T un + (cap + T + low / cos(pi/K)) |P_cone(u)|            for the best d
  * Both bound it, so the lesser does. *capped: is the cap needed; stays 0, becomes 0 where the first is the lesser. */
 SP__NOINLINE static sp_real sp__certifier_strength_resistance(const sp__certifier *j, const sp_contact *t, const sp_real u[3],
                                                              sp_real P, sp_real cap, int *capped)
 {
-    const sp_real mu = t->joint->strength.mu * j->mu_factor, corner = SP_SQRT(1 + j->tan_half * j->tan_half);
+    const sp_real mu = t->joint->strength.mu * j->mu_factor, secant = SP_SQRT(1 + j->tan_half * j->tan_half);
     const sp__vertex_limits k = sp__certifier_strength(j, t);
     sp_real a = j->set->faces ? 0 : SP_SQRT(u[1] * u[1] + u[2] * u[2]);
     for (int32_t q = 0; q < j->set->faces; q++) {
@@ -109,7 +111,7 @@ SP__NOINLINE static sp_real sp__certifier_strength_resistance(const sp__certifie
         a = sp__max(a, d[0] * u[1] + d[1] * u[2] + j->tan_half * sp__abs(d[0] * u[2] - d[1] * u[1]));
     }
     const sp_real low = sp__max(0, k.C - mu * k.T), foot = low * a - k.T * u[0], top = (k.C + mu * k.N) * a + k.N * u[0];
-    const sp_real shut = foot > top ? foot : top, open = foot + (cap + k.T + low * corner) * P;
+    const sp_real shut = foot > top ? foot : top, open = foot + (cap + k.T + low * secant) * P;
     if (shut <= open) *capped = 0;
     return shut < open ? shut : open;
 }
@@ -257,9 +259,9 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
 }
 #endif
 
-/* The motion of the check at the scene's numbers, scaled so that no point of a block moves farther than the largest block
- * reaches; dq of other blocks stays as it is. */
-static void sp__check_motion(const sp__certifier *j, sp_real *dq)
+/* The motion that was checked, into a result at the scene's numbers, scaled so that no point of a block moves farther than the
+ * largest block reaches; dq of other blocks stays as it is. */
+static void sp__motion_write(const sp__certifier *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
     sp_real largest = 0, block = 0;
@@ -273,8 +275,8 @@ static void sp__check_motion(const sp__certifier *j, sp_real *dq)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
 }
 
-/* Takes the motion of the free blocks out of that of all blocks in a result. */
-static void sp__verify_motion(const sp_problem *pb, const sp_real *all, sp_real *dq)
+/* The motion of the problem's free blocks, from that of all blocks in a result. */
+static void sp__motion_read(const sp_problem *pb, const sp_real *all, sp_real *dq)
 {
     for (int32_t i = 0; i < pb->blocks; i++) memcpy(dq + 6 * (size_t)i, all + 6 * (size_t)pb->block[i], 6 * sizeof *dq);
 }

@@ -136,7 +136,7 @@ static void sp__refute_forces(sp__refute *w)
         const sp_contact *t = &pb->contact[w->contact[v]];
         w->F[v] = sp__certifier_force_cap(j, t);
         w->total += w->F[v];
-        w->any_friction[v] = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        w->any_friction[v] = j->set->tol * sp__least_of_blocks(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
         w->slack_of_work += 2 * w->any_friction[v] * w->k->eta;
     }
     if (w->k->eps > 0) {

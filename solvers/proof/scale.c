@@ -24,15 +24,15 @@
 
 typedef struct sp__scale {
     sp_real load, couple;               /* |force|, |moment| of the load */
-    sp_real f0, m0, arm;                /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
+    sp_real sum_f0, sum_m0, arm;        /* sum |f0_v|, sum |(r_v - c) x f0_v|, max |r_v - c| */
     sp_real s, S;                       /* sbar, Sbar */
     sp_real force_cap;                  /* sbar that bounds the forces of its contacts */
     sp_real known;                      /* 1: f0 balances this block */
     sp_real wf, wm;                     /* row weights of the least-squares problem: 1 / rms of a column */
 } sp__scale;
 
-/* sp__scale holds numbers only, because sp__lesser steps through an array of them by whole numbers; i386 would align a double
- * to half of one. */
+/* sp__scale holds numbers only, because sp__least_of_blocks steps through an array of them by whole numbers; i386 would align
+ * a double to half of one. */
 typedef char sp__scale_is_numbers[sizeof(sp__scale) % sizeof(sp_real) == 0 ? 1 : -1];
 
 #define SP__FLOPS_CERTIFICATE 90    /* a vertex in a sweep; scales take 2 sweeps or more, forces or a triple 1, a motion 7 */
@@ -75,8 +75,8 @@ SP__NOINLINE static size_t sp__certifier_need(const sp_problem *pb, const sp_set
     return dry.peak;
 }
 
-/* u = velocity of B seen from A at vertex v of a contact, v_i + w_i x (r - c_i) of each. With `scale` the motion is given in
- * weighted rows. */
+/* Motion of B seen from A at vertex v of a contact, v_i + w_i x (r - c_i) of each: dd of a motion dq, the rate u = -dd of
+ * y = -dq. With `scale` the motion is given in weighted rows. */
 static void sp__vertex_velocity(const sp_problem *pb, const sp__scale *scale, const sp_contact *t, int32_t v,
                                 const sp_real *motion, sp_real u[3])
 {
@@ -135,7 +135,7 @@ static void sp__certifier_row_weights(sp__certifier *j)
         sp__certifier_load(j, i, p);
         s->load = sp__norm3(p);
         s->couple = sp__norm3(p + 3);
-        s->f0 = s->m0 = s->arm = s->wf = s->wm = 0;
+        s->sum_f0 = s->sum_m0 = s->arm = s->wf = s->wm = 0;
         j->total += s->load;
     }
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -246,9 +246,9 @@ static int32_t sp__certifier_sums(sp__certifier *j)
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         sp__drop_held(pb, i, j->r + 6 * (size_t)i);
-        s->f0 = j->q[2 * (size_t)i];
-        s->m0 = j->q[2 * (size_t)i + 1];
-        s->known = (sp_real)sp__scale_is_balanced(j->r + 6 * (size_t)i, s->load, s->f0, s->arm);
+        s->sum_f0 = j->q[2 * (size_t)i];
+        s->sum_m0 = j->q[2 * (size_t)i + 1];
+        s->known = (sp_real)sp__scale_is_balanced(j->r + 6 * (size_t)i, s->load, s->sum_f0, s->arm);
         unknown += s->known < 1;
     }
     j->sweeps++;
@@ -277,7 +277,7 @@ static int sp__certifier_is_optimal(sp__certifier *j, int last)
     sp_real sum = 0;
     for (int32_t i = 0; SP__HAS_STRENGTH && last && i < j->pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
-        const sp_real f = s->wf * (s->load + s->f0), m = s->wm * (s->couple + s->m0);
+        const sp_real f = s->wf * (s->load + s->sum_f0), m = s->wm * (s->couple + s->sum_m0);
         sum += f * f + m * m;
     }
     sp__certifier_normal_product(j, j->r, j->g);
@@ -324,21 +324,21 @@ static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
         if (!j->most) s->known = 1;
-        s->force_cap = s->load + s->f0;
+        s->force_cap = s->load + s->sum_f0;
         if (s->known < 1) {
             s->force_cap = settled ? s->force_cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
-            s->f0 = s->load;
-            s->m0 = s->load * s->arm;
+            s->sum_f0 = s->load;
+            s->sum_m0 = s->load * s->arm;
         }
-        s->s = s->load + s->f0;
-        s->S = sp__scale_couple(j, s, s->m0);
+        s->s = s->load + s->sum_f0;
+        s->S = sp__scale_couple(j, s, s->sum_m0);
     }
 }
 
 /* c_v, the largest force at a vertex of a contact that a proof counts with. */
 static sp_real sp__certifier_force_cap(const sp__certifier *j, const sp_contact *t)
 {
-    return j->set->force_bound * sp__lesser(t, &j->scale->force_cap, sizeof *j->scale / sizeof j->scale->force_cap);
+    return j->set->force_bound * sp__least_of_blocks(t, &j->scale->force_cap, sizeof *j->scale / sizeof j->scale->force_cap);
 }
 
 /* Strength of a vertex in units; none where the joint has none. */

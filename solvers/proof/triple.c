@@ -155,12 +155,12 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__leng
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
-        const sp_real least = j->set->tol * sp__lesser(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
+        const sp_real least = j->set->tol * sp__least_of_blocks(t, &j->scale->s, sizeof *j->scale / sizeof j->scale->s);
         j->force_cap = sp__certifier_force_cap(j, t);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real g[3], d[3];
             sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
-            sp__certifier_admit(j, t, g, g);
+            sp__certifier_make_admissible(j, t, g, g);
             sp__certifier_rate_at(j, t, v, d);
             worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
         }

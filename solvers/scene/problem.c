@@ -300,8 +300,8 @@ static void sp__to_newtons(sp_real unit, size_t n, const sp_real *x, sp_real *f)
     for (size_t k = 0; k < n; k++) f[k] = x[k] * unit;
 }
 
-/* sbar of the free blocks of a contact, the smaller. */
-static sp_real sp__lesser(const sp_contact *t, const sp_real *s, size_t stride)
+/* The lesser of a number each free block has, of the one or two at a contact; stride: numbers per block in s. */
+static sp_real sp__least_of_blocks(const sp_contact *t, const sp_real *s, size_t stride)
 {
     if (t->a < 0) return s[stride * (size_t)t->b];
     if (t->b < 0) return s[stride * (size_t)t->a];

@@ -125,7 +125,7 @@ SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
             sp__scale3(1 / q->certifier.unit, c->state.f + 3 * (size_t)(t->point + v), g);
-            sp__certifier_admit(&q->certifier, t, g, g);
+            sp__certifier_make_admissible(&q->certifier, t, g, g);
             sp__to_newtons(q->certifier.unit, 3, g, f);
         }
     }

@@ -416,7 +416,7 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
         sp__small_sweep(w, w->best, SP__GRADIENT);
         sp__small_measure(w);
         if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
-        sp__check_motion(&w->j, r->dq);
+        sp__motion_write(&w->j, r->dq);
     }
     r->spent.total.flops = w->flops * r->spent.total.factorisations
                   + (SP__FLOPS_VERTEX * (int64_t)w->sweeps + SP__FLOPS_CERTIFICATE * (int64_t)w->j.sweeps) * w->pb->points;

@@ -70,14 +70,14 @@ SP__NOINLINE static sp_real sp__newton_search(sp__system *w, const sp__line *l, 
 /* Work of the load, resistance of the contacts at their caps (counted no further than the work), and what both are compared
  * with, for dq = -y, as the certificate check has them: sum c_v |P_K(u_v)| (with strength: the support function of K_v),
  * sum (sbar |v| + Sbar |w|). */
-typedef struct sp__proof { sp_real work, resist, scale; } sp__proof;
+typedef struct sp__power { sp_real work, resist, scale; } sp__power;
 
 /* Most that the vertices of contact c resist motion y with: sum of f.u over the f in K no longer than their cap that does most;
  * where K is a wedge that is the cap times |P_K(u)|. */
 SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, const sp_real *y)
 {
     const sp__view k = sp__view_of(w, c);
-    const sp_real S = sp__system_S(w, c), most = w->set->force_bound * sp__lesser(k.t, w->measure.size, 2) / S;
+    const sp_real S = sp__system_S(w, c), most = w->set->force_bound * sp__least_of_blocks(k.t, w->measure.size, 2) / S;
     sp__visit *s = sp__visit_of(w);
     sp_real *X = s->twist[0], *u = s->u[0], *f = s->f, sum = 0;
     sp__view_motion(w, &k, y, X);
@@ -92,7 +92,7 @@ SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, co
 }
 
 /* Work and resistance of the motion dq = -y; contacts are asked until they resist all of the work. */
-SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__proof *o)
+SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__power *o)
 {
     const sp_problem *pb = w->pb;
     o->work = o->resist = o->scale = 0;
@@ -108,7 +108,7 @@ SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__p
 /* (work - resist) / scale */
 static sp_real sp__newton_proof(sp__system *w, const sp_real *y)
 {
-    sp__proof o;
+    sp__power o;
     sp__newton_power(w, y, &o);
     return o.work > o.resist ? sp__ratio(o.work - o.resist, o.scale) : 0;
 }

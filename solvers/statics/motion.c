@@ -18,7 +18,8 @@
 /* S of a contact's vertices, ~ min(sbar_A, sbar_B): without it a pebble beside a cathedral is lost in rounding. */
 static sp_real sp__system_S(const sp__system *w, int32_t c)
 {
-    const sp_real s = w->measure.metric > 0 ? sp__lesser(&w->pb->contact[c], w->measure.size, 2) * w->measure.metric : 1;
+    const sp_contact *t = &w->pb->contact[c];
+    const sp_real s = w->measure.metric > 0 ? sp__least_of_blocks(t, w->measure.size, 2) * w->measure.metric : 1;
     return s > 0 ? s : 1;
 }
 

@@ -240,7 +240,7 @@ SP__NOINLINE static void sp__newton_settle(sp__system *w, sp_state *state)
     const size_t n = 6 * (size_t)w->pb->blocks;
     int32_t *group = sp__rigid_room(w);
     for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->measure.weight[k / 3];
-    sp__proof best, now;
+    sp__power best, now;
     sp__newton_power(w, w->d, &best);
     for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
         memcpy(w->d, state->y, n * sizeof *w->d);

@@ -2,7 +2,8 @@
  *
  *   min 1/2 sum (fp^2 + gamma fm^2 + tau |ft|^2),   Aeq f + p = 0,   |ft| <= mu fp
  *
- * Tension at a price, so it always has a solution. It does not decide: a finite gamma buys a little tension even where none is
+ * Tension at a price, so it has a solution wherever joints that pull could hold every block; a stone that touches nothing has
+ * none. It does not decide: a finite gamma buys a little tension even where none is
  * needed.
  */
 #ifndef SP__STATICS_PENALTY_C

@@ -90,7 +90,7 @@ static int sp__system_metric(sp__system *w)
     sp_real least = SP__HUGE, most = 0;
     if (w->budget.spent) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {
-        const sp_real s = sp__lesser(&w->pb->contact[c], w->measure.size, 2);
+        const sp_real s = sp__least_of_blocks(&w->pb->contact[c], w->measure.size, 2);
         if (s < least) least = s;
         if (s > most) most = s;
     }

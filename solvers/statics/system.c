@@ -7,7 +7,8 @@
  * convex, once differentiable, 6 unknowns a free block. f is admissible for every y; the imbalance is the only error. An
  * assembly that cannot stand has no minimiser: y runs off along the mechanism dq = -y.
  * Rows are weighted to unit size, forces counted in the largest load, so nothing depends on units. The penalty form adds
- * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it always has a minimiser.
+ * sum max(0, -u_n)^2 / (2 gamma) (tension at a price) and weighs friction by tau; with gamma finite it has a
+ * minimiser wherever joints that pull could hold every block.
  */
 #ifndef SP__STATICS_SYSTEM_C
 #define SP__STATICS_SYSTEM_C

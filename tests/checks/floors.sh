@@ -18,8 +18,8 @@ floors='base linear qp geometry cone scene contacts proof statics seed coupled c
 # What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
 offered='sp__certifier sp__scale sp__certifier_need sp__certifier_carve sp__certifier_open sp__certifier_begin sp__certifier_scales
  sp__certifier_cone sp__certifier_load sp__certifier_force_cap sp__certify_forces sp__certify_mechanism sp__certify_motion
- sp__certify_rest sp__certifier_admit sp__certify_coupled sp__certifier_remove_spin sp__certify_refutation sp__check_motion
- sp__verify_motion sp__lengths sp__coupled_lengths sp__refute sp__refute_need sp__budget_sweeps SP__FLOPS_CERTIFICATE
+ sp__certify_rest sp__certifier_make_admissible sp__certify_coupled sp__certifier_remove_spin sp__certify_refutation sp__motion_write
+ sp__motion_read sp__lengths sp__coupled_lengths sp__refute sp__refute_need sp__budget_sweeps SP__FLOPS_CERTIFICATE
  SP__COUPLED_TOL SP__GIVE SP__SLIP SP__PROOF_DEPTH'
 
 # Quoted includes of the parts, as `folder/part.c folder/part.c`.
@@ -41,7 +41,7 @@ downward() {
         { split($1, a, "/"); split($2, b, "/"); from = a[1]; to = b[1] }
         !(from in level) || !(to in level) { print $1 " includes " $2 ": no floor of that name"; bad = 1; next }
         level[to] > level[from] { print $1 " includes " $2 ", which comes later"; bad = 1 }
-        from == "proof" && to !~ /^(base|linear|cone|scene|proof)$/ { print $1 " includes " $2 ": proof/ knows base, scene and cones only"; bad = 1 }
+        from == "proof" && to !~ /^(base|linear|cone|scene|proof)$/ { print $1 " includes " $2 ": proof/ knows base, linear, cone and scene only"; bad = 1 }
         from ~ /^(statics|seed)$/ && to == "proof" { print $1 " includes " $2 ": no search knows what judges it"; bad = 1 }
         END { exit bad }'
 }

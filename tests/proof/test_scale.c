@@ -120,7 +120,7 @@ TEST(admitted_force_is_in_the_cone)
         for (int k = 0; k < 500; k++) {
             const sp_real f[3] = { test_random_real(-1, 60), test_random_real(-9, 9), test_random_real(-9, 9) };
             sp_real g[3];
-            sp__certifier_admit(&o.j, t, f, g);
+            sp__certifier_make_admissible(&o.j, t, f, g);
             const double mu = 0.6 * (faces[q] && q % 2 ? cos(3.14159265358979323846 / faces[q]) : 1), u = TOL(1e-12, 1e-5);
             double most = faces[q] ? 0 : hypot((double)g[1], (double)g[2]);
             for (int32_t d = 0; d < faces[q]; d++) {
@@ -134,7 +134,7 @@ TEST(admitted_force_is_in_the_cone)
             CHECK(g[1] * f[1] + g[2] * f[2] >= 0);
             if (f[0] > 0 && f[0] < 40) CHECK_NEAR(g[0], f[0], u);
             sp_real again[3];
-            sp__certifier_admit(&o.j, t, g, again);
+            sp__certifier_make_admissible(&o.j, t, g, again);
             for (int i = 0; i < 3; i++) CHECK_WITHIN(again[i], g[i], u * 60);
         }
         test_arena = mark;
@@ -159,7 +159,7 @@ TEST(resistance_of_a_cone_is_the_largest_work_of_a_unit_force)
             for (int i = 0; i < 4000; i++) {
                 const sp_real wild[3] = { test_random_real(0, 1), test_random_real(-2, 2), test_random_real(-2, 2) };
                 sp_real g[3];
-                sp__certifier_admit(&o.j, o.pb.contact, wild, g);
+                sp__certifier_make_admissible(&o.j, o.pb.contact, wild, g);
                 const double size = (double)sp__norm3(g);
                 if (size > 0) best = fmax(best, (double)sp__dot3(g, u) / size);
             }
