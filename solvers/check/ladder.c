@@ -38,7 +38,7 @@ SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp
     if (!sp__all_finite(state->f, f)) memset(state->f, 0, f * sizeof *state->f);
     if (!sp__all_finite(state->dq, dq)) memset(state->dq, 0, dq * sizeof *state->dq);
     sp_real imbalance = sp__certify_forces(j, state->f, state->f);
-    if (imbalance > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->most) {
+    if (imbalance > (sp_real)0.1 && claim != SP_UNSTABLE && j->sweeps <= j->sweeps_most) {
         sp__drop_tiny_forces(state->f, j->pb->points, (sp_real)1e-6);
         imbalance = sp__certify_forces(j, state->f, state->f);
     }

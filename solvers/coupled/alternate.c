@@ -398,7 +398,7 @@ SP__NOINLINE static void sp__alt_slip_forces(const sp__alt *m, int first)
                 b[v] = closed && rubs ? sp__max(along, (sp_real)0.01 * s) : 0;
                 a[v] = closed ? sp__max(m->f[v][0] - along, (sp_real)0.01 * s) : 0;
             }
-            const sp_real A = a[v] / c->most, B = b[v] / c->most;
+            const sp_real A = a[v] / c->sbar_most, B = b[v] / c->sbar_most;
             f[0] = a[v] + b[v];
             f[1] = b[v] * x;
             f[2] = b[v] * y;
@@ -425,7 +425,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
             for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
                 const sp_real *f = c->spring.f + 3 * v;
                 sp__system_rate(w, V, W, c->pb->local[v], u);
-                const sp_real ge = u[0], gg = u[0] + (b[v] > 0 ? (f[1] * u[1] + f[2] * u[2]) / b[v] : 0), k = 1 / c->most;
+                const sp_real ge = u[0], gg = u[0] + (b[v] > 0 ? (f[1] * u[1] + f[2] * u[2]) / b[v] : 0), k = 1 / c->sbar_most;
                 if (!pass) least = sp__max(least, sp__max(ge, gg) * k);
                 else {
                     const sp_real by = least > (sp_real)0.9 ? (sp_real)0.9 / least : 1;

@@ -161,13 +161,13 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     c->out = out;
     c->k = sp__coupled_lengths(pb, set);
     c->statics = state->f;
-    for (int32_t q = 0; q < pb->contacts; q++) c->most = sp__max(c->most, sp__cra_sbar(c, &pb->contact[q]));
+    for (int32_t q = 0; q < pb->contacts; q++) c->sbar_most = sp__max(c->sbar_most, sp__cra_sbar(c, &pb->contact[q]));
     memset(c->spring.d, 0, (size_t)pb->points * 3 * sizeof *c->spring.d);
     sp__cra_rest(c, r->imbalance);
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
     else out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * pb->points;
-    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->most > 0 && !status) {
+    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->sbar_most > 0 && !status) {
         const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
         a->used = mark;
         if (!sp__cra_open(c, help < state->left ? help : state->left, NULL, a)) return SP_E_MEMORY;

@@ -48,7 +48,7 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
             sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
             const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
             const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
-            const sp_real wn = sp__max(sp__max(f[0], ft) / c->most, (sp_real)1e-6 * s / c->most);
+            const sp_real wn = sp__max(sp__max(f[0], ft) / c->sbar_most, (sp_real)1e-6 * s / c->sbar_most);
             const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
             const sp_real x = rubs ? -d[1] / slip : 0, y = rubs ? -d[2] / slip : 0;
             const sp_real wt = rim ? wn * reach * reach : rubs ? wn : 0, cross = rim ? wn * reach : 0;

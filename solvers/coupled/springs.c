@@ -74,7 +74,7 @@ typedef struct sp__cra {
     sp_coupled *out;
     const sp_real *statics;             /* 3 x points: the forces that were found [N] */
     sp__lengths k;
-    sp_real most;                       /* largest sbar of a contact */
+    sp_real sbar_most;                  /* largest sbar of a contact */
     sp__certifier j;
     sp__system *w;                      /* block matrix, rows, weights; w->y is the motion in L */
     sp__springs spring;
@@ -177,12 +177,12 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     const sp_real fn = c->spring.lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
     sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
     const int slides = drag * slip > bound;
-    const sp_real al = slides ? bound / slip : drag, z = al / (SP__STIFF * c->most);
+    const sp_real al = slides ? bound / slip : drag, z = al / (SP__STIFF * c->sbar_most);
     const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
     f[0] = fn > 0 ? fn : c->spring.soft * fn;
     f[1] = -al * d[1];
     f[2] = -al * d[2];
-    D[0] = (fn > 0 ? 1 : c->spring.soft) * s / c->most;
+    D[0] = (fn > 0 ? 1 : c->spring.soft) * s / c->sbar_most;
     D[1] = D[2] = 0;
     D[3] = z * (1 - x * x);
     D[4] = -z * x * y;
@@ -208,7 +208,7 @@ static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy
     f[0] = s * (fp - fm);
     f[1] = s * slide * ft * e[0];
     f[2] = s * slide * ft * e[1];
-    s /= c->most;
+    s /= c->sbar_most;
     D[0] = s * (nn + (x < 0 ? soft : 0));
     D[1] = s * slide * nt * e[0];
     D[2] = s * slide * nt * e[1];
@@ -222,7 +222,7 @@ static void sp__cra_wedge(const sp__cra *c, size_t v, sp_real s, sp_real *energy
 /* sbar of contact t as the penalty form takes it: no metric unless there must be one. */
 static sp_real sp__cra_size(const sp__cra *c, const sp_contact *t)
 {
-    return c->w->measure.metric > 0 ? sp__cra_sbar(c, t) : c->most;
+    return c->w->measure.metric > 0 ? sp__cra_sbar(c, t) : c->sbar_most;
 }
 
 /* Forces, derivatives and the energy of motion w->y; w->r: what they leave unbalanced. */
@@ -298,7 +298,8 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
     const int held = c->held.on;
     const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->descent.goal);
     const sp_real shift = held ? SP__HOLD_SHIFT : SP__SHIFT;
-    const sp_real room = 1 + (held ? 1000 * c->set->penalty.gamma : c->k.eta), whole = 1 / ((held ? 1 : SP__STIFF) * c->most);
+    const sp_real room = 1 + (held ? 1000 * c->set->penalty.gamma : c->k.eta);
+    const sp_real whole = 1 / ((held ? 1 : SP__STIFF) * c->sbar_most);
     sp_real energy = sp__cra_springs(c);
     for (int it = 0; it < (held ? 150 : 15) && !w->budget.spent; it++) {
         if (sp__system_norm(w, w->r) <= enough * w->measure.load) break;
@@ -355,7 +356,7 @@ SP__NOINLINE static void sp__cra_press(sp__cra *c)
         sp__cra_rates(c, w->y, c->spring.d);
         for (int32_t q = 0; q < c->pb->contacts; q++) {
             const sp_contact *t = &c->pb->contact[q];
-            const sp_real s = sp__cra_sbar(c, t) / c->most;
+            const sp_real s = sp__cra_sbar(c, t) / c->sbar_most;
             for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
                 const int presses = c->spring.f[3 * v] > 0;
                 sp_real *D = c->spring.D + 6 * v, *pull = c->spring.d + 3 * v;      /* a force in the place of its rate */

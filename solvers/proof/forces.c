@@ -235,7 +235,7 @@ static void sp__certifier_begin(sp__certifier *j, const sp_problem *pb, const sp
                                 int32_t most)
 {
     sp__certifier_cone(j, pb, set);
-    j->most = most;
+    j->sweeps_most = most;
     sp__certifier_scales(j, y0);
 }
 

@@ -50,7 +50,7 @@ typedef struct sp__certifier {
     sp_real force_cap;                  /* c_v of the contact at hand */
     sp_real resist;                     /* sum c_v |P_K(u_v)| of the motion judged last */
     int32_t sweeps;                     /* passes over all contact vertices, for the work count */
-    int32_t most;                       /* passes that the scales may take; 0: scales of the loads alone */
+    int32_t sweeps_most;                /* how many the scales may take; 0: scales of the loads alone */
 } sp__certifier;
 
 static void sp__certifier_carve(sp__certifier *j, const sp_problem *pb, int32_t faces, sp_arena *a)
@@ -201,7 +201,7 @@ SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *
     sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
         const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
-        if (rr <= solved * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->most) return;
+        if (rr <= solved * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->sweeps_most) return;
         if (it % (100 + j->pb->blocks / 2) == 0) {
             if (rr > (sp_real)0.9 * last_r && gg > last_g / 2) return;
             last_r = rr;
@@ -294,11 +294,11 @@ static int sp__certifier_bilateral(sp__certifier *j, const sp_real *y0)
     for (int own = !y0; own < 2; own++) {
         sp__certifier_read_hint(j, own ? NULL : y0, j->x);
         sp__certifier_read_hint(j, own ? NULL : y0 + n, j->e);
-        for (int round = 0; round < 4 && j->sweeps + 2 <= j->most; round++) {
+        for (int round = 0; round < 4 && j->sweeps + 2 <= j->sweeps_most; round++) {
             if (!sp__certifier_sums(j)) return 1;
             sp__certifier_scale_rows(j, j->r);
             if ((round || !own) && sp__certifier_is_optimal(j, round == 3)) return 1;
-            if (!own || round == 3 || j->sweeps + 2 > j->most) break;
+            if (!own || round == 3 || j->sweeps + 2 > j->sweeps_most) break;
             for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
             sp__certifier_least_squares(j, round ? j->e : j->x);
         }
@@ -315,15 +315,15 @@ static sp_real sp__scale_couple(const sp__certifier *j, const sp__scale *s, sp_r
 /* The scales of every free block. Where f0 does not balance it (nothing does, or its share is lost in rounding) the load takes
  * the place of f0: sbar = 2 |load|, and s_i is between |load| and that. Its caps then come from load + f0 + 10000 u times all
  * loads, which rounding may hide in f0; where f0 has not converged, from a thousand times all loads, more than any bilateral
- * force. With j->most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that pass
- * by them pass by those. */
+ * force. With j->sweeps_most = 0 the scales are the loads alone, f0 = 0. They are not larger than the true ones, so forces that
+ * pass by them pass by those. */
 static void sp__certifier_scales(sp__certifier *j, const sp_real *y0)
 {
     sp__certifier_row_weights(j);
-    const int settled = j->most ? sp__certifier_bilateral(j, y0) : 1;
+    const int settled = j->sweeps_most ? sp__certifier_bilateral(j, y0) : 1;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
-        if (!j->most) s->known = 1;
+        if (!j->sweeps_most) s->known = 1;
         s->force_cap = s->load + s->sum_f0;
         if (s->known < 1) {
             s->force_cap = settled ? s->force_cap + 10000 * (sp_real)SP_EPSILON * j->total : 1000 * j->total;
