@@ -416,8 +416,18 @@ TEST(memory_is_exact_and_one_byte_less_refused)
         CHECK_INT(x.kind, SP_LIMIT_FOUND);
         CHECK_INT(x.peak_bytes, bytes);
         CHECK(scratch.used < bytes);
-        scratch = test_arena;
-        CHECK(test_bytes(&s, SP_FOR_LIMIT_VERIFY, NULL) > 0);
+        const size_t need = test_bytes(&s, SP_FOR_LIMIT_VERIFY, NULL);
+        sp_arena room = { scratch.base + (scratch.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN, need, 0, 0 };
+        int32_t held = 0;
+        NEED(need > 0);
+        room.base[need] = 0xa5;                         /* enough, and nothing beyond */
+        CHECK_INT(sp_limit_verify(&s, &set, &x, room, &held), SP_OK);
+        CHECK_INT(held, 1);
+        CHECK_INT(room.base[need], 0xa5);
+        room.cap = need / 2;
+        held = 7;
+        CHECK_INT(sp_limit_verify(&s, &set, &x, room, &held), SP_E_MEMORY);
+        CHECK_INT(held, 7);
     }
 }
 
