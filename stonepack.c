@@ -161,7 +161,6 @@
 #include "solvers/check/plan.c"                 /* sp_plan: which effects a scene calls for, and what that saves */
 
 #include "solvers/small/check.c"                /* sp_check, sp_plan by the smallest search */
-#include "solvers/small/sequence.c"             /* sp_sequence by the smallest search */
 
 #include "solvers/limit/bracket.c"              /* what proves each end of the bracket */
 #include "solvers/limit/falls.c"                /* does a motion fall at a multiple, and at every larger one? */
@@ -181,7 +180,9 @@
 #include "solvers/sequence/local.c"             /* forces of the step before, changed near the change only */
 #include "solvers/sequence/steps.c"             /* a step: what came, went or is held */
 #include "solvers/sequence/hold.c"              /* the smallest sets of blocks to hold */
-#include "solvers/sequence/next.c"              /* a next stone after which everything stands */
+#include "solvers/sequence/next.c"               /* may a stone come, or go, next, and would all stand then? */
+#include "solvers/sequence/small_steps.c"        /* all of that in the smallest build: each step one check */
+#include "solvers/sequence/calls.c"              /* the public calls, over either */
 
 #include "solvers/memory/memory.c"              /* sp_memory: what a call takes */
 

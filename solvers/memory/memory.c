@@ -7,7 +7,7 @@
 #include "../check/verify.c"
 #include "../check/plan.c"
 #include "../limit/limit.c"
-#include "../sequence/state.c"
+#include "../sequence/calls.c"
 
 /* Of a call whose memory follows from counts alone; 0: too large to count. */
 static sp_status sp__memory_counted(size_t need, size_t *bytes)

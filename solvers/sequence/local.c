@@ -7,35 +7,35 @@
 
 #if SP__WITH_LARGE
 
-/* Keep what a check of the part found about its blocks; forces and motion are in place. */
-SP__NOINLINE static void sp__part_keep(sp_sequence *q, const sp__check *c)
+/* Records what a check of the part found about its blocks; forces and motion are in place. */
+SP__NOINLINE static void sp__part_record(sp_sequence *q, const sp__check *c)
 {
     for (int32_t k = 0; k < c->pb.blocks; k++) {
         const int32_t b = c->pb.block[k];
-        sp__block_state *s = &q->state[b];
+        sp__block_state *s = &q->now.state[b];
         s->certified = 0;
         if (c->r.verdict == SP_STABLE) sp__block_certify(q, b);
-        if (c->r.verdict != SP_UNSTABLE) memset(q->dq + 6 * (size_t)b, 0, 6 * sizeof *q->dq);
+        if (c->r.verdict != SP_UNSTABLE) memset(q->now.dq + 6 * (size_t)b, 0, 6 * sizeof *q->now.dq);
         s->verdict = c->r.verdict;
         s->reason = c->r.reason;
         s->final = c->r.final;
         s->imbalance = c->r.imbalance;
         s->least = c->r.least_imbalance;
     }
-    q->again += c->pb.blocks;
+    q->spent.again += c->pb.blocks;
 }
 
 /* Adds block b to those to be solved, once; origin: above which block that began. */
 static void sp__local_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
 {
-    if (q->mark[b]) return;
-    q->mark[b] = 1;
-    q->list[*n] = b;
-    q->origin[(*n)++] = origin;
+    if (q->chosen.mark[b]) return;
+    q->chosen.mark[b] = 1;
+    q->local.list[*n] = b;
+    q->local.origin[(*n)++] = origin;
 }
 
 /* How far block s is from block o across gravity g, squared; -1: s is not below b. */
-static sp_real sp__local_aside(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
+static sp_real sp__offset_below(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t o)
 {
     const sp_real *g = q->scene->gravity, size = sp__norm3(g);
     const int32_t s = sp__neighbour(t, b);
@@ -48,14 +48,14 @@ static sp_real sp__local_aside(const sp_sequence *q, const sp_contact *t, int32_
 }
 
 /* The blocks below block b that lie straightest below block o, unless b reaches something fixed. */
-SP__NOINLINE static void sp__local_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
+SP__NOINLINE static void sp__local_add_below(sp_sequence *q, int32_t b, int32_t o, int32_t *n)
 {
     sp_real least = SP__HUGE;
     for (int pass = 0; pass < 2; pass++)
-        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
-            const sp_contact *t = &q->pb.contact[q->joint[k]];
+        for (int32_t k = q->graph.start[b]; k < q->graph.start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->graph.joint[k]];
             const int32_t s = sp__neighbour(t, b);
-            const sp_real aside = q->state[s].presence == SP_ABSENT ? -1 : sp__local_aside(q, t, b, o);
+            const sp_real aside = q->now.state[s].presence == SP_ABSENT ? -1 : sp__offset_below(q, t, b, o);
             if (aside < 0) continue;
             if (!sp__free_now(q, s)) return;
             if (pass && aside <= (sp_real)1.05 * least) sp__local_add(q, s, o, n);
@@ -64,10 +64,10 @@ SP__NOINLINE static void sp__local_below(sp_sequence *q, int32_t b, int32_t o, i
 }
 
 /* All free blocks that block b touches. */
-static void sp__local_neighbours(sp_sequence *q, int32_t b, int32_t *n)
+static void sp__local_add_neighbours(sp_sequence *q, int32_t b, int32_t *n)
 {
-    for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
-        const int32_t s = sp__neighbour(&q->pb.contact[q->joint[k]], b);
+    for (int32_t k = q->graph.start[b]; k < q->graph.start[b + 1]; k++) {
+        const int32_t s = sp__neighbour(&q->pb.contact[q->graph.joint[k]], b);
         if (sp__free_now(q, s)) sp__local_add(q, s, b, n);
     }
 }
@@ -77,16 +77,16 @@ static void sp__local_neighbours(sp_sequence *q, int32_t b, int32_t *n)
 SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int wide)
 {
     int32_t n = 0, size = 0;
-    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->mark[b] = 0;
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) q->chosen.mark[b] = 0;
     for (int32_t b = root; b < q->scene->count.blocks; b++) {
-        if (!sp__free_now(q, b) || sp__root(q->up, b) != root) continue;
+        if (!sp__free_now(q, b) || sp__root(q->island, b) != root) continue;
         size++;
-        if (!q->state[b].certified) sp__block_certify(q, b);
-        if (!q->state[b].certified) sp__local_add(q, b, b, &n);
+        if (!q->now.state[b].certified) sp__block_certify(q, b);
+        if (!q->now.state[b].certified) sp__local_add(q, b, b, &n);
     }
-    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__local_below(q, q->list[k], q->origin[k], &n);
+    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__local_add_below(q, q->local.list[k], q->local.origin[k], &n);
     const int32_t narrow = wide ? n : 0;
-    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__local_neighbours(q, q->list[k], &n);
+    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__local_add_neighbours(q, q->local.list[k], &n);
     return 2 * n > size ? -1 : n;
 }
 
@@ -97,10 +97,10 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
     for (int32_t i = 0; i < pb->blocks; i++) {
         const int32_t b = pb->block[i];
         sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
-        for (int32_t k = q->start[b]; k < q->start[b + 1]; k++) {
-            const sp_contact *t = &q->pb.contact[q->joint[k]];
+        for (int32_t k = q->graph.start[b]; k < q->graph.start[b + 1]; k++) {
+            const sp_contact *t = &q->pb.contact[q->graph.joint[k]];
             const int32_t s = sp__neighbour(t, b);
-            if (!sp__free_now(q, s) || q->mark[s]) continue;
+            if (!sp__free_now(q, s) || q->chosen.mark[s]) continue;
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 sp_real F[3], m[3];
                 sp__block_force(q, t, b, v, F, m);
@@ -108,7 +108,7 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
                 size[0] += q->certifier.unit * sp__norm3(F);
                 size[1] += q->certifier.unit * sp__norm3(m);
             }
-            q->cost.flops += 76 * (int64_t)t->points;
+            q->spent.cost.flops += 76 * (int64_t)t->points;
         }
         for (int c = 0; c < 6; c++)
             if (sp__abs(p[c]) <= 64 * (sp_real)SP_EPSILON * size[c / 3]) p[c] = 0;
@@ -116,14 +116,14 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 }
 
 /* Forces of the part's joints, admitted.     returns 1 if all its blocks are certified then */
-SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
+SP__NOINLINE static int sp__local_record(sp_sequence *q, const sp__check *c)
 {
     int certified = 1;
     for (int32_t k = 0; k < c->pb.contacts; k++) {
         const sp_contact *t = &c->pb.contact[k];
         q->certifier.force_cap = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
-            sp_real *f = q->f + 3 * (size_t)(t->joint->point + v), g[3];
+            sp_real *f = q->now.f + 3 * (size_t)(t->joint->point + v), g[3];
             sp__scale3(1 / q->certifier.unit, c->state.f + 3 * (size_t)(t->point + v), g);
             sp__certifier_make_admissible(&q->certifier, t, g, g);
             sp__to_newtons(q->certifier.unit, 3, g, f);
@@ -131,7 +131,7 @@ SP__NOINLINE static int sp__local_keep(sp_sequence *q, const sp__check *c)
     }
     for (int32_t k = 0; k < c->pb.blocks; k++) {
         sp__block_certify(q, c->pb.block[k]);
-        certified &= q->state[c->pb.block[k]].certified;
+        certified &= q->now.state[c->pb.block[k]].certified;
     }
     return certified;
 }
@@ -145,7 +145,7 @@ SP__NOINLINE static int sp__local_solve(sp_sequence *q)
     sp_arena a = q->work;
     sp_verdict claim = SP_UNDECIDED;
     sp__part_choose(q);
-    if (sp__part_begin(q, q->f, q->dq, &a, &c)) return 0;
+    if (sp__part_begin(q, q->now.f, q->now.dq, &a, &c)) return 0;
     sp__local_load(q, &c->pb);
     sp_arena room = a;
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
@@ -154,9 +154,9 @@ SP__NOINLINE static int sp__local_solve(sp_sequence *q)
     c->set.tol *= SP__LOCAL_TOL;
     c->state.left = sp__budget_left(&c->set, &c->r);
     const sp_status status = sp__exact_search(&c->pb, &c->set, reduction, &c->state, &a, &claim);
-    sp__cost_add(&q->cost, &c->state.cost);
-    q->again += c->pb.blocks;
-    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__local_keep(q, c);
+    sp__cost_add(&q->spent.cost, &c->state.cost);
+    q->spent.again += c->pb.blocks;
+    return !status && claim != SP_UNSTABLE && sp__all_finite(c->state.f, 3 * (size_t)c->pb.points) && sp__local_record(q, c);
 }
 
 /* Do forces near those of the step before balance the island of `root`? Then that is what is known of it. */
@@ -171,15 +171,15 @@ SP__NOINLINE static int sp__local_island(sp_sequence *q, int32_t root)
     }
     if (!done) return 0;
     for (int32_t b = root; b < q->scene->count.blocks; b++) {
-        sp__block_state *s = &q->state[b];
-        if (!sp__free_now(q, b) || sp__root(q->up, b) != root) continue;
+        sp__block_state *s = &q->now.state[b];
+        if (!sp__free_now(q, b) || sp__root(q->island, b) != root) continue;
         s->verdict = SP_STABLE;
         s->reason = SP_REASON_FORCES;
         s->final = 0;
         s->least = 0;
-        for (size_t k = 0; k < 6; k++) q->dq[6 * (size_t)b + k] = 0;
+        for (size_t k = 0; k < 6; k++) q->now.dq[6 * (size_t)b + k] = 0;
     }
-    q->local++;
+    q->spent.local++;
     return 1;
 }
 

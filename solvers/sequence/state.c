@@ -37,66 +37,103 @@ typedef struct sp__hold {
     int32_t *member, members;           /* the island */
     int64_t budget;
     int32_t worst;                      /* what moves most in the first group that falls */
-    int32_t known;                      /* how many of the members must be held */
-    int32_t count;                      /* held so far, in q->answer */
+    int32_t must_members;               /* how many of the members must be held */
+    int32_t count;                      /* held so far, in q->held.answer */
     sp_held_proof proof;                /* the weakest of all islands */
-    int over;                           /* the budget is spent */
+    int stop;                           /* the budget is spent, or a check failed */
     int unsure;                         /* a set that did not stand was not shown to fall */
     sp_status status;
 } sp__hold;
+
+/* The finished scene as a graph of its blocks. */
+typedef struct sp__sequence_graph {
+    int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
+    int32_t *start, *joint;             /* joint[start[b] .. start[b + 1] - 1]: contacts of pb at block b */
+    sp_real *lever;                     /* per row [m] */
+} sp__sequence_graph;
+
+/* What is known of every block and joint, at the scene's numbers. */
+typedef struct sp__sequence_known {
+    sp__block_state *state;             /* per block */
+    sp_real *f, *dq;                    /* 3 per vertex [N]; 6 per block [m, 1] */
+} sp__sequence_known;
+
+/* The blocks at hand as a part, in the order of elimination, with their joints and loads. */
+typedef struct sp__sequence_chosen {
+    sp__part part;
+    int32_t *mark;                      /* per block, 1: chosen */
+    int32_t *number;                    /* per block: row in the part, -1 */
+    int32_t *block_next, *joint_next, *load_next;       /* lists of the part */
+} sp__sequence_chosen;
+
+/* Blocks to be solved alone (local.c), and above which block that began. */
+typedef struct sp__sequence_local { int32_t *list, *origin; } sp__sequence_local;
+
+/* What a search for blocks to hold leaves (hold.c), per block: the answer, must it be held, was it held last. */
+typedef struct sp__sequence_held { int32_t *answer, *must, *last; } sp__sequence_held;
+
+/* What the call at hand has taken: islands looked at, blocks solved again, islands solved by local.c, sets tried. */
+typedef struct sp__sequence_spent {
+    sp_cost cost;
+    int32_t checked, again, local, tries;
+} sp__sequence_spent;
 
 struct sp_sequence {
     const sp_scene *scene;
     sp_settings set;
     sp_problem pb;                      /* of the finished scene, all blocks there */
     sp__certifier certifier;            /* its units and cone */
-    sp__part part;                      /* the blocks at hand, in the order of elimination, and their joints and loads */
-    sp__block_state *state, *state_saved;      /* per block */
-    int32_t *row, *order;               /* block's row in pb, -1: a support; blocks by elimination */
-    int32_t *start, *joint;             /* contacts of pb at each block */
-    sp_real *lever;                     /* per row [m] */
-    int32_t *up, *mark, *number;        /* islands by union-find; who is meant; row in the part, -1 */
-    int32_t *block_next, *joint_next, *load_next;   /* lists of the part */
-    int32_t *list, *origin;             /* blocks to be solved, and above which block that began */
-    int32_t *answer, *must, *was;       /* of the search for what to hold */
-    sp_real *f, *f_saved, *dq, *dq_saved;
+    sp__sequence_graph graph;
+    sp__sequence_known now, saved;      /* saved: while a step is tried */
+    sp__sequence_chosen chosen;
+    sp__sequence_local local;
+    sp__sequence_held held;
+    int32_t *island;                    /* per block, by union-find */
     sp_arena work;
     sp__hold hold;
-    sp_cost cost;
-    int32_t checked, again, local, tries;
+    sp__sequence_spent spent;
 };
 
-static void sp__sequence_carve(sp_sequence *q, const sp_scene *scene, const sp_problem *count, size_t work, sp_arena *a)
+/* The problem of the finished scene, in a dry arena only counted, and all arrays. */
+static sp_status sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_t work, sp_arena *a)
 {
-    const size_t n = (size_t)scene->count.blocks, c = (size_t)count->contacts, v = (size_t)scene->count.points;
-    q->row = sp__take(a, n, sizeof *q->row);
-    q->order = sp__take(a, n, sizeof *q->order);
-    q->up = sp__take(a, n, sizeof *q->up);
-    q->mark = sp__take(a, n, sizeof *q->mark);
-    q->number = sp__take(a, n, sizeof *q->number);
-    q->block_next = sp__take(a, n, sizeof *q->block_next);
-    q->list = sp__take(a, n, sizeof *q->list);
-    q->origin = sp__take(a, n, sizeof *q->origin);
-    q->answer = sp__take(a, n, sizeof *q->answer);
-    q->must = sp__take(a, n, sizeof *q->must);
-    q->was = sp__take(a, n, sizeof *q->was);
-    q->start = sp__take(a, n + 1, sizeof *q->start);
-    q->joint = sp__take(a, c, 2 * sizeof *q->joint);
-    q->joint_next = sp__take(a, (size_t)scene->count.joints, sizeof *q->joint_next);
-    q->load_next = sp__take(a, (size_t)scene->count.loads, sizeof *q->load_next);
-    q->state = sp__take(a, n, sizeof *q->state);
-    q->state_saved = sp__take(a, n, sizeof *q->state_saved);
-    q->lever = sp__take(a, (size_t)count->blocks, sizeof *q->lever);
-    q->f = sp__take(a, v, 3 * sizeof *q->f);
-    q->f_saved = sp__take(a, v, 3 * sizeof *q->f_saved);
-    q->dq = sp__take(a, n, 6 * sizeof *q->dq);
-    q->dq_saved = sp__take(a, n, 6 * sizeof *q->dq_saved);
+    if (a->base) {
+        const sp_status status = sp_problem_build(scene, a, &q->pb);
+        if (status) return status;
+    } else {
+        sp__problem_count(scene, &q->pb);
+        sp__take(a, 1, sp__problem_memory(scene));
+    }
+    const size_t n = (size_t)scene->count.blocks, c = (size_t)q->pb.contacts, v = (size_t)scene->count.points;
+    q->graph.row = sp__take(a, n, sizeof *q->graph.row);
+    q->graph.order = sp__take(a, n, sizeof *q->graph.order);
+    q->island = sp__take(a, n, sizeof *q->island);
+    q->chosen.mark = sp__take(a, n, sizeof *q->chosen.mark);
+    q->chosen.number = sp__take(a, n, sizeof *q->chosen.number);
+    q->chosen.block_next = sp__take(a, n, sizeof *q->chosen.block_next);
+    q->local.list = sp__take(a, n, sizeof *q->local.list);
+    q->local.origin = sp__take(a, n, sizeof *q->local.origin);
+    q->held.answer = sp__take(a, n, sizeof *q->held.answer);
+    q->held.must = sp__take(a, n, sizeof *q->held.must);
+    q->held.last = sp__take(a, n, sizeof *q->held.last);
+    q->graph.start = sp__take(a, n + 1, sizeof *q->graph.start);
+    q->graph.joint = sp__take(a, c, 2 * sizeof *q->graph.joint);
+    q->chosen.joint_next = sp__take(a, (size_t)scene->count.joints, sizeof *q->chosen.joint_next);
+    q->chosen.load_next = sp__take(a, (size_t)scene->count.loads, sizeof *q->chosen.load_next);
+    q->now.state = sp__take(a, n, sizeof *q->now.state);
+    q->saved.state = sp__take(a, n, sizeof *q->saved.state);
+    q->graph.lever = sp__take(a, (size_t)q->pb.blocks, sizeof *q->graph.lever);
+    q->now.f = sp__take(a, v, 3 * sizeof *q->now.f);
+    q->saved.f = sp__take(a, v, 3 * sizeof *q->saved.f);
+    q->now.dq = sp__take(a, n, 6 * sizeof *q->now.dq);
+    q->saved.dq = sp__take(a, n, 6 * sizeof *q->saved.dq);
     q->certifier.direction = sp__take(a, 64, sizeof *q->certifier.direction);
-    const sp__part part = { -1, -1, -1, q->block_next, q->joint_next, q->load_next, q->number };
-    q->part = part;
+    const sp__part part = { -1, -1, -1, q->chosen.block_next, q->chosen.joint_next, q->chosen.load_next, q->chosen.number };
+    q->chosen.part = part;
     q->work.base = sp__take(a, work, 1);
     q->work.cap = work;
     q->work.used = q->work.peak = 0;
+    return sp__failed(a) ? SP_E_MEMORY : SP_OK;
 }
 
 /* The caller's settings, as far as they can be followed step by step: what a check of a part needs must be no more than what
@@ -114,56 +151,24 @@ static sp_status sp__sequence_settings(const sp_scene *scene, const sp_settings 
     return SP_OK;
 }
 
-static size_t sp__sequence_scratch(const sp_scene *scene, const sp_settings *settings)
-{
-    const size_t most = sp__check_scratch(scene, settings);
-    return most ? sizeof(sp_sequence) + SP_ALIGN + most : 0;
-}
-
-/* Bytes of a check of the whole, and of its symbolic step: a part in the same order of elimination fills no more. */
+/* Settings in force, and bytes of a check of the whole and of its symbolic step: a part in the same order of elimination fills
+ * no more. */
 SP__NOINLINE static sp_status sp__sequence_work(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
-                                                size_t *work)
+                                                sp_settings *set, size_t *work)
 {
-    sp_sequence *q = sp__take(&scratch, 1, sizeof *q);
-    if (!q) return SP_E_MEMORY;
-    sp_status status = sp__sequence_settings(scene, settings, &q->set);
-    if (!status) status = sp__memory(scene, &q->set, NULL, scratch, work);
+    sp_status status = sp__sequence_settings(scene, settings, set);
+    if (!status) status = sp__memory(scene, set, NULL, scratch, work);
     if (status) return status;
-    const size_t symbolic = sp__check_scratch(scene, &q->set);
+    const size_t symbolic = sp__check_scratch(scene, set);
     *work += SP_ALIGN + (size_t)scene->count.points * sizeof *scene->point;         /* a part's vertices are its own */
     if (symbolic > *work) *work = symbolic;
     return symbolic ? SP_OK : SP_E_MEMORY;
 }
 
-/* Bytes of all that a sequence keeps, its checks' work among them. */
-SP__NOINLINE static sp_status sp__sequence_count(const sp_scene *scene, sp_arena *scratch, size_t work, size_t *bytes)
-{
-    sp_sequence *q = sp__take(scratch, 1, sizeof *q);
-    sp_arena dry = sp__arena_dry();
-    if (!q) return SP_E_MEMORY;
-    sp__take(&dry, 1, sizeof *q);
-    sp__take(&dry, 1, sp__problem_memory(scene));
-    sp__problem_count(scene, &q->pb);
-    sp__sequence_carve(q, scene, &q->pb, work, &dry);
-    if (sp__failed(&dry)) return SP_E_MEMORY;
-    *bytes = dry.used;
-    return SP_OK;
-}
-
-SP__NOINLINE static sp_status sp__sequence_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
-                                                  size_t *bytes)
-{
-    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
-    if (scene->count.blocks < 1) return SP_E_EMPTY;
-    size_t work = 0;
-    const sp_status status = sp__sequence_work(scene, settings, scratch, &work);
-    return status ? status : sp__sequence_count(scene, &scratch, work, bytes);
-}
-
 /* A free block that is there and not held. */
 static int sp__free_now(const sp_sequence *q, int32_t b)
 {
-    return q->row[b] >= 0 && q->state[b].presence == SP_PRESENT;
+    return q->graph.row[b] >= 0 && q->now.state[b].presence == SP_PRESENT;
 }
 
 static int32_t sp__neighbour(const sp_contact *t, int32_t b) { return t->joint->a == b ? t->joint->b : t->joint->a; }
@@ -220,23 +225,23 @@ SP__NOINLINE static sp_status sp__sequence_joints(sp_sequence *q)
     sp_arena a = q->work;
     sp__lever_work *w = sp__take(&a, 1, sizeof *w);
     if (!w) return SP_E_MEMORY;
-    for (int32_t b = 0; b <= n; b++) q->start[b] = 0;
-    for (int32_t i = 0; i < q->pb.blocks; i++) q->lever[i] = q->scene->block[q->pb.block[i]].fixed ? 0 : SP__HUGE;
+    for (int32_t b = 0; b <= n; b++) q->graph.start[b] = 0;
+    for (int32_t i = 0; i < q->pb.blocks; i++) q->graph.lever[i] = q->scene->block[q->pb.block[i]].fixed ? 0 : SP__HUGE;
     for (int32_t c = 0; c < q->pb.contacts; c++) {
         const sp_contact *t = &q->pb.contact[c];
-        q->start[t->joint->a]++;
-        q->start[t->joint->b]++;
+        q->graph.start[t->joint->a]++;
+        q->graph.start[t->joint->b]++;
         for (int side = 0; side < 2; side++) {
             const int32_t i = side ? t->b : t->a;
             if (i < 0) continue;
             const sp_real lever = sp__lever(&q->pb, t, i, w);
-            if (lever < q->lever[i]) q->lever[i] = lever;
+            if (lever < q->graph.lever[i]) q->graph.lever[i] = lever;
         }
     }
-    for (int32_t b = 0; b < n; b++) q->start[b + 1] += q->start[b];
+    for (int32_t b = 0; b < n; b++) q->graph.start[b + 1] += q->graph.start[b];
     for (int32_t c = q->pb.contacts - 1; c >= 0; c--) {
-        q->joint[--q->start[q->pb.contact[c].joint->a]] = c;
-        q->joint[--q->start[q->pb.contact[c].joint->b]] = c;
+        q->graph.joint[--q->graph.start[q->pb.contact[c].joint->a]] = c;
+        q->graph.joint[--q->graph.start[q->pb.contact[c].joint->b]] = c;
     }
     return SP_OK;
 }
@@ -247,46 +252,28 @@ SP__NOINLINE static sp_status sp__sequence_order(sp_sequence *q)
     sp_arena a = q->work;
     sp__system *w = sp__take(&a, 1, sizeof *w);
     if (!w || sp__system_analyse(w, &q->pb, &a) < 0) return SP_E_MEMORY;
-    for (int32_t k = 0; k < q->pb.blocks; k++) q->order[k] = q->pb.block[w->L.perm[k]];
+    for (int32_t k = 0; k < q->pb.blocks; k++) q->graph.order[k] = q->pb.block[w->L.perm[k]];
     return SP_OK;
 }
 
-SP_API sp_status sp_sequence_open(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_sequence **sequence)
+/* Of the finished scene, carved: nothing but supports is there. */
+SP__NOINLINE static sp_status sp__sequence_begin(sp_sequence *q)
 {
-    if (!scene || !arena || !arena->base || !sequence) return SP_E_ARGUMENT;
-    if (scene->count.blocks < 1) return SP_E_EMPTY;
-    size_t work = 0;
-    sp_arena a = *arena;
-    sp_status status = sp__sequence_work(scene, settings, a, &work);
-    if (status) return status;
-    sp_sequence *q = sp__take(&a, 1, sizeof *q);
-    if (!q) return SP_E_MEMORY;
-    memset(q, 0, sizeof *q);
-    q->scene = scene;
-    status = sp__sequence_settings(scene, settings, &q->set);
-    if (!status) status = sp_problem_build(scene, &a, &q->pb);
-    if (status) return status;
-    sp__sequence_carve(q, scene, &q->pb, work, &a);
-    if (sp__failed(&a)) return SP_E_MEMORY;
+    const size_t n = (size_t)q->scene->count.blocks;
     q->certifier.pb = &q->pb;
     sp__certifier_cone(&q->certifier, &q->pb, &q->set);
-    const size_t n = (size_t)scene->count.blocks;
-    memset(q->state, 0, n * sizeof *q->state);
-    memset(q->was, 0, n * sizeof *q->was);
-    memset(q->f, 0, 3 * (size_t)scene->count.points * sizeof *q->f);
-    memset(q->dq, 0, 6 * n * sizeof *q->dq);
-    for (int32_t b = 0; b < scene->count.blocks; b++) {
-        q->row[b] = sp__problem_row(&q->pb, b);
-        q->number[b] = -1;
-        q->up[b] = b;
-        if (q->row[b] < 0) q->state[b].presence = SP_PRESENT;
+    memset(q->now.state, 0, n * sizeof *q->now.state);
+    memset(q->held.last, 0, n * sizeof *q->held.last);
+    memset(q->now.f, 0, 3 * (size_t)q->scene->count.points * sizeof *q->now.f);
+    memset(q->now.dq, 0, 6 * n * sizeof *q->now.dq);
+    for (int32_t b = 0; b < q->scene->count.blocks; b++) {
+        q->graph.row[b] = sp__problem_row(&q->pb, b);
+        q->chosen.number[b] = -1;
+        q->island[b] = b;
+        if (q->graph.row[b] < 0) q->now.state[b].presence = SP_PRESENT;
     }
-    status = sp__sequence_joints(q);
-    if (!status) status = sp__sequence_order(q);
-    if (status) return status;
-    *arena = a;
-    *sequence = q;
-    return SP_OK;
+    const sp_status status = sp__sequence_joints(q);
+    return status ? status : sp__sequence_order(q);
 }
 
 #endif
