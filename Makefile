@@ -70,7 +70,7 @@ help:
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
 	@echo "make check     everything else this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
-	@echo "make nightly   what takes longer still; its table becomes tests/NIGHTLY.md"
+	@echo "make nightly   what takes longer still (ONLY=text: those lines); rows of tests/NIGHTLY.md"
 	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/board/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
 	@echo "make regions   a check whose factor lies in another memory than scene and answer, on the same two"

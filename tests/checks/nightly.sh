@@ -1,17 +1,33 @@
 #!/bin/sh
 # nightly: what takes too long for every change: more samples, slower arithmetic, all boards. Ends with `N passed, N failed`.
 #
-#     ONLY=text    only lines whose names contain the text; without it the table becomes tests/NIGHTLY.md, to be committed
+#     ONLY=text    only lines whose names contain the text; two runs of different lines may go side by side
 #     STRICT=1     what could not be run counts as a failure
 #
-# The figure of a line is the last that its command said.
+# Each line becomes a row of tests/NIGHTLY.md, to be committed: when, of which commit, seconds of processor, and the last line
+# that its command said. A row stays until that line is run again, so a night may be put together from pieces.
 . tests/checks/tally.sh
 TIMES=1
 out=build/nightly
+table=tests/NIGHTLY.md
 mkdir -p $out
-: > $out/table
+if [ ! -f $table ]; then
+    {   echo "# What was run by night"
+        echo
+        echo "\`make nightly\` keeps this table: a row for each of its lines, with the day and the commit it was last run at, seconds of"
+        echo "processor, and the last line that it said."
+        echo
+        echo "| what | day | commit | seconds | figure |"
+        echo "|---|---|---|--:|---|"
+    } > $table
+fi
 instrument() { sh tests/instruments/instruments.sh "$1"; }
 
+# row NAME SECONDS FIGURE: written in the place of the row of that name, or at the end
+row() {
+    awk -v n="| $1 |" -v r="| $1 | $(date +%Y-%m-%d) | $(git rev-parse --short HEAD) | $2 | $3 |" \
+        'index($0, n) == 1 { $0 = r; done = 1 } { print } END { if (!done) print r }' $table > $table.$$ && mv $table.$$ $table
+}
 line() {                                                # line NAME COMMAND...
     line_name=$1
     shift
@@ -19,17 +35,16 @@ line() {                                                # line NAME COMMAND...
     line_failed=$failed
     begun
     line_from=$since
-    part "$line_name" sh -c '"$@" > "$0" 2>&1 || { tail -n 40 "$0"; exit 1; }' "$out/said" "$@"
+    part "$line_name" sh -c '"$@" > "$0" 2>&1 || { tail -n 40 "$0"; exit 1; }' "$out/said.$$" "$@"
     spent
-    line_figure=$(grep -v '^ *$' "$out/said" | tail -n 1 | tr '|' '/' | sed 's/^ *//')
+    line_figure=$(grep -v '^ *$' "$out/said.$$" | tail -n 1 | tr '|' '/' | sed 's/^ *//')
     if [ "$failed" -gt "$line_failed" ]; then line_figure="FAILED: $line_figure"; fi
-    awk -v n="$line_name" -v a="$line_from" -v b="$spent" -v f="$line_figure" \
-        'BEGIN { printf "| %s | %.0f | %s |\n", n, b - a, f }' >> $out/table
+    row "$line_name" "$(awk -v a="$line_from" -v b="$spent" 'BEGIN { printf "%.0f", b - a }')" "$line_figure"
 }
 long_san() {                                            # long_san COMPILER SANITIZERS PRECISION
     ${1:-gcc} -std=c99 -w -ffp-contract=off -fno-math-errno -O1 -g -fsanitize="$2" -fno-sanitize-recover=all ${3:+"$3"} \
         -DTEST_SUITES="$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')" tests/run.c tests/*/test_*.c \
-        $(ls port/host/*.c port/host/*/*.c | grep -v /main.c) tests/scenes/gen.c stonepack.c -lm -o $out/run && LONG=1 $out/run
+        $(ls port/host/*.c port/host/*/*.c | grep -v /main.c) tests/scenes/gen.c stonepack.c -lm -o $out/run.$$ && LONG=1 $out/run.$$
 }
 case ${1:-} in
 long_san | instrument) "$@"; exit ;;
@@ -49,19 +64,8 @@ if [ -d ../shared/cases ]; then
     if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi
     if have clang-19; then line "cases: shadows of 113 bits" sh "$0" instrument cases-shadows; fi
 else lack "cases of known truth" ../shared/cases; fi
-line "gcc -fanalyzer" gcc -std=c99 -O1 -fanalyzer -Wanalyzer-too-complex -Werror -c stonepack.c -o $out/analyzed.o
+line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c stonepack.c -o $out/analyzed.o
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "boards" "qemu-system-arm"; fi
 
-if [ -z "${ONLY:-}" ]; then
-    {   echo "# The last night"
-        echo
-        echo "\`make nightly\` on $(date +%Y-%m-%d) at commit $(git rev-parse --short HEAD): seconds of processor, and what each ended with."
-        echo
-        echo "| what | seconds | figure |"
-        echo "|--|--:|--|"
-        cat $out/table
-    } > tests/NIGHTLY.md
-    cat tests/NIGHTLY.md
-fi
 total
