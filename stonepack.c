@@ -14,7 +14,7 @@
  *   check/      Settings, islands and the stages in their order (sp__stage in settings.c); what sp_check and sp_verify return.
  *   coupled/    Is there also a motion that explains the forces?          limit/      How much more load until it falls?
  *   sequence/   Does it stand at every step of a build order?             memory/     How many bytes does a call take?
- *   small/      With SP_SMALL: sp_check by one short search (small/check.c) and the sequence on it, in a third of the code.
+ *   small/      With SP_SMALL: sp_check by one short search (small/check.c), on which limits and build orders run, too.
  *   seed/       The specification's own way: its table of constants, polish, penalty program; equations in seed/README.md.
  *
  * Symbols                       code            shape                           unit
@@ -32,6 +32,7 @@
  *   certifier   the certificate check at work: the scene it checks against, its scales and scratch
  *   metric      weights of contacts in |f|^2 by which a pebble beside a cathedral is not lost
  *   triple      forces, motion and friction per slip (f, dq, alpha) of the coupled check
+ *   CRA         coupled rigid-block analysis: the coupled check, as in SP_NO_CRA and sp__cra
  *   island      free blocks that touch each other, directly or through others; supports do not join them
  *   forest      joints that close no loop between blocks
  *   stage       one way to look for forces or a motion; it proposes, the certificate check decides
