@@ -975,7 +975,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *                     whatever touches what, with the true cone and the stages of the mask: 1 << SP_STAGE_EXACT | ..., 0
  *                     for the default ones; each load takes 4 more. The factor is taken as full, 36
  *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
- *                     need it cannot know, it is SP_NO_ARRAY, larger than any.
+ *                     need it cannot know, it is SP_NEVER_FITS, larger than any.
  *   SP_PYRAMID_BYTES  what settings.faces takes besides
  *   SP_COUPLED_BYTES  what settings.coupled.asked takes besides, with room for coupled.nodes (0 or more) in a proof; without
  *                     coupled.rounds
@@ -984,7 +984,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *                     some ten times the truth for a few stones, a hundred times for twenty
  *   SP_ADMM_CG_BYTES  to be added instead of that where the seed has ADMM use conjugate gradients, which keep no factor
  *                     (dense_cells 0, admm.backend SP_QP_CG): near the truth */
-#define SP_NO_ARRAY ((uint64_t)1 << 63)
+#define SP_NEVER_FITS ((uint64_t)1 << 63)
 #define SP_SCENE_BYTES(blocks, vertices, faces, corners, joints, points, loads) \
     ((((uint64_t)(blocks) * sizeof(sp_block) + 15) & ~(uint64_t)15) \
      + (((uint64_t)(vertices) * 3 * sizeof(sp_real) + 15) & ~(uint64_t)15) \
@@ -1003,7 +1003,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
 #define SP_PAIRS_BYTES(blocks, each) (sizeof(sp_real) * (each) * ((uint64_t)(blocks) + 1) * ((uint64_t)(blocks) + 1) / 2)
 #define SP_MIRROR_BYTES(joints, vertices) (20 * sizeof(sp_real) * (uint64_t)(joints) + 4 * (uint64_t)(vertices))
 #define SP_MEMORY_BYTES(blocks, joints, vertices, stages) \
-    ((stages) & ~126 ? SP_NO_ARRAY \
+    ((stages) & ~126 ? SP_NEVER_FITS \
      : ((stages) & 1 << SP_STAGE_ADMM ? SP_ADMM_BYTES(blocks, vertices, 8) : 0) \
      + sizeof(sp_real) * (15 * (uint64_t)(vertices) + 85 * ((uint64_t)(blocks) + 1) + 102 \
                           + ((stages) & 1 << SP_STAGE_DENSE ? (18 * (uint64_t)(blocks) + 21) * ((uint64_t)(blocks) + 1) : 0)) \

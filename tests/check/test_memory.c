@@ -338,7 +338,7 @@ TEST(memory_by_counts_bounds_what_is_taken)
         CHECK(bytes <= SP_MEMORY_BYTES(blocks, joints, scene.count.points, ALL_STAGES) + loads);
     }
     CHECK(least < 1.5);                                 /* where all touch all there is not much to spare */
-    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SP_NO_ARRAY);
+    CHECK(SP_MEMORY_BYTES(1, 1, 1, 1 << SP_STAGE_CUSTOM) == SP_NEVER_FITS);
 }
 
 /* Bounds by counts over the truth, smallest and largest, of scenes with some vertices. */
@@ -609,7 +609,7 @@ TEST(bytes_by_counts_do_not_wrap)
     for (int32_t n = 1; n <= MANY; n *= 2) {
         const uint64_t all = SP_SCENE_BYTES(n, n, n, n, n, n, n) + SP_MEMORY_BYTES(n, n, n, ALL_STAGES) + SP_PYRAMID_BYTES(n, 64)
                            + SP_COUPLED_BYTES(n, n, 48000) + SP_ADMM_BYTES(n, n, 64);
-        CHECK(all > last && all < SP_NO_ARRAY && all + SP_NO_ARRAY > all);
+        CHECK(all > last && all < SP_NEVER_FITS && all + SP_NEVER_FITS > all);
         last = all;
     }
 }
