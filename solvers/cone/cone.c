@@ -142,7 +142,8 @@ static sp__region sp__cone_project(const sp__cone *k, const sp__yield *yield, co
 SP__NOINLINE static sp__region sp__cone_derivative(const sp__cone *k, const sp__yield *yield, const sp_real u[3], sp_real D[6])
 {
     const sp_real mu = yield->mu;
-    sp__foot o = { SP__INSIDE, { 1, 0 }, 0, 0, 1, 0 };      /* w and t: where no face is near nothing reads them */
+    sp__foot o;
+    o.w[0] = o.w[1] = o.t = 0;                  /* inside a true cone and at its apex: neither written nor read */
     sp__cone_foot(k, yield, yield->plain, u, &o);
     D[0] = D[1] = D[2] = D[3] = D[4] = D[5] = 0;
     if (o.region == SP__INSIDE) D[0] = 1;
