@@ -366,9 +366,9 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
     if (!sp__alt_solved(c, &g->r, 0)) return 0;
     sp_real press = 0, pull = 0;
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
-        const sp_real *x = g->r.x + 4 * v, by = g->unit / c->w->measure.unit;
+        const sp_real *x = g->r.x + 4 * v;                      /* in units of the loads of c->pb, as m->f is */
         for (int k = 0; k < 3; k++) {
-            m->f[v][k] = m->pin[v] > (k == 0) ? 0 : by * (k ? x[k + 1] : x[0] - x[1]);
+            m->f[v][k] = m->pin[v] > (k == 0) ? 0 : k ? x[k + 1] : x[0] - x[1];
             if (!sp__finite(m->f[v][k])) return 0;
         }
         press = sp__max(press, x[0]);
@@ -468,7 +468,8 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
     m->slip = c->k.eps > 0 && c->k.eta > 10 ? 1 : c->k.eta / 10;
     m->least = sp__max(m->slip / 1000, 4 * SP__SLIP);
     memset(m->pin, 0, (size_t)c->pb->points * sizeof *m->pin);
-    for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(1 / c->w->measure.unit, c->statics + 3 * v, m->f[v]);
+    const sp_real newton = sp__in_units(c->w->measure.unit, 1); /* in units */
+    for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(newton, c->statics + 3 * v, m->f[v]);
     while (c->out->rounds < c->set->coupled.rounds) {
         sp_real worst = 0;
         c->out->rounds++;

@@ -252,7 +252,7 @@ static void sp__branch_balance(sp__branch *s, int32_t *e)
     const int32_t z = 3 * s->points;
     for (int32_t r = 0; r < 6 * pb->blocks; r++) {
         const int32_t i = r / 6, k = r % 6;
-        const sp_real p = pb->p[r] / s->j->unit / (k < 3 ? 1 : s->arm[i]);
+        const sp_real p = sp__in_units(s->j->unit, pb->p[r]) / (k < 3 ? 1 : s->arm[i]);
         const int held = sp__held(pb, i, k);
         s->lp.start[r] = *e;
         for (int32_t v = 0; v < s->points; v++) {
@@ -267,7 +267,7 @@ static void sp__branch_balance(sp__branch *s, int32_t *e)
     s->lp.start[6 * pb->blocks] = *e;
     for (int32_t v = 0; v < s->points; v++) sp__branch_put(s, e, 3 * v, s->k.eps * s->size[v]);
     for (int32_t r = 0; r < 6 * pb->blocks; r++)
-        sp__branch_put(s, e, z + r, -pb->p[r] / s->j->unit / (r % 6 < 3 ? 1 : s->arm[r / 6]));
+        sp__branch_put(s, e, z + r, -sp__in_units(s->j->unit, pb->p[r]) / (r % 6 < 3 ? 1 : s->arm[r / 6]));
     sp__branch_bound(s, 6 * pb->blocks, -SP__LP_FREE, 0);
 }
 
@@ -525,7 +525,8 @@ static void sp__branch_point(const sp__branch *s, const sp__triple *t)
 {
     memset(t->f, 0, 3 * (size_t)s->pb->points * sizeof *t->f);
     memset(t->alpha, 0, (size_t)s->pb->points * sizeof *t->alpha);
-    for (int32_t v = 0; v < s->points; v++) t->f[3 * (size_t)s->at[v]] = s->lp.x[3 * v] * s->size[v] * s->j->unit;
+    for (int32_t v = 0; v < s->points; v++)
+        t->f[3 * (size_t)s->at[v]] = sp__in_newtons(s->j->unit, s->lp.x[3 * v] * s->size[v]);
     for (int32_t r = 0; r < 6 * s->pb->blocks; r++)
         t->dq[r] = s->k.L * s->lp.x[3 * s->points + r] / (r % 6 < 3 ? 1 : s->arm[r / 6]);
 }

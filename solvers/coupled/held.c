@@ -49,7 +49,8 @@ SP__NOINLINE static void sp__cra_record(sp__cra *c)
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             const sp_real fm = s * soft * sp__max(c->spring.d[3 * v], 0), *f = c->spring.f + 3 * v;
             sp_real *to = c->out->penalty + 4 * (v + (size_t)t->joint->point - (size_t)t->point);
-            c->offer.t.alpha[v] = SP_SQRT(f[1] * f[1] + f[2] * f[2]) * (w->measure.unit / c->k.L) * c->held.vertex[v].per_slip;
+            const sp_real drag = sp__in_newtons(w->measure.unit / c->k.L, SP_SQRT(f[1] * f[1] + f[2] * f[2]));
+            c->offer.t.alpha[v] = drag * c->held.vertex[v].per_slip;
             to[0] = c->held.vertex[v].reach < 0 ? 0 : sp__max(f[0] + fm, 0);
             to[1] = fm;
             to[2] = f[1];

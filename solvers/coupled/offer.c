@@ -85,7 +85,7 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
             const sp_real *f = c->spring.f + 3 * v, *d = c->spring.d + 3 * v;
             const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
             sp__to_newtons(w->measure.unit, 3, f, c->offer.t.f + 3 * v);
-            if (slip > 0) c->offer.t.alpha[v] = ft / slip * (w->measure.unit / c->k.L);
+            if (slip > 0) c->offer.t.alpha[v] = sp__in_newtons(w->measure.unit / c->k.L, ft / slip);
         }
     }
     sp__cra_to_space(c);

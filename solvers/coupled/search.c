@@ -44,7 +44,7 @@ static void sp__cra_close(sp__cra *c, sp_real drag)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real press = (sp_real)1.01 * SP__STIFF * sp__cra_sbar(c, t) * c->k.eps;
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            c->spring.lam[v] = gives ? press : c->statics[3 * (size_t)v] / c->w->measure.unit;
+            c->spring.lam[v] = gives ? press : sp__in_units(c->w->measure.unit, c->statics[3 * (size_t)v]);
     }
     if (!gives) return;
     sp__cra_descend(c);
@@ -77,7 +77,8 @@ static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
         const sp_contact *t = &c->pb->contact[q];
         const int weak = how >= SP__START_LONE && (q == lone) == (how == SP__START_OTHERS);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real most = t->joint->strength.mu * c->j.mu_factor * (c->statics[3 * v] / c->w->measure.unit);
+            const sp_real press = sp__in_units(c->w->measure.unit, c->statics[3 * v]);
+            const sp_real most = t->joint->strength.mu * c->j.mu_factor * press;
             c->drag.bound[v] = c->drag.viscous ? (weak ? (sp_real)1e-5 : 1) : how == SP__START_FREE ? SP__HUGE : most;
         }
     }

@@ -9,7 +9,7 @@
 /* The motion just certified into b->dq, and what joints with strength take of it. */
 static void sp__bracket_take_motion(sp__bracket *b)
 {
-    b->resist = sp__problem_strong(&b->pb) ? b->certifier.resist * b->certifier.unit : 0;
+    b->resist = sp__problem_strong(&b->pb) ? sp__in_newtons(b->certifier.unit, b->certifier.resist) : 0;
     memcpy(b->dq, b->certifier.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     sp__bracket_certify_end(b);
 }

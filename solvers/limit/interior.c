@@ -54,8 +54,8 @@ static void sp__limit_sizes(sp__limit *L)
     if (w->measure.metric > 0) return;
     for (size_t k = 0; k < n; k++) {
         const sp_real unit = w->measure.unit * w->measure.weight[k / 3];
-        g->state.dq[k] = L->bracket.hint[k] / unit;
-        w->d[k] = -L->bracket.hint[n + k] / unit;
+        g->state.dq[k] = sp__in_units(unit, L->bracket.hint[k]);
+        w->d[k] = -sp__in_units(unit, L->bracket.hint[n + k]);
     }
     sp__reduction_from_space(g->reduction, w->pb->blocks, g->state.dq);
     sp__reduction_from_space(g->reduction, w->pb->blocks, w->d);

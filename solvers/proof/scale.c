@@ -262,7 +262,7 @@ static void sp__certifier_read_hint(const sp__certifier *j, const sp_real *y0, s
         sp_real *x = to + 6 * (size_t)i;
         for (size_t k = 0; k < 6; k++) {
             const sp_real w = k < 3 ? j->scale[i].wf : j->scale[i].wm;
-            x[k] = y0 && w > 0 ? y0[6 * (size_t)i + k] / j->unit / w : 0;
+            x[k] = y0 && w > 0 ? sp__in_units(j->unit, y0[6 * (size_t)i + k]) / w : 0;
             if (!sp__finite(x[k] * x[k])) x[k] = 0;
         }
         sp__drop_held(j->pb, i, x);
@@ -347,8 +347,8 @@ static sp__vertex_limits sp__certifier_strength(const sp__certifier *j, const sp
     const sp__vertex_limits none = { 0, 0, SP__HUGE };
     if (!SP__HAS_STRENGTH || !sp__contact_strong(j->pb, t)) return none;
     sp__vertex_limits k = sp__vertex_strength(t->joint, j->pb->ignore_strength);
-    k.C *= j->mu_factor / j->unit;
-    k.T /= j->unit;
+    k.C *= sp__in_units(j->unit, j->mu_factor);
+    k.T = sp__in_units(j->unit, k.T);
     k.N = sp__ratio(k.N, j->unit);
     return k;
 }

@@ -162,7 +162,8 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__leng
             sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
             sp__certifier_make_admissible(j, t, g, g);
             sp__certifier_rate_at(j, t, v, d);
-            worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha[v] * k->L / j->unit, d, moved, least));
+            const sp_real alpha_L = sp__in_units(j->unit, alpha[v] * k->L);
+            worst = sp__max(worst, sp__coupled_vertex(k, j->set->coupled.box, g, alpha_L, d, moved, least));
         }
     }
     j->sweeps++;

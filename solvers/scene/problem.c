@@ -289,15 +289,21 @@ static sp_real sp__load_unit(const sp_problem *pb)
     return force > 0 ? force : couple > 0 ? couple : 1;
 }
 
-/* Numbers in newtons (or N m) into units, x = f / unit, and back, f = x unit; x may be f. */
+/* Newtons (N m, N/m: whatever is in proportion to force) in units of force, x = f / unit, and back, f = x unit: one number, or
+ * n of them, where x may be f. Nowhere else is a force multiplied or divided by a unit. A few places have always multiplied by
+ * what one newton is in units; they still do, for the digits. */
+static sp_real sp__in_units(sp_real unit, sp_real f) { return f / unit; }
+
+static sp_real sp__in_newtons(sp_real unit, sp_real x) { return x * unit; }
+
 static void sp__to_units(sp_real unit, size_t n, const sp_real *f, sp_real *x)
 {
-    for (size_t k = 0; k < n; k++) x[k] = f[k] / unit;
+    for (size_t k = 0; k < n; k++) x[k] = sp__in_units(unit, f[k]);
 }
 
 static void sp__to_newtons(sp_real unit, size_t n, const sp_real *x, sp_real *f)
 {
-    for (size_t k = 0; k < n; k++) f[k] = x[k] * unit;
+    for (size_t k = 0; k < n; k++) f[k] = sp__in_newtons(unit, x[k]);
 }
 
 /* The lesser of a number each free block has, of the one or two at a contact; stride: numbers per block in s. */

@@ -150,7 +150,7 @@ static void sp__program_bounds(sp__program *g, const sp_problem *pb)
     const int32_t friction = 6 * pb->blocks, signs = friction + g->friction.faces * pb->points;
     for (int32_t i = 0; i < g->qp.m; i++) {
         const int held = i < friction && sp__held(pb, i / 6, (int)(i % 6));
-        const sp_real p = i < friction ? -pb->p[i] / g->unit * (i % 6 > 2 ? g->at.arm[i / 6] : 1) : 0;
+        const sp_real p = i < friction ? -sp__in_units(g->unit, pb->p[i]) * (i % 6 > 2 ? g->at.arm[i / 6] : 1) : 0;
         g->at.l[i] = held || (i >= friction && i < signs) ? -SP_QP_INFINITY : p;
         g->at.u[i] = held || i >= signs ? SP_QP_INFINITY : p;
     }
@@ -173,11 +173,11 @@ SP__NOINLINE static sp__program *sp__program_make(const sp_problem *pb, const sp
     sp__program_matrices(g, pb, set);
     sp__program_bounds(g, pb);
     for (size_t v = 0; v < (size_t)pb->points; v++) {
-        const sp_real fn = f ? f[3 * v] / g->unit : 0;
+        const sp_real fn = f ? sp__in_units(g->unit, f[3 * v]) : 0;
         g->at.x[4 * v] = sp__max(fn, 0);
         g->at.x[4 * v + 1] = sp__max(-fn, 0);
-        g->at.x[4 * v + 2] = f ? f[3 * v + 1] / g->unit : 0;
-        g->at.x[4 * v + 3] = f ? f[3 * v + 2] / g->unit : 0;
+        g->at.x[4 * v + 2] = f ? sp__in_units(g->unit, f[3 * v + 1]) : 0;
+        g->at.x[4 * v + 3] = f ? sp__in_units(g->unit, f[3 * v + 2]) : 0;
     }
     return g;
 }
@@ -189,13 +189,13 @@ static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp
     const sp_real *x = g->r.x;
     sp_real press = 0, pull = 0;
     if (!x) return -1;
-    for (int32_t j = 0; j < g->qp.n; j++) if (!sp__finite(g->unit * x[j])) return -1;
+    for (int32_t j = 0; j < g->qp.n; j++) if (!sp__finite(sp__in_newtons(g->unit, x[j]))) return -1;
     for (size_t v = 0; v < (size_t)pb->points; v++, x += 4) {
         press = sp__max(press, x[0]);
         pull = sp__max(pull, x[1]);
-        state->f[3 * v] = g->unit * (x[0] - x[1]);
-        state->f[3 * v + 1] = g->unit * x[2];
-        state->f[3 * v + 2] = g->unit * x[3];
+        state->f[3 * v] = sp__in_newtons(g->unit, x[0] - x[1]);
+        state->f[3 * v + 1] = sp__in_newtons(g->unit, x[2]);
+        state->f[3 * v + 2] = sp__in_newtons(g->unit, x[3]);
     }
     return sp__ratio(pull, press);
 }

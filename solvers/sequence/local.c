@@ -94,6 +94,7 @@ SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int w
  * it has no mirror image. */
 SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 {
+    const sp_real unit = q->certifier.unit;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const int32_t b = pb->block[i];
         sp_real *p = pb->p + 6 * (size_t)i, size[2] = { sp__norm3(p), sp__norm3(p + 3) };
@@ -104,9 +105,11 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 sp_real F[3], m[3];
                 sp__block_force(q, t, b, v, F, m);
-                for (int c = 0; c < 3; c++) { p[c] += q->certifier.unit * F[c]; p[3 + c] += q->certifier.unit * m[c]; }
-                size[0] += q->certifier.unit * sp__norm3(F);
-                size[1] += q->certifier.unit * sp__norm3(m);
+                size[0] += sp__in_newtons(unit, sp__norm3(F));
+                size[1] += sp__in_newtons(unit, sp__norm3(m));
+                sp__to_newtons(unit, 3, F, F);
+                sp__to_newtons(unit, 3, m, m);
+                for (int c = 0; c < 3; c++) { p[c] += F[c]; p[3 + c] += m[c]; }
             }
             q->spent.cost.flops += 76 * (int64_t)t->points;
         }
@@ -119,12 +122,13 @@ SP__NOINLINE static void sp__local_load(sp_sequence *q, const sp_problem *pb)
 SP__NOINLINE static int sp__local_record(sp_sequence *q, const sp__check *c)
 {
     int certified = 1;
+    const sp_real newton = sp__in_units(q->certifier.unit, 1); /* in units */
     for (int32_t k = 0; k < c->pb.contacts; k++) {
         const sp_contact *t = &c->pb.contact[k];
         q->certifier.force_cap = q->set.force_bound * sp__contact_least_load(q, t);
         for (int32_t v = 0; v < t->points; v++) {
             sp_real *f = q->now.f + 3 * (size_t)(t->joint->point + v), g[3];
-            sp__scale3(1 / q->certifier.unit, c->state.f + 3 * (size_t)(t->point + v), g);
+            sp__scale3(newton, c->state.f + 3 * (size_t)(t->point + v), g);
             sp__certifier_make_admissible(&q->certifier, t, g, g);
             sp__to_newtons(q->certifier.unit, 3, g, f);
         }

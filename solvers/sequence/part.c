@@ -86,9 +86,10 @@ SP__NOINLINE static sp_status sp__part_check(sp_sequence *q, sp_real *f, sp_real
 static void sp__block_force(const sp_sequence *q, const sp_contact *t, int32_t b, int32_t v, sp_real F[3], sp_real m[3])
 {
     const sp_joint *j = t->joint;
-    const sp_real *f = q->now.f + 3 * (size_t)v, sign = (j->b == b ? 1 : -1) / q->certifier.unit;
+    const sp_real *f = q->now.f + 3 * (size_t)v, newton = sp__in_units(q->certifier.unit, j->b == b ? 1 : -1);
     sp_real arm[3];
-    for (int k = 0; k < 3; k++) F[k] = sign * (f[0] * j->n[k] + f[1] * j->t1[k] + f[2] * j->t2[k]);
+    sp__joint_force(j, f, F);
+    sp__scale3(newton, F, F);
     sp__arm(&q->pb, q->graph.row[b], v, arm);
     sp__cross3(arm, F, m);
 }

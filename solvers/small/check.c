@@ -269,8 +269,8 @@ SP__NOINLINE static int sp__small_scales(sp__small *w, sp_arena *a)
     const int32_t n = 6 * w->pb->blocks;
     sp_real least = SP__HUGE, most = 0;
     for (int32_t k = 0; k < n; k++) {
-        w->to->y0[k] = w->j.unit * w->z[k] * w->y[k];
-        w->to->y0[n + k] = -w->j.unit * w->z[k] * w->d[k];
+        w->to->y0[k] = sp__in_newtons(w->j.unit * w->z[k], w->y[k]);
+        w->to->y0[n + k] = -sp__in_newtons(w->j.unit * w->z[k], w->d[k]);
     }
     if (!sp__certifier_open(&w->j, w->pb, w->set, w->to->y0, INT32_MAX, a)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) {

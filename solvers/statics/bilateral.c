@@ -81,8 +81,9 @@ static void sp__bilateral_write_y0(sp__system *w, sp_state *state)
     const sp__reduction *o = sp__reduced(w);
     if (o && o->mode == SP__LEVEL_JOINTS && !o->forest) return;
     for (size_t k = 0; k < n; k++) {
-        state->y0[k] = w->measure.unit * w->measure.weight[k / 3] * w->y[k];
-        state->y0[n + k] = -w->measure.unit * w->measure.weight[k / 3] * w->d[k];
+        const sp_real unit = w->measure.unit * w->measure.weight[k / 3];
+        state->y0[k] = sp__in_newtons(unit, w->y[k]);
+        state->y0[n + k] = -sp__in_newtons(unit, w->d[k]);
     }
     sp__reduction_to_space(w, state->y0);
     sp__reduction_to_space(w, state->y0 + n);

@@ -142,10 +142,10 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
     k->N = SP__HUGE;
     if (k->plain) return k;
     const sp__vertex_limits strength = sp__vertex_strength(t->joint, w->pb->ignore_strength);
-    const sp_real scale = 1 / (w->measure.unit * sp__system_S(w, c));
-    k->C = strength.C * scale * w->law.friction;
-    k->T = strength.T * scale;
-    k->N = sp__ratio(strength.N, 1 / scale);
+    const sp_real newton = sp__in_units(w->measure.unit * sp__system_S(w, c), 1); /* in units */
+    k->C = strength.C * newton * w->law.friction;
+    k->T = strength.T * newton;
+    k->N = sp__ratio(strength.N, 1 / newton);
     return k;
 }
 

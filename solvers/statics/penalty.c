@@ -29,9 +29,10 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
             if (!(sp__system_counts(w, v) > 0)) continue;
             sp__system_rate(w, V, W, w->pb->local[v], u);
             sp__system_force(w, c, yield, u, f);
-            const sp_real held = k.C + t->joint->strength.mu * sp__max(-k.T, f[0] * w->measure.unit);
-            o->tension = sp__max(o->tension, -f[0] * w->measure.unit - k.T);
-            o->friction = sp__max(o->friction, SP_SQRT(f[1] * f[1] + f[2] * f[2]) * w->measure.unit - held);
+            const sp_real fn = sp__in_newtons(w->measure.unit, f[0]);
+            const sp_real ft = sp__in_newtons(w->measure.unit, SP_SQRT(f[1] * f[1] + f[2] * f[2]));
+            o->tension = sp__max(o->tension, -fn - k.T);
+            o->friction = sp__max(o->friction, ft - (k.C + t->joint->strength.mu * sp__max(-k.T, fn)));
         }
     }
 }

@@ -13,8 +13,8 @@ SP__NOINLINE static void sp__size_carried(const sp__system *w, int32_t i, sp_rea
 {
     const sp_real *p = w->pb->p + 6 * (size_t)i, *carried = w->carried + 3 * (size_t)i;
     const sp_real rounding = 16 * (sp_real)SP_EPSILON * s[0] * carried[2] / w->set->tol;
-    const sp_real f = sp__norm3(p) / w->measure.unit + carried[0];
-    const sp_real m = sp__norm3(p + 3) / w->measure.unit + carried[1] + rounding;
+    const sp_real f = sp__in_units(w->measure.unit, sp__norm3(p)) + carried[0];
+    const sp_real m = sp__in_units(w->measure.unit, sp__norm3(p + 3)) + carried[1] + rounding;
     if (f < s[0]) s[0] = f;
     if (m < s[1]) s[1] = m;
 }
@@ -71,8 +71,8 @@ static void sp__system_sizes(sp__system *w, const sp_real *y)
     if (!sp__system_count(w, SP__FLOPS_SWEEP, 0)) return;
     sp__carry_begin(w);
     for (size_t i = 0; i < (size_t)pb->blocks; i++) {
-        w->carried[3 * i] = sp__norm3(pb->p + 6 * i) / w->measure.unit;
-        w->carried[3 * i + 1] = sp__norm3(pb->p + 6 * i + 3) / w->measure.unit;
+        w->carried[3 * i] = sp__in_units(w->measure.unit, sp__norm3(pb->p + 6 * i));
+        w->carried[3 * i + 1] = sp__in_units(w->measure.unit, sp__norm3(pb->p + 6 * i + 3));
         w->carried[3 * i + 2] = 0;
     }
     for (int32_t c = 0; c < pb->contacts; c++) sp__size_carry(w, c, y, w->d);
