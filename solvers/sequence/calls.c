@@ -78,19 +78,19 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
 /* A thousandth of its diameter lower is no lower; the smallest build saves the bytes. */
 #define SP__LEVEL(diameter) (SP__WITH_SMALL ? 0 : (sp_real)1e-3 * (diameter))
 
-/* The lowest (to add) or highest candidate not tried yet, q->held.answer 0; -1: none. */
+/* The lowest (to add) or highest candidate not tried yet, q->found.tried 0; -1: none. */
 SP__NOINLINE static int32_t sp__next_pick(sp_sequence *q, int32_t add)
 {
     int32_t best = -1;
     for (int32_t b = 0; b < q->scene->count.blocks; b++) {
         const sp_real *g = q->scene->gravity;
         sp_real d[3] = { 0, 0, 0 };
-        if (q->held.answer[b]) continue;
+        if (q->found.tried[b]) continue;
         if (best >= 0) sp__sub3(q->scene->block[b].centroid, q->scene->block[best].centroid, d);
         const sp_real deeper = (add ? 1 : -1) * sp__dot3(d, g);
         if (best < 0 || deeper > SP__LEVEL(q->scene->block[b].diameter * sp__norm3(g))) best = b;
     }
-    if (best >= 0) q->held.answer[best] = 1;
+    if (best >= 0) q->found.tried[best] = 1;
     return best;
 }
 
@@ -101,7 +101,7 @@ SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t
     int32_t b = 0, tried = 0;
     int all = 1, stands = 0;
     sp__sequence_reset_counts(q);
-    for (b = 0; b < q->scene->count.blocks; b++) q->held.answer[b] = !sp__next_candidate(q, b, add);
+    for (b = 0; b < q->scene->count.blocks; b++) q->found.tried[b] = !sp__next_candidate(q, b, add);
     while (!stands && (b = sp__next_pick(q, add)) >= 0) {
         all = !(budget > 0 && q->spent.cost.flops >= budget);
         if (!all) break;

@@ -60,7 +60,7 @@ SP__NOINLINE static void sp__hold_find_must(sp__hold *h)
     for (int32_t k = 0; k < h->members && !h->stop; k++) {
         h->unsure = 0;                                  /* of these sets nothing is claimed but who falls */
         q->now.state[h->member[k]].presence = SP_PRESENT;
-        q->held.must[h->member[k]] = !sp__hold_stands(h) && !h->stop && !h->unsure;
+        q->must[h->member[k]] = !sp__hold_stands(h) && !h->stop && !h->unsure;
         q->now.state[h->member[k]].presence = SP_HELD;
     }
 }
@@ -83,7 +83,7 @@ static int32_t sp__hold_count(const sp__hold *h)
 SP__NOINLINE static sp_held_proof sp__hold_smallest_of_all(sp__hold *h)
 {
     uint32_t must = 0;
-    for (int32_t k = 0; k < h->members; k++) if (h->q->held.must[h->member[k]]) must |= 1u << k;
+    for (int32_t k = 0; k < h->members; k++) if (h->q->must[h->member[k]]) must |= 1u << k;
     for (int32_t size = 1; size <= h->members; size++)
         for (uint32_t set = 1; set < 1u << h->members && !h->stop; set++) {
             sp__hold_only(h, set);
@@ -107,7 +107,7 @@ SP__NOINLINE static sp_held_proof sp__hold_one_for_two(sp__hold *h)
     for (int32_t k = 0; k < h->members && !h->stop; k++) {
         const int32_t b = h->member[k];
         if (b == pair[0] || b == pair[1]) continue;                     /* the pair itself: letting go has tried */
-        if (h->must_members && !q->held.must[b]) continue;
+        if (h->must_members && !q->must[b]) continue;
         q->now.state[b].presence = SP_HELD;
         if (sp__hold_stands(h)) return SP_HELD_MINIMAL;
         q->now.state[b].presence = SP_PRESENT;
@@ -124,8 +124,8 @@ SP__NOINLINE static sp_held_proof sp__hold_by_collapse(sp__hold *h)
     int32_t must = 0;
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
-        must += q->held.must[b];
-        q->now.state[b].presence = q->held.must[b] || q->held.last[b] ? SP_HELD : SP_PRESENT;
+        must += q->must[b];
+        q->now.state[b].presence = q->must[b] || q->held_last[b] ? SP_HELD : SP_PRESENT;
     }
     while (!sp__hold_stands(h)) {
         if (h->stop) { sp__hold_every_member(h, SP_HELD); return SP_HELD_ENOUGH; }
@@ -133,7 +133,7 @@ SP__NOINLINE static sp_held_proof sp__hold_by_collapse(sp__hold *h)
     }
     for (int32_t k = 0; k < h->members && !h->stop; k++) {
         const int32_t b = h->member[k];
-        if (q->now.state[b].presence != SP_HELD || q->held.must[b]) continue;
+        if (q->now.state[b].presence != SP_HELD || q->must[b]) continue;
         q->now.state[b].presence = SP_PRESENT;
         if (!sp__hold_stands(h)) q->now.state[b].presence = SP_HELD;
     }
@@ -141,12 +141,12 @@ SP__NOINLINE static sp_held_proof sp__hold_by_collapse(sp__hold *h)
     return h->stop ? SP_HELD_ENOUGH : sp__hold_count(h) == must ? SP_HELD_MINIMAL : SP_HELD_IRREDUCIBLE;
 }
 
-/* The island whose lowest block is q->local.list[0..members-1]'s first; its set to the answer. */
+/* The island whose lowest block is h->member[0]; its set to the answer. */
 SP__NOINLINE static sp_status sp__hold_island(sp__hold *h)
 {
     sp_sequence *q = h->q;
     h->worst = h->member[0];
-    for (int32_t k = 0; k < h->members; k++) q->held.must[h->member[k]] = 0;
+    for (int32_t k = 0; k < h->members; k++) q->must[h->member[k]] = 0;
     sp__hold_find_must(h);
     h->unsure = q->now.state[h->member[0]].verdict == SP_UNDECIDED;     /* that of none held */
     sp_held_proof proof = h->members <= SP_HELD_EXHAUSTIVE ? sp__hold_smallest_of_all(h) : sp__hold_by_collapse(h);
@@ -155,8 +155,8 @@ SP__NOINLINE static sp_status sp__hold_island(sp__hold *h)
     if (proof > h->proof) h->proof = proof;
     for (int32_t k = 0; k < h->members; k++) {
         const int32_t b = h->member[k];
-        q->held.last[b] = q->now.state[b].presence == SP_HELD;
-        if (q->held.last[b]) q->held.answer[h->count++] = b;
+        q->held_last[b] = q->now.state[b].presence == SP_HELD;
+        if (q->held_last[b]) q->found.held[h->count++] = b;
         q->now.state[b].presence = SP_PRESENT;
     }
     sp__sequence_islands(q);
@@ -170,22 +170,22 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     sp__hold *h = &q->hold;
     memset(h, 0, sizeof *h);
     h->q = q;
-    h->member = q->local.list;
+    h->member = q->list.member;
     h->budget = budget;
     sp__sequence_reset_counts(q);
     for (int32_t root = 0; root < q->scene->count.blocks; root++) {
         if (!sp__free_now(q, root) || sp__root(q->island, root) != root || q->now.state[root].verdict == SP_STABLE) continue;
         h->members = 0;
         for (int32_t b = root; b < q->scene->count.blocks; b++)
-            if (sp__free_now(q, b) && sp__root(q->island, b) == root) q->local.list[h->members++] = b;
+            if (sp__free_now(q, b) && sp__root(q->island, b) == root) q->list.member[h->members++] = b;
         const sp_status status = sp__hold_island(h);
         if (status) return status;
     }
-    for (int32_t k = 0; k < h->count; k++) q->local.list[k] = q->held.must[q->held.answer[k]];
+    for (int32_t k = 0; k < h->count; k++) q->list.reported[k] = q->must[q->found.held[k]];
     memset(held, 0, sizeof *held);
     held->count = h->count;
-    held->block = q->held.answer;
-    held->must = q->local.list;
+    held->block = q->found.held;
+    held->must = q->list.reported;
     held->proof = h->proof;
     held->checks = q->spent.tries;
     held->cost = q->spent.cost;

@@ -30,8 +30,8 @@ static void sp__local_add(sp_sequence *q, int32_t b, int32_t origin, int32_t *n)
 {
     if (q->chosen.mark[b]) return;
     q->chosen.mark[b] = 1;
-    q->local.list[*n] = b;
-    q->local.origin[(*n)++] = origin;
+    q->list.solve[*n] = b;
+    q->origin[(*n)++] = origin;
 }
 
 /* How far block s is from block o across gravity g, squared; -1: s is not below b. */
@@ -84,9 +84,9 @@ SP__NOINLINE static int32_t sp__local_choose(sp_sequence *q, int32_t root, int w
         if (!q->now.state[b].certified) sp__block_certify(q, b);
         if (!q->now.state[b].certified) sp__local_add(q, b, b, &n);
     }
-    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__local_add_below(q, q->local.list[k], q->local.origin[k], &n);
+    for (int32_t k = 0; k < n && 2 * n <= size; k++) sp__local_add_below(q, q->list.solve[k], q->origin[k], &n);
     const int32_t narrow = wide ? n : 0;
-    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__local_add_neighbours(q, q->local.list[k], &n);
+    for (int32_t k = 0; k < narrow && 2 * n <= size; k++) sp__local_add_neighbours(q, q->list.solve[k], &n);
     return 2 * n > size ? -1 : n;
 }
 

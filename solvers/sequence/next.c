@@ -21,7 +21,7 @@ static int sp__next_candidate(const sp_sequence *q, int32_t b, int32_t add)
 SP__NOINLINE static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t add, int *stands)
 {
     const size_t n = (size_t)q->scene->count.blocks, v = 3 * (size_t)q->scene->count.points;
-    const int32_t was = q->held.last[b];
+    const int32_t was = q->held_last[b];
     memcpy(q->saved.state, q->now.state, n * sizeof *q->now.state);
     memcpy(q->saved.f, q->now.f, v * sizeof *q->now.f);
     memcpy(q->saved.dq, q->now.dq, 6 * n * sizeof *q->now.dq);
@@ -34,7 +34,7 @@ SP__NOINLINE static sp_status sp__next_try(sp_sequence *q, int32_t b, int32_t ad
     memcpy(q->now.state, q->saved.state, n * sizeof *q->now.state);
     memcpy(q->now.f, q->saved.f, v * sizeof *q->now.f);
     memcpy(q->now.dq, q->saved.dq, 6 * n * sizeof *q->now.dq);
-    q->held.last[b] = was;
+    q->held_last[b] = was;
     sp__sequence_islands(q);
     return status;
 }

@@ -15,7 +15,8 @@ struct sp_sequence {
     sp_result r;                        /* of the last check */
     sp_verdict verdict;                 /* of the last step */
     sp_presence *who;                   /* per block; SP__TRIED: held to see what that does */
-    struct { int32_t *answer, *must, *reported; } held;                         /* per block */
+    union { int32_t *held, *tried; } found;             /* blocks to be held; per block, 1: a call has tried it, or may not */
+    int32_t *must, *reported;           /* must it be held? per block, and of each block of the answer */
     struct { sp_cost cost; int32_t tries; } spent;      /* of the call at hand */
     sp_arena work;                      /* of a check */
 };
@@ -28,7 +29,7 @@ static sp_status sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_
     q->part.block = sp__take(a, blocks, sizeof *q->part.block);
     q->part.joint = sp__take(a, (size_t)scene->count.joints, sizeof *q->part.joint);
     q->who = sp__take(a, blocks, sizeof *q->who);
-    q->held.answer = sp__take(a, 3 * blocks, sizeof *q->held.answer);
+    q->found.held = sp__take(a, 3 * blocks, sizeof *q->found.held);       /* must and reported, too */
     q->work.base = sp__take(a, 1, work);
     q->work.cap = work;
     return sp__failed(a) ? SP_E_MEMORY : SP_OK;
@@ -52,8 +53,8 @@ static sp_status sp__sequence_begin(sp_sequence *q)
     q->part = *s;
     q->part.block = block;                              /* its own */
     q->part.joint = joint;
-    q->held.must = q->held.answer + s->count.blocks;
-    q->held.reported = q->held.must + s->count.blocks;
+    q->must = q->found.held + s->count.blocks;
+    q->reported = q->must + s->count.blocks;
     for (int32_t b = 0; b < s->count.blocks; b++) q->who[b] = s->block[b].fixed == SP_FIXED ? SP_PRESENT : SP_ABSENT;
     return SP_OK;
 }
@@ -149,21 +150,21 @@ SP_API sp_status sp_sequence_hold(sp_sequence *sequence, int64_t budget, sp_held
     memset(held, 0, sizeof *held);
     for (int32_t b = 0; b < blocks && q->verdict != SP_STABLE; b++) if (sp__free_now(q, b)) q->who[b] = SP__TRIED;
     for (int32_t b = 0; b < blocks; b++)
-        q->held.must[b] = q->who[b] == SP__TRIED && sp__hold_without(q, b, budget) == SP_UNSTABLE;
+        q->must[b] = q->who[b] == SP__TRIED && sp__hold_without(q, b, budget) == SP_UNSTABLE;
     for (int32_t b = 0; b < blocks; b++) {
-        if (q->who[b] != SP__TRIED || q->held.must[b]) continue;
+        if (q->who[b] != SP__TRIED || q->must[b]) continue;
         const sp_verdict verdict = sp__hold_without(q, b, budget);
         if (verdict == SP_STABLE) q->who[b] = SP_PRESENT; else others++;
         sure &= verdict != SP_UNDECIDED;
     }
     for (int32_t b = 0; b < blocks; b++) {
         if (q->who[b] != SP__TRIED) continue;
-        q->held.reported[held->count] = q->held.must[b];
-        q->held.answer[held->count++] = b;
+        q->reported[held->count] = q->must[b];
+        q->found.held[held->count++] = b;
         q->who[b] = SP_PRESENT;
     }
-    held->block = q->held.answer;
-    held->must = q->held.reported;
+    held->block = q->found.held;
+    held->must = q->reported;
     held->proof = !sure ? SP_HELD_ENOUGH : others > 1 ? SP_HELD_IRREDUCIBLE : SP_HELD_MINIMAL;
     held->checks = q->spent.tries;
     held->cost = q->spent.cost;

@@ -38,7 +38,7 @@ typedef struct sp__hold {
     int64_t budget;
     int32_t worst;                      /* what moves most in the first group that falls */
     int32_t must_members;               /* how many of the members must be held */
-    int32_t count;                      /* held so far, in q->held.answer */
+    int32_t count;                      /* held so far, in q->found.held */
     sp_held_proof proof;                /* the weakest of all islands */
     int stop;                           /* the budget is spent, or a check failed */
     int unsure;                         /* a set that did not stand was not shown to fall */
@@ -66,11 +66,18 @@ typedef struct sp__sequence_chosen {
     int32_t *block_next, *joint_next, *load_next;       /* lists of the part */
 } sp__sequence_chosen;
 
-/* Blocks to be solved alone (local.c), and above which block that began. */
-typedef struct sp__sequence_local { int32_t *list, *origin; } sp__sequence_local;
+/* A list as long as there are blocks, which has one use at a time. */
+typedef union sp__sequence_list {
+    int32_t *solve;                     /* local.c: blocks to be solved alone */
+    int32_t *member;                    /* hold.c: the island at hand */
+    int32_t *reported;                  /* hold.c, at its end: of each block of the answer, must it be held? */
+} sp__sequence_list;
 
-/* What a search for blocks to hold leaves (hold.c), per block: the answer, must it be held, was it held last. */
-typedef struct sp__sequence_held { int32_t *answer, *must, *last; } sp__sequence_held;
+/* What a call finds out block by block; the next call may use it for what it finds. */
+typedef union sp__sequence_found {
+    int32_t *held;                      /* sp_sequence_hold: the blocks to be held */
+    int32_t *tried;                     /* sp_sequence_suggest, per block, 1: it has been tried, or may not be */
+} sp__sequence_found;
 
 /* What the call at hand has taken: islands looked at, blocks solved again, islands solved by local.c, sets tried. */
 typedef struct sp__sequence_spent {
@@ -86,8 +93,10 @@ struct sp_sequence {
     sp__sequence_graph graph;
     sp__sequence_known now, saved;      /* saved: while a step is tried */
     sp__sequence_chosen chosen;
-    sp__sequence_local local;
-    sp__sequence_held held;
+    sp__sequence_list list;
+    int32_t *origin;                    /* of each in list.solve: above which block that began */
+    sp__sequence_found found;
+    int32_t *must, *held_last;          /* hold.c, per block: must it be held? was it in the last answer? */
     int32_t *island;                    /* per block, by union-find */
     sp_arena work;
     sp__hold hold;
@@ -111,11 +120,11 @@ static sp_status sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_
     q->chosen.mark = sp__take(a, n, sizeof *q->chosen.mark);
     q->chosen.number = sp__take(a, n, sizeof *q->chosen.number);
     q->chosen.block_next = sp__take(a, n, sizeof *q->chosen.block_next);
-    q->local.list = sp__take(a, n, sizeof *q->local.list);
-    q->local.origin = sp__take(a, n, sizeof *q->local.origin);
-    q->held.answer = sp__take(a, n, sizeof *q->held.answer);
-    q->held.must = sp__take(a, n, sizeof *q->held.must);
-    q->held.last = sp__take(a, n, sizeof *q->held.last);
+    q->list.solve = sp__take(a, n, sizeof *q->list.solve);
+    q->origin = sp__take(a, n, sizeof *q->origin);
+    q->found.held = sp__take(a, n, sizeof *q->found.held);
+    q->must = sp__take(a, n, sizeof *q->must);
+    q->held_last = sp__take(a, n, sizeof *q->held_last);
     q->graph.start = sp__take(a, n + 1, sizeof *q->graph.start);
     q->graph.joint = sp__take(a, c, 2 * sizeof *q->graph.joint);
     q->chosen.joint_next = sp__take(a, (size_t)scene->count.joints, sizeof *q->chosen.joint_next);
@@ -263,7 +272,7 @@ SP__NOINLINE static sp_status sp__sequence_begin(sp_sequence *q)
     q->certifier.pb = &q->pb;
     sp__certifier_cone(&q->certifier, &q->pb, &q->set);
     memset(q->now.state, 0, n * sizeof *q->now.state);
-    memset(q->held.last, 0, n * sizeof *q->held.last);
+    memset(q->held_last, 0, n * sizeof *q->held_last);
     memset(q->now.f, 0, 3 * (size_t)q->scene->count.points * sizeof *q->now.f);
     memset(q->now.dq, 0, 6 * n * sizeof *q->now.dq);
     for (int32_t b = 0; b < q->scene->count.blocks; b++) {

@@ -53,7 +53,7 @@ SP__NOINLINE static void sp__sequence_change(sp_sequence *q, int32_t b, sp_prese
         q->now.state[s].certified = 0;
         memset(q->now.f + 3 * (size_t)t->point, 0, 3 * (size_t)t->points * sizeof *q->now.f);
     }
-    if (presence == SP_ABSENT) q->held.last[b] = 0;
+    if (presence == SP_ABSENT) q->held_last[b] = 0;
 }
 
 /* Counts of a step start at 0. */
