@@ -85,7 +85,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes);
 #ifndef SP_QP_ONLY
 /* In full below. */
 typedef struct sp_scene sp_scene;                       /* blocks, joints, loads; lives in an arena, which must outlive it */
-typedef struct sp_strength sp_strength;                 /* of a joint: friction mu, cohesion, tension, crushing */
+typedef struct sp_strength { sp_real mu, cohesion, tension, crushing; } sp_strength;    /* of a joint: see below */
 typedef struct sp_contact_settings sp_contact_settings;
 typedef struct sp_contact_report sp_contact_report;     /* joints, points found; overlaps */
 typedef struct sp_settings sp_settings;                 /* of a check; NULL everywhere: the default ones */
@@ -201,17 +201,18 @@ static inline const char *sp_status_text(sp_status status) { return sp_text(SP_W
 #ifndef SP_QP_ONLY
 /* -------------------------------------------------------------------------------------------------------- the scene in full */
 
-/* What a joint can carry: the set K_v of forces at each of its corners, which share the joint's area A alike, A_v = A / points:
+/* sp_strength, what a joint can carry: the set K_v of forces at each of its corners, which share the joint's area A alike,
+ * A_v = A / points:
  *     |ft| <= mu fn + cohesion A_v,   fn >= -tension A_v,   fn <= crushing A_v                               [Mohr-Coulomb]
+ *
+ *     mu         friction coefficient, >= 0 [1]
+ *     cohesion   shear strength at no pressure, >= 0 [Pa]; mortar
+ *     tension    tensile strength, >= 0 [Pa]
+ *     crushing   compressive strength, >= 0 [Pa]; 0: unlimited
+ *
  * Tension counts up to cohesion / mu, where the cone ends; a pyramid takes the place of |ft|, an inscribed one with cos(pi/K)
  * of both mu and cohesion. Strength needs an area (not points); coupled checks and sp_matrix_afr know friction only:
  * SP_E_UNSUPPORTED. So does the program of SP_STAGE_ADMM, whose answers are judged as ever. */
-struct sp_strength {
-    sp_real mu;                 /* friction coefficient, >= 0 [1] */
-    sp_real cohesion;           /* shear strength at no pressure, >= 0 [Pa]; mortar */
-    sp_real tension;            /* tensile strength, >= 0 [Pa] */
-    sp_real crushing;           /* compressive strength, >= 0 [Pa]; 0: unlimited */
-};
 
 typedef struct sp_block {
     sp_real mass;               /* [kg] */

@@ -34,4 +34,6 @@ part "stonepack.h, C99 pedantic" language "${CC:-gcc}" -std=c99 -pedantic
 if command -v "${CXX:-g++}" > /dev/null 2>&1; then
     for std in c++98 c++11 c++17; do part "stonepack.h, $std" language "${CXX:-g++}" -x c++ -std=$std -Wno-long-long; done
 fi
+if command -v clang++ > /dev/null 2>&1; then part "stonepack.h, c++17 by clang, which warns of a type returned before it is known" \
+    language clang++ -x c++ -std=c++17; fi
 total
