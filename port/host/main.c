@@ -191,11 +191,11 @@ int main(int argc, char **argv)
     if (argc > 1 && strcmp(argv[1], "--version") == 0) {
         printf("stonepack %d.%d.%d%s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR, SP_VERSION_PATCH,
                sizeof(sp_real) == 4 ? " float" : "");
-        return 0;
+        return flush_output(0);
     }
     if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0)) {
         print_help();
-        return 0;
+        return flush_output(0);
     }
     for (int k = 0; argc > 1 && k < COMMANDS; k++) {
         if (strcmp(argv[1], command[k].name)) continue;

@@ -310,7 +310,8 @@ gen topple angle=15
 part "limit: falls at any: null, 0" says '"multiplier": null' "$cli" limit --json --body 1,0,0 "$tmp/scene.obj"
 part "limit: does not stand level: 1" exits 1 "$cli" limit --tilt-margin "$tmp/scene.obj"
 arrives() {                                             # every command tells that its output could not be written
-    for arrives_of in check 'check --json' plan contacts sequence 'limit --tilt-margin' 'limit --json --body 1,0,0' convert; do
+    for arrives_of in check 'check --json' plan contacts sequence 'limit --tilt-margin' 'limit --json --body 1,0,0' convert \
+        --help --version 'check --help'; do
         $cli $arrives_of "$tmp/scene.obj" > /dev/full 2> "$tmp/err"
         test $? -eq 70 && test "$(wc -l < "$tmp/err")" -eq 1 || { echo "$arrives_of"; return 1; }
     done
