@@ -10,7 +10,7 @@
 static void sp__bracket_take_motion(sp__bracket *b)
 {
     b->resist = sp__problem_strong(&b->pb) ? sp__in_newtons(b->certifier.unit, b->certifier.resist) : 0;
-    memcpy(b->dq, b->certifier.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    memcpy(b->dq, b->certifier.dual.motion, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     sp__bracket_certify_end(b);
 }
 

@@ -18,7 +18,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
     b->least = sp__certify_mechanism(&b->certifier, b->dq, &b->final);
     if (!(b->least > b->set.tol)) return 0;
     if (all) sp__motion_write(&b->certifier, all);
-    memcpy(b->dq, b->certifier.x, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    memcpy(b->dq, b->certifier.dual.motion, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     return !beyond || sp__bracket_falls_beyond(b);
 }
 

@@ -48,7 +48,7 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
             sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
             sp__certifier_make_admissible(j, t, g, g);
             sp__joint_force(t->joint, g, F);
-            sp__vertex_force(pb, t, v, F, j->r, j->q);
+            sp__vertex_force(pb, t, v, F, j->residual, j->pass.sums);
             if (admitted) sp__to_newtons(j->unit, 3, g, admitted + 3 * (size_t)v);
         }
     }
@@ -56,10 +56,10 @@ SP__NOINLINE static sp_real sp__certify_forces(sp__certifier *j, const sp_real *
     sp_real imbalance = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp__scale *s = &j->scale[i];
-        const sp_real f1 = j->q[2 * (size_t)i], m1 = j->q[2 * (size_t)i + 1];
+        const sp_real f1 = j->pass.sums[2 * (size_t)i], m1 = j->pass.sums[2 * (size_t)i + 1];
         const sp_real si = s->load + (f1 < s->sum_f0 ? f1 : s->sum_f0);
         const sp_real Si = sp__scale_couple(j, s, m1 < s->sum_m0 ? m1 : s->sum_m0);
-        sp_real *row = j->r + 6 * (size_t)i;
+        sp_real *row = j->residual + 6 * (size_t)i;
         sp__drop_held(pb, i, row);
         imbalance = sp__max(imbalance, sp__max(sp__ratio(sp__norm3(row), si), sp__ratio(sp__norm3(row + 3), Si)));
     }
@@ -123,19 +123,19 @@ static sp_real sp__certifier_arm(const sp__certifier *j, int32_t i) { return j->
 static sp_real sp__certifier_displacement(const sp__certifier *j, int32_t i)
 {
     if (i < 0) return 0;
-    const sp_real *m = j->x + 6 * (size_t)i;
+    const sp_real *m = j->dual.motion + 6 * (size_t)i;
     return sp__norm3(m) + sp__norm3(m + 3) * sp__certifier_arm(j, i);
 }
 
-/* j->x = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of that are
- * held.     returns how many are; -1: nothing moves */
+/* j->dual.motion = dq in units of its largest displacement, whatever its own unit, where blocks that move less than `rest` of
+ * that are held.     returns how many are; -1: nothing moves */
 SP__NOINLINE static int32_t sp__certifier_hold_small(sp__certifier *j, const sp_real *dq, sp_real rest)
 {
     sp_real largest = 0;
     int32_t held = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (int32_t i = 0; i < j->pb->blocks; i++) {
-            sp_real *m = j->x + 6 * (size_t)i;
+            sp_real *m = j->dual.motion + 6 * (size_t)i;
             for (size_t k = 0; k < 6; k++) m[k] = pass ? dq[6 * (size_t)i + k] / largest : dq[6 * (size_t)i + k];
             sp__drop_held(j->pb, i, m);
             const sp_real size = sp__certifier_displacement(j, i);
@@ -153,7 +153,7 @@ SP__NOINLINE static sp_real sp__certifier_work(const sp__certifier *j, sp_real *
     sp_real work = 0, p[6];
     *scale = 0;
     for (int32_t i = 0; i < j->pb->blocks; i++) {
-        const sp_real *m = j->x + 6 * (size_t)i;
+        const sp_real *m = j->dual.motion + 6 * (size_t)i;
         sp__certifier_load(j, i, p);
         work += sp__dot(p, m, 6);
         *scale += j->scale[i].s * sp__norm3(m) + j->scale[i].S * sp__norm3(m + 3);
@@ -164,7 +164,7 @@ SP__NOINLINE static sp_real sp__certifier_work(const sp__certifier *j, sp_real *
 /* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
- * The held motion is left in j->x. */
+ * The held motion is left in j->dual.motion. */
 SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int32_t *final)
 {
     const sp_problem *pb = j->pb;
@@ -180,7 +180,7 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
         const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real w[3];
-            sp__vertex_velocity(pb, NULL, t, v, j->x, w);
+            sp__vertex_velocity(pb, NULL, t, v, j->dual.motion, w);
             sp__joint_frame(t->joint, w, w);
             const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certifier_cone_resistance(j, t, u);
             int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
@@ -198,7 +198,7 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
 /* Shares of the largest motion below which blocks are held. */
 static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
-/* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->x. */
+/* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion. */
 static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_t *final)
 {
     sp_real best = -1, held = 0, value = -1;
@@ -266,13 +266,13 @@ static void sp__motion_write(const sp__certifier *j, sp_real *dq)
     const sp_problem *pb = j->pb;
     sp_real largest = 0, block = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
-        const sp_real *m = j->x + 6 * (size_t)i;
+        const sp_real *m = j->dual.motion + 6 * (size_t)i;
         block = sp__max(block, j->scale[i].arm);
         largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certifier_arm(j, i)));
     }
     const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
     for (int32_t i = 0; i < pb->blocks; i++)
-        for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->x[6 * (size_t)i + k];
+        for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->dual.motion[6 * (size_t)i + k];
 }
 
 /* The motion of the problem's free blocks, from that of all blocks in a result. */

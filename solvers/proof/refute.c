@@ -66,7 +66,7 @@ SP__NOINLINE static size_t sp__refute_need(int32_t points, int32_t blocks)
     return dry.used;
 }
 
-/* sum over vertices of |Aeq' W x| times the largest |d|, for x in j->x. */
+/* sum over vertices of |Aeq' W x| times the largest |d|, x = j->dual.potential. */
 static sp_real sp__refute_stretch(const sp__refute *w)
 {
     const sp_problem *pb = w->j->pb;
@@ -75,7 +75,7 @@ static sp_real sp__refute_stretch(const sp__refute *w)
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
         sp_real u[3];
-        sp__vertex_velocity(pb, w->j->scale, t, w->at[v], w->j->x, u);
+        sp__vertex_velocity(pb, w->j->scale, t, w->at[v], w->j->dual.potential, u);
         sum += sp__norm3(u) * 2 * largest;                  /* 2 > sqrt 3 */
     }
     return sum;
@@ -103,12 +103,12 @@ SP__NOINLINE static int sp__refute_reach(sp__refute *w)
             sp_real miss = 0;
             w->reach[r] = 0;
             if (sp__held(j->pb, r / 6, r % 6)) continue;
-            sp__refute_unit(j, r, j->r);
-            for (int32_t q = 0; q < n; q++) j->x[q] = 0;
-            sp__certifier_least_squares(j, j->x);
-            sp__certifier_normal_product(j, j->x, j->g);
-            sp__refute_unit(j, r, j->r);
-            for (int32_t q = 0; q < n; q++) miss += sp__abs(j->g[q] - j->r[q]);
+            sp__refute_unit(j, r, j->residual);
+            for (int32_t q = 0; q < n; q++) j->dual.potential[q] = 0;
+            sp__certifier_least_squares(j, j->dual.potential);
+            sp__certifier_normal_product(j, j->dual.potential, j->image);
+            sp__refute_unit(j, r, j->residual);
+            for (int32_t q = 0; q < n; q++) miss += sp__abs(j->image[q] - j->residual[q]);
             const sp_real stretch = sp__refute_stretch(w);
             farthest = sp__max(farthest, stretch);
             if (!pass) worst = sp__max(worst, miss);
@@ -280,12 +280,12 @@ static sp_real sp__refute_least_force(sp__refute *w)
     sp__certifier *j = w->j;
     const sp_problem *pb = j->pb;
     sp_real least = 0;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->x[k] = w->motion[k];
+    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) j->dual.motion[k] = w->motion[k];
     for (int32_t v = 0; v < w->points; v++) {
         const sp_contact *t = &pb->contact[w->contact[v]];
         const sp_real mu = t->joint->strength.mu * (1 + j->tan_half);
         sp_real u[3], *f = w->f[v];
-        sp__vertex_velocity(pb, NULL, t, w->at[v], j->x, u);
+        sp__vertex_velocity(pb, NULL, t, w->at[v], j->dual.motion, u);
         f[0] += sp__dot3(u, t->joint->n) + w->work * w->k->eps;
         f[1] += sp__dot3(u, t->joint->t1);
         f[2] += sp__dot3(u, t->joint->t2);

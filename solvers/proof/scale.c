@@ -44,7 +44,12 @@ typedef struct sp__certifier {
     sp_real mu_factor, tan_half;        /* mu_eff / mu; tan(pi/K) */
     sp_real (*direction)[2];            /* of the pyramid's faces */
     sp__scale *scale;                   /* b */
-    sp_real *x, *e, *r, *p, *q, *g;     /* 6b each: potential of f0 in two parts, residual, direction, G p, G r */
+    union { sp_real *potential, *motion; } dual;        /* 6b: of f0, in weighted rows; the motion that is judged */
+    sp_real *correction;                /* 6b: of the potential, so that f0 = Aeq' W (potential + correction) */
+    sp_real *residual;                  /* 6b: Aeq f + p of f0, or of the forces that are judged */
+    sp_real *step;                      /* 6b: of the least squares, whose matrix is G = W Aeq Aeq' W */
+    union { sp_real *step_image, *sums; } pass;         /* 6b: G step; 2b: each block's sum |f_v|, sum |(r_v - c) x f_v| */
+    sp_real *image;                     /* 6b: G residual, or of another row */
     sp_real unit;                       /* of force [N]; everything below is counted in it */
     sp_real total;                      /* sum of |load| */
     sp_real force_cap;                  /* c_v of the contact at hand */
@@ -59,12 +64,12 @@ static void sp__certifier_carve(sp__certifier *j, const sp_problem *pb, int32_t 
     j->pb = pb;
     j->scale = sp__take(a, b, sizeof *j->scale);
     j->direction = sp__take(a, (size_t)faces, sizeof *j->direction);
-    j->x = sp__take(a, b, 6 * sizeof *j->x);
-    j->e = sp__take(a, b, 6 * sizeof *j->e);
-    j->r = sp__take(a, b, 6 * sizeof *j->r);
-    j->p = sp__take(a, b, 6 * sizeof *j->p);
-    j->q = sp__take(a, b, 6 * sizeof *j->q);
-    j->g = sp__take(a, b, 6 * sizeof *j->g);
+    j->dual.potential = sp__take(a, b, 6 * sizeof *j->dual.potential);
+    j->correction = sp__take(a, b, 6 * sizeof *j->correction);
+    j->residual = sp__take(a, b, 6 * sizeof *j->residual);
+    j->step = sp__take(a, b, 6 * sizeof *j->step);
+    j->pass.step_image = sp__take(a, b, 6 * sizeof *j->pass.step_image);
+    j->image = sp__take(a, b, 6 * sizeof *j->image);
 }
 
 SP__NOINLINE static size_t sp__certifier_need(const sp_problem *pb, const sp_settings *set)
@@ -115,12 +120,12 @@ static void sp__certifier_load(const sp__certifier *j, int32_t i, sp_real p[6])
     sp__to_units(j->unit, 6, j->pb->p + 6 * (size_t)i, p);
 }
 
-/* r = p, q = 0: where balances and their sums start. */
+/* residual = p, sums = 0: where balances start. */
 static void sp__certifier_load_rows(sp__certifier *j)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
-    sp__to_units(j->unit, n, j->pb->p, j->r);
-    memset(j->q, 0, n * sizeof *j->q);
+    sp__to_units(j->unit, n, j->pb->p, j->residual);
+    memset(j->pass.sums, 0, 2 * (size_t)j->pb->blocks * sizeof *j->pass.sums);
 }
 
 /* Free blocks' load sizes, longest arms, and row weights 1/sqrt(number of vertices), 1/sqrt(2/3 sum |r_v - c|^2), which do
@@ -187,20 +192,22 @@ static void sp__certifier_normal_product(sp__certifier *j, const sp_real *in, sp
     j->sweeps++;
 }
 
-/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r in j->r (used up); `to` += d. Stops when r
- * is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: it takes that
+/* Conjugate residuals for G d = r, G = W Aeq Aeq' W semidefinite, r = j->residual (used up), p the step; `to` += d. Stops when
+ * r is small, when it is as small as it can be (G r vanishes), or when neither has fallen for 100 + b/2 steps: it takes that
  * many to reach across half the structure.                                                             [Stiefel 1955] */
 SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *to)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
+    sp_real *r = j->residual, *p = j->step;
     const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL;
-    const sp_real start = sp__dot(j->r, j->r, n);
-    sp__certifier_normal_product(j, j->r, j->g);
-    memcpy(j->p, j->r, n * sizeof *j->p);
-    memcpy(j->q, j->g, n * sizeof *j->q);
-    sp_real rg = sp__dot(j->r, j->g, n), last_r = SP__HUGE, last_g = SP__HUGE;
+    const sp_real start = sp__dot(r, r, n);
+    sp__certifier_normal_product(j, r, j->image);
+    memcpy(p, r, n * sizeof *p);
+    memcpy(j->pass.step_image, j->image, n * sizeof *j->pass.step_image);
+    sp_real rg = sp__dot(r, j->image, n), last_r = SP__HUGE, last_g = SP__HUGE;
     for (int32_t it = 0; it < 1000 + 6 * j->pb->blocks; it++) {
-        const sp_real rr = sp__dot(j->r, j->r, n), gg = sp__dot(j->g, j->g, n), qq = sp__dot(j->q, j->q, n);
+        const sp_real rr = sp__dot(r, r, n), gg = sp__dot(j->image, j->image, n);
+        const sp_real qq = sp__dot(j->pass.step_image, j->pass.step_image, n);
         if (rr <= solved * start || gg <= null * rr || !(qq > 0) || !(rg > 0) || j->sweeps >= j->sweeps_most) return;
         if (it % (100 + j->pb->blocks / 2) == 0) {
             if (rr > (sp_real)0.9 * last_r && gg > last_g / 2) return;
@@ -208,12 +215,12 @@ SP__NOINLINE static void sp__certifier_least_squares(sp__certifier *j, sp_real *
             last_g = gg;
         }
         const sp_real alpha = rg / qq;
-        sp__add(to, 1, alpha, j->p, n);
-        sp__add(j->r, 1, -alpha, j->q, n);
-        sp__certifier_normal_product(j, j->r, j->g);
-        const sp_real next = sp__dot(j->r, j->g, n), beta = next / rg;
-        sp__add(j->p, beta, 1, j->r, n);
-        sp__add(j->q, beta, 1, j->g, n);
+        sp__add(to, 1, alpha, p, n);
+        sp__add(r, 1, -alpha, j->pass.step_image, n);
+        sp__certifier_normal_product(j, r, j->image);
+        const sp_real next = sp__dot(r, j->image, n), beta = next / rg;
+        sp__add(p, beta, 1, r, n);
+        sp__add(j->pass.step_image, beta, 1, j->image, n);
         rg = next;
     }
 }
@@ -226,8 +233,9 @@ static int sp__scale_is_balanced(const sp_real r[6], sp_real load, sp_real f0, s
     return sp__norm3(r) <= enough && sp__norm3(r + 3) <= enough * arm;
 }
 
-/* f0 = Aeq' W (x + e), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's potential is not lost in
- * rounding. j->r = Aeq f0 + p; every block's sums, and whether they are its scale.     returns how many blocks are not known */
+/* f0 = Aeq' W (potential + correction), the two parts taken vertex by vertex, so that a pebble's share of a cathedral's
+ * potential is not lost in rounding. j->residual = Aeq f0 + p; every block's sums, and whether they are its scale.
+ *     returns how many blocks are not known */
 static int32_t sp__certifier_sums(sp__certifier *j)
 {
     const sp_problem *pb = j->pb;
@@ -237,18 +245,18 @@ static int32_t sp__certifier_sums(sp__certifier *j)
         const sp_contact *t = &pb->contact[c];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real f[3], rest[3];
-            sp__vertex_velocity(pb, j->scale, t, v, j->x, f);
-            sp__vertex_velocity(pb, j->scale, t, v, j->e, rest);
+            sp__vertex_velocity(pb, j->scale, t, v, j->dual.potential, f);
+            sp__vertex_velocity(pb, j->scale, t, v, j->correction, rest);
             for (int k = 0; k < 3; k++) f[k] += rest[k];
-            sp__vertex_force(pb, t, v, f, j->r, j->q);
+            sp__vertex_force(pb, t, v, f, j->residual, j->pass.sums);
         }
     }
     for (int32_t i = 0; i < pb->blocks; i++) {
         sp__scale *s = &j->scale[i];
-        sp__drop_held(pb, i, j->r + 6 * (size_t)i);
-        s->sum_f0 = j->q[2 * (size_t)i];
-        s->sum_m0 = j->q[2 * (size_t)i + 1];
-        s->known = (sp_real)sp__scale_is_balanced(j->r + 6 * (size_t)i, s->load, s->sum_f0, s->arm);
+        sp__drop_held(pb, i, j->residual + 6 * (size_t)i);
+        s->sum_f0 = j->pass.sums[2 * (size_t)i];
+        s->sum_m0 = j->pass.sums[2 * (size_t)i + 1];
+        s->known = (sp_real)sp__scale_is_balanced(j->residual + 6 * (size_t)i, s->load, s->sum_f0, s->arm);
         unknown += s->known < 1;
     }
     j->sweeps++;
@@ -269,7 +277,7 @@ static void sp__certifier_read_hint(const sp__certifier *j, const sp_real *y0, s
     }
 }
 
-/* Nothing can make the residual j->r (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
+/* Nothing can make r = j->residual (weighted) smaller: G r vanishes, or, at the last, is what rounding of the forces makes of
  * it, as where a block turns about an edge: 64 u |W (|p| + |f0|)|. */
 static int sp__certifier_is_optimal(sp__certifier *j, int last)
 {
@@ -280,27 +288,27 @@ static int sp__certifier_is_optimal(sp__certifier *j, int last)
         const sp_real f = s->wf * (s->load + s->sum_f0), m = s->wm * (s->couple + s->sum_m0);
         sum += f * f + m * m;
     }
-    sp__certifier_normal_product(j, j->r, j->g);
-    const sp_real gg = sp__dot(j->g, j->g, n);
-    return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->r, j->r, n)
+    sp__certifier_normal_product(j, j->residual, j->image);
+    const sp_real gg = sp__dot(j->image, j->image, n);
+    return gg <= SP__SCALE_NULL * SP__SCALE_NULL * sp__dot(j->residual, j->residual, n)
         || (SP__HAS_STRENGTH && last && gg <= 4096 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * sum);
 }
 
-/* x + e minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0 if its residual shows that it
- * does, else solved for here and corrected twice.     returns 0 when neither settled */
+/* potential + correction minimises |W (Aeq f0 + p)|, and f0 has least norm among the minimisers: from the hint y0 if its
+ * residual shows that it does, else solved for here and corrected twice.     returns 0 when neither settled */
 static int sp__certifier_bilateral(sp__certifier *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
     for (int own = !y0; own < 2; own++) {
-        sp__certifier_read_hint(j, own ? NULL : y0, j->x);
-        sp__certifier_read_hint(j, own ? NULL : y0 + n, j->e);
+        sp__certifier_read_hint(j, own ? NULL : y0, j->dual.potential);
+        sp__certifier_read_hint(j, own ? NULL : y0 + n, j->correction);
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->sweeps_most; round++) {
             if (!sp__certifier_sums(j)) return 1;
-            sp__certifier_scale_rows(j, j->r);
+            sp__certifier_scale_rows(j, j->residual);
             if ((round || !own) && sp__certifier_is_optimal(j, round == 3)) return 1;
             if (!own || round == 3 || j->sweeps + 2 > j->sweeps_most) break;
-            for (size_t k = 0; k < n; k++) j->r[k] = -j->r[k];
-            sp__certifier_least_squares(j, round ? j->e : j->x);
+            for (size_t k = 0; k < n; k++) j->residual[k] = -j->residual[k];
+            sp__certifier_least_squares(j, round ? j->correction : j->dual.potential);
         }
     }
     return 0;

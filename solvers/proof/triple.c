@@ -64,11 +64,11 @@ static sp__lengths sp__coupled_lengths(const sp_problem *pb, const sp_settings *
     return k;
 }
 
-/* dd of vertex v of contact t in its frame, for the motion j->x. */
+/* dd of vertex v of contact t in its frame, for the motion j->dual.motion. */
 static void sp__certifier_rate_at(const sp__certifier *j, const sp_contact *t, int32_t v, sp_real d[3])
 {
     sp_real w[3];
-    sp__vertex_velocity(j->pb, NULL, t, v, j->x, w);
+    sp__vertex_velocity(j->pb, NULL, t, v, j->dual.motion, w);
     d[0] = sp__dot3(w, t->joint->n); d[1] = sp__dot3(w, t->joint->t1); d[2] = sp__dot3(w, t->joint->t2);
 }
 
@@ -147,9 +147,9 @@ SP__NOINLINE static sp_real sp__certify_coupled(sp__certifier *j, const sp__leng
     const sp_problem *pb = j->pb;
     const int few = sp__problem_points(pb) <= SP_EXACT_POINTS;       /* only then there are proofs */
     for (int32_t i = 0; i < pb->blocks; i++) {
-        for (size_t q = 0; q < 6; q++) j->x[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
-        sp__drop_held(pb, i, j->x + 6 * (size_t)i);
-        if (few) sp__certifier_remove_spin(j, i, j->x + 6 * (size_t)i);
+        for (size_t q = 0; q < 6; q++) j->dual.motion[6 * (size_t)i + q] = dq[6 * (size_t)i + q] / k->L;
+        sp__drop_held(pb, i, j->dual.motion + 6 * (size_t)i);
+        if (few) sp__certifier_remove_spin(j, i, j->dual.motion + 6 * (size_t)i);
     }
     sp_real worst = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {

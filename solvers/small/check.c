@@ -377,7 +377,7 @@ SP__NOINLINE static void sp__small_sharpen(sp__small *w)
     sp_result *r = w->to;
     for (int it = 0; it < 3 && r->verdict == SP_UNSTABLE && !r->final; it++) {
         const size_t n = 6 * (size_t)w->pb->blocks;
-        memcpy(w->base, w->j.x, n * sizeof *w->base);
+        memcpy(w->base, w->j.dual.motion, n * sizeof *w->base);
         for (size_t k = 0; k < n; k++) w->d[k] = w->z[k] > 0 ? -w->base[k] / w->z[k] : 0;
         sp__small_sweep(w, w->d, SP__HESSIAN);
         sp__small_factor(w, SP__SHIFT);
