@@ -58,6 +58,10 @@ THESE   := $(if $(filter test,$(MAKECMDGOALS)),$(ONLY))
 SUITE_C := $(wildcard $(if $(THESE),tests/$(THESE)/test_*.c tests/*/test_$(THESE).c,tests/*/test_*.c))
 SMALL_C  = $(filter $(addsuffix .c,$(addprefix %/test_,$(file < tests/small/suites.txt))),$(SUITE_C))
 OF      := $(if $(THESE),_of_$(THESE))
+ifneq ($(and $(filter check,$(MAKECMDGOALS)),$(ONLY)),)
+WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
+$(if $(WRONG),$(error $(WRONG)))
+endif
 
 .PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check nightly help clean
 

@@ -9,6 +9,11 @@
 . tests/checks/tally.sh
 TIMES=1
 groups='long warnings switches combinations cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
+if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
+    echo "no group of check is called $ONLY; there are $groups"
+    exit 1
+fi
+if [ "${1:-}" = --asked ]; then exit 0; fi                  # make asks before it builds anything
 longest='switches sanitizers instruments long pair combinations oracle cases'  # these begin first
 out=build/check${ONLY:+/$ONLY}
 mkdir -p $out

@@ -68,4 +68,8 @@ line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c 
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "boards" "qemu-system-arm"; fi
 
+if [ $((passed + failed)) -eq 0 ] && [ -z "$skipped" ]; then
+    echo "no line of nightly is called ${ONLY:-}"
+    exit 1
+fi
 total
