@@ -616,8 +616,8 @@ SP_API sp_settings sp_settings_default(void);
 /* What memory is asked for. Told before the call, exact unless said otherwise. */
 typedef enum sp_memory_for {
     SP_FOR_CHECK = 0,           /* sp_check, from its arena. At most where nothing is to be carried, where a stage decides
-                                   before one that takes more, where the budget ends it, with coupled.asked where statics
-                                   refuse. With settings.work: without what that arena takes */
+                                   before one that takes more, where the budget or an effect left out ends it, with
+                                   coupled.asked where statics refuse. With settings.work: without what that arena takes */
     SP_FOR_WORK,                /* sp_check, of the arena settings.work (whatever that is now) */
     SP_FOR_VERIFY,              /* sp_verify's scratch, at most (for 64 faces) */
     SP_FOR_CONTACTS,            /* sp_contacts_find's scratch, at most */
@@ -755,7 +755,8 @@ typedef struct sp_step {
     int32_t final;              /* no force of any size would do */
     int32_t block;              /* a free block of that island, of an UNSTABLE one that moves; -1: STABLE */
     int32_t islands, checked;   /* how many there are, and were looked at in this step */
-    int32_t blocks, again;      /* free blocks that are there, and whose forces or motion were sought anew in this step */
+    int32_t blocks, again;      /* free blocks that are there, and for how many forces or a motion were sought in this step,
+                                   one counted in every try it was part of */
     int32_t local;              /* of the islands looked at so many needed a few of their blocks only */
     sp_real imbalance;          /* largest relative imbalance of a block, or more                                       [1] */
     sp_real least_imbalance;    /* of an UNSTABLE: proved for that island                                               [1] */
