@@ -38,7 +38,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
     case SP_FOR_LIMIT_VERIFY:
         return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
     case SP_FOR_SEQUENCE: return sp__sequence_memory(scene, settings, scratch, bytes);
-    case SP_FOR_PROBLEM: return sp__memory_counted(sp__problem_memory(scene), bytes);
+    case SP_FOR_PROBLEM: return scene->count.blocks < 1 ? SP_E_EMPTY : sp__memory_counted(sp__problem_memory(scene), bytes);
     }
     return SP_E_ARGUMENT;
 }

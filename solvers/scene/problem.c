@@ -74,7 +74,6 @@ static void sp__problem_carve(sp_problem *problem, int live, sp_arena *a)
 
 static size_t sp__problem_memory(const sp_scene *scene)
 {
-    if (!scene) return 0;
     sp_problem problem;
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &problem);

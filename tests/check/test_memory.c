@@ -266,6 +266,20 @@ TEST(problem_memory_is_exact)
     CHECK(fence_holds(&f));
 }
 
+TEST(problem_memory_of_no_block_is_refused_as_the_call_refuses_it)
+{
+    static unsigned char memory[1024];
+    const sp_capacity room = { 1, 0, 0, 0, 0, 0, 0 };
+    sp_arena arena;
+    sp_scene scene;
+    sp_problem problem;
+    size_t bytes = 7;
+    NEED(!sp_arena_init(&arena, memory, sizeof memory) && !sp_scene_create(&scene, &room, &arena));
+    CHECK_INT(sp_problem_build(&scene, &arena, &problem), SP_E_EMPTY);
+    CHECK_INT(sp_memory(&scene, SP_FOR_PROBLEM, NULL, arena, &bytes), SP_E_EMPTY);
+    CHECK_INT(bytes, 7);
+}
+
 TEST(contacts_memory_is_enough_and_less_is_refused)
 {
     sp_scene scene;
