@@ -27,6 +27,7 @@ typedef struct sp__alt {
     sp_real (*h)[2];                    /* points: direction of friction, 0 outside F */
     sp_real *weight;                    /* points: w, 0 outside E */
     int32_t *pin;                       /* points: 1: no friction, 2: no force */
+    sp_real *normal, *sliding;          /* points: a and b, parts of the force along the normal and along the slip */
     sp_real slip, least;                /* what beta is drawn to; its bound */
     sp_arena rest;                      /* for the programs */
 } sp__alt;
@@ -52,6 +53,8 @@ static void sp__alt_carve(sp__alt *m, const sp_problem *pb, sp_arena *a)
     m->h = sp__take(a, v, sizeof *m->h);
     m->weight = sp__take(a, v, sizeof *m->weight);
     m->pin = sp__take(a, v, sizeof *m->pin);
+    m->normal = sp__take(a, v, sizeof *m->normal);
+    m->sliding = sp__take(a, v, sizeof *m->sliding);
 }
 
 /* Entries of A; weight: of force and moment rows (NULL: 1). */
@@ -377,13 +380,12 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
     return sp__ratio(pull, press) <= m->seed->tension;
 }
 
-/* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a, b first from the round's forces. They stand where the
- * other search has lam and bound, which this one has not.
+/* f = a e + b g in each closed vertex: e = n, g = n - reach dt / |dt|; a, b first from the round's forces.
  * The derivative for a step in proportion to a and b:  D = a e e' + b g g'. */
 SP__NOINLINE static void sp__alt_slip_forces(const sp__alt *m, int first)
 {
     const sp__cra *c = m->c;
-    sp_real *a = c->spring.lam, *b = c->drag.bound;
+    sp_real *a = m->normal, *b = m->sliding;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
@@ -414,7 +416,7 @@ SP__NOINLINE static void sp__alt_step(const sp__alt *m)
 {
     const sp__cra *c = m->c;
     sp__system *w = c->w;
-    sp_real *a = c->spring.lam, *b = c->drag.bound, least = -1;
+    sp_real *a = m->normal, *b = m->sliding, least = -1;
     sp__system_factor(w, SP__GIVEN, w->y, SP__SHIFT);
     sp__system_solve(w, w->r, w->d);
     for (int pass = 0; pass < 2; pass++)
@@ -468,7 +470,7 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
     m->slip = c->k.eps > 0 && c->k.eta > 10 ? 1 : c->k.eta / 10;
     m->least = sp__max(m->slip / 1000, 4 * SP__SLIP);
     memset(m->pin, 0, (size_t)c->pb->points * sizeof *m->pin);
-    const sp_real newton = sp__in_units(c->w->measure.unit, 1); /* in units */
+    const sp_real newton = sp__in_units(c->w->measure.unit, 1);         /* in units */
     for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(newton, c->statics + 3 * v, m->f[v]);
     while (c->out->rounds < c->set->coupled.rounds) {
         sp_real worst = 0;
