@@ -397,7 +397,7 @@ static void sp__small_sharpen(sp__small *w) { (void)w; }
 SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
 {
     sp_result *r = w->to;
-    w->imbalance = SP__HUGE;
+    w->imbalance = 2 * SP__HUGE;               /* what nothing can balance is SP__HUGE, and better than no forces yet */
     w->left = w->set->iterations;
     w->j.pb = w->pb;
     w->j.unit = sp__load_unit(w->pb);
