@@ -258,6 +258,32 @@ TEST(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
     }
 }
 
+/* Three stones on each other that weigh nothing, a force on the lowest: no forces found leave the upper ones balanced. */
+TEST(a_motion_is_of_numbers_where_nothing_balances_what_bears_no_load)
+{
+    static double memory[4000];
+    const sp_capacity room = { 4, 0, 0, 0, 3, 12, 1 };
+    const sp_strength dry = sp_strength_friction((sp_real)0.5);
+    const sp_load load = { .block = 1, .force = { 0, -2, -7 }, .point = { (sp_real)-0.5, (sp_real)-0.2, (sp_real)0.4 } };
+    sp_arena arena;
+    sp_scene scene;
+    sp_result result;
+    memset(memory, 0xff, sizeof memory);                                        /* NaNs: what is not written is seen */
+    NEED(!sp_arena_init(&arena, memory, sizeof memory) && !sp_scene_create(&scene, &room, &arena));
+    scene.gravity[2] = 0;
+    for (int32_t b = 0; b < 4; b++) {
+        const sp_real middle[3] = { 0, 0, (sp_real)0.5 * (sp_real)b }, h = (sp_real)0.5, z = middle[2] - (sp_real)0.25;
+        const sp_real corner[12] = { -h, -h, z, h, -h, z, h, h, z, -h, h, z };
+        CHECK_INT(sp_scene_body(&scene, 1000, middle, b ? 0 : SP_FIXED, NULL), SP_OK);
+        if (b) CHECK_INT(sp_scene_joint(&scene, b - 1, b, 4, corner, &dry, NULL), SP_OK);
+    }
+    CHECK_INT(sp_scene_load(&scene, &load, NULL), SP_OK);
+    CHECK_INT(sp_check(&scene, NULL, &arena, &result), SP_OK);
+    for (int k = 0; k < 24; k++) CHECK(result.dq[k] - result.dq[k] == 0);
+    sp_evidence evidence;
+    CHECK_INT(sp_verify(&scene, NULL, &result, test_arena, &evidence), SP_OK);
+}
+
 TEST_LIST(small)
     RUN(the_default_settings_are_taken_by_every_build)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
@@ -272,4 +298,5 @@ TEST_LIST(small)
     RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
     RUN(stones_without_contact_load_or_freedom_are_told)
     RUN(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
+    RUN(a_motion_is_of_numbers_where_nothing_balances_what_bears_no_load)
 TEST_END
