@@ -75,7 +75,7 @@ typedef enum sp_status {
 /* Memory of the caller's, handed out front to back. Reset by `used = 0`; `peak` keeps the largest `used` ever seen. */
 typedef struct sp_arena {
     unsigned char *base;        /* aligned start */
-    size_t cap, used, peak;     /* [byte]; used <= cap, used <= peak */
+    size_t capacity, used, peak; /* [byte]; used <= capacity, used <= peak */
 } sp_arena;
 /* Start an arena in `bytes` bytes at `memory` (owned by the caller, must outlive the arena). The base is aligned to SP_ALIGN,
  * so up to SP_ALIGN - 1 bytes are lost; give memory that is aligned to lose none.
@@ -109,8 +109,8 @@ typedef struct sp_mesh {
     const int32_t *corner;      /* vertex numbers, 0-based, face after face */
 } sp_mesh;
 
-/* Start an empty scene, sp_scene_memory(cap) bytes in the arena.   returns SP_OK, SP_E_ARGUMENT (a number < 0), SP_E_MEMORY */
-SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena);
+/* An empty scene, sp_scene_memory(capacity) bytes of the arena.    returns SP_OK, SP_E_ARGUMENT (a count < 0), SP_E_MEMORY */
+SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *capacity, sp_arena *arena);
 
 #define SP_FIXED 63u            /* all six directions of a block held: x y z forces (bits 0-2), x y z moments (bits 3-5) */
 /* Add a block of uniform density > 0 [kg/m^3]. fixed: held directions, 0 .. SP_FIXED; a support (SP_FIXED) may be open or flat.
@@ -251,7 +251,7 @@ struct sp_scene {
     sp_real gravity[3];         /* [m/s^2], finite; set to (0, 0, -9.80665) by sp_scene_create */
     sp_real live;               /* multiple at which live loads and `body` act, finite; set to 1 */
     sp_real body[3];            /* live acceleration of every block and every load's mass [m/s^2], 0 */
-    sp_capacity cap, count;     /* room, and how much of it is used; count.blocks entries of block[], ... */
+    sp_capacity capacity, count; /* room, and how much of it is used; count.blocks entries of block[], ... */
     sp_block *block;
     sp_real (*vertex)[3];       /* [m] */
     sp_face *face;
@@ -262,7 +262,7 @@ struct sp_scene {
 };
 
 /* Bytes a scene of this capacity takes from an arena, exact; 0 if a number is negative or the size overflows. */
-SP_API size_t sp_scene_memory(const sp_capacity *cap);
+SP_API size_t sp_scene_memory(const sp_capacity *capacity);
 
 typedef struct sp_mass {
     sp_real volume;             /* [m^3] */
@@ -930,9 +930,9 @@ typedef struct sp_rest {
  * All of them for a convex stone; of another one those in whose plane a face lies (feet in one plane count together). A plane
  * is recognised to 1e-6 of the diameter (float 2e-6); a face warped by more is none.
  *   scratch  sp_support_memory(mesh->vertices)
- *   out  rest, count   the first `cap` >= 0 of them (rest may be NULL for 0), and how many there are: SP_E_CAPACITY if more
+ *   out  rest, count   the first `capacity` >= 0 of them (rest may be NULL for 0); how many there are: SP_E_CAPACITY if more
  *   returns SP_OK, SP_E_CAPACITY, what sp_mesh_mass returns, SP_E_MEMORY */
-SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count);
+SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t capacity, int32_t *count);
 
 /* A stone laid down, as the next-best-object gate asks for it. */
 typedef struct sp_laid {

@@ -114,13 +114,13 @@ static int counts(const settle_contact *c, const sp_scene *s)
     return !(s->block[c->b].fixed && (c->a < 0 || s->block[c->a].fixed));
 }
 
-void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *cap)
+void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *capacity)
 {
-    cap->joints = cap->points = 0;
+    capacity->joints = capacity->points = 0;
     for (int32_t k = 0; k < result->contacts; k++) {
         if (!counts(&result->contact[k], scene)) continue;
-        cap->joints++;
-        cap->points += result->contact[k].points;
+        capacity->joints++;
+        capacity->points += result->contact[k].points;
     }
 }
 

@@ -185,7 +185,7 @@ settle_status settle_from_scene(const sp_scene *scene, int32_t unit, settle_asse
 void settle_assembly_free(settle_assembly *assembly);
 
 /* Room for the contacts of a result as joints of points. Contacts of two blocks that are both fixed are left out. */
-void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *cap);
+void settle_count_joints(const settle_result *result, const sp_scene *scene, sp_capacity *capacity);
 
 /* Add them to a scene whose blocks are the stones, in their order; the container, where there is one, is block `container`.
  *   returns what sp_scene_points returns */

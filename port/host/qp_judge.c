@@ -461,7 +461,7 @@ static size_t carve_point(const sp_qp *qp, sp_arena *arena, sp_real **x, sp_real
     if (!arena) return of_x + of_y;
     const size_t used = round_up(arena->used);
     unsigned char *at = arena->base + used;
-    if (used > arena->cap || arena->cap - used < of_x + of_y) return 0;
+    if (used > arena->capacity || arena->capacity - used < of_x + of_y) return 0;
     memcpy(x, &at, sizeof at);
     at += of_x;
     memcpy(y, &at, sizeof at);

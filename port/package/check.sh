@@ -11,7 +11,7 @@ int main(void)
 {
     static double memory[64];
     sp_arena arena;
-    return sp_arena_init(&arena, memory, sizeof memory) == SP_OK && arena.cap == sizeof memory ? 0 : 1;
+    return sp_arena_init(&arena, memory, sizeof memory) == SP_OK && arena.capacity == sizeof memory ? 0 : 1;
 }
 E2
 cat > "$to/user/CMakeLists.txt" <<'E2'

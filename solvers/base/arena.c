@@ -1,7 +1,7 @@
 /* arena: memory handed out by offsets from an aligned base.
  *
  * Every object of the library has one carving function that takes its pieces from an arena. Run on a dry arena (no base,
- * unlimited cap) it counts, run on a real one it places; so size and layout cannot disagree. A piece that does not fit
+ * unlimited capacity) it counts, run on a real one it places; so size and layout cannot disagree. A piece that does not fit
  * latches the arena as failed: later pieces fail too and `used` stays what it was.
  */
 #ifndef SP__ARENA_C
@@ -15,7 +15,7 @@ SP_API sp_status sp_arena_init(sp_arena *arena, void *memory, size_t bytes)
     const size_t lost = (size_t)(-(uintptr_t)memory & (SP_ALIGN - 1));
     if (bytes <= lost) return SP_E_MEMORY;
     arena->base = (unsigned char *)memory + lost;
-    arena->cap = bytes - lost;
+    arena->capacity = bytes - lost;
     arena->used = arena->peak = 0;
     return SP_OK;
 }
@@ -31,8 +31,8 @@ SP__NOINLINE_SMALL static sp_arena sp__arena_dry(void)
 static void *sp__take(sp_arena *a, size_t count, size_t size)
 {
     const size_t from = (a->used + (SP_ALIGN - 1)) & ~(size_t)(SP_ALIGN - 1);
-    if (from < a->used || from > a->cap || (size && count > (a->cap - from) / size)) {
-        a->cap = 0;                                     /* failed: nothing fits any more */
+    if (from < a->used || from > a->capacity || (size && count > (a->capacity - from) / size)) {
+        a->capacity = 0;                                /* failed: nothing fits any more */
         return NULL;
     }
     a->used = from + count * size;
@@ -40,6 +40,6 @@ static void *sp__take(sp_arena *a, size_t count, size_t size)
     return a->base ? a->base + from : NULL;
 }
 
-static int sp__failed(const sp_arena *a) { return a->cap == 0; }
+static int sp__failed(const sp_arena *a) { return a->capacity == 0; }
 
 #endif /* SP__ARENA_C */

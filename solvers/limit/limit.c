@@ -117,7 +117,7 @@ static int sp__limit_carve(sp__limit *L, sp_arena *rows, sp_arena *a)
     if (!sp__engine_carve(&L->engine, pb, rows, a)) return 0;
     const size_t need = sp__certifier_need(pb, &L->bracket.set);
     L->bracket.room.base = sp__take(a, 1, need);
-    L->bracket.room.cap = need ? need : 1;                      /* 0 would mean that something did not fit */
+    L->bracket.room.capacity = need ? need : 1;                 /* 0 would mean that something did not fit */
     return !sp__failed(a);
 }
 

@@ -21,9 +21,9 @@ static void sp__scene_copy(sp_scene *scene, const sp_mesh *mesh, int32_t corners
 
 static int sp__scene_room(const sp_scene *scene, const sp_mesh *mesh, int32_t corners)
 {
-    const sp_capacity *cap = &scene->cap, *n = &scene->count;
-    return n->blocks < cap->blocks && mesh->vertices <= cap->vertices - n->vertices
-        && mesh->faces <= cap->faces - n->faces && corners <= cap->corners - n->corners;
+    const sp_capacity *most = &scene->capacity, *n = &scene->count;
+    return n->blocks < most->blocks && mesh->vertices <= most->vertices - n->vertices
+        && mesh->faces <= most->faces - n->faces && corners <= most->corners - n->corners;
 }
 
 /* The next block, without mesh; room was checked. */
@@ -71,7 +71,7 @@ SP_API sp_status sp_scene_body(sp_scene *scene, sp_real mass, const sp_real cent
     if (!scene || !centroid) return SP_E_ARGUMENT;
     if (!sp__finite(mass) || !sp__finite3(centroid)) return SP_E_NOT_FINITE;
     if (mass < 0 || (!(mass > 0) && fixed != SP_FIXED) || fixed > SP_FIXED) return SP_E_RANGE;
-    if (scene->count.blocks >= scene->cap.blocks) return SP_E_CAPACITY;
+    if (scene->count.blocks >= scene->capacity.blocks) return SP_E_CAPACITY;
     (void)sp__block_add(scene, mass, centroid, fixed, id);
     return SP_OK;
 }

@@ -137,7 +137,7 @@ static sp_status sp__joint_start(sp_scene *scene, int32_t a, int32_t b, int32_t 
     if (status) return status;
     if (!sp__all_finite(xyz, 3 * (size_t)points)) return SP_E_NOT_FINITE;
     const sp_capacity *n = &scene->count;
-    if (n->joints >= scene->cap.joints || points > scene->cap.points - n->points) return SP_E_CAPACITY;
+    if (n->joints >= scene->capacity.joints || points > scene->capacity.points - n->points) return SP_E_CAPACITY;
     sp_joint *f = &scene->joint[n->joints];
     f->a = a; f->b = b;
     f->point = n->points;
@@ -191,7 +191,7 @@ SP_API sp_status sp_scene_load(sp_scene *scene, const sp_load *load, int32_t *id
     if (!sp__finite3(load->point) || !sp__finite3(load->force) || !sp__finite3(load->couple) || !sp__finite(load->mass))
         return SP_E_NOT_FINITE;
     if (load->mass < 0) return SP_E_RANGE;
-    if (scene->count.loads == scene->cap.loads) return SP_E_CAPACITY;
+    if (scene->count.loads == scene->capacity.loads) return SP_E_CAPACITY;
     if (id) *id = scene->count.loads;
     scene->load[scene->count.loads++] = *load;
     return SP_OK;

@@ -183,9 +183,9 @@ static sp_status sp__rest_support(const sp_mesh *mesh, const sp_mass *mass, cons
     return sp__support_read(&h, &r->support);
 }
 
-SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t cap, int32_t *count)
+SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *rest, int32_t capacity, int32_t *count)
 {
-    if (!scratch.base || (cap && !rest) || cap < 0 || !count) return SP_E_ARGUMENT;
+    if (!scratch.base || (capacity && !rest) || capacity < 0 || !count) return SP_E_ARGUMENT;
     sp_mass mass;
     sp_status status = sp_mesh_mass(mesh, &mass);
     if (status) return status;
@@ -199,11 +199,11 @@ SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *r
         if (!sp__rest_behind(mesh, r.normal, o, eps) || !sp__rest_first(mesh, f, r.normal, o, eps)) continue;
         status = sp__rest_support(mesh, &mass, o, eps, &r, scratch);
         if (status || !(r.support.clearance > 0)) continue;
-        if (found < cap) rest[found] = r;
+        if (found < capacity) rest[found] = r;
         found++;
     }
     if (!status) *count = found;
-    return !status && found > cap ? SP_E_CAPACITY : status;
+    return !status && found > capacity ? SP_E_CAPACITY : status;
 }
 
 SP_API sp_nbo_settings sp_nbo_settings_default(void)

@@ -6,7 +6,7 @@
 
 static void sp__scene_carve(sp_scene *scene, sp_arena *a)
 {
-    const sp_capacity *c = &scene->cap;
+    const sp_capacity *c = &scene->capacity;
     scene->block = sp__take(a, (size_t)c->blocks, sizeof *scene->block);
     scene->vertex = sp__take(a, (size_t)c->vertices, sizeof *scene->vertex);
     scene->face = sp__take(a, (size_t)c->faces, sizeof *scene->face);
@@ -22,25 +22,25 @@ static int sp__capacity_valid(const sp_capacity *c)
         && c->loads >= 0;
 }
 
-SP_API size_t sp_scene_memory(const sp_capacity *cap)
+SP_API size_t sp_scene_memory(const sp_capacity *capacity)
 {
-    if (!sp__capacity_valid(cap)) return 0;
+    if (!sp__capacity_valid(capacity)) return 0;
     sp_scene scene;
     sp_arena dry = sp__arena_dry();
-    scene.cap = *cap;
+    scene.capacity = *capacity;
     sp__scene_carve(&scene, &dry);
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
-SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *cap, sp_arena *arena)
+SP_API sp_status sp_scene_create(sp_scene *scene, const sp_capacity *capacity, sp_arena *arena)
 {
-    if (!scene || !sp__capacity_valid(cap) || !arena || !arena->base) return SP_E_ARGUMENT;
+    if (!scene || !sp__capacity_valid(capacity) || !arena || !arena->base) return SP_E_ARGUMENT;
     sp_arena a = *arena;
     sp_scene s;
     memset(&s, 0, sizeof s);
     s.gravity[2] = (sp_real)-9.80665;
     s.live = (sp_real)1;
-    s.cap = *cap;
+    s.capacity = *capacity;
     sp__scene_carve(&s, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     *arena = a;

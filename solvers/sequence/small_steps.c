@@ -31,7 +31,7 @@ static sp_status sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_
     q->who = sp__take(a, blocks, sizeof *q->who);
     q->found.held = sp__take(a, 3 * blocks, sizeof *q->found.held);       /* must and reported, too */
     q->work.base = sp__take(a, 1, work);
-    q->work.cap = work;
+    q->work.capacity = work;
     return sp__failed(a) ? SP_E_MEMORY : SP_OK;
 }
 

@@ -140,7 +140,7 @@ static sp_status sp__sequence_carve(sp_sequence *q, const sp_scene *scene, size_
     const sp__part part = { -1, -1, -1, q->chosen.block_next, q->chosen.joint_next, q->chosen.load_next, q->chosen.number };
     q->chosen.part = part;
     q->work.base = sp__take(a, work, 1);
-    q->work.cap = work;
+    q->work.capacity = work;
     q->work.used = q->work.peak = 0;
     return sp__failed(a) ? SP_E_MEMORY : SP_OK;
 }

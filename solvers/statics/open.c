@@ -18,7 +18,7 @@ SP__NOINLINE static int sp__system_reserve(const sp_problem *pb, const sp_settin
     if (!t) return 0;
     t->reduction = NULL;
     const size_t end = sp__system_end(t, pb, set, form, nnz, from);
-    if (end > a->cap) return 0;
+    if (end > a->capacity) return 0;
     if (end > a->peak) a->peak = end;
     return 1;
 }

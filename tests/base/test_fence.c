@@ -192,7 +192,7 @@ TEST(finding_contacts_keeps_to_its_pieces)
         const sp_status status = sp_contacts_find(&s, NULL, test_arena, &report);
         CHECK_INT(status, report.joints > given ? SP_E_CAPACITY : SP_OK);  /* boards side by side touch, too */
         CHECK(report.joints >= given);
-        s.count.joints = s.count.points = s.cap.points = 0;         /* no room: only counted */
+        s.count.joints = s.count.points = s.capacity.points = 0;    /* no room: only counted */
         CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_E_CAPACITY);
         whole();
     }

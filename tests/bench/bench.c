@@ -170,7 +170,7 @@ static size_t counted(const sp_scene *scene, sp_memory_for what, const sp_settin
 static void furnish(bench *b, job *j)
 {
     sp_arena scratch;
-    if (j->what == BUILD) j->bytes = sp_scene_memory(&b->scene.cap);
+    if (j->what == BUILD) j->bytes = sp_scene_memory(&b->scene.capacity);
     if (j->what == CONTACTS) j->bytes = counted(&b->bare, SP_FOR_CONTACTS, NULL);
     if (j->what == SYMBOLIC) j->bytes = sp_memory_scratch(&b->scene, SP_FOR_CHECK, &j->set);
     if (j->what == VERIFY) j->bytes = counted(&b->scene, SP_FOR_VERIFY, NULL);

@@ -225,7 +225,7 @@ static void exact_memory(const budget_case *c)
         sp_arena a = test_arena;
         a.base += a.used + SP_ALIGN - a.used % SP_ALIGN;
         a.used = 0;
-        a.cap = bytes - (size_t)less;
+        a.capacity = bytes - (size_t)less;
         CHECK_INT(sp_check(&s, &set, &a, &r), less ? SP_E_MEMORY : SP_OK);
     }
 }

@@ -101,14 +101,14 @@ TEST(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
         sp_arena exact = test_arena, all = test_arena;
         exact.base += (exact.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         exact.used = exact.peak = 0;
-        exact.cap = bytes;
+        exact.capacity = bytes;
         const sp_arena fresh = exact;
         sp_result r, other_way;
         CHECK_INT(sp_check(&s, NULL, &exact, &r), SP_OK);
         CHECK_INT(r.spent.peak_bytes, bytes);
         const sp_verdict verdict = r.verdict;
         exact = fresh;
-        exact.cap = bytes - 1;
+        exact.capacity = bytes - 1;
         CHECK_INT(sp_check(&s, NULL, &exact, &other_way), SP_E_MEMORY);
         CHECK_INT(exact.used, 0);
         CHECK_INT(full(&s, NULL, &all).verdict, verdict);
@@ -145,7 +145,7 @@ static sp_arena behind(size_t bytes)
     sp_arena a = test_arena;
     a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
     a.used = a.peak = 0;
-    a.cap = bytes;
+    a.capacity = bytes;
     return a;
 }
 

@@ -67,7 +67,7 @@ TEST(sp_memory_is_exact)
         CHECK_INT(sp_check(&scene, NULL, &a, &result), SP_E_MEMORY);
         CHECK(fence_holds(&f));
         CHECK_INT(a.used, 0);
-        CHECK_INT(a.cap, bytes - 1);
+        CHECK_INT(a.capacity, bytes - 1);
         CHECK(result.f == before.f && result.verdict == before.verdict && result.spent.peak_bytes == before.spent.peak_bytes);
     }
 }
@@ -88,7 +88,7 @@ TEST(stages_can_work_in_another_memory)
         static unsigned char there[1 << 20];
         sp_arena far;
         NEED(work <= sizeof there - SP_ALIGN && sp_arena_init(&far, there, sizeof there) == SP_OK);
-        far.cap = work;
+        far.capacity = work;
         set.work = &far;
         NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
         CHECK(bytes < all && bytes + work >= all);
@@ -106,9 +106,9 @@ TEST(stages_can_work_in_another_memory)
         CHECK_INT(memcmp(one.dq, two.dq, 6 * (size_t)scene.count.blocks * sizeof *one.dq), 0);
 
         near = fenced_arena(&f);
-        far.cap = work - 1;
+        far.capacity = work - 1;
         CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
-        far.cap = work;
+        far.capacity = work;
         f = fence(bytes - 1);
         near = fenced_arena(&f);
         CHECK_INT(sp_check(&scene, &set, &near, &two), SP_E_MEMORY);
@@ -414,7 +414,7 @@ TEST(pyramids_coupling_and_admm_by_counts_are_bounded)
             sp_arena a = test_arena;
             sp_result r;
             NEED(sp_memory(&scene, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
-            a.cap = a.used + bytes;
+            a.capacity = a.used + bytes;
             CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
         }
 #endif
@@ -525,7 +525,7 @@ static int takes_what_was_counted(const sp_scene *scene, const sp_settings *set)
     memset(&r, 0x5a, sizeof r);
     before = r;
     CHECK_INT(sp_check(scene, set, &a, &r), SP_E_MEMORY);
-    CHECK(a.used == 0 && a.cap == bytes - SP_ALIGN && memcmp(&r, &before, sizeof r) == 0 && fence_holds(&f));
+    CHECK(a.used == 0 && a.capacity == bytes - SP_ALIGN && memcmp(&r, &before, sizeof r) == 0 && fence_holds(&f));
     return 1;
 }
 
@@ -652,12 +652,12 @@ TEST(a_wall_of_64_joints_is_checked_in_128_kB_and_in_float_in_64)
     sp_arena a = test_arena;
     sp_scene s;
     sp_result r;
-    a.cap = a.used + TOL(128, 64) * 1024;
+    a.capacity = a.used + TOL(128, 64) * 1024;
     CHECK_INT(gen_make("wall", "size", 54, &a, &s), SP_OK);
     CHECK_INT(s.count.joints, 64);
     CHECK_INT(sp_check(&s, NULL, &a, &r), SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
-    CHECK(a.used <= a.cap);
+    CHECK(a.used <= a.capacity);
 }
 
 TEST_LIST(memory)

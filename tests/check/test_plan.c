@@ -261,7 +261,7 @@ TEST(a_plan_with_unusable_arguments_is_refused)
     a = test_arena;
     a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
     a.used = a.peak = 0;
-    a.cap = test_bytes(&s, SP_FOR_PLAN, NULL);
+    a.capacity = test_bytes(&s, SP_FOR_PLAN, NULL);
     CHECK_INT(sp_plan(&s, NULL, a, &o), SP_OK);
 }
 

@@ -508,7 +508,7 @@ TEST(costs_add_up_and_are_not_nothing)
             CHECK(r.spent.by_stage[1].flops > 0 && r.spent.by_stage[1].factorisations > 0);
             if (set.localise && r.verdict != SP_STABLE) CHECK(r.spent.total.flops > flops && r.spent.total.factorisations > factorisations);
             else CHECK(r.spent.total.flops == flops && r.spent.total.factorisations == factorisations && r.spent.total.iterations == iterations);
-            CHECK(r.spent.peak_bytes > 0 && r.spent.peak_bytes <= test_arena.cap);
+            CHECK(r.spent.peak_bytes > 0 && r.spent.peak_bytes <= test_arena.capacity);
         }
     }
 }

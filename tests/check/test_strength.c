@@ -23,9 +23,9 @@ static sp_scene cube(int beside, sp_strength strength)
     return s;
 }
 
-static sp_strength mortar(double mu, double cohesion, double tension, double cap)
+static sp_strength mortar(double mu, double cohesion, double tension, double crushing)
 {
-    const sp_strength strength = { R(mu), R(cohesion), R(tension), R(cap) };
+    const sp_strength strength = { R(mu), R(cohesion), R(tension), R(crushing) };
     return strength;
 }
 

@@ -103,7 +103,7 @@ static int32_t box(const frame *f, double x0, double y0, double z0, double x1, d
 static sp_status find(const sp_contact_settings *set)
 {
     const size_t need = test_bytes(&scene, SP_FOR_CONTACTS, NULL);
-    if (!CHECK(need > 0 && need < test_arena.cap - test_arena.used)) return SP_E_MEMORY;
+    if (!CHECK(need > 0 && need < test_arena.capacity - test_arena.used)) return SP_E_MEMORY;
     report.overlap = overlap;
     report.overlap_cap = 16;
     return sp_contacts_find(&scene, set, test_arena, &report);

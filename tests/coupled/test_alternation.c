@@ -86,18 +86,18 @@ TEST(the_coupled_check_takes_exactly_the_memory_it_says)
         test_arena.used = 0;
         set.coupled.asked = k > 0;
         build("arch", "n", 8, &s);
-        NEED(sp_memory_scratch(&s, SP_FOR_CHECK, &set) <= test_arena.cap - test_arena.used);
+        NEED(sp_memory_scratch(&s, SP_FOR_CHECK, &set) <= test_arena.capacity - test_arena.used);
         sp_arena scratch = test_arena;
-        scratch.cap = scratch.used + sp_memory_scratch(&s, SP_FOR_CHECK, &set) + SP_ALIGN;
+        scratch.capacity = scratch.used + sp_memory_scratch(&s, SP_FOR_CHECK, &set) + SP_ALIGN;
         NEED(sp_memory(&s, SP_FOR_CHECK, &set, scratch, &bytes) == SP_OK);
         const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
-        NEED(sp_arena_init(&a, test_arena.base + from, test_arena.cap - from) == SP_OK);
-        NEED(bytes <= a.cap);
-        a.cap = bytes;
+        NEED(sp_arena_init(&a, test_arena.base + from, test_arena.capacity - from) == SP_OK);
+        NEED(bytes <= a.capacity);
+        a.capacity = bytes;
         CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
         CHECK_INT((int64_t)r.spent.peak_bytes, (int64_t)bytes);
         a.used = 0;
-        a.cap = bytes - 1;
+        a.capacity = bytes - 1;
         CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_MEMORY);
     }
 }

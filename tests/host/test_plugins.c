@@ -246,12 +246,12 @@ static void refusals(sp_qp_solver s)
     CHECK_INT(s.solve(s.self, &small, &set, &test_arena, nan, NULL, &r), SP_E_NOT_FINITE);
     CHECK_INT(test_arena.used, used);
     NEED(s.need(s.self, &small, &set, test_arena, &bytes) == SP_OK);
-    test_arena.cap = used + bytes - 1;
+    test_arena.capacity = used + bytes - 1;
     CHECK_INT(s.solve(s.self, &small, &set, &test_arena, NULL, NULL, &r), SP_E_MEMORY);
     CHECK_INT(test_arena.used, used);
-    test_arena.cap++;
+    test_arena.capacity++;
     CHECK_INT(s.solve(s.self, &small, &set, &test_arena, NULL, NULL, &r), SP_OK);
-    CHECK_INT(test_arena.used, test_arena.cap);
+    CHECK_INT(test_arena.used, test_arena.capacity);
 }
 
 /* A random program with a known solution: rows to the limits that push, q = -Px - A'y.                            [KKT] */

@@ -88,7 +88,7 @@ static sp_status measure_with(double offset, double mu, double degrees, double h
         load.point[1] = upper->centroid[1] + (sp_real)(left * cos(degrees * DEGREE));
         load.point[2] = upper->centroid[2] + (sp_real)2.5;
         scene.load = &on_top;                           /* scenes by formula have no room for one */
-        scene.cap.loads = 1;
+        scene.capacity.loads = 1;
         status = sp_scene_load(&scene, &load, NULL);
     }
     if (!status) status = tilt_measure(&scene, &settings, m, &limit);

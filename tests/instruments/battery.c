@@ -104,7 +104,7 @@ static sp_verdict changed(const sp_scene *s, const sp_settings *set, int way, do
         t.joint[t.count.joints++] = hand;
         memcpy(t.point[t.count.points++], s->block[k].centroid, sizeof *t.point);
     }
-    t.cap = t.count;
+    t.capacity = t.count;
     return sp_check(&t, set, &arena, &r) ? SP_UNDECIDED : r.verdict;
 }
 

@@ -45,7 +45,7 @@ TEST(a_load_on_any_stone_has_an_end_or_none)
                 }
                 load.couple[1] = q == 4 ? R(1000) : 0;
                 s.load = &load;
-                s.count.loads = s.cap.loads = 1;
+                s.count.loads = s.capacity.loads = 1;
                 const sp_limit_result x = limit_of(&s, NULL);
                 several[x.kind]++;
                 if (x.kind == SP_LIMIT_UNDECIDED) TEST_PRINT("    %s %g, block %d, load %d\n", scene[k].name, scene[k].value, (int)i, q);
@@ -280,7 +280,7 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
             at.force[x] = s.block[b].mass * R(9.80665) * d;
             at.point[x] = s.block[b].centroid[x] + test_random_real(-0.2, 0.2) * s.block[b].diameter;
         }
-        if (load > 3) { s.load = &at; s.count.loads = s.cap.loads = 1; }
+        if (load > 3) { s.load = &at; s.count.loads = s.capacity.loads = 1; }
         const sp_limit_result x = limit_of(&s, NULL);
         several[x.kind]++;
         if (x.kind == SP_LIMIT_NONE || x.dead == SP_UNSTABLE) CHECK(verdict_at(s, NULL, 0) != SP_STABLE);
@@ -402,16 +402,16 @@ TEST(memory_is_exact_and_one_byte_less_refused)
         s.body[0] = R(9.80665);
         sp_arena scratch = test_arena;
         scratch.base += scratch.used;
-        scratch.cap = sp_memory_scratch(&s, SP_FOR_LIMIT, NULL);
+        scratch.capacity = sp_memory_scratch(&s, SP_FOR_LIMIT, NULL);
         scratch.used = 0;
         while ((uintptr_t)scratch.base % SP_ALIGN) scratch.base++;
         CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, &set, scratch, &bytes), SP_OK);
-        scratch.cap = bytes - 1;
+        scratch.capacity = bytes - 1;
         memset(&x, 0, sizeof x);
         CHECK_INT(sp_limit(&s, &set, &scratch, &x), SP_E_MEMORY);
         CHECK_INT(scratch.used, 0);
         CHECK(!x.f);
-        scratch.cap = bytes;
+        scratch.capacity = bytes;
         CHECK_INT(sp_limit(&s, &set, &scratch, &x), SP_OK);
         CHECK_INT(x.kind, SP_LIMIT_FOUND);
         CHECK_INT(x.peak_bytes, bytes);
@@ -424,7 +424,7 @@ TEST(memory_is_exact_and_one_byte_less_refused)
         CHECK_INT(sp_limit_verify(&s, &set, &x, room, &held), SP_OK);
         CHECK_INT(held, 1);
         CHECK_INT(room.base[need], 0xa5);
-        room.cap = need / 2;
+        room.capacity = need / 2;
         held = 7;
         CHECK_INT(sp_limit_verify(&s, &set, &x, room, &held), SP_E_MEMORY);
         CHECK_INT(held, 7);

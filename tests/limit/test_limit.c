@@ -214,7 +214,7 @@ TEST(a_cantilever_tips_when_its_tip_bears_more_than_its_tail)
     const int32_t board = s.count.blocks - 1;
     const sp_real *c = s.block[board].centroid;
     sp_load tip = { board, 1, { c[0] + R(0.5), c[1], c[2] }, { 0, 0, s.block[board].mass * s.gravity[2] }, { 0, 0, 0 }, 0 };
-    s.cap.loads = 1;
+    s.capacity.loads = 1;
     s.load = &tip;
     s.count.loads = 1;
     found(&s, NULL, 0.25 / 0.25);                       /* W 1/4 on one side of the edge, lambda W 1/4 on the other */

@@ -60,7 +60,7 @@ static int32_t run_order(void)
     sp_arena dry = sp__arena_dry();
     sp__order o;
     sp__order_carve(&o, g.n, g.xadj[g.n], &dry);
-    a.cap = a.used + dry.used;                          /* what it counts is what it takes */
+    a.capacity = a.used + dry.used;                     /* what it counts is what it takes */
     for (int32_t k = 0; k < g.n; k++) perm[k] = -1;
     sp__order_run(g.n, g.xadj, g.adj, a, stamp, perm);
     return added(perm);

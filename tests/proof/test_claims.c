@@ -299,9 +299,9 @@ TEST(random_scenes_take_exactly_their_memory)
             settings.effect[SP_EFFECT_DEPTH] = settings.effect[SP_EFFECT_FRICTION] = SP_WITH;
         }
         NEED(sp_memory(&s, SP_FOR_CHECK, &settings, test_arena, &bytes) == SP_OK);
-        NEED(bytes > 0 && bytes < test_arena.cap - test_arena.used);
+        NEED(bytes > 0 && bytes < test_arena.capacity - test_arena.used);
         sp_arena a = test_arena;
-        a.cap = a.used + bytes;
+        a.capacity = a.used + bytes;
         a.peak = a.used;
         CHECK_INT(sp_check(&s, &settings, &a, &r), SP_OK);
         if (settings.stage_count == 4 && r.stage != SP_STAGE_EXACT) {   /* decided before the search, which takes more, was asked */
@@ -309,7 +309,7 @@ TEST(random_scenes_take_exactly_their_memory)
             bytes = r.spent.peak_bytes - test_arena.used;
         } else CHECK_INT(r.spent.peak_bytes, test_arena.used + bytes);
         a = test_arena;
-        a.cap = a.used + bytes - 1;
+        a.capacity = a.used + bytes - 1;
         const size_t used = a.used;
         CHECK_INT(sp_check(&s, &settings, &a, &r), SP_E_MEMORY);
         CHECK_INT(a.used, used);

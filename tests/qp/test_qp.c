@@ -567,10 +567,10 @@ TEST(memory_is_exact)
         const sp_qp_settings set = with(all[trial % BACKENDS]);
         sp_arena scratch = test_arena, a;
         const size_t need = sp_qp_memory_scratch(&s.qp, &set);
-        NEED(need > 0 && need < test_arena.cap);
-        scratch.cap = need;
+        NEED(need > 0 && need < test_arena.capacity);
+        scratch.capacity = need;
         NEED(sp_qp_memory(&s.qp, &set, scratch, &bytes) == SP_OK);
-        scratch.cap = need - 1;
+        scratch.capacity = need - 1;
         if (all[trial % BACKENDS] == SP_QP_SPARSE && !TEST_SMALL) CHECK_INT(sp_qp_memory(&s.qp, &set, scratch, &bytes), SP_E_MEMORY);
         sp_qp_work *work;
         sp_arena_init(&a, test_arena.base, bytes);

@@ -76,7 +76,7 @@ static uint64_t mix(uint64_t h, const void *p, size_t bytes)
 static uint64_t content(const sp_scene *s)
 {
     uint64_t h = mix(14695981039346656037u, s->gravity, sizeof s->gravity);
-    h = mix(h, &s->cap, sizeof s->cap);
+    h = mix(h, &s->capacity, sizeof s->capacity);
     h = mix(h, &s->count, sizeof s->count);
     h = mix(h, s->block, (size_t)s->count.blocks * sizeof *s->block);
     h = mix(h, s->vertex, (size_t)s->count.vertices * sizeof *s->vertex);

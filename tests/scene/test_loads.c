@@ -401,9 +401,9 @@ TEST(memory_is_exact_with_live_loads)
     sp_arena a = test_arena;
     test_arena.used = (test_arena.used + 15) / 16 * 16;
     a.used = test_arena.used;
-    a.cap = a.used + bytes - 1;
+    a.capacity = a.used + bytes - 1;
     CHECK_INT(sp_check(&s, NULL, &a, &r), SP_E_MEMORY);
-    a.cap++;
+    a.capacity++;
     CHECK_INT(sp_check(&s, NULL, &a, &r), SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
 }

@@ -143,14 +143,14 @@ TEST(a_problem_takes_exactly_what_it_says)
     memset(&p, 0x5a, sizeof p);
     was = p;
     a.used = (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
-    a.cap = a.used + bytes - 1;
+    a.capacity = a.used + bytes - 1;
     sp_arena tight = a;
     CHECK_INT(sp_problem_build(&scene, &tight, &p), SP_E_MEMORY);
     CHECK(memcmp(&tight, &a, sizeof a) == 0);
     CHECK(memcmp(&p, &was, sizeof p) == 0);
-    a.cap++;
+    a.capacity++;
     CHECK_INT(sp_problem_build(&scene, &a, &p), SP_OK);
-    CHECK_INT(a.used, a.cap);
+    CHECK_INT(a.used, a.capacity);
     CHECK(memcmp(&before, &test_arena, sizeof before) == 0);
 }
 
@@ -551,9 +551,9 @@ TEST(matrices_take_their_entries_and_no_byte_more)
         exact.used = (exact.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         const int32_t columns = 3 + k % 2;
         CHECK_INT(k < 2 ? sp_matrix_aeq(&p, columns, &whole, &t) : sp_matrix_afr(&p, &s, columns, &whole, &t), SP_OK);
-        exact.cap = exact.used + entries(t.count);
+        exact.capacity = exact.used + entries(t.count);
         sp_arena less = exact;
-        less.cap--;
+        less.capacity--;
         const sp_arena before = less;
         memset(&u, 0x5a, sizeof u);
         was = u;
@@ -561,7 +561,7 @@ TEST(matrices_take_their_entries_and_no_byte_more)
         CHECK(memcmp(&less, &before, sizeof less) == 0);
         CHECK(memcmp(&u, &was, sizeof u) == 0);
         CHECK_INT(k < 2 ? sp_matrix_aeq(&p, columns, &exact, &u) : sp_matrix_afr(&p, &s, columns, &exact, &u), SP_OK);
-        CHECK_INT(exact.used, exact.cap);
+        CHECK_INT(exact.used, exact.capacity);
         CHECK_INT(u.count, t.count);
     }
 }
@@ -665,7 +665,7 @@ TEST(columns_give_their_scratch_back)
     size_t cap = 1;
     for (;; cap++) {
         a = test_arena;
-        a.cap = cap;
+        a.capacity = cap;
         const sp_arena before = a;
         const sp_status status = sp_csc_from(&t, &a, &m);
         if (status == SP_OK) break;

@@ -84,7 +84,7 @@ static int scene_number(int k, sp_scene *s)
     gen_open(&g, gen_table[k].name);
     if (!CHECK_INT(gen_build(&g, &test_arena, s), SP_OK)) return 0;
     s->load = sp__take(&test_arena, 5, sizeof *s->load);
-    s->cap.loads = 5;
+    s->capacity.loads = 5;
     for (int q = 0; q < 5; q++) load_one(s, k % 2);
     return CHECK(s->count.blocks <= MOST && s->count.joints <= MOST);
 }
@@ -237,7 +237,7 @@ TEST(bytes_of_a_part_are_what_it_takes)
         CHECK_INT(a.used - room.used, bytes);
         for (size_t less = 0; less < 2 && less <= bytes; less++) {
             a = room;
-            a.cap = room.used + bytes - less;
+            a.capacity = room.used + bytes - less;
             CHECK_INT(sp__part_build(&s, &it.part, &a, &pb), less ? SP_E_MEMORY : SP_OK);
         }
     }

@@ -155,9 +155,9 @@ TEST(support_refuses_bad_input)
     CHECK_INT(sp_support_clearance(bad, 3, com, down, test_arena, &s), SP_E_NOT_FINITE);
     CHECK_INT(sp_support_memory(-1), 0);
     sp_arena exact = test_arena;
-    exact.cap = exact.used + sp_support_memory(3);
+    exact.capacity = exact.used + sp_support_memory(3);
     CHECK_INT(sp_support_clearance(xyz, 3, com, down, exact, &s), SP_OK);
-    exact.cap--;
+    exact.capacity--;
     CHECK_INT(sp_support_clearance(xyz, 3, com, down, exact, &s), SP_E_MEMORY);
 }
 
@@ -377,9 +377,9 @@ TEST(a_box_rests_on_six_faces)
     CHECK_INT(sp_rest_faces(&m, test_arena, r, 4, &count), SP_E_CAPACITY);
     CHECK_INT(count, 6);
     sp_arena exact = test_arena;
-    exact.cap = exact.used + sp_support_memory(m.vertices);
+    exact.capacity = exact.used + sp_support_memory(m.vertices);
     CHECK_INT(sp_rest_faces(&m, exact, r, 6, &count), SP_OK);
-    exact.cap--;
+    exact.capacity--;
     CHECK_INT(sp_rest_faces(&m, exact, r, 6, &count), SP_E_MEMORY);
 }
 

@@ -64,13 +64,13 @@ TEST(a_scene_takes_exactly_what_it_says)
         const size_t bytes = sp_scene_memory(&caps[k]);
         sp_arena a = test_arena, was;
         sp_scene scene, before;
-        a.cap = bytes;
+        a.capacity = bytes;
         CHECK_INT(sp_scene_create(&scene, &caps[k], &a), SP_OK);
         CHECK_INT(a.used, bytes);
         memset(&scene, 0x5a, sizeof scene);
         before = scene;
         a = test_arena;
-        a.cap = bytes - 1;
+        a.capacity = bytes - 1;
         was = a;
         CHECK_INT(sp_scene_create(&scene, &caps[k], &a), SP_E_MEMORY);
         CHECK(memcmp(&a, &was, sizeof a) == 0);
@@ -107,7 +107,7 @@ TEST(a_new_scene_is_empty_and_heavy)
     CHECK_NEAR(scene.gravity[2], -9.80665, 2 * U);
     CHECK_WITHIN(scene.gravity[0], 0, 0);
     CHECK_WITHIN(scene.gravity[1], 0, 0);
-    CHECK_INT(scene.cap.corners, 256);
+    CHECK_INT(scene.capacity.corners, 256);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- blocks */

@@ -88,7 +88,7 @@ static sp_status custom_run(const sp_problem *problem, const sp_settings *settin
     CHECK(settings->force_bound > 0);                   /* resolved */
     CHECK_INT(*claim, SP_UNDECIDED);
     const size_t from = (arena->used + SP_ALIGN - 1) & ~(size_t)(SP_ALIGN - 1);
-    if (plan.takes && (from > arena->cap || plan.takes > arena->cap - from)) return SP_E_MEMORY;
+    if (plan.takes && (from > arena->capacity || plan.takes > arena->capacity - from)) return SP_E_MEMORY;
     for (size_t k = 0; k < plan.takes; k++) arena->base[from + k] = 0xcc;
     if (plan.takes) arena->used = from + plan.takes;
     if (arena->used > arena->peak) arena->peak = arena->used;

@@ -57,7 +57,7 @@ static void fits(const gen_scene *g)
         return;
     }
     same_capacity(&s.count, &cap);
-    same_capacity(&s.cap, &cap);
+    same_capacity(&s.capacity, &cap);
     for (int32_t k = 0; k < s.count.joints; k++) {
         const sp_joint *j = &s.joint[k];
         double n[3], m[3];

@@ -408,20 +408,20 @@ TEST(memory_is_exact_and_scratch_is_enough)
         build(k % 2 ? "arch" : "dome", NULL, 0, &scene);
         if (k == 2) set.penalty.solver = NULL;
         const size_t need = sp_memory_scratch(&scene, SP_FOR_CHECK, &set);
-        NEED(need > 0 && need < test_arena.cap - test_arena.used);
+        NEED(need > 0 && need < test_arena.capacity - test_arena.used);
         sp_arena scratch = { test_arena.base + (test_arena.used + SP_ALIGN) / SP_ALIGN * SP_ALIGN, need, 0, 0 };
         NEED(sp_memory(&scene, SP_FOR_CHECK, &set, scratch, &bytes) == SP_OK);
         a = scratch;
-        a.cap = bytes;
+        a.capacity = bytes;
         CHECK_INT(sp_check(&scene, &set, &a, &r), SP_OK);
         CHECK(a.peak <= bytes);
         if (k < 2) CHECK_INT(r.spent.peak_bytes, bytes);      /* the preset's earlier stages may decide with less */
         if (k >= 2) continue;
         a = scratch;
-        a.cap = bytes - 1;
+        a.capacity = bytes - 1;
         CHECK_INT(sp_check(&scene, &set, &a, &r), SP_E_MEMORY);
         CHECK_INT(a.used, 0);
-        scratch.cap = need / 8;
+        scratch.capacity = need / 8;
         CHECK_INT(sp_memory(&scene, SP_FOR_CHECK, &set, scratch, &bytes), SP_E_MEMORY);
     }
 }

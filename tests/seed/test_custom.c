@@ -277,7 +277,7 @@ TEST(a_stage_gets_the_memory_it_needs)
         CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &more), SP_OK);
         CHECK_INT(more - bytes, 16);
         plan.takes = 100000;
-        NEED(test_arena.cap - test_arena.used > bytes + SP_ALIGN);
+        NEED(test_arena.capacity - test_arena.used > bytes + SP_ALIGN);
         for (size_t less = 0; less < 2; less++) {
             sp_arena a;
             unsigned char *at = test_arena.base + ((test_arena.used + SP_ALIGN - 1) & ~(size_t)(SP_ALIGN - 1));

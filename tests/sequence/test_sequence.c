@@ -498,7 +498,7 @@ TEST(asking_changes_nothing)
     for (int32_t k = 0; k < 5; k++) take(q, 1 + k, SP_PRESENT);
     const sp_step before = take(q, 1, SP_PRESENT);
     const size_t size = 3 * (size_t)s.count.points * sizeof(sp_real);
-    NEED(test_arena.used + size <= test_arena.cap);
+    NEED(test_arena.used + size <= test_arena.capacity);
     memcpy(test_arena.base + test_arena.used, before.f, size);
     NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
     CHECK(held.count > 0);
@@ -608,7 +608,7 @@ TEST(sequence_memory_is_exact)
         sp_arena a = { test_arena.base + mark, bytes - 1, 0, 0 };
         CHECK_INT(sp_sequence_open(&s, &set, &a, &q), SP_E_MEMORY);
         CHECK(q == NULL && a.used == 0);
-        a.cap = bytes;
+        a.capacity = bytes;
         unsigned char *fence = test_arena.base + mark + bytes;
         memset(fence, 0xa5, 64);
         NEED(sp_sequence_open(&s, &set, &a, &q) == SP_OK);

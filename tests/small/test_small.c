@@ -134,12 +134,12 @@ TEST(what_a_check_works_in_may_be_another_arena)
     NEED(sp_memory(&s, SP_FOR_WORK, &set, test_arena, &bytes[1]) == SP_OK);
     kept.base += (test_arena.used + 15) & ~(size_t)15;
     kept.used = kept.peak = 0;
-    kept.cap = bytes[0];
+    kept.capacity = bytes[0];
     work = kept;
     work.base += (bytes[0] + 15) & ~(size_t)15;
-    work.cap = bytes[1] - 1;
+    work.capacity = bytes[1] - 1;
     CHECK_INT(sp_check(&s, &set, &kept, &r), SP_E_MEMORY);
-    work.cap = bytes[1];
+    work.capacity = bytes[1];
     CHECK_INT(sp_check(&s, &set, &kept, &r), SP_OK);
     CHECK_INT(r.verdict, SP_STABLE);
     CHECK(work.used == 0 && work.peak == bytes[1] && kept.peak == bytes[0] && r.spent.peak_bytes == bytes[0]);
@@ -158,7 +158,7 @@ TEST(a_plan_of_the_smallest_search_tells_its_bytes_and_takes_all_effects)
     sp_arena scratch = test_arena;
     scratch.base += (scratch.used + 15) & ~(size_t)15;
     scratch.used = 0;
-    scratch.cap = test_bytes(&s, SP_FOR_PLAN, NULL);
+    scratch.capacity = test_bytes(&s, SP_FOR_PLAN, NULL);
     NEED(sp_plan(&s, NULL, scratch, &o) == SP_OK);
     CHECK_INT(o.bytes, bytes);
     CHECK_INT(o.islands, 1);
@@ -181,10 +181,10 @@ static void fits(const sp_scene *s, sp_verdict want, int tight)
     sp_arena a = test_arena;
     a.base += (a.used + 15) & ~(size_t)15;
     a.used = a.peak = 0;
-    a.cap = bytes - (size_t)tight;
+    a.capacity = bytes - (size_t)tight;
     if (tight) CHECK_INT(sp_check(s, NULL, &a, &r), SP_E_MEMORY);
     CHECK(a.used == 0 && r.f == NULL);
-    a.cap = bytes;
+    a.capacity = bytes;
     NEED(sp_check(s, NULL, &a, &r) == SP_OK);
     CHECK(a.peak == r.spent.peak_bytes && a.peak <= bytes && a.peak >= (tight ? bytes : 0) && a.used < bytes);
     CHECK(bytes <= SP_MEMORY_BYTES(s->count.blocks, s->count.joints, s->count.points, 0));

@@ -342,11 +342,11 @@ static int raw_make(raw *r, const sp_capacity *n)
 static sp_status add_block(const raw *r, int32_t b, sp_scene *scene)
 {
     const sp_block *x = &r->block[b];
-    const sp_capacity *cap = &scene->cap, *n = &scene->count;
+    const sp_capacity *most = &scene->capacity, *n = &scene->count;
     const sp_mesh mesh = { x->vertices, x->faces, r->vertex + 3 * (size_t)n->vertices, r->size + n->faces,
                            r->corner + n->corners };
-    int32_t room = cap->corners - n->corners;
-    if (x->vertices > cap->vertices - n->vertices || x->faces > cap->faces - n->faces) return SP_E_CAPACITY;
+    int32_t room = most->corners - n->corners;
+    if (x->vertices > most->vertices - n->vertices || x->faces > most->faces - n->faces) return SP_E_CAPACITY;
     if (!(x->density > 0) && (x->faces || x->vertices)) return SP_E_RANGE;
     if (!(x->density > 0)) return sp_scene_body(scene, x->mass, x->centroid, x->fixed, NULL);
     for (int32_t k = 0; k < x->faces; k++) {
@@ -367,7 +367,7 @@ static sp_status add_interface(const raw *r, const sp_joint *x, sp_scene *scene)
 {
     const sp_real *xyz = r->point + 3 * (size_t)scene->count.points;
     sp_joint *made = scene->joint + scene->count.joints;
-    const sp_status status = x->points > scene->cap.points - scene->count.points ? SP_E_CAPACITY
+    const sp_status status = x->points > scene->capacity.points - scene->count.points ? SP_E_CAPACITY
         : x->area > 0 ? sp_scene_joint(scene, x->a, x->b, x->points, xyz, &x->strength, NULL)
                       : sp_scene_points(scene, x->a, x->b, x->n, x->points, xyz, &x->strength, NULL);
     if (status) return status;

@@ -23,7 +23,7 @@
  *     vertex     3 r
  *     face       i         corners
  *     corner     i         vertex, 0-based within its block
- *     joint  4 i 13 r  a b points polygon; joint mu cohesion tension cap, n[3] t1[3] t2[3]
+ *     joint  4 i 13 r  a b points polygon; strength mu cohesion tension crushing, n[3] t1[3] t2[3]
  *     point      3 r
  *     load       2 i 10 r  block live; point[3] force[3] couple[3] mass
  *
