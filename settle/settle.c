@@ -10,6 +10,7 @@
 
 #define HISTORY 100                             /* [step] over which drift is told */
 #define WALLS 5
+#define PHASES 4                                 /* of the ramp, the last at full gravity                [seed 5] */
 
 static const double pi = 3.14159265358979323846;
 
@@ -84,7 +85,7 @@ settle_settings settle_seat_default(void)
 {
     settle_settings s = settle_default();
     s.ramp_steps = 60;
-    s.steps = 220;
+    s.steps = 160;
     s.iterations = 60;
     s.tamps = 0;
     s.friction = 0.8;
@@ -213,7 +214,7 @@ static settle_status start(simulation *sim, int32_t stones, const settle_setting
     memset(sim, 0, sizeof *sim);
     sim->set = set;
     sim->stones = stones;
-    sim->steps = 3 * set->ramp_steps + set->steps + set->tamps * (set->tamp_steps + set->rest_steps);
+    sim->steps = PHASES * set->ramp_steps + set->steps + set->tamps * (set->tamp_steps + set->rest_steps);
     sim->stone = calloc(n, sizeof *sim->stone);
     sim->own = calloc(n, sizeof *sim->own);
     sim->pose = calloc(n, sizeof *sim->pose);
@@ -312,7 +313,8 @@ static settle_status protocol(simulation *sim)
     settle_status status = SETTLE_OK;
     read_poses(sim);
     if (s->watch && s->watch(s->user, 0, sim->steps, 0, sim->pose)) return SETTLE_E_STOPPED;
-    for (int k = 0; k < 3 && !status; k++) status = make_steps(sim, s->ramp_steps, full > 0 ? fmin(s->ramp[k] / full, 1) : 0, 0);
+    for (int k = 0; k < PHASES && !status; k++)
+        status = make_steps(sim, s->ramp_steps, k < PHASES - 1 && full > 0 ? fmin(s->ramp[k] / full, 1) : 1, 0);
     if (!status) status = make_steps(sim, s->steps, 1, 1);
     for (int32_t k = 0; k < s->tamps && !status; k++) {
         status = make_steps(sim, s->tamp_steps, s->tamp, 0);

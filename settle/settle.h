@@ -77,8 +77,8 @@ typedef struct settle_pair { int32_t a, b; double mu; } settle_pair;
 /* Get them from settle_default() and change what you must. */
 typedef struct settle_settings {
     double gravity[3];          /* full gravity                                             [m/s^2]      (0, 0, -9.81) */
-    double ramp[3];             /* gravity before it, three times ramp_steps; never more than full  [m/s^2]  0.5, 2, 5 */
-    int32_t ramp_steps;         /* 0: no ramp                                                                      250 */
+    double ramp[3];             /* three gravities before it; never more than full                  [m/s^2]  0.5, 2, 5 */
+    int32_t ramp_steps;         /* at each of these and at the full one, before `steps`; 0: no ramp                250 */
     int32_t steps;              /* at full gravity                                                                1500 */
     int32_t tamps;              /* rounds of tamping after that                                                      1 */
     double tamp;                /* gravity while tamping, in full ones                                             3.5 */
@@ -114,7 +114,7 @@ typedef struct settle_settings {
 settle_settings settle_default(void);           /* stones fall into place                                   [seed 5] */
 settle_settings settle_confirm_default(void);   /* does a finished assembly keep still? No lift, ramp, damping or tamping,
                                                    friction 0.7, 700 steps */
-settle_settings settle_seat_default(void);      /* one stone onto fixed ones: ramps of 60, then 220 steps of 60 iterations,
+settle_settings settle_seat_default(void);      /* one stone onto fixed ones: ramps of 60, then 160 steps of 60 iterations,
                                                    no tamping, friction 0.8, lift 0.003 */
 
 /* 3 ------------------------------------------------------------------------------------------------------------ results */

@@ -41,7 +41,8 @@ int command_settle(int argc, char **argv)
 static const struct { const char *name; int real; size_t at; const char *help; } setting[] = {
 #define REAL(name, help)  { #name, 1, offsetof(settle_settings, name), help }
 #define WHOLE(name, help) { #name, 0, offsetof(settle_settings, name), help }
-    WHOLE(ramp_steps, "steps at each of three smaller gravities"), WHOLE(steps, "steps at full gravity"),
+    WHOLE(ramp_steps, "steps at each of three smaller gravities and the full one"),
+    WHOLE(steps, "steps at full gravity after these"),
     WHOLE(tamps, "rounds of tamping"), REAL(tamp, "gravity while tamping, in full ones"),
     WHOLE(tamp_steps, "steps of it in a round"), WHOLE(rest_steps, "steps of rest after it"), REAL(dt, "of a step, s"),
     WHOLE(iterations, "of the contact solver in a step"),
