@@ -591,8 +591,8 @@ struct sp_settings {
                                    a fifth at most). A custom stage heeds state.left by itself                           0 */
     sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
     sp_coupled_settings coupled;                /* the coupled check */
-    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted; with coupled.asked
-                                   where not coupled, joined with a motion                                             1 */
+    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted, but for stones without
+                                   a path to a support; with coupled.asked where not coupled, joined with a motion     1 */
     int32_t iterations;         /* >= 0: factorisations an exact solve may spend; below 300 nothing is left out by plan 300 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
                                    >= 0; 0: tol/(10u), 4 at least, 1e6 at most

@@ -21,6 +21,13 @@ SP__NOINLINE static sp_status sp__find_help(const sp_problem *pb, const sp_setti
     return status;
 }
 
+/* Can a pull at some joint hold it? Not stones without a path to a support, nor where no stage was to be asked. */
+static int sp__may_be_helped(const sp_result *r)
+{
+    return r->verdict != SP_STABLE && r->reason != SP_REASON_STAGES && r->reason != SP_REASON_NO_SUPPORT
+        && r->reason != SP_REASON_NO_CONTACT;
+}
+
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */
 static sp_status sp__run_stages(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *a, sp_result *r)
 {
@@ -31,7 +38,7 @@ static sp_status sp__run_stages(const sp_problem *pb, const sp_settings *set, sp
         if (!status && !done && r->reason != SP_REASON_EFFECT) status = sp__run_stage(pb, set, k, state, a, r, &done);
         if (status) return status;
     }
-    if (r->verdict == SP_STABLE || r->reason == SP_REASON_STAGES || !set->localise) return SP_OK;
+    if (!set->localise || !sp__may_be_helped(r)) return SP_OK;
     return sp__find_help(pb, set, state, a, r);
 }
 

@@ -550,6 +550,19 @@ TEST(counts_are_of_what_took_part)
     for (int32_t k = 12; k < 24; k += 3) CHECK_NEAR(r.f[k], density * gravity / 4, NEAR);
 }
 
+/* No pull at a joint holds what has no path to a support: where to help is not asked. The wall's first block is its support. */
+TEST(stones_without_a_path_to_a_support_cost_no_factorisation)
+{
+    sp_scene s;
+    test_arena.used = 0;
+    build("wall", "size", 30, &s);
+    for (int32_t k = 0; k < s.count.blocks; k++) s.block[k].fixed = 0;
+    const sp_result r = check(&s, NULL, SP_UNSTABLE);
+    CHECK_INT(r.reason, SP_REASON_NO_SUPPORT);
+    CHECK_INT(r.spent.total.factorisations, 0);
+    CHECK_INT(r.final, 1);
+}
+
 TEST_LIST(result)
     RUN(tension_of_an_overhanging_box_follows_from_its_moments)
     RUN(net_friction_shows_no_tension)
@@ -572,4 +585,5 @@ TEST_LIST(result)
     RUN(costs_add_up_and_are_not_nothing)
     RUN(work_on_walls_grows_in_proportion)
     RUN(counts_are_of_what_took_part)
+    RUN(stones_without_a_path_to_a_support_cost_no_factorisation)
 TEST_END
