@@ -509,7 +509,8 @@ struct sp_result {
 /* The verdict that the evidence of a claim proves, recomputed from the scene by a projection and sums of its own.
  * sp_verify reads the claim's f, dq and (if not NULL) y0, a hint of the search's for the scales, used only as far as its
  * residual allows and ignored where it is not finite; and if settings.coupled.asked its coupled.dq and coupled.alpha (unless
- * NULL) and coupled.proof (if it has nodes); nothing else. tol, force_bound, eps and eta are those of the settings. */
+ * NULL) and coupled.proof (if it has nodes); nothing else. tol, force_bound (a smaller one than 4 counts as 4, for less proves
+ * no fall), cone, eps and eta are those of the settings, friction and gravity those of the scene, whatever the claim says. */
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;              /* as in sp_result, and so the next two [1] */

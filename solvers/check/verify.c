@@ -136,6 +136,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp_status status = sp__settings_resolve(scene, settings, &c->set);
     if (!status) status = sp_problem_build(scene, &scratch, &c->pb);
     if (status) return status;
+    c->set.force_bound = sp__max(c->set.force_bound, SP__FORCES_LEAST);     /* what stands may take as much */
     sp__certifier j;
     sp_real *dq = sp__take(&scratch, (size_t)c->pb.blocks, 6 * sizeof *dq);
     if (sp__failed(&scratch) || !sp__certifier_open(&j, &c->pb, &c->set, claim->y0, INT32_MAX, &scratch)) return SP_E_MEMORY;

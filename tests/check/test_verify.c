@@ -312,6 +312,24 @@ TEST(a_pile_that_turns_about_its_foot_falls_whatever_stands_beside_it)
 }
 #endif
 
+/* Two plain cubes, and a motion that "proves" their fall, because forces a thousand times smaller than theirs count as none. */
+TEST(a_force_bound_below_what_stands_proves_no_fall)
+{
+    static const double bound[] = { 1e-3, 0.1, 0.9 };
+    for (size_t k = 0; k < sizeof bound / sizeof bound[0]; k++) {
+        sp_scene s;
+        sp_evidence e;
+        sp_settings set = sp_settings_default();
+        test_arena.used = 0;
+        build("two-cubes", "offset", 0.3, &s);
+        sp_result claim = empty_claim(&s);
+        for (int32_t b = 0; b < s.count.blocks; b++) if (s.block[b].fixed != SP_FIXED) claim.dq[6 * b + 2] = -1;
+        set.force_bound = (sp_real)bound[k];
+        if (!CHECK_INT(sp_verify(&s, &set, &claim, test_arena, &e), SP_OK)) continue;
+        if (!CHECK_INT(e.verdict, SP_UNDECIDED)) TEST_PRINT("    force_bound %g\n", bound[k]);
+    }
+}
+
 TEST(verify_says_which_argument_it_cannot_use)
 {
     sp_scene s;
@@ -341,5 +359,6 @@ TEST_LIST(verify)
 #ifndef SP_SMALL
     RUN(a_pile_that_turns_about_its_foot_falls_whatever_stands_beside_it)
 #endif
+    RUN(a_force_bound_below_what_stands_proves_no_fall)
     RUN(verify_says_which_argument_it_cannot_use)
 TEST_END
