@@ -66,9 +66,15 @@ static const char help_plan[] =
 "Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 
 static const char help_verify[] =
-"stonepack verify SCENE RESULT.json\n\n"
+"stonepack verify [options] SCENE RESULT.json\n\n"
 "What does a stored result prove? Reads what `check --json --forces` wrote, takes its forces and mechanism but not its\n"
-"verdict, and judges them with code that shares no projection and no sum with the search. Exit status by the verdict proved.\n";
+"verdict, and judges them with code that shares no projection and no sum with the search. The question is not taken from\n"
+"the result either but from these options, as they were given to check; where the result's was another, the line says so:\n\n"
+"  --tol X            1e-9; the bound on forces follows from it\n"
+"  --cone KIND        true\n"
+"  --mu X             the scene's\n"
+"  --tilt DEG[,AZ]    0\n\n"
+"Of a coupled check the lengths eps and eta are the result's, and printed. Exit status by the verdict proved.\n";
 
 static const char help_sequence[] =
 "stonepack sequence [options] SCENE\n\n"

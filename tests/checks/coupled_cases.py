@@ -99,7 +99,7 @@ def in_quad(quad, cases, got):
                 f.write(c.text)
             with open(result, "w", encoding="utf-8") as f:
                 json.dump(r, f)
-            p = subprocess.run([quad, "verify", scene, result], capture_output=True, text=True)
+            p = subprocess.run([quad, "verify", "--cone", "8c", scene, result], capture_output=True, text=True)
             residual = re.search(r": stable by .*, coupled, residual (\S+)", p.stdout)
             margin = re.search(r": unstable by .*, refuted, margin (\S+)", p.stdout)
             if not (residual if answer(r) == "coupled" else margin):

@@ -45,6 +45,18 @@ refuted() {                                             # a proof told in full i
     sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
     says 'undecided by .* not refuted: the proof in it fails' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
 }
+another() {                                             # a result says what it was asked; that is not what verify is asked
+    gen wall && "$cli" check --json --forces --tilt 5 --tol 1e-3 "$tmp/scene.obj" > "$tmp/result.json"
+    says 'undecided by .* the result.s tol is 0.001, the result.s gravity is' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" &&
+    says 'stable by .* tol 0.001, tilted by 5 degrees: ' "$cli" verify --tol 1e-3 --tilt 5 "$tmp/scene.obj" "$tmp/result.json" ||
+    return 1
+    says 'undecided by' "$cli" verify --mu 0.01 --tilt 5 "$tmp/scene.obj" "$tmp/result.json" || return 1
+    gen two-cubes && "$cli" check --json --forces "$tmp/scene.obj" > "$tmp/result.json"
+    sed 's/"verdict": *"stable"/"verdict":"unstable"/; s/"force_bound": *[^,]*,/"force_bound":0.001,/
+         s/"mechanism": *\[\]/"mechanism":[{"block":"b1","dq":[0,0,-1,0,0,0]}]/
+         s/"forces": *\[/&[0,0,0],[0,0,0],[0,0,0],[0,0,0]],"was":[/' "$tmp/result.json" > "$tmp/forged.json"
+    says 'undecided by' "$cli" verify "$tmp/scene.obj" "$tmp/forged.json"
+}
 costs() {                                               # the table, its picture, its JSON: 9 cones, 4 stages, 6 tolerances
     gen "$@" && says 'pyramids against the true cone' "$cli" cost --svg "$tmp/cost.svg" "$tmp/scene.obj" &&
     grep -q 'What accuracy costs' "$tmp/cost.svg" &&
@@ -237,6 +249,7 @@ part "tol: as asked"                says '"tol_by": *"asked"' "$cli" check --jso
 part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
+part "verify: the question is its own"  another
 part "a bad scene among others"     goes_on
 part "skip-done: a stopped run goes on" resumed
 part "sequence: an arch without centring falls: 1" exits 1 "$cli" sequence "$tmp/scene.obj"

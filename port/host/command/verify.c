@@ -1,5 +1,6 @@
-/* verify: what does a stored result prove? Its forces and mechanism are taken, its verdict is not. */
+/* verify: what does a stored result prove? Its forces and mechanism are taken; its verdict is not, nor its question. */
 #include "../files/text.h"
+#include "../tilt.h"
 #include "commands.h"
 #include "../files/json_in.h"
 #include "../files/json_out.h"
@@ -34,7 +35,7 @@ static int read_reals(const reading *r, const json_value *array, int32_t n, sp_r
     return k == n;
 }
 
-/* The question as it was put: cone, friction, gravity. */
+/* The question as the result says it was put: cone, friction, gravity. The one that is judged is the caller's; this is told. */
 static int read_asked(const reading *r, options *o, sp_real gravity[3])
 {
     const json_value *asked = json_member(&r->tree, r->all, "asked");
@@ -44,7 +45,7 @@ static int read_asked(const reading *r, options *o, sp_real gravity[3])
     if (!cone || cone->kind != JSON_STRING || !options_cone(cone->as.string, &o->settings)) return fail(r, asked, "bad cone");
     snprintf(o->cone, sizeof o->cone, "%s", cone->as.string);
     if (!mu || (mu->kind != JSON_NULL && (mu->kind != JSON_NUMBER || mu->as.number < 0))) return fail(r, asked, "bad mu");
-    if (mu->kind == JSON_NUMBER) o->mu = (sp_real)mu->as.number;
+    o->mu = mu->kind == JSON_NUMBER ? (sp_real)mu->as.number : -1;
     return read_reals(r, json_member(&r->tree, asked, "gravity"), 3, gravity) ? 0 : fail(r, asked, "bad gravity");
 }
 
@@ -203,11 +204,9 @@ static int read_mechanism(const reading *r, sp_real *dq)
 }
 
 /* The forces, the mechanism and what the coupled check claims, into memory that `judge` gave. */
-static int read_claim(const reading *r, options *o, sp_result *claim)
+static int read_claim(const reading *r, const options *o, sp_result *claim)
 {
     int status = read_accuracy(r, claim);
-    o->settings.tol = claim->tol;                       /* the question's, which read_accuracy found in range */
-    o->settings.force_bound = claim->force_bound;
     if (!status) status = read_forces(r, claim->f);
     if (!status) status = read_mechanism(r, claim->dq);
     if (status || !o->settings.coupled.asked) return status;
@@ -216,7 +215,7 @@ static int read_claim(const reading *r, options *o, sp_result *claim)
 }
 
 /* Read what the result claims, and have it verified. */
-static int judge_claim(const reading *r, options *o, sp_evidence *evidence)
+static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
@@ -234,6 +233,7 @@ static int judge_claim(const reading *r, options *o, sp_evidence *evidence)
         if (!status) made = run_verify(&r->scene->scene, &o->settings, &claim, evidence);
     }
     if (!status && made != SP_OK) status = fail_status(r->error, made, r->path, f && dq ? r->all->line : 0, "");
+    *tol = claim.tol;
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
@@ -242,9 +242,10 @@ static int judge_claim(const reading *r, options *o, sp_evidence *evidence)
 
 /* A stored result read and judged. */
 typedef struct verified {
-    options o;                  /* the question as it was put */
-    sp_real gravity[3];         /* and its gravity */
-    int turned;                 /* which is not the scene's */
+    options o;                  /* the caller's question, the only one that is judged: the bound on forces follows from its tol */
+    options told;               /* that of the result: cone, friction */
+    sp_real tol, gravity[3];    /* and its tol and gravity */
+    sp_real turned[3];          /* the caller's gravity */
     int proof;                  /* the result has a proof that there is no triple */
     sp_evidence evidence;
 } verified;
@@ -257,7 +258,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
 
     if (!status) {
         r.all = &r.tree.value[0];
-        status = read_asked(&r, &v->o, v->gravity);
+        status = read_asked(&r, &v->told, v->gravity);
         if (!status) status = read_coupled(&r, &v->o);
     }
     if (!status) {
@@ -265,14 +266,26 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         read = 1;
     }
     if (!status) {
-        v->turned = memcmp(s.scene.gravity, v->gravity, sizeof s.scene.gravity) != 0;
-        memcpy(s.scene.gravity, v->gravity, sizeof s.scene.gravity);
-        status = judge_claim(&r, &v->o, &v->evidence);
+        tilt_turn(v->o.tilt, v->o.azimuth, s.scene.gravity);
+        memcpy(v->turned, s.scene.gravity, sizeof v->turned);
+        status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
     if (read) scene_free(&s);
     return status;
+}
+
+/* What the result was asked that the caller of verify did not ask. A tol that is finer is no other question. */
+static void print_other_question(const verified *v)
+{
+    const options *o = &v->o, *t = &v->told;
+    if (strcmp(o->cone, t->cone)) printf(", the result's cone is %s", t->cone);
+    if (v->tol > o->settings.tol) printf(", the result's tol is %.2g", (double)v->tol);
+    if (t->mu >= 0 && (o->mu < t->mu || o->mu > t->mu)) printf(", the result's friction is %g", (double)t->mu);
+    if (t->mu < 0 && o->mu >= 0) printf(", the result's friction is the scene's");
+    if (memcmp(v->turned, v->gravity, sizeof v->turned))
+        printf(", the result's gravity is %g %g %g", (double)v->gravity[0], (double)v->gravity[1], (double)v->gravity[2]);
 }
 
 static void print_evidence(const char *scene_path, const char *path, const verified *v)
@@ -281,9 +294,9 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     const options *o = &v->o;
     char imbalance[32], least[32];
     printf("%s: %s by %s, cone %s, tol %.2g", scene_path, sp_verdict_text(e->verdict), path, o->cone, (double)o->settings.tol);
-    if (o->mu >= 0) printf(", asked with friction %g", (double)o->mu);
-    if (v->turned)
-        printf(", asked with gravity %g %g %g", (double)v->gravity[0], (double)v->gravity[1], (double)v->gravity[2]);
+    if (o->mu >= 0) printf(", friction %g", (double)o->mu);
+    if (o->tilt > 0) printf(", tilted by %g degrees", o->tilt);
+    print_other_question(v);
     printf(": ");
     if (e->verdict == SP_UNSTABLE && !(e->margin > 0))
         printf("least imbalance %s%s, ", text_shortest(e->least_imbalance, least), e->final ? ", final" : "");
@@ -292,6 +305,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     else if (v->proof) printf(", not refuted: the proof in it fails");
     else if (o->settings.coupled.asked)
         printf(", %s, residual %.2g", e->level == SP_COUPLED ? "coupled" : "not coupled", (double)e->residual);
+    if (o->settings.coupled.asked) printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
     putchar('\n');
 }
 
@@ -302,7 +316,7 @@ int command_verify(int argc, char **argv)
     sp_evidence *e = &v.evidence;
 
     memset(&v, 0, sizeof v);
-    if (options_read(argc, argv, "", &v.o, &error) == 0 && v.o.files != 2)
+    if (options_read(argc, argv, " --tol --cone --mu --tilt ", &v.o, &error) == 0 && v.o.files != 2)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
         fprintf(stderr, "%s\n", error.line);
