@@ -11,7 +11,7 @@
  *               stalls. Where no such f exists y runs off along a collapse mechanism dq = -y.
  *   proof/      The certificate check. It takes the forces, or the motion, that a search proposes, the scene, and a first guess
  *               of f0 that it checks; projection and sums are its own. Only what it accepts becomes a verdict.
- *   check/      Settings, islands and the stages in their order (sp__stage in settings.c); what sp_check and sp_verify return.
+ *   check/      Settings, islands and the stages in order (sp__stage_calls in settings.c); what sp_check and sp_verify return.
  *   coupled/    Is there also a motion that explains the forces?          limit/      How much more load until it falls?
  *   sequence/   Does it stand at every step of a build order?             memory/     How many bytes does a call take?
  *   small/      With SP_SMALL: sp_check by one short search (small/check.c), on which limits and build orders run, too.

@@ -62,7 +62,7 @@ static sp_status sp__check_arguments(const sp_scene *scene, const sp_settings *s
 /* Is there a k-th part to check? Without islands the whole is the only one. */
 static int sp__check_more(const sp__island_loop *islands, const sp__check *whole, int32_t k)
 {
-    return islands ? sp__island_loop_more(islands, whole, k) : k == 0;
+    return islands ? sp__island_loop_continues(islands, whole, k) : k == 0;
 }
 
 /* The problem of the k-th part. */

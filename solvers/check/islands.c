@@ -50,7 +50,7 @@ static void sp__island_potential(const int32_t *rank, const sp__check *found, sp
 }
 
 /* An island that stands has no motion. */
-static void sp__island_rest(const sp__check *found)
+static void sp__island_clear_motion(const sp__check *found)
 {
     for (int32_t i = 0; i < found->pb.blocks && found->r.verdict == SP_STABLE; i++)
         memset(found->r.dq + 6 * (size_t)found->pb.block[i], 0, 6 * sizeof *found->r.dq);
@@ -200,7 +200,7 @@ SP__NOINLINE static sp_status sp__island_loop_begin(const sp_scene *scene, sp__c
 }
 
 /* Is there an island left? A proof that a later search overwrote is sought once more, after the last island. */
-static int sp__island_loop_more(const sp__island_loop *w, const sp__check *c, int32_t k)
+static int sp__island_loop_continues(const sp__island_loop *w, const sp__check *c, int32_t k)
 {
     return k < c->r.islands.count + (w->proof.nodes && !w->proof_kept);
 }
@@ -233,7 +233,7 @@ SP__NOINLINE static sp_status sp__island_loop_open(const sp_scene *scene, sp__is
 SP__NOINLINE static void sp__island_loop_collect(sp__island_loop *w, const sp__check *found, sp__check *c, sp_arena *a)
 {
     const sp_coupled *o = &found->r.coupled;
-    sp__island_rest(found);
+    sp__island_clear_motion(found);
     if (!w->again) sp__island_add(w->t.rank, w->at, found, c);
     else sp__cost_add(&c->r.spent.total, &found->r.spent.total);
     w->proof_kept &= !o->rounds && (o->verdict != SP_COUPLING_NOT_FOUND || o->reason == SP_COUPLING_STATICS);

@@ -183,7 +183,7 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
     }
     state->left = left - reserve;
     sp_arena room = sp__work_open(set, a);
-    const sp_status status = sp__stage(set, set->stage[k]).run(pb, set, state, &room, &claim);
+    const sp_status status = sp__stage_calls(set, set->stage[k]).run(pb, set, state, &room, &claim);
     if (status) return status;
     sp__work_close(set, a, &room);
     r->extremes.tension_ratio = state->tension_ratio;

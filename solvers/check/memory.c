@@ -133,7 +133,7 @@ SP__NOINLINE static size_t sp__stages_need(const sp_problem *pb, const sp_settin
     size_t work = 0;
     for (int32_t k = 0; k <= set->stage_count && pb->blocks; k++) {
         if (k == set->stage_count && !set->localise) break;
-        const size_t need = k < set->stage_count ? sp__stage(set, set->stage[k]).need(pb, set, scratch)
+        const size_t need = k < set->stage_count ? sp__stage_calls(set, set->stage[k]).need(pb, set, scratch)
                                                  : sp__system_need_reduced(pb, set, SP__PENALTY, scratch);
         if (need > work) work = need;
     }

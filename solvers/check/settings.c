@@ -1,5 +1,5 @@
 /* settings: defaults; settings checked and resolved against the scene (tol, force_bound, effects); which function runs which
- * stage (sp__stage). */
+ * stage (sp__stage_calls). */
 #ifndef SP__CHECK_SETTINGS_C
 #define SP__CHECK_SETTINGS_C
 
@@ -108,7 +108,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
 }
 
 /* What runs a stage and what tells its memory. */
-static sp_stage sp__stage(const sp_settings *set, sp_stage_id id)
+static sp_stage sp__stage_calls(const sp_settings *set, sp_stage_id id)
 {
     sp_stage s = { sp__exact_run, sp__exact_need };
     if (id == SP_STAGE_GATES) { s.run = sp__gates_run; s.need = sp__gates_need; }

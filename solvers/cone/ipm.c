@@ -57,8 +57,8 @@ static void sp__soc_square(const sp__nt *W, sp_real v[3])
 
 /* h = -x + W (lambda \ (aim e - (W^-1 dx) o (W dz))): towards x o z = aim e, (dx, dz) the step that ignores the product of
  * changes. a \ b solves a o (a \ b) = b. h may be dx. */
-static void sp__soc_aim(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
-                        sp_real aim, sp_real h[3])
+static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
+                              sp_real aim, sp_real h[3])
 {
     sp_real l[3], a[3], b[3], q[3];
     sp__soc_scale(W, z, 0, l);

@@ -46,7 +46,7 @@ static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
 }
 
 /* One of an edge and its opposite? */
-static int sp__edge_once(const sp__touch *t, const int32_t *e)
+static int sp__edge_is_first(const sp__touch *t, const int32_t *e)
 {
     if (!SP__WITH_SMALL) return e[0] <= e[1];                       /* one number stands for all vertices at a place */
     return sp__place_order(t->scene->vertex[e[0]], t->scene->vertex[e[1]], 0) < 0;
@@ -61,7 +61,7 @@ static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
         for (int32_t j = q->edge; j < q->edge + q->edges; j++) {
             const int32_t *u = t->all.bound[i], *v = t->all.bound[j];
             sp_real d[3], e[3];
-            if (!sp__edge_once(t, u) || !sp__edge_once(t, v)) continue;
+            if (!sp__edge_is_first(t, u) || !sp__edge_is_first(t, v)) continue;
             sp__sub3(t->scene->vertex[u[1]], t->scene->vertex[u[0]], d);
             sp__sub3(t->scene->vertex[v[1]], t->scene->vertex[v[0]], e);
             const sp_real size = sp__norm3(d) * sp__norm3(e);
@@ -89,7 +89,7 @@ static int sp__ray_edge(const sp_real x[3], const sp_real p[3], const sp_real q[
 
 /* Squared distance of x from the triangle v[0] v[1] v[2] with normal n (not 0): from its plane over its inside, else from the
  * nearest edge, d - s e with s = clamp(d . e / e . e). */
-static sp_real sp__triangle_far2(const sp_real x[3], const sp_real *const v[3], const sp_real n[3])
+static sp_real sp__triangle_distance2(const sp_real x[3], const sp_real *const v[3], const sp_real n[3])
 {
     sp_real e[3], d[3], c[3], least = -1, h = 0;
     int inside = 1;
@@ -127,7 +127,7 @@ static sp_real sp__depth(const sp__touch *t, int32_t block, const sp_real x[3], 
             sp__sub3(v[2], v[0], n);
             sp__cross3(d, n, n);
             if (!(sp__dot3(n, n) > 0)) continue;
-            const sp_real far2 = sp__triangle_far2(x, v, n);
+            const sp_real far2 = sp__triangle_distance2(x, v, n);
             if (far2 <= flat * flat) return 0;
             if (far2 < least2) least2 = far2;
             const int w = sp__ray_edge(x, v[0], v[1]) + sp__ray_edge(x, v[1], v[2]) + sp__ray_edge(x, v[2], v[0]);
@@ -165,7 +165,7 @@ static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer,
         const sp_real *p = t->scene->vertex[t->all.bound[e][0]], *q = t->scene->vertex[t->all.bound[e][1]];
         sp_real s[2], x[3];
         most = sp__max(most, sp__depth(t, outer, p, flat));
-        if (!sp__edge_once(t, t->all.bound[e])) continue;
+        if (!sp__edge_is_first(t, t->all.bound[e])) continue;
         sp__edge_in_box(p, q, &t->all.body[outer], s);
         for (int i = 1; i < steps && s[0] < s[1]; i++) {
             const sp_real at = s[0] + (s[1] - s[0]) * (sp_real)i / (sp_real)steps;

@@ -90,7 +90,7 @@ static void sp__touch_edges(sp__touch *t, int32_t f)
 }
 
 /* Boundary of a patch from t->all.edge: of the edges between two vertices those that their opposites do not cancel. */
-static void sp__touch_bound(sp__touch *t, sp__patch *p)
+static void sp__touch_boundary(sp__touch *t, sp__patch *p)
 {
     int32_t *order = t->all.order;
     p->edge = t->bounds;
@@ -122,7 +122,7 @@ static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
     for (int32_t p = body->patch; p < t->patches; p++) {
         t->own.edges = 0;
         for (int32_t f = 0; f < faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
-        sp__touch_bound(t, &t->all.patch[p]);
+        sp__touch_boundary(t, &t->all.patch[p]);
     }
 }
 

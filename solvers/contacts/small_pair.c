@@ -24,7 +24,7 @@ static void sp__pair_close(sp__touch *t, const sp__patch *p)
 {
     const int32_t n = t->pair.corners;
     for (int32_t k = 0; k < n; k++) sp__pair_to_space(t, p, t->pair.hull.p[k], t->pair.point[k]);
-    if (n && (t->pair.parts || sp__clip_wide(t->pair.hull.p, n, t->now.gap / t->now.unit) > 0))
+    if (n && (t->pair.parts || sp__clip_excess_area(t->pair.hull.p, n, t->now.gap / t->now.unit) > 0))
         sp__pair_add(t, n, t->pair.point);
     t->pair.corners = 0;
 }

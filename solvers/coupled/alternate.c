@@ -96,7 +96,7 @@ static void sp__explain_carve(sp__explain *g, const sp_problem *pb, int32_t entr
 }
 
 /* w^2; of a joint that presses too little to be engaged hardly anything: it closes if nothing speaks against it. */
-static sp_real sp__alt_pull(const sp__alt *m, size_t v)
+static sp_real sp__alt_closing_weight(const sp__alt *m, size_t v)
 {
     const sp_real w = m->weight[v];
     return w > 0 ? w * w : m->f[v][0] > 0 && m->pin[v] < 2 ? SP__ALT_WEAK : 0;
@@ -109,7 +109,7 @@ SP__NOINLINE static void sp__explain_cost(sp__explain *g, const sp_problem *pb, 
     int32_t e = 0;
     for (int32_t j = 0; j < g->qp.n; j++) {
         const int32_t v = j < y ? 0 : j < y + d ? (j - y) / 3 : j - y - d, axis = j < y + d ? (j - y) % 3 : 3;
-        const sp_real w2 = m && j >= y ? sp__alt_pull(m, (size_t)v) : 0;
+        const sp_real w2 = m && j >= y ? sp__alt_closing_weight(m, (size_t)v) : 0;
         const int rubs = m && j >= y && (m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0);
         g->Pp[j] = e;
         g->q[j] = 0;
@@ -184,7 +184,7 @@ static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_
 }
 
 /* Bytes of its own arrays. */
-SP__NOINLINE static size_t sp__alt_own(const sp_problem *pb)
+SP__NOINLINE static size_t sp__alt_bytes(const sp_problem *pb)
 {
     sp_arena dry = sp__arena_dry();
     sp__alt m;
@@ -200,7 +200,7 @@ static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_aren
     const size_t forces = sp__admm_need(pb, set, scratch), motion = sp__explain_need(pb, set, scratch);
     if (forces == SIZE_MAX || motion == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
-    sp__take(&dry, 1, sp__alt_own(pb));
+    sp__take(&dry, 1, sp__alt_bytes(pb));
     sp__take(&dry, 1, forces > motion ? forces : motion);
     return dry.used;
 }
@@ -215,7 +215,7 @@ static size_t sp__alt_scratch(const sp_problem *pb, const sp_settings *set)
     sp__explain_size(pb, &qp);
     const int32_t entries = 43 * pb->points;
     const size_t n = (size_t)qp.n, m = (size_t)qp.m;
-    const size_t solver = sp__qp_count(&qp, entries + qp.n + 2 * pb->points, sp__seed_of(set)->native.backend, 0);
+    const size_t solver = sp__qp_bytes(&qp, entries + qp.n + 2 * pb->points, sp__seed_of(set)->native.backend, 0);
     if (!solver) return 0;
     sp__take(&dry, 1, sizeof(sp__explain) + 16 * SP_ALIGN);
     sp__take(&dry, 6 * n + 2 * m + 8, sizeof(sp_real));
@@ -245,7 +245,7 @@ static int32_t sp__alt_engage(sp__alt *m)
 }
 
 /* The motion of least squares, beta free, into w->y: (2J'J + reg) y = -2J' (residual of rest). */
-SP__NOINLINE static void sp__alt_squares(sp__alt *m)
+SP__NOINLINE static void sp__alt_least_squares(sp__alt *m)
 {
     const sp__cra *c = m->c;
     const sp_real weak = SP__ALT_WEAK;
@@ -254,7 +254,7 @@ SP__NOINLINE static void sp__alt_squares(sp__alt *m)
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
         const sp_real w = m->weight[v], x = m->h[v][0], y = m->h[v][1];
         sp_real *D = c->spring.D + 6 * v, *pull = c->spring.d + 3 * v;      /* right-hand sides in the place of rates */
-        D[0] = sp__alt_pull(m, v);
+        D[0] = sp__alt_closing_weight(m, v);
         pull[0] = -D[0] * c->k.eps;
         if (!(w > 0 && x * x + y * y > 0)) continue;
         D[3] = y * y + weak * x * x;
@@ -290,11 +290,11 @@ static int sp__alt_within_bounds(const sp__alt *m)
 }
 
 /* Budget that is left for a program.     returns 0 when it is too little */
-static int sp__alt_left(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
+static int sp__alt_set_budget(const sp__cra *c, const sp_qp *qp, sp_qp_settings *set)
 {
     if (c->set->budget <= 0) return 1;
     set->budget = c->w->budget.limit - c->out->cost.flops;
-    if (set->budget < sp__program_least(qp)) c->w->budget.spent = 1;
+    if (set->budget < sp__program_least_flops(qp)) c->w->budget.spent = 1;
     return !c->w->budget.spent;
 }
 
@@ -321,7 +321,7 @@ SP__NOINLINE static int sp__alt_explain(sp__alt *m)
     memcpy(g->x + n, c->spring.d, d * sizeof *g->x);
     for (size_t v = 0; v < d / 3; v++) g->x[n + d + v] = sp__max(sp__alt_beta(m, v), m->least);
     g->set = m->seed->native;
-    if (!sp__alt_left(c, &g->qp, &g->set)) return 0;
+    if (!sp__alt_set_budget(c, &g->qp, &g->set)) return 0;
     if (solver.solve(solver.self, &g->qp, &g->set, &a, g->x, NULL, &g->r)) return 0;
     if (!sp__alt_solved(c, &g->r, 1)) return 0;
     for (size_t k = 0; k < n; k++) if (!sp__finite(g->r.x[k])) return 0;
@@ -364,7 +364,7 @@ SP__NOINLINE static int sp__alt_forces(sp__alt *m)
     for (int32_t j = 0; j < g->qp.n; j++)
         if (m->pin[j / 4] > (j % 4 < 2))
             for (int32_t k = g->at.Ap[j]; k < g->at.Ap[j + 1]; k++) g->at.Ax[k] = 0;
-    if (!sp__alt_left(c, &g->qp, &g->set)) return 0;
+    if (!sp__alt_set_budget(c, &g->qp, &g->set)) return 0;
     if (g->solver.solve(g->solver.self, &g->qp, &g->set, &a, NULL, NULL, &g->r)) return 0;
     if (!sp__alt_solved(c, &g->r, 0)) return 0;
     sp_real press = 0, pull = 0;
@@ -390,7 +390,8 @@ SP__NOINLINE static void sp__alt_slip_forces(const sp__alt *m, int first)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+            const sp_real reach = sp__cra_friction(c, t, d);
             const int rubs = slip > 2 * SP__SLIP && reach > 0;
             const sp_real x = rubs ? -reach * d[1] / slip : 0, y = rubs ? -reach * d[2] / slip : 0;
             sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
@@ -444,8 +445,8 @@ static int sp__alt_offer(sp__alt *m)
     sp__cra *c = m->c;
     for (size_t v = 0; v < (size_t)c->pb->points; v++)
         c->spring.f[3 * v] = m->weight[v] > 0
-                          || (sp__alt_pull(m, v) > 0 && sp__abs(c->spring.d[3 * v] + c->k.eps) <= (sp_real)0.01);
-    sp__cra_press(c);
+                          || (sp__alt_closing_weight(m, v) > 0 && sp__abs(c->spring.d[3 * v] + c->k.eps) <= (sp_real)0.01);
+    sp__cra_move_to_contact(c);
     for (int step = 0; step < SP__ALT_STEPS; step++) {
         sp__alt_slip_forces(m, !step);
         sp__cra_balance(c, c->spring.f, 1);
@@ -476,7 +477,7 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
         sp_real worst = 0;
         c->out->rounds++;
         if (!sp__alt_engage(m)) return 0;
-        sp__alt_squares(m);
+        sp__alt_least_squares(m);
         if (!sp__alt_within_bounds(m) && !sp__alt_explain(m)) return 0;
         for (size_t v = 0; v < (size_t)c->pb->points; v++) worst = sp__max(worst, sp__alt_gap(m, v));
         const int32_t pinned = sp__alt_remove_worst(m, worst);

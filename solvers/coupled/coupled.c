@@ -23,7 +23,7 @@ static void sp__cra_write_motion(const sp__cra *c)
 }
 
 /* The triple on offer is verified: into the result. */
-static void sp__cra_found(const sp__cra *c, sp_state *state, sp_real *imbalance)
+static void sp__cra_write_result(const sp__cra *c, sp_state *state, sp_real *imbalance)
 {
     c->out->verdict = SP_COUPLING_COUPLED;
     c->out->reason = SP_COUPLING_MOTION;
@@ -59,7 +59,7 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
     c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
     c->out->residual = c->offer.residual;
-    if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) sp__cra_found(c, state, imbalance);
+    if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) sp__cra_write_result(c, state, imbalance);
     return SP_OK;
 }
 
@@ -90,7 +90,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     a->used = mark;
     if (found || !c->mirror) return found;
     c->offer.made = c->offer.tiny = 0;
-    sp__cra_rest(c, imbalance);
+    sp__cra_offer_statics(c, imbalance);
     return 0;
 }
 
@@ -109,7 +109,7 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
     }
     if (found < 0) return SP_E_MEMORY;
     c->out->residual = c->offer.residual;
-    if (found) sp__cra_found(c, state, imbalance);
+    if (found) sp__cra_write_result(c, state, imbalance);
     else if (c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
     c->spent = c->w->budget.spent && limit >= state->left;
     a->used = mark;
@@ -125,7 +125,7 @@ static sp_status sp__coupled_ask(sp__cra *c, sp_state *state, sp_result *r, sp_a
     if (plane < 0) return SP_E_MEMORY;
     if (plane) {
         c->out->residual = c->offer.residual;
-        sp__cra_found(c, state, &r->imbalance);
+        sp__cra_write_result(c, state, &r->imbalance);
         return SP_OK;
     }
     if (!found && c->set->effect[SP_EFFECT_DEPTH] == SP_WITHOUT) return SP_OK;
@@ -163,7 +163,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     c->statics = state->f;
     for (int32_t q = 0; q < pb->contacts; q++) c->sbar_most = sp__max(c->sbar_most, sp__cra_sbar(c, &pb->contact[q]));
     memset(c->spring.d, 0, (size_t)pb->points * 3 * sizeof *c->spring.d);
-    sp__cra_rest(c, r->imbalance);
+    sp__cra_offer_statics(c, r->imbalance);
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
     else out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * pb->points;

@@ -142,7 +142,8 @@ static void sp__branch_bound(sp__branch *s, int32_t row, sp_real low, sp_real hi
 }
 
 /* Friction within the sector: d . ft <= mu fn for directions opposite to its ends and its middle, or for the faces there. */
-static void sp__branch_near(sp__branch *s, int32_t v, int32_t state, const sp_real a[2], const sp_real m[2], const sp_real b[2])
+static void sp__branch_friction(sp__branch *s, int32_t v, int32_t state, const sp_real a[2], const sp_real m[2],
+                                const sp_real b[2])
 {
     const int32_t K = s->set->faces, row = sp__branch_row(s, v, SP__ROW_NEAR);
     if (K && K <= 8) return;
@@ -150,7 +151,7 @@ static void sp__branch_near(sp__branch *s, int32_t v, int32_t state, const sp_re
         const sp_real *w = q == 0 ? a : q == 1 ? m : b;
         sp_real face[2] = { -w[0], -w[1] };
         if (K) sp__pyramid_direction(K, (sp__sector_face(state, K) + K + q - 1) % K, face);
-        sp__lp_drop(&s->lp, row + q);
+        sp__lp_deactivate(&s->lp, row + q);
         sp__branch_force_row(s, row + q, -s->mu[v], face[0], face[1]);
         sp__branch_bound(s, row + q, -SP__LP_FREE, 0);
     }
@@ -165,21 +166,21 @@ SP__NOINLINE static void sp__branch_sector(sp__branch *s, int32_t v, int32_t sta
     sp__sector(state, a, m, b);
     for (int32_t q = 0; q < 2; q++) {
         const sp_real *w = q ? b : a;
-        sp__lp_drop(&s->lp, ends + q);
-        sp__lp_drop(&s->lp, rub + q);
+        sp__lp_deactivate(&s->lp, ends + q);
+        sp__lp_deactivate(&s->lp, rub + q);
         sp__branch_motion_row(s, v, ends + q, 0, -w[1], w[0]);
         sp__branch_force_row(s, rub + q, (q ? SP__SLIP : -SP__SLIP) * s->outer * s->mu[v], -w[1], w[0]);
         sp__branch_bound(s, ends + q, q ? -SP__LP_FREE : 0, q ? 0 : SP__LP_FREE);
         sp__branch_bound(s, rub + q, q ? 0 : -SP__LP_FREE, q ? SP__LP_FREE : 0);
     }
-    sp__lp_drop(&s->lp, ahead);
+    sp__lp_deactivate(&s->lp, ahead);
     sp__branch_motion_row(s, v, ahead, 0, m[0], m[1]);
     sp__branch_bound(s, ahead, -SP__LP_FREE, s->set->coupled.box ? SP__LP_FREE : s->k.eta);
-    sp__branch_near(s, v, state, a, m, b);
+    sp__branch_friction(s, v, state, a, m, b);
 }
 
 /* The program's rows of vertex v for a state. */
-static void sp__branch_load(sp__branch *s, int32_t v, int32_t state)
+static void sp__branch_set_state(sp__branch *s, int32_t v, int32_t state)
 {
     const int32_t gap = sp__branch_row(s, v, SP__ROW_GAP), f = s->lp.m + 3 * v;
     if (s->loaded[v] == state) return;
@@ -239,7 +240,7 @@ static void sp__branch_scales(sp__branch *s)
 }
 
 /* One more entry of the row being written. */
-static void sp__branch_put(sp__branch *s, int32_t *e, int32_t variable, sp_real value)
+static void sp__branch_add_entry(sp__branch *s, int32_t *e, int32_t variable, sp_real value)
 {
     s->lp.index[*e] = variable;
     s->lp.value[(*e)++] = value;
@@ -259,15 +260,15 @@ static void sp__branch_balance(sp__branch *s, int32_t *e)
             const sp_contact *t = &pb->contact[s->contact[v]];
             if (t->a != i && t->b != i) continue;
             const int32_t at = k + (t->b >= 0 && t->a == i ? 6 : 0);
-            for (int32_t q = 0; q < 3; q++) sp__branch_put(s, e, 3 * v + q, s->d[v][q][at] * s->size[v] / s->load[i]);
+            for (int32_t q = 0; q < 3; q++) sp__branch_add_entry(s, e, 3 * v + q, s->d[v][q][at] * s->size[v] / s->load[i]);
         }
         sp__branch_bound(s, r, held ? -SP__LP_FREE : -p / s->load[i], held ? SP__LP_FREE : -p / s->load[i]);
         sp__branch_bound(s, s->lp.m + z + r, held ? 0 : -SP__LP_FREE, held ? 0 : SP__LP_FREE);
     }
     s->lp.start[6 * pb->blocks] = *e;
-    for (int32_t v = 0; v < s->points; v++) sp__branch_put(s, e, 3 * v, s->k.eps * s->size[v]);
+    for (int32_t v = 0; v < s->points; v++) sp__branch_add_entry(s, e, 3 * v, s->k.eps * s->size[v]);
     for (int32_t r = 0; r < 6 * pb->blocks; r++)
-        sp__branch_put(s, e, z + r, -sp__in_units(s->j->unit, pb->p[r]) / (r % 6 < 3 ? 1 : s->arm[r / 6]));
+        sp__branch_add_entry(s, e, z + r, -sp__in_units(s->j->unit, pb->p[r]) / (r % 6 < 3 ? 1 : s->arm[r / 6]));
     sp__branch_bound(s, 6 * pb->blocks, -SP__LP_FREE, 0);
 }
 
@@ -282,10 +283,10 @@ static void sp__branch_fixed(sp__branch *s, int32_t v, int32_t *e)
         if (q < SP__ROW_RUB) {
             for (int side = 0; side < 2; side++) {
                 const int32_t i = side ? t->a : t->b;
-                for (int32_t k = 0; i >= 0 && k < 6; k++) sp__branch_put(s, e, z + 6 * i + k, 0);
+                for (int32_t k = 0; i >= 0 && k < 6; k++) sp__branch_add_entry(s, e, z + 6 * i + k, 0);
             }
         } else {
-            for (int32_t k = 0; k < 3; k++) sp__branch_put(s, e, 3 * v + k, 0);
+            for (int32_t k = 0; k < 3; k++) sp__branch_add_entry(s, e, 3 * v + k, 0);
         }
     }
     s->lp.start[sp__branch_row(s, v, SP__ROWS)] = *e;
@@ -335,7 +336,7 @@ SP__NOINLINE static void sp__branch_make(sp__branch *s)
 }
 
 /* d of vertex v at the program's point. */
-static void sp__branch_rate(const sp__branch *s, int32_t v, sp_real d[3])
+static void sp__branch_displacement(const sp__branch *s, int32_t v, sp_real d[3])
 {
     const int32_t row = sp__branch_row(s, v, SP__ROW_GAP);
     d[0] = d[1] = d[2] = 0;
@@ -362,7 +363,7 @@ static int32_t sp__branch_pick(const sp__branch *s)
             const sp_real *f = s->lp.x + 3 * v;
             sp_real d[3], width = 4;
             if (s->state[v] == 1 || (!pass && s->state[v] > 0) || s->state[v] >= SP__BRANCH_DEEP) continue;
-            sp__branch_rate(s, v, d);
+            sp__branch_displacement(s, v, d);
             const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), dt = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
             const sp_real x = pass ? ft : f[0], y = pass ? dt : d[0] + s->k.eps, along = f[1] * d[1] + f[2] * d[2];
             if (x <= SP__BRANCH_DUST || y <= SP__BRANCH_DUST) continue;
@@ -376,7 +377,7 @@ static int32_t sp__branch_pick(const sp__branch *s)
 }
 
 /* Number of a constraint in the proof: rows as they are, bounds of f after the rows of their vertex; -1: a bound of dq. */
-static int32_t sp__branch_number(const sp__branch *s, int32_t i)
+static int32_t sp__branch_proof_row(const sp__branch *s, int32_t i)
 {
     const int32_t base = 6 * s->pb->blocks + 1, v = i < s->lp.m ? (i - base) / SP__ROWS : (i - s->lp.m) / 3;
     if (i < base) return i;
@@ -405,14 +406,14 @@ static sp_real sp__branch_multiplier(const sp__branch *s, int32_t k, sp_real lar
 }
 
 /* A closed node: its Farkas vector, 1 on the constraint that fails and -t on the active ones.     returns 0: no room */
-static int sp__branch_close(sp__branch *s)
+static int sp__branch_close_node(sp__branch *s)
 {
     sp_proof *p = s->proof;
     const int32_t from = p->entries;
     sp_real largest = 1;
     for (int32_t k = 0; k < s->lp.n; k++) largest = sp__max(largest, sp__abs(s->lp.t[k]));
     for (int32_t k = 0; k <= s->lp.n; k++) {
-        const int32_t i = k < s->lp.n ? s->lp.active[k] : s->lp.failed, row = sp__branch_number(s, i);
+        const int32_t i = k < s->lp.n ? s->lp.active[k] : s->lp.failed, row = sp__branch_proof_row(s, i);
         const sp_real y = sp__branch_multiplier(s, k, largest);
         if (row < 0 || !(sp__abs(y) > 0)) continue;
         if (p->entries == s->entries) return 0;
@@ -433,7 +434,7 @@ static int32_t sp__branch_children(int32_t state, int32_t *first)
 }
 
 /* Flops that the check of the proof takes: so far, and with a leaf more. */
-static int64_t sp__branch_check(const sp__branch *s)
+static int64_t sp__branch_check_flops(const sp__branch *s)
 {
     return 40 * ((int64_t)s->proof->entries + s->lp.n) + SP__FLOPS_CERTIFICATE * ((int64_t)s->proof->leaves + 1) * s->points;
 }
@@ -446,10 +447,10 @@ SP__NOINLINE static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
     s->depth = 0;
     s->proof->nodes = s->proof->leaves = s->proof->entries = 0;
     for (;;) {
-        s->lp.limit = left - sp__branch_check(s);
+        s->lp.limit = left - sp__branch_check_flops(s);
         for (int32_t v = 0; v < s->points; v++) {
-            if (!sp__lp_pays(&s->lp, SP__ROWS)) return SP__OUT_BUDGET;
-            sp__branch_load(s, v, s->state[v]);
+            if (!sp__lp_affords(&s->lp, SP__ROWS)) return SP__OUT_BUDGET;
+            sp__branch_set_state(s, v, s->state[v]);
         }
         const sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
         if (status == SP__LP_GIVEN_UP) return SP__OUT_BUDGET;
@@ -465,7 +466,7 @@ SP__NOINLINE static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
             sp__branch_children(f->state, &s->state[v]);
             continue;
         }
-        if (!sp__branch_close(s)) return SP__OUT_BUDGET;
+        if (!sp__branch_close_node(s)) return SP__OUT_BUDGET;
         for (; s->depth; s->depth--) {                      /* the next child of the deepest node that has one */
             sp__frame *f = &s->stack[s->depth - 1];
             int32_t first;
@@ -480,7 +481,7 @@ SP__NOINLINE static sp__outcome sp__branch_run(sp__branch *s, int64_t left)
 }
 
 /* Nodes and multipliers a proof has room for; 0: nothing is decided. `points`: contact vertices that take part. */
-static int32_t sp__branch_room(int32_t points, int32_t blocks, int32_t asked, int32_t *entries)
+static int32_t sp__branch_proof_room(int32_t points, int32_t blocks, int32_t asked, int32_t *entries)
 {
     const int few = points > 0 && points <= SP_EXACT_POINTS && blocks <= SP_EXACT_POINTS;
     const int32_t cube = few ? 24 * points * points * points : 0, own = cube < 48000 ? cube : 48000;
@@ -493,7 +494,7 @@ static int32_t sp__branch_room(int32_t points, int32_t blocks, int32_t asked, in
 static void sp__proof_carve(sp_proof *p, int32_t points, int32_t blocks, const sp_settings *set, sp_arena *a)
 {
     int32_t entries;
-    const int32_t nodes = sp__branch_room(points, blocks, set->coupled.nodes, &entries);
+    const int32_t nodes = sp__branch_proof_room(points, blocks, set->coupled.nodes, &entries);
     p->y = sp__take(a, (size_t)entries, sizeof *p->y);
     p->node = sp__take(a, (size_t)nodes, sizeof *p->node);
     p->row = sp__take(a, (size_t)entries, sizeof *p->row);
@@ -513,7 +514,7 @@ static size_t sp__branch_need(const sp_problem *pb, const sp_settings *set)
 {
     int32_t entries;
     const int32_t points = sp__problem_points(pb);
-    if (!sp__branch_room(points, pb->blocks, set->coupled.nodes, &entries)) return 0;
+    if (!sp__branch_proof_room(points, pb->blocks, set->coupled.nodes, &entries)) return 0;
     const size_t decision = sp__branch_bytes(pb), check = sp__refute_need(points, pb->blocks);
     return decision > check ? decision : check;
 }
@@ -539,7 +540,7 @@ SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_s
 {
     const size_t mark = a->used;
     int32_t entries;
-    const int32_t nodes = sp__branch_room(sp__problem_points(pb), pb->blocks, set->coupled.nodes, &entries);
+    const int32_t nodes = sp__branch_proof_room(sp__problem_points(pb), pb->blocks, set->coupled.nodes, &entries);
     if (!nodes) return SP_OK;
     sp__take(a, 1, sp__branch_need(pb, set));
     if (sp__failed(a)) return SP_E_MEMORY;
@@ -555,7 +556,7 @@ SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_s
     sp__branch_make(s);
     const sp__outcome outcome = sp__branch_run(s, left - out->cost.flops);
     if (t && outcome == SP__OUT_POINT) sp__branch_point(s, t);
-    out->cost.flops += s->lp.flops + (outcome == SP__OUT_REFUTED ? sp__branch_check(s) : 0);
+    out->cost.flops += s->lp.flops + (outcome == SP__OUT_REFUTED ? sp__branch_check_flops(s) : 0);
     a->used = mark;
     if (outcome == SP__OUT_REFUTED) out->margin = sp__certify_refutation(j, k, &out->proof, a);
     a->used = mark;

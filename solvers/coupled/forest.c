@@ -217,7 +217,7 @@ SP__NOINLINE static int sp__cra_forest(sp__cra *c, sp_arena a)
     c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
     c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
     if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) return 1;
-    sp__cra_rest(c, imbalance);
+    sp__cra_offer_statics(c, imbalance);
     return 0;
 }
 

@@ -8,11 +8,11 @@
 #if SP__WITH_COUPLED
 
 /* The motion is held fast: what each vertex may carry in it.     returns 0 when it is none that the conditions allow */
-SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
+SP__NOINLINE static int sp__cra_hold_motion(sp__cra *c)
 {
     for (int deep = 1, round = 0; deep && round < 5; round++) {         /* what comes to lie too deep presses, too */
         deep = 0;
-        sp__cra_press(c);
+        sp__cra_move_to_contact(c);
         for (size_t v = 0; v < (size_t)c->pb->points; v++) {
             if (c->spring.d[3 * v] + c->k.eps >= -SP__GIVE) continue;
             deep = !(c->spring.f[3 * v] > 0);
@@ -27,7 +27,7 @@ SP__NOINLINE static int sp__cra_fasten(sp__cra *c)
             const int rubs = slip > 2 * SP__SLIP;
             if (gap < -SP__GIVE || sp__max(d[0], most) > c->k.eta) return 0;
             sp__held_vertex *h = &c->held.vertex[v];
-            h->reach = gap > SP__GIVE ? -1 : rubs ? sp__cra_reach(c, t, d) : 0;
+            h->reach = gap > SP__GIVE ? -1 : rubs ? sp__cra_friction(c, t, d) : 0;
             h->against[0] = rubs ? -d[1] / slip : 0;
             h->against[1] = rubs ? -d[2] / slip : 0;
             h->per_slip = rubs ? 1 / slip : 0;
@@ -65,7 +65,7 @@ SP__NOINLINE static int sp__cra_try_motion(sp__cra *c)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp__system *w = c->w;
-    if (!sp__cra_fasten(c)) return 0;
+    if (!sp__cra_hold_motion(c)) return 0;
     memcpy(c->held.y, w->y, n * sizeof *w->y);
     memset(w->y, 0, n * sizeof *w->y);
     c->held.on = 1;

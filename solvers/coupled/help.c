@@ -41,9 +41,9 @@ SP__NOINLINE static void sp__cra_help(sp__cra *c, sp_demand *demand)
     c->held.least = SP__HUGE;
     for (int k = 0; k < 8 && (k < 2 || !(c->held.least < SP__HUGE)) && !c->w->budget.spent; k++) {
         c->spring.soft = part[k % 4] / (SP__STIFF * c->k.eta);             /* a joint that carries sbar opens by eta / part */
-        sp__cra_start(c, SP__START_FREE, 0);
+        sp__cra_set_start(c, SP__START_FREE, 0);
         memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
-        sp__cra_close(c, (sp_real)0.01);
+        sp__cra_start_closed(c, (sp_real)0.01);
         if (k >= 4) sp__cra_search(c);
         else if (sp__cra_descend(c)) sp__cra_try_motion(c);
     }

@@ -46,7 +46,8 @@ SP__NOINLINE static void sp__cra_freedoms(sp__cra *c)
         const sp_real s = sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
             sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
-            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]), reach = sp__cra_reach(c, t, d);
+            const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+            const sp_real reach = sp__cra_friction(c, t, d);
             const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
             const sp_real wn = sp__max(sp__max(f[0], ft) / c->sbar_most, (sp_real)1e-6 * s / c->sbar_most);
             const int rubs = ft > 0 && slip > 2 * SP__SLIP, rim = rubs && ft >= (1 - (sp_real)1e-6) * reach * f[0];
@@ -89,7 +90,7 @@ SP__NOINLINE static int sp__cra_offer(sp__cra *c)
         }
     }
     sp__cra_to_space(c);
-    if (!sp__system_pay(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
+    if (!sp__system_spend(c->w, 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points)) return 0;
     c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
     c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
     c->offer.made = 1;
@@ -108,7 +109,7 @@ SP__NOINLINE static int sp__cra_polish(sp__cra *c)
             if (c->spring.f[3 * (size_t)v] <= SP__TINY_FORCE * s)
                 memset(c->spring.f + 3 * (size_t)v, 0, 3 * sizeof *c->spring.f);
     }
-    sp__cra_press(c);
+    sp__cra_move_to_contact(c);
     sp__cra_freedoms(c);
     return sp__cra_align(c) && sp__cra_offer(c);
 }

@@ -43,7 +43,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     sp_arena room = scratch;
     sp__reduction *o = sp__take(&room, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    const size_t dual = sp__system_most(pb, set, SP__MOTION, sp__cra_mirror(pb, set, o) ? o : NULL, room);
+    const size_t dual = sp__system_bytes(pb, set, SP__MOTION, sp__cra_mirror(pb, set, o) ? o : NULL, room);
     sp__cra *c = sp__take(&scratch, 1, sizeof *c);
     if (!c || dual == SIZE_MAX || turns == SIZE_MAX) return SIZE_MAX;
     sp_arena dry = sp__arena_dry();
@@ -57,7 +57,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
 }
 
 /* The forces of statics, all at rest. */
-static void sp__cra_rest(sp__cra *c, sp_real imbalance)
+static void sp__cra_offer_statics(sp__cra *c, sp_real imbalance)
 {
     memcpy(c->offer.t.f, c->statics, (size_t)c->pb->points * 3 * sizeof *c->offer.t.f);
     memset(c->offer.t.dq, 0, (size_t)c->pb->blocks * 6 * sizeof *c->offer.t.dq);

@@ -35,7 +35,7 @@ SP__NOINLINE static int sp__cra_rounds(sp__cra *c, sp_real damp)
 
 /* A start with the joints that press already closed: forces as if dn + eps were dn, then the motion put onto dn = -eps there.
  * Without eps they touch where they are, and press as statics found: nothing else would, where a squeezed block only slides. */
-static void sp__cra_close(sp__cra *c, sp_real drag)
+static void sp__cra_start_closed(sp__cra *c, sp_real drag)
 {
     const int gives = c->k.eps > 0;
     c->drag.size = drag;
@@ -49,14 +49,14 @@ static void sp__cra_close(sp__cra *c, sp_real drag)
     if (!gives) return;
     sp__cra_descend(c);
     for (size_t v = 0; v < (size_t)c->pb->points; v++) c->spring.lam[v] = sp__max(c->spring.f[3 * v], 0);
-    sp__cra_press(c);
+    sp__cra_move_to_contact(c);
 }
 
 /* From rest, with growing drag.     returns 1 when a triple is verified */
-SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
+SP__NOINLINE static int sp__cra_grow_drag(sp__cra *c, sp_real drag, sp_real damp)
 {
     memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
-    sp__cra_close(c, drag);
+    sp__cra_start_closed(c, drag);
     for (c->drag.size = drag; c->drag.size < 200 || (c->descent.too_far && c->drag.size < 20000); c->drag.size *= 10) {
         const int found = sp__cra_rounds(c, damp);
         if (found) return found > 0;
@@ -69,7 +69,7 @@ SP__NOINLINE static int sp__cra_grow(sp__cra *c, sp_real drag, sp_real damp)
 typedef enum sp__start { SP__START_FREE, SP__START_STATICS, SP__START_DRAG, SP__START_LONE, SP__START_OTHERS } sp__start;
 
 /* Sets the bound of friction at every vertex, and whether drag grows, for a start. */
-static void sp__cra_start(sp__cra *c, sp__start how, int32_t lone)
+static void sp__cra_set_start(sp__cra *c, sp__start how, int32_t lone)
 {
     c->drag.viscous = how >= SP__START_DRAG;
     c->drag.grow = how == SP__START_DRAG ? 2 : 1;
@@ -95,14 +95,14 @@ static int sp__cra_search(sp__cra *c)
         { SP__START_DRAG, 1, 0 },                        { SP__START_STATICS, 1, (sp_real)0.3 },
         { SP__START_FREE, 1, (sp_real)0.3 },             { SP__START_DRAG, (sp_real)1e-4, 0 } };
     for (int k = 0; k < 8; k++) {
-        sp__cra_start(c, start[k].how, 0);
-        if (sp__cra_grow(c, start[k].drag, start[k].damp)) return 1;
+        sp__cra_set_start(c, start[k].how, 0);
+        if (sp__cra_grow_drag(c, start[k].drag, start[k].damp)) return 1;
         if (c->w->budget.spent) return 0;
     }
     for (int32_t q = 0; q < c->pb->contacts && c->pb->contacts <= SP__LONE_MOST && !c->w->budget.spent; q++)
         for (int others = 0; others < 2; others++) {
-            sp__cra_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
-            if (sp__cra_grow(c, (sp_real)0.01, 0)) return 1;
+            sp__cra_set_start(c, others ? SP__START_OTHERS : SP__START_LONE, q);
+            if (sp__cra_grow_drag(c, (sp_real)0.01, 0)) return 1;
         }
     return 0;
 }

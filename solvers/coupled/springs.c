@@ -124,7 +124,7 @@ static sp_real sp__cra_sbar(const sp__cra *c, const sp_contact *t)
 }
 
 /* Largest |ft| / fn against slip d: mu, of a pyramid what it reaches in that direction. */
-static sp_real sp__cra_reach(const sp__cra *c, const sp_contact *t, const sp_real d[3])
+static sp_real sp__cra_friction(const sp__cra *c, const sp_contact *t, const sp_real d[3])
 {
     const sp_real mu = t->joint->strength.mu * c->j.mu_factor, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
     sp_real most = 0;
@@ -143,7 +143,7 @@ SP__NOINLINE static void sp__cra_rates(const sp__cra *c, const sp_real *y, sp_re
         sp_real V[3], W[3];
         sp__system_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            if (sp__system_counts(c->w, v) > 0) sp__system_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
+            if (sp__system_multiplicity(c->w, v) > 0) sp__system_rate(c->w, V, W, c->pb->local[v], u + 3 * (size_t)v);
     }
 }
 
@@ -158,7 +158,7 @@ SP__NOINLINE static void sp__cra_balance(const sp__cra *c, const sp_real *f, int
         const sp_contact *t = &pb->contact[q];
         sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 }, m[3];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            const sp_real *g = f + 3 * (size_t)v, times = sp__system_counts(c->w, v);
+            const sp_real *g = f + 3 * (size_t)v, times = sp__system_multiplicity(c->w, v);
             if (!(times > 0)) continue;
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += times * g[k]; M[k] += times * m[k]; }
@@ -234,7 +234,7 @@ SP__NOINLINE static sp_real sp__cra_springs(sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         const sp_real s = c->held.on ? sp__cra_size(c, t) : sp__cra_sbar(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            const sp_real times = sp__system_counts(c->w, (int32_t)v);
+            const sp_real times = sp__system_multiplicity(c->w, (int32_t)v);
             sp_real part = 0;
             if (!(times > 0)) continue;
             if (c->held.on) sp__cra_wedge(c, v, s, &part);
@@ -256,7 +256,7 @@ SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
         sp_real V[3], W[3], u[3];
         sp__system_twist(c->w, t, y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (!(sp__system_counts(c->w, v) > 0)) continue;
+            if (!(sp__system_multiplicity(c->w, v) > 0)) continue;
             sp__system_rate(c->w, V, W, c->pb->local[v], u);
             for (int k = 0; k < 3; k++) most = sp__max(most, sp__abs(u[k]));
         }
@@ -265,7 +265,7 @@ SP__NOINLINE static sp_real sp__cra_extent(const sp__cra *c, const sp_real *y)
 }
 
 /* y <- kept + step d */
-static sp_real sp__cra_at(sp__cra *c, sp_real step)
+static sp_real sp__cra_energy_at(sp__cra *c, sp_real step)
 {
     memcpy(c->w->y, c->descent.from, 6 * (size_t)c->pb->blocks * sizeof *c->descent.from);
     sp__system_axpy(c->w, step, c->w->d, c->w->y);
@@ -274,12 +274,12 @@ static sp_real sp__cra_at(sp__cra *c, sp_real step)
 
 /* Line search: the step between 0 and `high` along d at which the energy is least; it falls by `down` at first,
  * and rises at `step`. */
-static sp_real sp__cra_valley(sp__cra *c, sp_real step, sp_real high, sp_real down)
+static sp_real sp__cra_line_search(sp__cra *c, sp_real step, sp_real high, sp_real down)
 {
     const size_t n = 6 * (size_t)c->pb->blocks;
     sp_real low = 0, energy = 0;
     for (int k = 0; k < 20; k++) {
-        energy = sp__cra_at(c, step);
+        energy = sp__cra_energy_at(c, step);
         const sp_real slope = sp__dot(c->w->r, c->w->d, n);
         if (sp__abs(slope) < (sp_real)0.1 * down) break;
         if (slope > 0) low = step;
@@ -309,10 +309,10 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
         memcpy(c->descent.from, w->y, n * sizeof *w->y);
         sp_real step = reach * whole > 20 * room ? 20 * room / reach : whole, next = energy;
         for (int half = 0; half < 30; half++, step /= 2) {
-            next = sp__cra_at(c, step);
+            next = sp__cra_energy_at(c, step);
             if (next <= energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(energy)) break;
         }
-        energy = held && step < whole ? sp__cra_valley(c, step, whole, down) : next;
+        energy = held && step < whole ? sp__cra_line_search(c, step, whole, down) : next;
         c->out->cost.iterations++;
         if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
     }
@@ -332,7 +332,7 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *f = c->spring.f + 3 * (size_t)v;
                 sp_real *bound = &c->drag.bound[v];
-                const sp_real fp = sp__max(f[0], 0), room = sp__cra_reach(c, t, c->spring.d + 3 * (size_t)v) * fp;
+                const sp_real fp = sp__max(f[0], 0), room = sp__cra_friction(c, t, c->spring.d + 3 * (size_t)v) * fp;
                 const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
                 if (!pass) {
                     n->violation = sp__max(n->violation, (ft - room) / s);
@@ -349,7 +349,7 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
 }
 
 /* The motion put onto dn = -eps where a vertex presses: proximal steps on the squares of dn + eps. */
-SP__NOINLINE static void sp__cra_press(sp__cra *c)
+SP__NOINLINE static void sp__cra_move_to_contact(sp__cra *c)
 {
     sp__system *w = c->w;
     for (int round = 0; round < 5; round++) {

@@ -143,7 +143,7 @@ static void sp__clip_edge_add(sp__clip *c, int32_t from, int32_t to, int32_t w0,
 }
 
 /* Do the boxes of two edges come nearer than eps? */
-static int sp__clip_close(const sp__clip *c, int32_t i, int32_t j)
+static int sp__clip_edges_near(const sp__clip *c, int32_t i, int32_t j)
 {
     const sp_real *a = c->g.xy[c->g.edge[i].from], *b = c->g.xy[c->g.edge[i].to];
     const sp_real *p = c->g.xy[c->g.edge[j].from], *q = c->g.xy[c->g.edge[j].to];
@@ -169,7 +169,7 @@ static void sp__clip_cross(sp__clip *c, int32_t i, int32_t j)
 
 /* Does node k lie on the inside of edge e, nearer than eps? Only if both parts are shorter than e, so that splitting ends: of
  * three nodes a little more than eps apart each may be near the edge between the others. */
-static int sp__clip_on(const sp__clip *c, const sp__clip_edge *e, int32_t k)
+static int sp__clip_node_on_edge(const sp__clip *c, const sp__clip_edge *e, int32_t k)
 {
     if (k == e->from || k == e->to) return 0;
     const sp_real *a = c->g.xy[e->from], *b = c->g.xy[e->to], *p = c->g.xy[k];
@@ -185,7 +185,7 @@ static int sp__clip_split(sp__clip *c)
     const int32_t before = c->g.edges;
     for (int32_t i = 0; i < c->g.edges && !c->full; i++)
         for (int32_t k = 0; k < c->g.nodes; k++) {
-            if (!sp__clip_on(c, &c->g.edge[i], k)) continue;
+            if (!sp__clip_node_on_edge(c, &c->g.edge[i], k)) continue;
             sp__clip_edge_add(c, k, c->g.edge[i].to, c->g.edge[i].w[0], c->g.edge[i].w[1]);
             c->g.edge[i].to = k;
         }
@@ -239,7 +239,7 @@ static void sp__clip_arrange(sp__clip *c)
         const int32_t before = c->g.nodes;
         for (int32_t i = 1; i < c->g.edges; i++)
             for (int32_t j = 0; j < i; j++)
-                if (sp__clip_close(c, i, j)) sp__clip_cross(c, i, j);
+                if (sp__clip_edges_near(c, i, j)) sp__clip_cross(c, i, j);
         if (!sp__clip_split(c) && c->g.nodes == before) break;
     }
     if (!c->full) sp__clip_merge(c);
@@ -249,7 +249,7 @@ static void sp__clip_arrange(sp__clip *c)
 
 /* Winding numbers beside the middle of edge e, on its far side as seen along a ray that leaves e across: +x for a steep edge,
  * +y for a flat one. Each edge that the ray crosses adds its own; half-open intervals count shared ends once. */
-static void sp__clip_wind(const sp__clip_graph *g, int32_t at, int flat, int32_t w[2])
+static void sp__clip_winding(const sp__clip_graph *g, int32_t at, int flat, int32_t w[2])
 {
     const sp__clip_edge *e = &g->edge[at];
     const int x = flat ? 1 : 0, y = 1 - x;
@@ -278,7 +278,7 @@ static int sp__clip_bounds(const sp__clip_graph *g, int32_t at)
     const int far_is_left = flat ? dx > 0 : dy < 0;
     int32_t winding[2];
     if (e->w[0] == 0 && e->w[1] == 0) return 0;
-    sp__clip_wind(g, at, flat, winding);
+    sp__clip_winding(g, at, flat, winding);
     const int32_t s = far_is_left ? -1 : 1;
     const int far_in = winding[0] > 0 && winding[1] > 0;
     const int near_in = winding[0] + s * e->w[0] > 0 && winding[1] + s * e->w[1] > 0;
@@ -313,7 +313,7 @@ static int sp__clip_classify(sp__clip_graph *g)
 /* ------------------------------------------------------------------------------------------------------------ 3 trace */
 
 /* Turning clockwise from r, is a met before b? A direction equal to r is met last. */
-static int sp__clip_sooner(const sp_real r[2], const sp_real a[2], const sp_real b[2])
+static int sp__clip_turns_before(const sp_real r[2], const sp_real a[2], const sp_real b[2])
 {
     const int late_a = !(r[0] * a[1] - r[1] * a[0] < 0), late_b = !(r[0] * b[1] - r[1] * b[0] < 0);
     if (late_a != late_b) return late_b;
@@ -321,7 +321,7 @@ static int sp__clip_sooner(const sp_real r[2], const sp_real a[2], const sp_real
 }
 
 /* The edge to leave by after edge e: the unused one with the sharpest left turn; -1: none. */
-static int32_t sp__clip_leave(const sp__clip_graph *g, int32_t e)
+static int32_t sp__clip_next_edge(const sp__clip_graph *g, int32_t e)
 {
     const sp_real *v = g->xy[g->edge[e].to], *u = g->xy[g->edge[e].from];
     const sp_real back[2] = { u[0] - v[0], u[1] - v[1] };
@@ -331,7 +331,7 @@ static int32_t sp__clip_leave(const sp__clip_graph *g, int32_t e)
         const sp_real *t = g->xy[g->edge[k].to];
         const sp_real d[2] = { t[0] - v[0], t[1] - v[1] };
         if (g->edge[k].w[0]) continue;                  /* used */
-        if (best >= 0 && !sp__clip_sooner(back, d, lead)) continue;
+        if (best >= 0 && !sp__clip_turns_before(back, d, lead)) continue;
         best = k;
         lead[0] = d[0];
         lead[1] = d[1];
@@ -340,7 +340,7 @@ static int32_t sp__clip_leave(const sp__clip_graph *g, int32_t e)
 }
 
 /* Distance of p from the segment a b, squared. */
-static sp_real sp__clip_far2(const sp_real p[2], const sp_real a[2], const sp_real b[2])
+static sp_real sp__clip_distance2(const sp_real p[2], const sp_real a[2], const sp_real b[2])
 {
     const sp_real dx = b[0] - a[0], dy = b[1] - a[1], len2 = dx * dx + dy * dy;
     sp_real t = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy;
@@ -356,7 +356,7 @@ static void sp__clip_straighten(sp__clip *c)
     for (int32_t k = from, calm = 0; calm < c->corners - from && c->corners - from > 3; ) {
         const int32_t n = c->corners - from, i = (k - from) % n;
         const int32_t prev = from + (i + n - 1) % n, next = from + (i + 1) % n, at = from + i;
-        if (sp__clip_far2(c->corner[at].x, c->corner[prev].x, c->corner[next].x) > c->snap * c->snap) {
+        if (sp__clip_distance2(c->corner[at].x, c->corner[prev].x, c->corner[next].x) > c->snap * c->snap) {
             k = at + 1;
             calm++;
             continue;
@@ -369,7 +369,7 @@ static void sp__clip_straighten(sp__clip *c)
 }
 
 /* Note a line through the hole whose corners are the last ones, unless one through its inner 8/10 is there already. */
-static void sp__clip_hole(sp__clip *c)
+static void sp__clip_add_cut(sp__clip *c)
 {
     sp_real lo = c->corner[c->loop[c->loops]].x[0], hi = lo;
     for (int32_t k = c->loop[c->loops]; k < c->corners; k++) {
@@ -386,7 +386,7 @@ static void sp__clip_hole(sp__clip *c)
 }
 
 /* Put the simple loop path[from..to) out: kept if it goes round anticlockwise and is not thin; a hole asks for a cut. */
-static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
+static void sp__clip_put_loop(sp__clip *c, int32_t from, int32_t to)
 {
     const int32_t start = c->corners;
     sp_real area2 = 0, around = 0;
@@ -408,7 +408,7 @@ static void sp__clip_emit(sp__clip *c, int32_t from, int32_t to)
     }
     if (-area2 > c->thin * around) {
         c->cut.holes++;
-        if (!c->cut.opening) sp__clip_hole(c);
+        if (!c->cut.opening) sp__clip_add_cut(c);
     }
     c->corners = start;
 }
@@ -427,11 +427,11 @@ static void sp__clip_walk(sp__clip *c, int32_t start)
             c->g.path[depth++] = v;
         } else {
             const int32_t from = c->g.place[v];
-            sp__clip_emit(c, from, depth);
+            sp__clip_put_loop(c, from, depth);
             while (depth > from + 1) c->g.place[c->g.path[--depth]] = -1;
         }
         if (e != start) c->g.edge[e].w[0] = 1;
-        e = sp__clip_leave(&c->g, e);
+        e = sp__clip_next_edge(&c->g, e);
         if (e < 0 || e == start) break;
     }
     if (e < 0) c->torn++;
@@ -451,7 +451,7 @@ static void sp__clip_trace(sp__clip *c)
 }
 
 /* The boundary of the common region, traced; with another eps where rounding left it open. */
-static void sp__clip_once(sp__clip *c)
+static void sp__clip_intersect(sp__clip *c)
 {
     for (int attempt = 0; attempt < 3; attempt++) {
         c->snap = attempt == 0 ? c->eps : attempt == 1 ? 3 * c->eps : c->eps / 3;
@@ -464,7 +464,7 @@ static void sp__clip_once(sp__clip *c)
 /* -------------------------------------------------------------------------------------------------------------- 4 cut */
 
 /* Make the traced pieces the input. Returns their number. */
-static int32_t sp__clip_again(sp__clip *c)
+static int32_t sp__clip_reuse_pieces(sp__clip *c)
 {
     c->in.segments = c->corners = c->loops = c->cut.holes = 0;
     for (int32_t k = 0; k < c->g.edges; k++) {
@@ -475,7 +475,7 @@ static int32_t sp__clip_again(sp__clip *c)
 }
 
 /* Add the box lo .. hi as region Q, anticlockwise. */
-static void sp__clip_strip(sp__clip *c)
+static void sp__clip_add_box(sp__clip *c)
 {
     sp_real from[2] = { c->cut.lo[0], c->cut.lo[1] }, to[2] = { c->cut.lo[0], c->cut.lo[1] };
     for (int k = 0; k < 4; k++) {
@@ -488,9 +488,9 @@ static void sp__clip_strip(sp__clip *c)
 
 /* Clip the region found to the strips between the cuts: no hole is left whole. Forces at corners that the lines add are
  * mixtures of forces at true corners, so what a polygon can carry does not change. */
-static void sp__clip_open(sp__clip *c)
+static void sp__clip_cut_holes(sp__clip *c)
 {
-    const int32_t cuts = c->cut.lines, pieces = sp__clip_again(c);
+    const int32_t cuts = c->cut.lines, pieces = sp__clip_reuse_pieces(c);
     for (int k = 0; k < 2; k++) {
         c->cut.lo[k] = c->cut.hi[k] = c->in.segment[0][k];
         for (int32_t s = 0; s < pieces; s++) {
@@ -508,8 +508,8 @@ static void sp__clip_open(sp__clip *c)
     for (int32_t k = 0; k <= cuts && !c->full; k++) {
         c->in.segments = pieces;
         c->cut.hi[0] = k < cuts ? c->cut.x[k] : end;
-        sp__clip_strip(c);
-        sp__clip_once(c);
+        sp__clip_add_box(c);
+        sp__clip_intersect(c);
         c->cut.lo[0] = c->cut.hi[0];
     }
     c->torn += c->cut.holes;
@@ -522,8 +522,8 @@ static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
     c->thin = thin > eps ? thin : eps;
     c->corners = c->loops = c->cut.holes = c->cut.lines = c->cut.opening = 0;
     c->loop[0] = 0;
-    if (!c->full) sp__clip_once(c);
-    if (!c->full && c->cut.holes) sp__clip_open(c);
+    if (!c->full) sp__clip_intersect(c);
+    if (!c->full && c->cut.holes) sp__clip_cut_holes(c);
     return !c->full;
 }
 

@@ -112,7 +112,7 @@ static void sp__clip_box(sp__clip *c)
 }
 
 /* Twice the area of n corners less `thin` times their perimeter. */
-static sp_real sp__clip_wide(sp_real (*corner)[2], int32_t n, sp_real thin)
+static sp_real sp__clip_excess_area(sp_real (*corner)[2], int32_t n, sp_real thin)
 {
     sp_real wide = 0;
     for (int32_t k = 0; k < n; k++) {
@@ -127,14 +127,15 @@ static sp_real sp__clip_wide(sp_real (*corner)[2], int32_t n, sp_real thin)
 SP__NOINLINE_SMALL static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
 {
     c->eps = eps;
-    if (!(sp__clip_wide(c->corner, c->corners, 4 * thin) > 0 && sp__clip_wide(c->side, c->sides, 4 * thin) > 0)) thin = 0;
+    if (!(sp__clip_excess_area(c->corner, c->corners, 4 * thin) > 0 && sp__clip_excess_area(c->side, c->sides, 4 * thin) > 0))
+        thin = 0;
     c->bent = !sp__clip_convex(c, c->corner, c->corners) || !sp__clip_convex(c, c->side, c->sides);
     for (int32_t s = 0; s < c->sides; s++) sp__clip_cut(c, c->side[s], c->side[s + 1 < c->sides ? s + 1 : 0]);
     if (c->sides) sp__clip_box(c);
     sp__clip_straighten(c);
     c->loop[0] = 0;
     c->loop[1] = c->corners;
-    c->loops = !c->bent && sp__clip_wide(c->corner, c->corners, sp__max(thin, eps)) > 0;
+    c->loops = !c->bent && sp__clip_excess_area(c->corner, c->corners, sp__max(thin, eps)) > 0;
     return !c->full;
 }
 

@@ -57,7 +57,7 @@ static sp_status sp__bracket_build(const sp_scene *scene, const sp_settings *set
 }
 
 /* Are there hints? SP_SMALL makes none and takes none. */
-static int sp__bracket_hinted(const sp__bracket *b) { return SP__WITH_INTERIOR && b->y0; }
+static int sp__bracket_has_hint(const sp__bracket *b) { return SP__WITH_INTERIOR && b->y0; }
 
 /* p = d dead + l live. Live loads without dead ones stand for ever more of them:
  * what they want of joints is there without end. */
@@ -66,7 +66,7 @@ static void sp__bracket_load(sp__bracket *b, sp_real d, sp_real l)
     const size_t n = 6 * (size_t)b->pb.blocks;
     b->pb.ignore_strength = !(d > 0);
     for (size_t k = 0; k < n; k++) b->pb.p[k] = d * b->dead[k] + l * b->live[k];
-    for (size_t k = 0; k < 2 * n && sp__bracket_hinted(b); k++) b->hint[k] = d * b->y0[k] + l * b->y0[2 * n + k];
+    for (size_t k = 0; k < 2 * n && sp__bracket_has_hint(b); k++) b->hint[k] = d * b->y0[k] + l * b->y0[2 * n + k];
 }
 
 /* Passes over the vertices that are left of the budget; SP_SMALL refuses budgets. */
@@ -84,7 +84,7 @@ static int sp__bracket_certify_begin(sp__bracket *b, sp_real d, sp_real l)
     sp_arena room = b->room;
     if (!sweeps) { b->spent = 1; return 0; }
     sp__bracket_load(b, d, l);
-    return sp__certifier_open(&b->certifier, &b->pb, &b->set, sp__bracket_hinted(b) ? b->hint : NULL, sweeps, &room);
+    return sp__certifier_open(&b->certifier, &b->pb, &b->set, sp__bracket_has_hint(b) ? b->hint : NULL, sweeps, &room);
 }
 
 /* Counts what the certificate check took. */

@@ -58,7 +58,7 @@ static int64_t sp__engine_flops(const sp__bracket *b)
 }
 
 /* May the engine be asked again? */
-static int sp__engine_left(const sp__engine *g, const sp__bracket *b) { return g->n.left > 0 && sp__engine_flops(b) > 0; }
+static int sp__engine_may_ask(const sp__engine *g, const sp__bracket *b) { return g->n.left > 0 && sp__engine_flops(b) > 0; }
 
 /* About the multiple at which live loads are of the size of dead ones, over all contacts; moments by their arms. */
 static sp_real sp__engine_reference(sp__bracket *b)

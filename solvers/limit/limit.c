@@ -42,7 +42,7 @@ static void sp__limit_conclude(sp__limit *L)
     if (never) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
     else if (r->lower >= 0 && r->upper >= r->lower && r->upper - r->lower <= wide) r->kind = SP_LIMIT_FOUND;
-    const int spent = L->bracket.spent || !sp__engine_left(&L->engine, &L->bracket);
+    const int spent = L->bracket.spent || !sp__engine_may_ask(&L->engine, &L->bracket);
     r->reason = r->kind ? SP_REASON_FORCES : spent ? SP_REASON_BUDGET : SP_REASON_LIMIT;
     if (r->kind != SP_LIMIT_FOUND) return;
     const sp_real balance = sp__limit_balance(L) * L->ref;
@@ -65,7 +65,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
     if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
     else if (!(r->lower > 0) && r->lower >= 0) r->dead = SP_STABLE;
     if (r->dead == SP_STABLE) r->lowest = 0;
-    for (int it = 0; it < 12 && r->lowest > a * L->ref && sp__engine_left(&L->engine, b); it++) {
+    for (int it = 0; it < 12 && r->lowest > a * L->ref && sp__engine_may_ask(&L->engine, b); it++) {
         const sp_real last = a;
         const sp_verdict claim = sp__limit_ask(L, 1, a, L->f);
         if (claim == SP_STABLE) {

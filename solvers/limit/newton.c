@@ -63,7 +63,7 @@ static int sp__limit_never_stands(sp__limit *L)
 
 /* Something falls at *a. Its power balance is a bound from above; from below where live loads hinder it. *a: where to ask next.
  *     returns 0: nothing gained */
-static int sp__limit_cut(sp__limit *L, sp_real *a, sp_real step)
+static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
 {
     int beyond;
     if (!sp__engine_falls(&L->bracket, *a * L->ref, &beyond)) return 0;
@@ -111,7 +111,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     L->least = -SP__HUGE;
     memcpy(L->upper, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
-    for (int it = 0; it < 24 && sp__engine_left(&L->engine, &L->bracket) && step < farthest; it++) {
+    for (int it = 0; it < 24 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest; it++) {
         const sp_verdict claim = sp__limit_ask(L, 1, a, f);
         if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
@@ -125,7 +125,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
             a = a > 0 ? 8 * a : 1;
             continue;
         }
-        if (claim == SP_UNSTABLE && sp__limit_cut(L, &a, step)) {
+        if (claim == SP_UNSTABLE && sp__limit_bound_by_collapse(L, &a, step)) {
             if (L->none) return 1;
             continue;
         }

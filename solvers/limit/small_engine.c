@@ -44,7 +44,7 @@ static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena
     g->at.y0 = b->hint;
 }
 
-static int sp__engine_left(const sp__engine *g, const sp__bracket *b) { (void)g; (void)b; return 1; }
+static int sp__engine_may_ask(const sp__engine *g, const sp__bracket *b) { (void)g; (void)b; return 1; }
 static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)b; return &g->at.spent.total; }
 
 /* Multiple at which the largest dead and live loads are of one size. */

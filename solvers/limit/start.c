@@ -72,7 +72,7 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
 
 /* Does it stand under the dead loads alone, so that there is something to climb from? Or fall,
  * whatever the live ones do: L->none */
-SP__NOINLINE static int sp__strong_starts(sp__limit *L)
+SP__NOINLINE static int sp__strong_check_dead(sp__limit *L)
 {
     sp__engine *g = &L->engine;
     sp__bracket *b = &L->bracket;
@@ -105,7 +105,7 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
     }
     L->none = 0;
     if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L);
-    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_starts(L) || !(L->best >= 0)) return SP_OK;
+    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_check_dead(L) || !(L->best >= 0)) return SP_OK;
     a->used = L->engine.rest.used;
     const sp_status status = sp__limit_open(L, a);
     if (!status) *done = sp__strong_run(L);
@@ -122,7 +122,7 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
     if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);  /* other loads may have one */
-    const size_t search = pb->blocks ? sp__system_most(pb, &L->bracket.set, SP__LIMIT, reduction, scratch) : 0;
+    const size_t search = pb->blocks ? sp__system_bytes(pb, &L->bracket.set, SP__LIMIT, reduction, scratch) : 0;
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);
     return 1;

@@ -56,16 +56,16 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
     n->imbalance = SP__HUGE;
     n->prox = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0, tiny = 0; it < 12 && sp__newton_left(w, n) && n->imbalance > n->goal && tiny < 2; it++)
-        tiny += sp__newton_damp(n, sp__strong_step(L, c));
+    for (int it = 0, tiny = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && tiny < 2; it++)
+        tiny += sp__newton_adapt_shift(n, sp__strong_step(L, c));
     if (n->imbalance <= SP__STRONG_SOLVED || !thorough) return n->imbalance <= SP__STRONG_SOLVED;
     n->shift = 0;
     n->level = SP__HUGE;
     n->prox = (sp_real)0.1;
-    for (int extra = 4; extra > 0 && sp__newton_left(w, n) && n->imbalance > n->goal; ) {
+    for (int extra = 4; extra > 0 && sp__newton_work_left(w, n) && n->imbalance > n->goal; ) {
         sp__strong_step(L, c);
         if (n->prox <= SP__SHIFT) extra--;
-        else if (sp__newton_level(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+        else if (sp__newton_near_minimum(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
     return n->imbalance <= SP__STRONG_SOLVED;
 }
@@ -85,7 +85,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     memcpy(g->state.dq, L->bracket.dq, n * sizeof *g->state.dq);
     sp__reduction_from_space(g->reduction, w->pb->blocks, g->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
-    sp__newton_settle(w, &g->state);
+    sp__newton_sharpen_proof(w, &g->state);
     for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->measure.weight[k / 3];
     sp__limit_loads(L, sp__max(0, L->best));
     sp__limit_candidate(L, g->Vq);
@@ -139,7 +139,7 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
     for (int stage = 0, still = 0; stage < 24 && still < 3 && !met; stage++) {
         memcpy(g->Vp, w->y, n * sizeof *g->Vp);
         if (!sp__strong_solve(L, c, !stage)) {              /* back, and not so far */
-            if (!sp__newton_left(w, &g->n) || !stage || times < (sp_real)1.2) break;
+            if (!sp__newton_work_left(w, &g->n) || !stage || times < (sp_real)1.2) break;
             memcpy(w->y, g->Vp, n * sizeof *w->y);
             c /= times;
             times = SP_SQRT(times);

@@ -8,7 +8,7 @@
  *   no such one    a_i x = t . w is the most it can be: the multipliers 1 on i and -t on the active ones prove that there is
  *                  no x [Farkas]
  * After many steps the first violated constraint and the first that may give way are taken, by number: no cycles [Bland 1977].
- * Between runs bounds may change freely, and coefficients of a row after sp__lp_drop; the active ones stay: a warm start.
+ * Between runs bounds may change freely, and coefficients of a row after sp__lp_deactivate; the active ones stay: a warm start.
  * Rows are best scaled to coefficients of size 1 by the caller.
  */
 #ifndef SP__LP_C
@@ -67,7 +67,7 @@ static void sp__lp_carve(sp__lp *lp, int32_t n, int32_t m, int32_t entries, sp_a
 }
 
 /* The variables themselves are active: M = I. */
-static void sp__lp_unit(sp__lp *lp)
+static void sp__lp_identity(sp__lp *lp)
 {
     const size_t n = (size_t)lp->n;
     memset(lp->M, 0, n * n * sizeof *lp->M);
@@ -83,7 +83,7 @@ static void sp__lp_unit(sp__lp *lp)
 /* After the rows are written. */
 static void sp__lp_start(sp__lp *lp)
 {
-    sp__lp_unit(lp);
+    sp__lp_identity(lp);
     for (int32_t j = 0; j < lp->n; j++) lp->w[j] = lp->x[j] = 0;
     lp->steps = lp->flops = 0;
     lp->limit = INT64_MAX / 2;
@@ -147,7 +147,7 @@ static void sp__lp_point(sp__lp *lp)
 }
 
 /* Bounds may have moved: active constraints go to the nearest place between theirs, onto a bound they are next to. */
-static void sp__lp_settle(sp__lp *lp)
+static void sp__lp_move_to_bounds(sp__lp *lp)
 {
     for (int32_t k = 0; k < lp->n; k++) {
         const int32_t i = lp->active[k];
@@ -180,7 +180,7 @@ SP__NOINLINE static void sp__lp_refresh(sp__lp *lp)
         lp->keep[k] = 0;
     }
     for (int32_t k = 0; k < lp->n; k++) if (lp->list[k] >= lp->m) lp->keep[lp->list[k] - lp->m] = 1;
-    sp__lp_unit(lp);
+    sp__lp_identity(lp);
     for (int32_t k = 0; k < lp->n; k++) lp->w[k] = lp->x[k];
     for (int32_t k = 0; k < lp->n; k++) if (lp->list[k] >= lp->m) lp->w[lp->list[k] - lp->m] = lp->was[k];
     for (int32_t k = 0; k < lp->n; k++) {
@@ -192,11 +192,11 @@ SP__NOINLINE static void sp__lp_refresh(sp__lp *lp)
         lp->w[column] = lp->was[k];
     }
     lp->since = 0;
-    sp__lp_settle(lp);
+    sp__lp_move_to_bounds(lp);
 }
 
 /* Take row i out of the active ones before its coefficients change: the variable it moves most takes its place. */
-static void sp__lp_drop(sp__lp *lp, int32_t i)
+static void sp__lp_deactivate(sp__lp *lp, int32_t i)
 {
     const int32_t k = lp->slot[i];
     if (k < 0) return;
@@ -234,7 +234,7 @@ static int32_t sp__lp_violated(sp__lp *lp, int first, sp_real *gap)
 
 /* The active constraint that gives way: t_k > 0 and room above (or t_k < 0 and room below) when a_i x has to grow. The largest
  * |t_k|, those without any bound first, or the first by number; -1: none. */
-static int32_t sp__lp_giving(const sp__lp *lp, int grow, int first)
+static int32_t sp__lp_leaving(const sp__lp *lp, int grow, int first)
 {
     int32_t best = -1;
     sp_real most = 0, largest = 0;
@@ -260,7 +260,7 @@ static sp_real sp__lp_drift(const sp__lp *lp)
 }
 
 /* May so many n x n sweeps more be done? */
-static int sp__lp_pays(const sp__lp *lp, int64_t sweeps)
+static int sp__lp_affords(const sp__lp *lp, int64_t sweeps)
 {
     return lp->flops + 2 * (int64_t)lp->entries + 2 * sweeps * lp->n * lp->n <= lp->limit;
 }
@@ -270,26 +270,26 @@ static sp__lp_status sp__lp_run(sp__lp *lp, int32_t most)
 {
     const int32_t patience = 4 * lp->n + 64;
     sp_real gap;
-    if (!sp__lp_pays(lp, 1)) return SP__LP_GIVEN_UP;
-    sp__lp_settle(lp);
+    if (!sp__lp_affords(lp, 1)) return SP__LP_GIVEN_UP;
+    sp__lp_move_to_bounds(lp);
     for (int32_t step = 0; step < most; step++) {
         const int first = step >= patience;
-        if (!sp__lp_pays(lp, lp->since >= SP__LP_STEPS ? 2 * (int64_t)lp->n + 3 : 3)) break;
+        if (!sp__lp_affords(lp, lp->since >= SP__LP_STEPS ? 2 * (int64_t)lp->n + 3 : 3)) break;
         if (lp->since >= SP__LP_STEPS) sp__lp_refresh(lp);
         const int32_t i = sp__lp_violated(lp, first, &gap);
         if (i < 0) {
             if (lp->since == 0 || sp__lp_drift(lp) <= SP__LP_TOL) return SP__LP_POINT;
-            if (!sp__lp_pays(lp, 2 * (int64_t)lp->n + 3)) break;
+            if (!sp__lp_affords(lp, 2 * (int64_t)lp->n + 3)) break;
             sp__lp_refresh(lp);
             continue;
         }
         sp__lp_row(lp, i);
-        const int32_t k = sp__lp_giving(lp, gap > 0, first);
+        const int32_t k = sp__lp_leaving(lp, gap > 0, first);
         if (k < 0) {
             lp->failed = i;
             lp->low = gap > 0;
             if (lp->since == 0 || sp__lp_drift(lp) <= SP__LP_TOL * (sp_real)0.01) return SP__LP_NONE;
-            if (!sp__lp_pays(lp, 2 * (int64_t)lp->n + 3)) break;
+            if (!sp__lp_affords(lp, 2 * (int64_t)lp->n + 3)) break;
             sp__lp_refresh(lp);
             continue;
         }

@@ -183,7 +183,7 @@ static void sp__refute_on_motion(sp__refute *w, int32_t v, sp_real y, sp_real n,
 }
 
 /* A right-hand side, y b. */
-static void sp__refute_right(sp__refute *w, sp_real y, sp_real b)
+static void sp__refute_right_side(sp__refute *w, sp_real y, sp_real b)
 {
     w->right += y * b;
     w->size += sp__abs(y * b);
@@ -205,7 +205,7 @@ SP__NOINLINE static int sp__refute_sector(sp__refute *w, int32_t v, int32_t row,
         if (j->set->coupled.box || y < 0) return 0;
         sp__refute_direction(2 * end + 1, h + 1, d);
         sp__refute_on_motion(w, v, y, 0, d[0], d[1]);
-        sp__refute_right(w, y, w->k->eta);
+        sp__refute_right_side(w, y, w->k->eta);
     } else if (row < 10) {                              /* a x dt >= 0, b x dt <= 0; ft: s = SP__SLIP |ft| / fn */
         const int second = row == 7 || row == 9, force = row >= 8;
         if ((y > 0) != (second != force)) return 0;
@@ -237,12 +237,12 @@ SP__NOINLINE static int sp__refute_vertex(sp__refute *w, int32_t v, int32_t row,
     if (row >= 5 && row < 13) return sp__refute_sector(w, v, row, y);
     if (row == 0) {                                     /* -g <= dn <= eta, = -g */
         sp__refute_on_motion(w, v, y, 1, 0, 0);
-        sp__refute_right(w, y, y > 0 && state < 2 ? w->k->eta : -w->k->eps);
+        sp__refute_right_side(w, y, y > 0 && state < 2 ? w->k->eta : -w->k->eps);
     } else if (row < 5) {                               /* |dt| <= eta along 0, 45, 90, 135 degrees */
         if (row % 2 == 0 && j->set->coupled.box) return 0;
         sp__pyramid_direction(8, row - 1, d);
         sp__refute_on_motion(w, v, y, 0, d[0], d[1]);
-        sp__refute_right(w, sp__abs(y), w->k->eta);
+        sp__refute_right_side(w, sp__abs(y), w->k->eta);
     } else if (row < 21) {                              /* the cone around */
         const int exact = faces && faces <= 8;
         sp_real mu = j->pb->contact[w->contact[v]].joint->strength.mu * j->mu_factor;
@@ -267,7 +267,7 @@ static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
         if (sp__held(w->j->pb, row / 6, row % 6)) return 0;
         sp__certifier_load(w->j, row / 6, p);
         w->motion[row] += y;
-        sp__refute_right(w, y, -p[row % 6]);
+        sp__refute_right_side(w, y, -p[row % 6]);
         return 1;
     }
     if (row == n) { w->work += y; return y >= 0; }      /* g sum fn <= p . dq */

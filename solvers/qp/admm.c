@@ -201,7 +201,7 @@ static sp_status sp__qp_check_vectors(const sp_qp *qp)
 }
 
 /* Do they ask for what this build leaves out? */
-static int sp__qp_settings_lack(const sp_qp_settings *s)
+static int sp__qp_settings_unsupported(const sp_qp_settings *s)
 {
     return (!SP__WITH_QP_CG && !SP__WITH_SMALL && s->backend == SP_QP_CG) || (!SP__WITH_QP_POLISH && s->polish);
 }
@@ -220,7 +220,7 @@ static sp_status sp__qp_check(const sp_qp *qp, const sp_qp_settings *set)
 {
     if (!qp || qp->n < 0 || qp->m < 0) return SP_E_ARGUMENT;
     if (qp->n == 0) return SP_E_EMPTY;
-    if (sp__qp_settings_lack(set)) return SP_E_UNSUPPORTED;
+    if (sp__qp_settings_unsupported(set)) return SP_E_UNSUPPORTED;
     if (!sp__qp_settings_fit(set)) return SP_E_RANGE;
     if (qp->n > INT32_MAX / 2 - qp->m) return SP_E_MEMORY;
     sp_status status = SP_OK;
@@ -286,7 +286,7 @@ static void sp__qp_carve_symbolic(sp__ldl *f, sp_arena *a)
     sp__order_carve(&o, f->n, 2 * f->entries, a);
 }
 
-/* Everything but the factor of the sparse back end, in the order of sp__qp_count. NULL: it does not fit. */
+/* Everything but the factor of the sparse back end, in the order of sp__qp_bytes. NULL: it does not fit. */
 SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend, sp_arena *a)
 {
     sp_real *p[SP__QP_VECTORS];
@@ -304,7 +304,7 @@ SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend,
 }
 
 /* Bytes of everything for n, m of *qp and so many `entries`, the factor having `fill`; 0: too many. */
-SP__NOINLINE static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
+SP__NOINLINE static size_t sp__qp_bytes(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
 {
     sp_arena a = sp__arena_dry();
     if (entries < 0) return 0;
@@ -323,7 +323,7 @@ SP__NOINLINE static size_t sp__qp_count(const sp_qp *qp, int32_t entries, sp_qp_
 }
 
 /* Place the work in the arena, find the scales and run the symbolic step; *fill: entries of the factor. NULL: no room. */
-SP__NOINLINE static sp__qp *sp__qp_place(const sp_qp *qp, const sp_qp_settings *set, sp_arena *a, int32_t *fill)
+SP__NOINLINE static sp__qp *sp__qp_open(const sp_qp *qp, const sp_qp_settings *set, sp_arena *a, int32_t *fill)
 {
     if (sp__qp_entries(qp) < 0) return NULL;
     sp__qp *w = sp__qp_carve(qp, sp__qp_backend(set), a);
@@ -381,7 +381,7 @@ SP_API sp_qp_settings sp_qp_default(void)
 SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
-    return sp__qp_check(qp, set) == SP_OK ? sp__qp_count(qp, sp__qp_entries(qp), sp__qp_backend(set), 0) : 0;
+    return sp__qp_check(qp, set) == SP_OK ? sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), 0) : 0;
 }
 
 SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
@@ -392,9 +392,9 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
     if (status != SP_OK || !bytes) return status == SP_OK ? SP_E_ARGUMENT : status;
     if (sp__qp_backend(set) == SP_QP_SPARSE) {
         if (!scratch.base) return SP_E_ARGUMENT;
-        if (!sp__qp_place(qp, set, &scratch, &fill)) return SP_E_MEMORY;
+        if (!sp__qp_open(qp, set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_count(qp, sp__qp_entries(qp), sp__qp_backend(set), fill);
+    const size_t need = sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), fill);
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;
@@ -407,7 +407,7 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     if (status != SP_OK || !arena || !arena->base || !work) return status == SP_OK ? SP_E_ARGUMENT : status;
     sp_arena a = *arena;
     int32_t fill;
-    sp__qp *w = sp__qp_place(qp, set, &a, &fill);
+    sp__qp *w = sp__qp_open(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
     if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->kkt.ldl, fill, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;

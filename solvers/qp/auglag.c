@@ -179,12 +179,12 @@ SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
     sp__qp_unscale(w);
     for (int32_t i = 0; i < w->qp.m; i++) { w->yc[i] = w->Y[i]; w->side[i] = -1; }
     for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->cost.flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
-        sp__rest dual = { 0, 0, 0, 0, 0 };
+        sp__residual dual = { 0, 0, 0, 0, 0 };
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;
         sp__qp_dual(w, NULL, &dual);
         if (!sp__finite(dual.r)) return sp__auglag_restore(w, &g);
-        if (sp__rest_relative(&dual) <= g.tol || (g.full && !g.moved)) {
+        if (sp__residual_relative(&dual) <= g.tol || (g.full && !g.moved)) {
             if (sp__auglag_round(w, &g, off)) return sp__auglag_restore(w, &g);
             continue;
         }

@@ -20,7 +20,7 @@
 #if SP__WITH_QP
 
 /* r_j = |A'y|_j and what rounding may have hidden in it, times D_j: the largest. */
-static sp_real sp__qp_proof_rest(const sp__qp *w)
+static sp_real sp__qp_proof_residual(const sp__qp *w)
 {
     const sp_qp *qp = &w->qp;
     sp_real worst = 0;
@@ -48,7 +48,7 @@ static sp_real sp__qp_proof_primal(sp__qp *w)
         if (sp__qp_no_bound(&w->qp, i, w->Y[i])) w->Y[i] = 0;
     const sp_real down = -sp__qp_support(&w->qp, w->Y, &terms);
     w->cost.flops += w->cost.products + w->cost.vectors;
-    return down > 0 ? sp__qp_proof_radius(down, terms, w->qp.m, sp__qp_proof_rest(w)) : (sp_real)0;
+    return down > 0 ? sp__qp_proof_radius(down, terms, w->qp.m, sp__qp_proof_residual(w)) : (sp_real)0;
 }
 
 /* X judged as a certificate of dual infeasibility. */
@@ -72,7 +72,7 @@ static sp_real sp__qp_proof_dual(sp__qp *w)
 }
 
 /* How large solutions must be to be believed away: a multiple of the iterate (of y for the mirror image: x runs away there). */
-static sp_real sp__qp_proof_far(const sp_real *v, int32_t n, sp_real radius)
+static sp_real sp__qp_proof_goal(const sp_real *v, int32_t n, sp_real radius)
 {
     sp_real s = (sp_real)1;
     for (int32_t k = 0; k < n; k++) s += sp__abs(v[k]);
@@ -100,7 +100,7 @@ SP__NOINLINE static sp_real sp__qp_proof_try(sp__qp *w, int primal, int hard)
     for (int32_t k = 0; k < size; k++) v[k] = to[k] - from[k];
     sp__qp_scale(v, primal ? w->E : w->D, v, size);
     if (!sp__qp_proof_direction(v, size)) return 0;
-    const sp_real multiple = primal ? sp__qp_proof_far(w->x, n, w->set.radius) : sp__qp_proof_far(w->y, m, w->set.radius);
+    const sp_real multiple = primal ? sp__qp_proof_goal(w->x, n, w->set.radius) : sp__qp_proof_goal(w->y, m, w->set.radius);
     const sp_real least = sp__max(multiple, (sp_real)1 / (primal ? w->set.eps_pinf : w->set.eps_dinf));
     sp_real radius = sp__qp_proof_measure(w, primal);
     if (SP__WITH_QP_POLISH && hard && radius > (sp_real)1 && !(radius > least)) {

@@ -178,10 +178,10 @@ static void sp__qp_At(const sp_qp *qp, const sp_real *y, sp_real *x)
 /* ----------------------------------------------------------------------------------------------------------- judgement */
 
 /* A residual, the largest of its terms, and both in equilibrated units; price: the sum of |weight| r. */
-typedef struct sp__rest { sp_real r, size, scaled, scaled_size, price; } sp__rest;
+typedef struct sp__residual { sp_real r, size, scaled, scaled_size, price; } sp__residual;
 
 /* One component r of terms up to `size`, which the scales multiply by t. The price is no number where an r is none. */
-SP__NOINLINE static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp_real t, sp_real weight)
+SP__NOINLINE static void sp__residual_add(sp__residual *a, sp_real r, sp_real size, sp_real t, sp_real weight)
 {
     a->r = sp__max(a->r, r);
     a->size = sp__max(a->size, size);
@@ -191,45 +191,45 @@ SP__NOINLINE static void sp__rest_widen(sp__rest *a, sp_real r, sp_real size, sp
 }
 
 /* Relative size of the equilibrated residual. */
-SP__NOINLINE static sp_real sp__rest_relative(const sp__rest *a)
+SP__NOINLINE static sp_real sp__residual_relative(const sp__residual *a)
 {
     return a->scaled_size > 0 ? a->scaled / a->scaled_size : a->scaled;
 }
 
 /* r over its tolerance. */
-SP__NOINLINE static sp_real sp__qp_over(const sp__qp *w, sp_real r, sp_real size)
+SP__NOINLINE static sp_real sp__qp_over_tol(const sp__qp *w, sp_real r, sp_real size)
 {
     return r > 0 ? r / (w->set.eps_abs + w->set.eps_rel * size) : (sp_real)0;
 }
 
 /* Residual over tolerance; strict: also in equilibrated units, so that small rows count as large ones do. */
-static sp_real sp__rest_over(const sp__qp *w, const sp__rest *a)
+static sp_real sp__residual_over_tol(const sp__qp *w, const sp__residual *a)
 {
-    const sp_real off = sp__qp_over(w, a->r, a->size);
-    return w->set.strict ? sp__max(off, sp__qp_over(w, a->scaled, a->scaled_size)) : off;
+    const sp_real off = sp__qp_over_tol(w, a->r, a->size);
+    return w->set.strict ? sp__max(off, sp__qp_over_tol(w, a->scaled, a->scaled_size)) : off;
 }
 
 /* |AX - z| with z the scaled iterate, or, z NULL, AX onto [l, u], and what rounding may hide: u |A| |X|, the latter in b + n.
  * Its price: |Y|'|AX - z|. */
-static void sp__qp_primal(const sp__qp *w, const sp_real *z, sp__rest *out)
+static void sp__qp_primal(const sp__qp *w, const sp_real *z, sp__residual *out)
 {
     for (int32_t i = 0; i < w->qp.m; i++) {
         const sp_real a = w->Ax[i], to = z ? z[i] / w->E[i] : sp__qp_clip(&w->qp, i, a, 1);
         const sp_real r = sp__abs(a - to) + SP_EPSILON * w->kkt.b[w->qp.n + i];
-        sp__rest_widen(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
+        sp__residual_add(out, r, sp__max(sp__abs(a), sp__abs(to)), w->E[i], w->Y[i]);
     }
 }
 
 /* |PX + q + A'Y| and, with |P| |X| in sizes (or NULL), what rounding may hide. Its price: |X|'|PX + q + A'Y|.
  * In passing Aty, objective = 1/2 X'PX + q'X and gap = X'PX + q'X. */
-static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__rest *out)
+static void sp__qp_dual(sp__qp *w, const sp_real *sizes, sp__residual *out)
 {
     sp_real xPx = 0, qx = 0, size;
     for (int32_t j = 0; j < w->qp.n; j++) {
         const sp_real q = sp__qp_q(&w->qp, j), p = w->Px[j], a = sp__qp_column(&w->qp, w->Y, j, &size), x = w->X[j];
         const sp_real most = sp__max(sp__abs(q), sp__max(sp__abs(p), sp__abs(a)));
         const sp_real hidden = sizes ? SP_EPSILON * (most + size + sizes[j]) : (sp_real)0;
-        sp__rest_widen(out, sp__abs(p + q + a) + hidden, most, w->c * w->D[j], x);
+        sp__residual_add(out, sp__abs(p + q + a) + hidden, most, w->c * w->D[j], x);
         w->Aty[j] = a;
         xPx += x * p;
         qx += x * q;
@@ -255,7 +255,7 @@ SP__NOINLINE static void sp__qp_residuals(sp__qp *w, const sp_real *z)
 {
     const sp_qp *qp = &w->qp;
     sp__qp_residual *out = &w->residual;
-    sp__rest primal = { 0, 0, 0, 0, 0 }, dual = primal;
+    sp__residual primal = { 0, 0, 0, 0, 0 }, dual = primal;
     sp_real terms;
     sp__qp_A(qp, w->X, w->Ax, 0);
     sp__qp_A(qp, w->X, w->kkt.b + qp->n, 1);
@@ -265,12 +265,12 @@ SP__NOINLINE static void sp__qp_residuals(sp__qp *w, const sp_real *z)
     sp__qp_dual(w, w->kkt.b, &dual);
     out->primal = primal.r;
     out->dual = dual.r;
-    out->rel_primal = sp__rest_relative(&primal);
-    out->rel_dual = sp__rest_relative(&dual);
-    out->off = sp__max(sp__rest_over(w, &primal), sp__rest_over(w, &dual));
+    out->rel_primal = sp__residual_relative(&primal);
+    out->rel_dual = sp__residual_relative(&dual);
+    out->off = sp__max(sp__residual_over_tol(w, &primal), sp__residual_over_tol(w, &dual));
     const sp_real open = sp__abs(out->gap + sp__qp_support(qp, w->Y, &terms)) + SP_EPSILON * terms + dual.price;
     out->gap = sp__max(primal.price, open);
-    if (w->set.strict) out->off = sp__max(out->off, sp__qp_over(w, out->gap, sp__abs(out->objective)));
+    if (w->set.strict) out->off = sp__max(out->off, sp__qp_over_tol(w, out->gap, sp__abs(out->objective)));
     if (!(out->off < SP__NEVER) || !sp__finite(primal.price + open + out->objective)) out->off = SP__NEVER;
     w->cost.flops += 2 * w->cost.products + w->cost.vectors;
 }

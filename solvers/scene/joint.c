@@ -22,14 +22,14 @@ static sp_status sp__strength_check(const sp_strength *strength)
 }
 
 /* Has a joint strength beyond friction, or less than any? */
-SP__NOINLINE_SMALL static int sp__strength_more(const sp_strength *strength)
+SP__NOINLINE_SMALL static int sp__strength_beyond_friction(const sp_strength *strength)
 {
     return strength->cohesion > 0 || strength->tension > 0 || strength->crushing > 0;
 }
 
 static int sp__scene_strong(const sp_scene *scene)
 {
-    for (int32_t k = 0; k < scene->count.joints; k++) if (sp__strength_more(&scene->joint[k].strength)) return 1;
+    for (int32_t k = 0; k < scene->count.joints; k++) if (sp__strength_beyond_friction(&scene->joint[k].strength)) return 1;
     return 0;
 }
 
@@ -50,7 +50,7 @@ static sp__vertex_limits sp__vertex_strength(const sp_joint *f, int ignore_stren
 /* Is K_v of a contact more or less than a cone? */
 static int sp__contact_strong(const sp_problem *pb, const sp_contact *t)
 {
-    return pb->ignore_strength ? t->joint->strength.crushing > 0 : sp__strength_more(&t->joint->strength);
+    return pb->ignore_strength ? t->joint->strength.crushing > 0 : sp__strength_beyond_friction(&t->joint->strength);
 }
 
 /* Twice the vector area of a polygon, sum p x q over its edges, and its perimeter; local.           [Newell's normal] */
@@ -170,7 +170,7 @@ SP_API sp_status sp_scene_points(sp_scene *scene, int32_t a, int32_t b, const sp
     if (!n) return SP_E_ARGUMENT;
     sp_status status = sp__joint_start(scene, a, b, points, xyz, strength);
     if (!status) status = points < 1 ? SP_E_RANGE : sp__points_frame(n, &scene->joint[scene->count.joints]);
-    if (!status && sp__strength_more(strength)) status = SP_E_AREA;         /* strength is per area */
+    if (!status && sp__strength_beyond_friction(strength)) status = SP_E_AREA; /* strength is per area */
     if (!status) sp__joint_add(scene, points, xyz, id);
     return status;
 }

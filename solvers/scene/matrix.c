@@ -84,7 +84,7 @@ typedef struct sp__friction {
 } sp__friction;
 
 /* Faces, coefficient and first row of the pyramid. */
-static void sp__friction_open(sp__friction *r, int32_t faces, int32_t inscribed, int32_t net, int32_t first)
+static void sp__friction_begin(sp__friction *r, int32_t faces, int32_t inscribed, int32_t net, int32_t first)
 {
     sp_real tangent;
     r->faces = faces;
@@ -115,7 +115,7 @@ static void sp__afr_vertex(sp_triplets *t, const sp__friction *r, const sp_conta
 static void sp__afr_entries(sp_triplets *t, const sp_problem *problem, const sp_settings *settings, int32_t columns)
 {
     sp__friction r;
-    sp__friction_open(&r, settings->faces, settings->inscribed, settings->penalty.net, 0);
+    sp__friction_begin(&r, settings->faces, settings->inscribed, settings->penalty.net, 0);
     t->count = 0;
     for (int32_t k = 0; k < problem->contacts; k++) {
         const sp_contact *contact = &problem->contact[k];

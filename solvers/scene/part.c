@@ -55,7 +55,7 @@ static sp_status sp__part_loads(const sp__part *part, const sp_problem *pb)
     for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__problem_load(pb, &load[k], part->row[load[k].block]);
     status = sp__problem_sum(pb);
     if (status) return status;
-    for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__load_settle(pb, &load[k], part->row[load[k].block]);
+    for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__load_clear_sums(pb, &load[k], part->row[load[k].block]);
     return SP_OK;
 }
 

@@ -16,7 +16,7 @@ SP_API size_t sp_support_memory(int32_t points)
 }
 
 /* Coordinates of x across `up`, seen from o. */
-static void sp__plan(const sp_real up[3], const sp_real o[3], const sp_real x[3], sp_real xy[2])
+static void sp__plane_coordinates(const sp_real up[3], const sp_real o[3], const sp_real x[3], sp_real xy[2])
 {
     sp_real s[3], t[3], d[3];
     sp__across3(up, s);
@@ -58,7 +58,7 @@ SP_API sp_status sp_support_clearance(const sp_real *xyz, int32_t points, const 
     if (sp__failed(&scratch)) return SP_E_MEMORY;
     sp__unit3(gravity, up);
     sp__scale3((sp_real)-1, up, up);
-    for (int32_t i = 0; i < points; i++) sp__plan(up, com, xyz + 3 * (size_t)i, h.p[i]);
+    for (int32_t i = 0; i < points; i++) sp__plane_coordinates(up, com, xyz + 3 * (size_t)i, h.p[i]);
     return sp__support_read(&h, support);
 }
 
@@ -122,7 +122,7 @@ SP_API sp_status sp_support_rank(const sp_seat *seats, int32_t count, sp_real ma
 }
 
 /* How far x lies outside the plane through o with normal n, seen from o. */
-static sp_real sp__outside(const sp_real n[3], const sp_real o[3], const sp_real x[3])
+static sp_real sp__plane_distance(const sp_real n[3], const sp_real o[3], const sp_real x[3])
 {
     sp_real d[3];
     sp__sub3(x, o, d);
@@ -143,7 +143,7 @@ static int sp__face_normal(const sp_mesh *mesh, const int32_t *corner, int32_t s
 /* Does the whole stone lie behind the plane through o with normal n? */
 static int sp__rest_behind(const sp_mesh *mesh, const sp_real n[3], const sp_real o[3], sp_real eps)
 {
-    for (int32_t v = 0; v < mesh->vertices; v++) if (sp__outside(n, o, mesh->xyz + 3 * (size_t)v) > eps) return 0;
+    for (int32_t v = 0; v < mesh->vertices; v++) if (sp__plane_distance(n, o, mesh->xyz + 3 * (size_t)v) > eps) return 0;
     return 1;
 }
 
@@ -152,7 +152,7 @@ static int sp__rest_same(const sp_mesh *mesh, const int32_t *corner, int32_t siz
                          sp_real eps)
 {
     sp_real m[3];
-    for (int32_t k = 0; k < size; k++) if (sp__outside(n, o, mesh->xyz + 3 * (size_t)corner[k]) < -eps) return 0;
+    for (int32_t k = 0; k < size; k++) if (sp__plane_distance(n, o, mesh->xyz + 3 * (size_t)corner[k]) < -eps) return 0;
     return sp__face_normal(mesh, corner, size, m) && sp__rest_behind(mesh, m, mesh->xyz + 3 * (size_t)corner[0], eps);
 }
 
@@ -177,9 +177,9 @@ static sp_status sp__rest_support(const sp_mesh *mesh, const sp_mass *mass, cons
     sp__scale3((sp_real)-1, r->normal, up);
     for (int32_t v = 0; v < mesh->vertices; v++) {
         const sp_real *x = mesh->xyz + 3 * (size_t)v;
-        if (sp__outside(r->normal, o, x) >= -eps) sp__plan(up, mass->centroid, x, h.p[h.points++]);
+        if (sp__plane_distance(r->normal, o, x) >= -eps) sp__plane_coordinates(up, mass->centroid, x, h.p[h.points++]);
     }
-    r->height = -sp__outside(r->normal, o, mass->centroid);
+    r->height = -sp__plane_distance(r->normal, o, mass->centroid);
     return sp__support_read(&h, &r->support);
 }
 

@@ -164,8 +164,8 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
  * its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
-static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
-                            const sp_block *block)
+static void sp__load_clear_rounding(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
+                                    const sp_block *block)
 {
     const sp_real noise = 16 * (sp_real)SP_EPSILON, reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
     sp_real F[3];
@@ -177,9 +177,9 @@ static void sp__load_cancel(sp_real *q, const sp_load *load, sp_real share, cons
     if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) q[3] = q[4] = q[5] = 0;
 }
 
-/* Apply sp__load_cancel to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live loads that
- * cancel each other. */
-static void sp__load_settle(const sp_problem *problem, const sp_load *load, int32_t row)
+/* Apply sp__load_clear_rounding to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live
+ * loads that cancel each other. */
+static void sp__load_clear_sums(const sp_problem *problem, const sp_load *load, int32_t row)
 {
     const sp_scene *scene = problem->scene;
     const sp_block *block = &scene->block[load->block];
@@ -190,9 +190,9 @@ static void sp__load_settle(const sp_problem *problem, const sp_load *load, int3
         for (int k = 0; k < 3; k++) both[k] = sp__abs(own[k]) + times * sp__abs(scene->body[k]);
         own = both;
     }
-    sp__load_cancel(problem->p + 6 * (size_t)row, load, load->live ? times : 1, scene->gravity, own, block);
+    sp__load_clear_rounding(problem->p + 6 * (size_t)row, load, load->live ? times : 1, scene->gravity, own, block);
     if (SP__HAS_STRENGTH && problem->live && load->live)
-        sp__load_cancel(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
+        sp__load_clear_rounding(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
 }
 
 /* p = weight; loads are added to it. */
@@ -234,7 +234,7 @@ static sp_status sp__problem_loads(const sp_problem *problem)
     if (status) return status;
     for (int32_t k = 0; k < scene->count.loads; k++) {
         const int32_t row = sp__problem_row(problem, scene->load[k].block);
-        if (row >= 0) sp__load_settle(problem, &scene->load[k], row);
+        if (row >= 0) sp__load_clear_sums(problem, &scene->load[k], row);
     }
     return SP_OK;
 }

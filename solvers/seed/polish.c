@@ -34,7 +34,7 @@ SP__NOINLINE static void sp__polish_round(sp__system *w, const sp_real *y, sp_re
             sp__cone_project(&w->law.cone, yield, u, g);
             sp__cross3(pb->local[v], g, m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += m[k]; }
-            if (w->carried) sp__carry(w, t, pb->local[v], g, sp__norm3(g));
+            if (w->carried) sp__carry_add(w, t, pb->local[v], g, sp__norm3(g));
         }
         sp__system_scatter(w, t, F, M, r);
     }
@@ -66,7 +66,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
                                 sp_verdict *claim)
 {
     const sp_seed *seed = set->seed ? set->seed : sp_seed_table();
-    sp__system *w = sp__system_full(pb, set, SP__POLISH, &state->cost, arena);
+    sp__system *w = sp__system_make_full(pb, set, SP__POLISH, &state->cost, arena);
     const size_t n = 6 * (size_t)pb->blocks, size = 3 * (size_t)pb->points;
     sp_real best = SP__HUGE;
     if (!w) return SP_E_MEMORY;

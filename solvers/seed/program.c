@@ -89,8 +89,8 @@ static int sp__program_open(sp__program *g, const sp_problem *pb, const sp_setti
 {
     const sp_seed *seed = sp__seed_of(set);
     if (sp__program_size(pb, set, &g->qp) < 0) return 0;
-    sp__friction_open(&g->friction, set->faces ? set->faces : seed->faces,
-                      set->faces ? set->inscribed : seed->inscribed, set->penalty.net, 6 * pb->blocks);
+    sp__friction_begin(&g->friction, set->faces ? set->faces : seed->faces,
+                       set->faces ? set->inscribed : seed->inscribed, set->penalty.net, 6 * pb->blocks);
     g->set = set->penalty.solver ? seed->native : seed->admm;
     g->set.backend = sp__program_backend(pb, set, &g->qp);
     if (!set->seed) sp__program_tighten(&g->set, set->tol);
@@ -201,7 +201,7 @@ static sp_real sp__program_forces(const sp__program *g, const sp_problem *pb, sp
 }
 
 /* Flops that a run of the quadratic program takes before it looks at its budget: it measures the first guess twice. */
-static int64_t sp__program_least(const sp_qp *qp)
+static int64_t sp__program_least_flops(const sp_qp *qp)
 {
     const int64_t products = 4 * ((int64_t)qp->Ap[qp->n] + 2 * (int64_t)qp->n) + 2 * (int64_t)qp->Ap[qp->n];
     return 2 * (6 * products + 700 * ((int64_t)qp->n + qp->m));
@@ -223,7 +223,7 @@ static sp_status sp__admm_run(const sp_problem *pb, const sp_settings *set, sp_s
     if (!g) return SP_E_MEMORY;
     state->reason = SP_REASON_BUDGET;
     if (set->budget > 0) g->set.budget = state->left;
-    if (set->budget > 0 && state->left < sp__program_least(&g->qp)) return SP_OK;
+    if (set->budget > 0 && state->left < sp__program_least_flops(&g->qp)) return SP_OK;
     const sp_status status = g->solver.solve(g->solver.self, &g->qp, &g->set, arena, g->at.x, NULL, &g->r);
     if (status) return status == SP_E_MEMORY ? status : SP_OK;
     state->cost.flops += g->r.flops;
@@ -270,7 +270,7 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
     sp__program_arrays at;
     sp_arena dry = sp__arena_dry();
     const int32_t entries = sp__program_size(pb, set, &qp);
-    const size_t solver = entries < 0 ? 0 : sp__qp_count(&qp, entries, sp__program_backend(pb, set, &qp), 0);
+    const size_t solver = entries < 0 ? 0 : sp__qp_bytes(&qp, entries, sp__program_backend(pb, set, &qp), 0);
     if (solver == 0) return 0;
     sp__take(&dry, 1, sizeof(sp__program));
     sp__program_carve(&at, &qp, pb->blocks, entries, &dry);

@@ -37,7 +37,7 @@ SP__NOINLINE static sp__gate sp__seed_gate(sp__system *w, const sp_seed *seed, c
 static sp_status sp__bilateral_run(const sp_problem *pb, const sp_settings *set, sp__form form, sp_state *state,
                                    sp_arena *arena, sp_verdict *claim)
 {
-    sp__system *w = sp__system_full(pb, set, form, &state->cost, arena);
+    sp__system *w = sp__system_make_full(pb, set, form, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     w->budget.limit = state->left;
     state->reason = SP_REASON_BUDGET;

@@ -60,7 +60,7 @@ SP_API sp_status sp_sequence_set(sp_sequence *sequence, int32_t block, sp_presen
     if (!sequence || !step || !sp__presence_valid(presence)) return SP_E_ARGUMENT;
     if (block < 0 || block >= sequence->scene->count.blocks) return SP_E_INDEX;
     sp__sequence_reset_counts(sequence);
-    const sp_status status = sp__sequence_put(sequence, block, presence);
+    const sp_status status = sp__sequence_set_presence(sequence, block, presence);
     if (!status) sp__sequence_report(sequence, step);
     return status;
 }
@@ -70,7 +70,7 @@ SP_API sp_status sp_sequence_fill(sp_sequence *sequence, const sp_presence *pres
     if (!sequence || !presence || !step) return SP_E_ARGUMENT;
     for (int32_t b = 0; b < sequence->scene->count.blocks; b++) if (!sp__presence_valid(presence[b])) return SP_E_ARGUMENT;
     sp__sequence_reset_counts(sequence);
-    const sp_status status = sp__sequence_put_all(sequence, presence);
+    const sp_status status = sp__sequence_set_all(sequence, presence);
     if (!status) sp__sequence_report(sequence, step);
     return status;
 }

@@ -114,14 +114,14 @@ static void sp__sequence_report(const sp_sequence *q, sp_step *step)
     step->cost = q->spent.cost;
 }
 
-static sp_status sp__sequence_put(sp_sequence *q, int32_t b, sp_presence presence)
+static sp_status sp__sequence_set_presence(sp_sequence *q, int32_t b, sp_presence presence)
 {
     q->who[b] = presence;
     q->verdict = sp__sequence_check(q);
     return SP_OK;
 }
 
-static sp_status sp__sequence_put_all(sp_sequence *q, const sp_presence *presence)
+static sp_status sp__sequence_set_all(sp_sequence *q, const sp_presence *presence)
 {
     memcpy(q->who, presence, (size_t)q->scene->count.blocks * sizeof *presence);
     q->verdict = sp__sequence_check(q);

@@ -106,7 +106,7 @@ SP__NOINLINE static void sp__sequence_report(sp_sequence *q, sp_step *step)
 }
 
 /* Block b so from now on. */
-SP__NOINLINE static sp_status sp__sequence_put(sp_sequence *q, int32_t b, sp_presence presence)
+SP__NOINLINE static sp_status sp__sequence_set_presence(sp_sequence *q, int32_t b, sp_presence presence)
 {
     if (presence == q->now.state[b].presence) return SP_OK;
     sp__sequence_change(q, b, presence);
@@ -116,7 +116,7 @@ SP__NOINLINE static sp_status sp__sequence_put(sp_sequence *q, int32_t b, sp_pre
 }
 
 /* All blocks so from now on; every island is looked at again. */
-SP__NOINLINE static sp_status sp__sequence_put_all(sp_sequence *q, const sp_presence *presence)
+SP__NOINLINE static sp_status sp__sequence_set_all(sp_sequence *q, const sp_presence *presence)
 {
     for (int32_t b = 0; b < q->scene->count.blocks; b++)
         if (presence[b] != q->now.state[b].presence) sp__sequence_change(q, b, presence[b]);

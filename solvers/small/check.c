@@ -116,7 +116,7 @@ static sp_real sp__small_row(sp__small *w, const sp_contact *t, int32_t v, int k
 }
 
 /* H += s e e' */
-static void sp__small_square(sp__small *w, sp_real s, const sp_real *e)
+static void sp__small_add_square(sp__small *w, sp_real s, const sp_real *e)
 {
     for (int p = w->side[0] < 0 ? 6 : 0; p < 12; p++) {
         const int32_t i = 6 * w->side[p / 6] + p % 6;
@@ -156,7 +156,7 @@ SP__NOINLINE static void sp__small_vertex(sp__small *w, const sp_contact *t, int
     for (int k = 0; k < 3; k++) {
         for (int side = 0; side < 2; side++)
             for (int q = 0; q < 6 && w->side[side] >= 0; q++) w->r[6 * w->side[side] + q] -= c[k] * w->e[k][6 * side + q];
-        if (want & SP__HESSIAN && slope[k] > 0) sp__small_square(w, w->S * slope[k], w->e[k]);
+        if (want & SP__HESSIAN && slope[k] > 0) sp__small_add_square(w, w->S * slope[k], w->e[k]);
     }
 }
 
@@ -202,7 +202,7 @@ static void sp__small_solve(const sp__small *w, sp_real s, const sp_real *b, sp_
 }
 
 /* Is dq = -z y a proof? Then that is the verdict. */
-SP__NOINLINE static void sp__small_try(sp__small *w, const sp_real *y)
+SP__NOINLINE static void sp__small_try_proof(sp__small *w, const sp_real *y)
 {
     sp_result *r = w->to;
     if (r->verdict) return;
@@ -232,7 +232,7 @@ static void sp__small_purify(sp__small *w, sp_real *x)
         const sp_real size = SP_SQRT(sp__small_dot(w, x, x));
         if (!(size > 0)) return;
         for (int32_t k = 0; k < 6 * w->pb->blocks; k++) x[k] /= size;
-        sp__small_try(w, x);
+        sp__small_try_proof(w, x);
     }
 }
 
@@ -322,10 +322,10 @@ SP__NOINLINE static sp_real sp__small_step(sp__small *w, sp_real shift)
     sp__small_axpy(w, w->prox, w->y, w->r);
     sp__small_solve(w, -1, w->r, w->d);
     sp__small_axpy(w, -w->prox, w->y, w->r);
-    sp__small_try(w, w->d);
+    sp__small_try_proof(w, w->d);
     if (w->to->verdict) return 1;
     const sp_real s = sp__small_move(w);
-    sp__small_try(w, w->y);
+    sp__small_try_proof(w, w->y);
     if (s > 10) sp__small_purify(w, w->d);
     return s;
 }

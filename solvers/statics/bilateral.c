@@ -104,7 +104,7 @@ static void sp__system_forces(sp__system *w, sp__law law, const sp_real *y, sp_s
 /* The hint alone. */
 SP__NOINLINE static sp_status sp__bilateral_hint(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena arena)
 {
-    sp__system *w = sp__system_full(pb, set, SP__LEAST, &state->cost, &arena);
+    sp__system *w = sp__system_make_full(pb, set, SP__LEAST, &state->cost, &arena);
     if (!w) return SP_E_MEMORY;
     sp__system_bilateral(w);
     sp__bilateral_write_y0(w, state);

@@ -39,7 +39,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     int idle = 0;                                       /* too long for these factors: no other way gets there, either */
     if (w->singular) sp__newton_unresisted(w, n, state);
     if (sp__system_metric(w)) { sp__system_bilateral(w); looked = 0; }
-    if (whole) sp__newton_prove(w, n, w->y, state);
+    if (whole) sp__newton_record_proof(w, n, w->y, state);
     if (looked) sp__newton_record(w, n, state);
     else sp__newton_measure(w, n, state);
     if (whole) sp__newton_plain(w, n, state);
@@ -52,7 +52,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
         sp__newton_plain(w, n, state);                 /* from there, without what |y|^2 pulls */
         sp__newton_finish(w, n, state);
     }
-    if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_left(w, n)) {
+    if ((coarse || (sp__newton_unfinished(n) && whole && !idle)) && cones && sp__newton_work_left(w, n)) {
         /* y has come as near as it can: the interior-point method goes on from here and looks for forces */
         const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
         if (coarse) memcpy(state->y, w->y, bytes);      /* the y at hand found them; else the nearest that was kept */
@@ -96,7 +96,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     w->budget.spent = 0;
     if (!n.found && n.best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
     w->budget.spent = spent;
-    if (n.proved && set->localise) sp__newton_settle(w, state);
+    if (n.proved && set->localise) sp__newton_sharpen_proof(w, state);
     for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
         state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
     sp__reduction_to_space(w, state->dq);

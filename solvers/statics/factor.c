@@ -197,7 +197,7 @@ SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
     const int narrow = sp__reduced(w) && w->reduction->no_strength && law < SP__GIVEN;
-    if (!sp__system_pay(w, own) || !sp__system_assembly(w, narrow)) return;
+    if (!sp__system_spend(w, own) || !sp__system_assembly(w, narrow)) return;
     if (sp__reduced(w)) { sp__reduction_factor(w, law, y, shift); return; }
     sp__system_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
     w->budget.cost->factorisations++;
@@ -262,13 +262,13 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
     const int64_t flops = sp__system_solve_flops(w) + 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n;
     sp_real *p = w->mixed.cg, *q = p + n, *z = q + n, *r = z + n;
     if (sp__reduced(w)) {
-        if (sp__system_pay(w, sp__system_solve_flops(w))) sp__reduction_solve(w, b, x);
+        if (sp__system_spend(w, sp__system_solve_flops(w))) sp__reduction_solve(w, b, x);
         else memset(x, 0, n * sizeof *x);
         return;
     }
     memcpy(r, b, n * sizeof *r);
     memset(x, 0, n * sizeof *x);
-    if (!sp__system_pay(w, flops)) return;
+    if (!sp__system_spend(w, flops)) return;
     sp_real rz = sp__system_precondition(w, r, p);
     const sp_real enough = 256 * (sp_real)SP_EPSILON * (sp_real)SP_EPSILON * rz;
     for (int it = 0; it < SP__REFINE && rz > enough; it++) {
@@ -277,7 +277,7 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
         if (!(pq > 0)) return;
         const sp_real alpha = rz / pq;
         for (size_t k = 0; k < n; k++) { x[k] += alpha * p[k]; r[k] -= alpha * q[k]; }
-        if (!sp__system_pay(w, flops)) return;
+        if (!sp__system_spend(w, flops)) return;
         const sp_real next = sp__system_precondition(w, r, z), beta = -alpha * sp__dot(z, q, n) / rz;
         for (size_t k = 0; k < n; k++) p[k] = z[k] + beta * p[k];
         rz = next;
@@ -287,7 +287,7 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
 /* x <- (L L')^-1 b; x may be b. x <- 0 where that is no longer paid for. */
 static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
 {
-    const int paid = sp__system_pay(w, sp__system_solve_flops(w));
+    const int paid = sp__system_spend(w, sp__system_solve_flops(w));
     if (paid && sp__reduced(w)) sp__reduction_solve(w, b, x);
     else if (paid) sp__system_substitute(w, b, x);
     else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);

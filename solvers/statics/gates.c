@@ -28,7 +28,7 @@ static void sp__gates_arm(const sp_problem *pb, int32_t i, int32_t k, sp_real r[
 }
 
 /* Force F on the group of block i, its moment M about that block's centroid.                returns how many blocks it has */
-static int32_t sp__gates_pull(const sp_problem *pb, int32_t *up, int32_t i, sp_real F[3], sp_real M[3])
+static int32_t sp__gates_group_load(const sp_problem *pb, int32_t *up, int32_t i, sp_real F[3], sp_real M[3])
 {
     int32_t size = 0;
     sp__scale3(0, F, F);
@@ -49,12 +49,12 @@ static int32_t sp__gates_pull(const sp_problem *pb, int32_t *up, int32_t i, sp_r
 
 /* The first group without support that is pulled or turned moves: dq = F / |F|, or M / |M| about the first block, for its
  * blocks.                                                                                              returns its size */
-static int32_t sp__gates_fall(const sp_problem *pb, int32_t *up, sp_real *dq)
+static int32_t sp__gates_unsupported_motion(const sp_problem *pb, int32_t *up, sp_real *dq)
 {
     for (int32_t i = 0; i < pb->blocks; i++) {
         if (up[i + 1] != i + 1) continue;
         sp_real F[3] = { 0, 0, 0 }, M[3] = { 0, 0, 0 };
-        const int32_t size = sp__gates_pull(pb, up, i, F, M);
+        const int32_t size = sp__gates_group_load(pb, up, i, F, M);
         const int turn = !(sp__norm3(F) > 0);
         if (turn && !(sp__norm3(M) > 0)) continue;
         sp__unit3(turn ? M : F, F);
@@ -91,7 +91,7 @@ static sp_status sp__gates_run(const sp_problem *pb, const sp_settings *set, sp_
     for (int32_t i = 0; i <= pb->blocks; i++) up[i] = i;
     for (int32_t i = 0; i < pb->blocks; i++) if (pb->scene->block[pb->block[i]].fixed) sp__join(up, 0, i + 1);
     for (int32_t c = 0; c < pb->contacts; c++) sp__join(up, pb->contact[c].a + 1, pb->contact[c].b + 1);
-    const int32_t size = sp__gates_fall(pb, up, state->dq);
+    const int32_t size = sp__gates_unsupported_motion(pb, up, state->dq);
     if (size) {
         *claim = SP_UNSTABLE;
         state->reason = size > 1 ? SP_REASON_NO_SUPPORT : SP_REASON_NO_CONTACT;

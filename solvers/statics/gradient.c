@@ -10,7 +10,7 @@
 static void sp__carry_begin(sp__system *w) { w->carried = w->L.t; }
 
 /* Add force g of size |g| at l, in the contact's frame, to what its blocks carry. */
-SP__NOINLINE static void sp__carry(sp__system *w, const sp_contact *t, const sp_real *l, const sp_real g[3], sp_real size)
+SP__NOINLINE static void sp__carry_add(sp__system *w, const sp_contact *t, const sp_real *l, const sp_real g[3], sp_real size)
 {
     const sp_joint *f = t->joint;
     for (int side = 0; side < 2; side++) {
@@ -36,7 +36,7 @@ SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const 
     for (int q = 0; q < 6; q++) Y[q] = 0;
     sp__view_motion(w, k, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
+        const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, k, l, X, u);
         sp__view_force(w, k, law, u, g);
@@ -45,7 +45,7 @@ SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const 
         sp__view_gather(w, k, l, g, Y);
         if (!w->carried) continue;
         sp__view_widen(w, k, g, s->m);
-        sp__carry(w, t, l, s->m, sp__view_norm(k, g));
+        sp__carry_add(w, t, l, s->m, sp__view_norm(k, g));
     }
     sp__view_scatter(w, k, Y, r);
 }
@@ -74,12 +74,12 @@ SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, int32_t c, const sp
     sp__view_motion(w, k, d, o->twist[1]);
     for (int q = 0; q < (k->g ? 3 : 6); q++) o->twist[0][q] += s * o->twist[1][q];
     for (int32_t v = k->t->point; v < k->t->point + k->t->points; v++) {
-        if (!(sp__system_counts(w, v) > 0)) continue;
+        if (!(sp__system_multiplicity(w, v) > 0)) continue;
         sp__view_rates(w, k, w->pb->local[v], o->twist[0], o->u[0]);
         sp__view_rates(w, k, w->pb->local[v], o->twist[1], o->u[1]);
         if (k->g) sp__view_wedge(w, k, o->u[0], o->f);
         else sp__system_force(w, k->c, w->law.yield, o->u[0], o->f);
-        o->sum[0] += sp__system_counts(w, v) * sp__view_power(w, k, o->f, o->u[1]);
+        o->sum[0] += sp__system_multiplicity(w, v) * sp__view_power(w, k, o->f, o->u[1]);
     }
     return o->sum[0];
 }

@@ -18,7 +18,7 @@
 static void sp__ipm_edge(const sp__system *w, int32_t c, int32_t k, sp_real e[3])
 {
     const sp_real mu = sp__system_mu(w, c), h = mu * w->law.cone.tan_half, *d = w->law.cone.direction[k];
-    e[0] = w->inner->force_scale * sp__system_S(w, c) / (sp_real)w->law.cone.faces;
+    e[0] = w->inner->force_scale * sp__system_scale(w, c) / (sp_real)w->law.cone.faces;
     e[1] = e[0] * mu * d[0] - e[0] * h * d[1];
     e[2] = e[0] * (mu * d[1] + h * d[0]);
 }
@@ -26,7 +26,7 @@ static void sp__ipm_edge(const sp__system *w, int32_t c, int32_t k, sp_real e[3]
 /* A pyramid's share of sp__ipm_derivative. */
 SP__NOINLINE static void sp__ipm_by_edges(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
-    const sp_real *x = w->inner->x + (size_t)w->law.cone.faces * (size_t)v, times = sp__system_counts(w, v);
+    const sp_real *x = w->inner->x + (size_t)w->law.cone.faces * (size_t)v, times = sp__system_multiplicity(w, v);
     sp_real *e = sp__visit_of(w)->edge;
     for (int32_t k = 0; k < w->law.cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
@@ -43,13 +43,13 @@ SP__NOINLINE static void sp__ipm_by_edges(sp__system *w, int32_t c, int32_t v, c
 SP__NOINLINE static void sp__ipm_by_cone(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + 3 * (size_t)v;
-    const sp_real S = w->inner->force_scale * sp__system_S(w, c), T = S * sp__system_mu(w, c);
+    const sp_real S = w->inner->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     sp_real *z = sp__visit_of(w)->z;
     z[0] = w->inner->theta - S * u[0]; z[1] = -T * u[1]; z[2] = -T * u[2];
     sp__nt W;
     if (!sp__soc_scaling(x, z, &W)) { w->inner->outside = 1; return; }
     const sp_real s = W.s * W.s, p = 2 * s * W.w[1], q = 2 * s * W.w[2];
-    w->inner->gap += sp__system_counts(w, v) * sp__dot3(x, z);
+    w->inner->gap += sp__system_multiplicity(w, v) * sp__dot3(x, z);
     D[0] = S * S * s * (1 + 2 * (W.w[1] * W.w[1] + W.w[2] * W.w[2]));
     D[1] = S * T * p * W.w[0]; D[2] = S * T * q * W.w[0];
     D[3] = T * T * (p * W.w[1] + s); D[4] = T * T * p * W.w[2]; D[5] = T * T * (q * W.w[2] + s);
@@ -69,7 +69,8 @@ static void sp__ipm_derivative(sp__system *w, int32_t c, int32_t v, const sp_rea
 static int sp__system_assembly(sp__system *w, int plain)
 {
     const sp__reduction *o = sp__reduced(w);
-    if (o && plain) return sp__system_pay(w, SP__FLOPS_REDUCED_HESSIAN(o) * o->vertices + SP__FLOPS_REDUCED_BLOCKS * o->sides);
+    if (o && plain)
+        return sp__system_spend(w, SP__FLOPS_REDUCED_HESSIAN(o) * o->vertices + SP__FLOPS_REDUCED_BLOCKS * o->sides);
     return sp__system_count(w, SP__FLOPS_HESSIAN, SP__FLOPS_BLOCKS);
 }
 
@@ -84,7 +85,7 @@ SP__NOINLINE static void sp__wedge_hessian(sp__system *w, sp__law law, int32_t c
     for (int k = 0; k < 6; k++) h[k] = 0;
     sp__reduction_motion(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
+        const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
         sp__wedge_levers(w, g, l, q);
         sp__wedge_rates(w, g, l, X, u);
@@ -136,7 +137,7 @@ static int sp__vertex_law(sp__system *w, sp__law law, int32_t c, int32_t v, cons
         if (w->law.soft > 0 && u[0] < 0) D[0] += w->law.soft;
         else if (region == SP__APEX) return 0;
     }
-    const sp_real S = sp__system_S(w, c), T = S * w->law.slide, R = T * w->law.slide;
+    const sp_real S = sp__system_scale(w, c), T = S * w->law.slide, R = T * w->law.slide;
     D[0] *= S; D[1] *= T; D[2] *= T; D[3] *= R; D[4] *= R; D[5] *= R;
     return 1;
 }
@@ -152,8 +153,8 @@ SP__NOINLINE static int sp__system_contact_hessian(sp__system *w, sp__law law, i
     sp__system_twist(w, t, y, twist, twist + 3);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        if (!(sp__system_counts(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, s->u[0], s->D)) continue;
-        for (int k = 0; k < 6; k++) s->D[k] *= sp__system_counts(w, v);
+        if (!(sp__system_multiplicity(w, v) > 0) || !sp__vertex_law(w, law, c, v, twist, s->u[0], s->D)) continue;
+        for (int k = 0; k < 6; k++) s->D[k] *= sp__system_multiplicity(w, v);
         sp__vertex_hessian(s->D, w->pb->local[v], h);
         carries = 1;
     }

@@ -35,7 +35,7 @@ SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], s
         sp__scale3(-1, h, dz);
         sp__soc_square(&W, h);
         sp__sub3(h, x, h);
-        sp__soc_aim(&W, x, z, h, dz, m->sigma * m->mu, h);
+        sp__soc_corrector(&W, x, z, h, dz, m->sigma * m->mu, h);
     }
     for (int k = 0; k < 3; k++) g[k] = m->pass == SP__AIM ? 0 : u[2][k];
     g[0] += keep * m->theta;
@@ -81,7 +81,7 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t
 {
     g[0] = g[1] = g[2] = 0;
     if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
-    const sp_real S = m->force_scale * sp__system_S(w, c), T = S * sp__system_mu(w, c);
+    const sp_real S = m->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
     sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, sp__visit_of(w));
     g[0] *= S; g[1] *= T; g[2] *= T;
@@ -105,11 +105,11 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
             if (counts[k]) sp__system_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
         }
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            if (!(sp__system_counts(w, v) > 0)) continue;
+            if (!(sp__system_multiplicity(w, v) > 0)) continue;
             for (int k = 0; k < 3; k++)
                 if (counts[k]) sp__system_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
             sp__ipm_vertex(w, m, c, v, u, g);
-            sp__scale3(sp__system_counts(w, v), g, g);
+            sp__scale3(sp__system_multiplicity(w, v), g, g);
             sp__cross3(pb->local[v], g, s->m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
         }
@@ -132,7 +132,7 @@ static void sp__ipm_change(const sp__system *w, const sp__yield *yield, const sp
  * to balance stones that nothing else holds. */
 static int sp__ipm_idle(const sp__system *w, const sp__ipm *m, int32_t c, const sp_real D[6])
 {
-    const sp_real S = m->force_scale * sp__system_S(w, c);
+    const sp_real S = m->force_scale * sp__system_scale(w, c);
     return m->ray && D[0] < S * S;
 }
 
@@ -158,7 +158,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
         for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
-            const sp_real times = sp__system_counts(w, v);
+            const sp_real times = sp__system_multiplicity(w, v);
             if (!(times > 0)) continue;
             sp__system_rate(w, twist[0], twist[0] + 3, pb->local[v], u);
             if (m) sp__ipm_derivative(w, c, v, u, D, g);
@@ -175,7 +175,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
-            sp__carry(w, t, pb->local[v], g, sp__norm3(g));
+            sp__carry_add(w, t, pb->local[v], g, sp__norm3(g));
         }
         sp__system_scatter(w, t, F, M, w->r);
     }
@@ -245,7 +245,7 @@ SP__NOINLINE static void sp__ipm_motion(sp__system *w, sp__ipm *m, sp__newton *n
     if (!(pulls > 0)) return;
     const sp_real share = (m->kappa + sp__system_work(w, w->y) + sp__system_work(w, w->d)) / pulls;
     for (size_t k = 0; k < size; k++) w->r[k] = w->y[k] + w->d[k] + share * state->dq[k];
-    sp__newton_prove(w, n, w->r, state);
+    sp__newton_record_proof(w, n, w->r, state);
 }
 
 /* Predictor and corrector with the factor at hand, from what sp__ipm_motion left in w->d and state->dq. */
@@ -300,7 +300,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
     int idle = 0;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
-    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_left(w, n)
+    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_work_left(w, n)
                      && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
@@ -314,7 +314,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         m->mu = (m->gap + m->tau * m->kappa) / (cones + m->kappa_weight);
         sp__ipm_forces(w, m, n, state);
         if (n->found) return 0;
-        sp__newton_prove(w, n, w->y, state);
+        sp__newton_record_proof(w, n, w->y, state);
         if (!n->proved) sp__ipm_motion(w, m, n, state);
         if (n->proved || w->budget.spent) return 0;
         sp__ipm_step(w, m, state);
@@ -323,7 +323,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
     sp__newton_measure(w, n, state);
     if (idle == SP__IPM_IDLE) {                         /* y still shows what goes together, roughly */
         memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
-        sp__newton_tie(w, n, SP__PLAY_IDLE, state);
+        sp__newton_try_rigid(w, n, SP__PLAY_IDLE, state);
     }
     return idle == SP__IPM_IDLE && SP__IPM_LAST;
 }

@@ -34,7 +34,7 @@ typedef struct sp__newton {
 } sp__newton;
 
 /* Is there work left to spend? */
-static int sp__newton_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }
+static int sp__newton_work_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }
 
 /* Are there neither forces that balance nor a proof? */
 static int sp__newton_unfinished(const sp__newton *n) { return n->imbalance > n->goal && !n->proved && !n->found; }
@@ -77,12 +77,12 @@ typedef struct sp__power { sp_real work, resist, scale; } sp__power;
 SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, const sp_real *y)
 {
     const sp__view k = sp__view_of(w, c);
-    const sp_real S = sp__system_S(w, c), most = w->set->force_bound * sp__least_of_blocks(k.t, w->measure.size, 2) / S;
+    const sp_real S = sp__system_scale(w, c), most = w->set->force_bound * sp__least_of_blocks(k.t, w->measure.size, 2) / S;
     sp__visit *s = sp__visit_of(w);
     sp_real *X = s->twist[0], *u = s->u[0], *f = s->f, sum = 0;
     sp__view_motion(w, &k, y, X);
     for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
-        const sp_real times = sp__system_counts(w, v);
+        const sp_real times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
         sp__view_rates(w, &k, w->pb->local[v], X, u);
         if (k.g) sp__view_wedge(w, &k, u, f);
@@ -106,7 +106,7 @@ SP__NOINLINE static void sp__newton_power(sp__system *w, const sp_real *y, sp__p
 }
 
 /* (work - resist) / scale */
-static sp_real sp__newton_proof(sp__system *w, const sp_real *y)
+static sp_real sp__newton_proof_margin(sp__system *w, const sp_real *y)
 {
     sp__power o;
     sp__newton_power(w, y, &o);
@@ -114,9 +114,9 @@ static sp_real sp__newton_proof(sp__system *w, const sp_real *y)
 }
 
 /* Keep y as the mechanism if it is a proof. */
-static void sp__newton_prove(sp__system *w, sp__newton *n, const sp_real *y, sp_state *state)
+static void sp__newton_record_proof(sp__system *w, sp__newton *n, const sp_real *y, sp_state *state)
 {
-    if (n->proved || sp__newton_proof(w, y) <= SP__MORE * w->set->tol) return;
+    if (n->proved || sp__newton_proof_margin(w, y) <= SP__MORE * w->set->tol) return;
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) state->dq[k] = -w->measure.weight[k / 3] * y[k];
     n->proved = 1;
 }

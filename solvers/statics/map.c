@@ -58,7 +58,7 @@ static void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, 
 {
     if (k->g) { sp__wedge_law(w, law, k->c, k->g, u, f, NULL); return; }
     if (law == SP__ADMISSIBLE) { sp__system_force(w, k->c, w->law.yield, u, f); return; }
-    for (int q = 0; q < 3; q++) f[q] = sp__system_S(w, k->c) * (q ? w->law.slide * u[q] : u[q]);
+    for (int q = 0; q < 3; q++) f[q] = sp__system_scale(w, k->c) * (q ? w->law.slide * u[q] : u[q]);
 }
 
 /* f = P_K(u) of the narrow kernel, as a call of its own: written into the line search it would deepen the stack of sp_check,

@@ -177,7 +177,7 @@ SP__NOINLINE static int sp__reduction_level(const sp_problem *pb, const sp_setti
         const sp_contact *t = &pb->contact[c];
         const sp_real along = sp__dot3(t->joint->n, m);
         sp_real across[3];
-        if (sp__strength_more(&t->joint->strength)) return 0;
+        if (sp__strength_beyond_friction(&t->joint->strength)) return 0;
         sp__cross3(t->joint->n, m, across);
         if (sp__norm3(across) > eps && sp__abs(along) > eps) return 0;
         rests += (along < 0 && t->b >= 0) || (along > 0 && t->a >= 0);

@@ -16,7 +16,7 @@
 #if SP__WITH_LARGE
 
 /* S of a contact's vertices, ~ min(sbar_A, sbar_B): without it a pebble beside a cathedral is lost in rounding. */
-static sp_real sp__system_S(const sp__system *w, int32_t c)
+static sp_real sp__system_scale(const sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real s = w->measure.metric > 0 ? sp__least_of_blocks(t, w->measure.size, 2) * w->measure.metric : 1;
@@ -65,12 +65,12 @@ static void sp__system_weights(sp__system *w)
             if (i < 0) continue;
             sp_real o[3], *z = w->measure.weight + 2 * (size_t)i;
             const sp_real *arm = side ? t->rb : t->ra;
-            const sp_real S = sp__system_S(w, c);
+            const sp_real S = sp__system_scale(w, c);
             o[0] = sp__dot3(arm, t->joint->n); o[1] = sp__dot3(arm, t->joint->t1); o[2] = sp__dot3(arm, t->joint->t2);
             for (int32_t v = t->point; v < t->point + t->points; v++) {
                 const sp_real *l = pb->local[v];
                 const sp_real x = o[0] + l[0], y = o[1] + l[1], s = o[2] + l[2];
-                const sp_real times = S * sp__system_counts(w, v);
+                const sp_real times = S * sp__system_multiplicity(w, v);
                 z[0] += times;
                 z[1] += times * (x * x + y * y + s * s) * 2 / 3;
             }
@@ -142,7 +142,7 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
     k->N = SP__HUGE;
     if (k->plain) return k;
     const sp__vertex_limits strength = sp__vertex_strength(t->joint, w->pb->ignore_strength);
-    const sp_real newton = sp__in_units(w->measure.unit * sp__system_S(w, c), 1); /* in units */
+    const sp_real newton = sp__in_units(w->measure.unit * sp__system_scale(w, c), 1); /* in units */
     k->C = strength.C * newton * w->law.friction;
     k->T = strength.T * newton;
     k->N = sp__ratio(strength.N, 1 / newton);
@@ -243,7 +243,7 @@ static void sp__system_force(const sp__system *w, int32_t c, const sp__yield *yi
 {
     sp__cone_project(&w->law.cone, yield, u, f);
     if (w->law.soft > 0 && u[0] < 0) f[0] += u[0] * w->law.soft;
-    const sp_real S = sp__system_S(w, c), slip = S * w->law.slide;
+    const sp_real S = sp__system_scale(w, c), slip = S * w->law.slide;
     f[0] *= S; f[1] *= slip; f[2] *= slip;
 }
 
@@ -286,7 +286,7 @@ static void sp__system_scatter(const sp__system *w, const sp_contact *t, const s
 
 /* Count work before it is done. What would exceed the budget latches, as a full arena does: this and all later work is left
  * out, so a check on a budget is a check without one that stops early.                returns whether the work is to be done */
-static int sp__system_pay(sp__system *w, int64_t flops)
+static int sp__system_spend(sp__system *w, int64_t flops)
 {
     if (flops > w->budget.limit - w->budget.cost->flops) w->budget.spent = 1;
     if (!w->budget.spent) w->budget.cost->flops += flops;
@@ -297,8 +297,8 @@ static int sp__system_pay(sp__system *w, int64_t flops)
 static int sp__system_count(sp__system *w, int32_t vertex, int32_t contact)
 {
     const sp__reduction *o = sp__reduced(w);
-    if (o) return sp__system_pay(w, vertex * o->vertices + contact * SP__FLOPS_REDUCED_TWIST / SP__FLOPS_TWIST * o->sides);
-    return sp__system_pay(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
+    if (o) return sp__system_spend(w, vertex * o->vertices + contact * SP__FLOPS_REDUCED_TWIST / SP__FLOPS_TWIST * o->sides);
+    return sp__system_spend(w, (int64_t)vertex * w->pb->points + (int64_t)contact * w->pb->contacts);
 }
 
 /* Pays for so many sweeps over all vertices and so many twists; a vertex with fn and one slip costs less. */

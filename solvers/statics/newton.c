@@ -70,12 +70,12 @@ static void sp__newton_purify(sp__system *w, sp__newton *n, sp_real *x, sp_state
         const sp_real size = sp__system_norm(w, x);
         if (!(size > 0)) return;
         for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) x[k] /= size;
-        sp__newton_prove(w, n, x, state);
+        sp__newton_record_proof(w, n, x, state);
     }
 }
 
 /* The candidate in w->d, tied into rigid groups: opened, else as it is. */
-SP__NOINLINE static void sp__newton_tie(sp__system *w, sp__newton *n, sp_real play, sp_state *state)
+SP__NOINLINE static void sp__newton_try_rigid(sp__system *w, sp__newton *n, sp_real play, sp_state *state)
 {
     if (n->proved || !sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) return;
     int32_t *group = sp__rigid_room(w);
@@ -83,8 +83,8 @@ SP__NOINLINE static void sp__newton_tie(sp__system *w, sp__newton *n, sp_real pl
     if (sp__rigid_sharpen(w, group, state)) {
         memcpy(w->r, w->d, 6 * (size_t)w->pb->blocks * sizeof *w->r);
         sp__rigid_open_joints(w, w->d, sp__rigid_offsets(state));
-        sp__newton_prove(w, n, w->d, state);
-        sp__newton_prove(w, n, w->r, state);
+        sp__newton_record_proof(w, n, w->d, state);
+        sp__newton_record_proof(w, n, w->r, state);
     }
     sp__system_gradient(w, SP__ADMISSIBLE, w->y, w->r, NULL);
 }
@@ -100,14 +100,14 @@ SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, sp_sta
     if (n->stalled) {
         memcpy(w->d, w->y, size * sizeof *w->d);
         sp__newton_purify(w, n, w->d, state);
-        if (n->prox < SP__TIE) sp__newton_tie(w, n, SP__PLAY, state);
+        if (n->prox < SP__TIE) sp__newton_try_rigid(w, n, SP__PLAY, state);
     }
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
     sp__system_solve(w, w->d, w->d);
-    sp__newton_prove(w, n, w->d, state);
+    sp__newton_record_proof(w, n, w->d, state);
     const sp_real s = sp__newton_move(w, n, state);
     if (n->imbalance > n->goal && !n->proved) {
-        sp__newton_prove(w, n, w->y, state);
+        sp__newton_record_proof(w, n, w->y, state);
         if (s > 10) sp__newton_purify(w, n, w->d, state);
     }
     return s;
@@ -149,7 +149,7 @@ SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_stat
 }
 
 /* After a step of length s, more or less on the diagonal.     returns whether the step was tiny */
-SP__NOINLINE static int sp__newton_damp(sp__newton *n, sp_real s)
+SP__NOINLINE static int sp__newton_adapt_shift(sp__newton *n, sp_real s)
 {
     const int tiny = s < (sp_real)0.03;
     if (tiny) n->shift = n->shift * 1000 < 1 ? n->shift * 1000 : 1;
@@ -164,8 +164,8 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
     n->prox = 0;
     n->stalled = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0; it < 12 && sp__newton_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++)
-        tiny += sp__newton_damp(n, sp__newton_step(w, n, state));
+    for (int it = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++)
+        tiny += sp__newton_adapt_shift(n, sp__newton_step(w, n, state));
 }
 
 /* On the proximal path y = (mechanism) / prox + (what balances the forces). The second part is no mechanism: contacts resist
@@ -179,20 +179,20 @@ SP__NOINLINE static void sp__newton_restore(sp__system *w, sp__newton *n, sp_sta
     sp_real *load = w->L.t;                             /* until the next solution */
     if (!(y > 0)) return;
     for (size_t k = 0; k < size; k++) w->d[k] = w->y[k] / y;
-    for (int it = 0; it < 3 && sp__newton_left(w, n) && !n->proved; it++, n->left--) {
+    for (int it = 0; it < 3 && sp__newton_work_left(w, n) && !n->proved; it++, n->left--) {
         sp__system_factor(w, SP__ADMISSIBLE, w->d, SP__SHIFT);
         sp__system_gradient(w, SP__ADMISSIBLE, w->d, w->r, NULL);
         sp__system_load(w, load);
         for (size_t k = 0; k < size; k++) w->r[k] -= load[k];
         sp__system_solve(w, w->r, w->r);
         sp__system_axpy(w, -(sp_real)1.1, w->r, w->d);
-        sp__newton_prove(w, n, w->d, state);
+        sp__newton_record_proof(w, n, w->d, state);
     }
-    if (!n->proved) sp__newton_tie(w, n, SP__PLAY, state);
+    if (!n->proved) sp__newton_try_rigid(w, n, SP__PLAY, state);
 }
 
 /* Is y near enough to the minimum for this prox?     n->stalled: does the imbalance no longer fall with it? */
-SP__NOINLINE static int sp__newton_level(sp__system *w, sp__newton *n)
+SP__NOINLINE static int sp__newton_near_minimum(sp__system *w, sp__newton *n)
 {
     const sp_real y = n->prox * sp__system_norm(w, w->y), r = sp__system_norm(w, w->r);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = w->r[k] + n->prox * w->y[k];
@@ -211,13 +211,13 @@ SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state 
     n->shift = 0;
     n->level = SP__HUGE;
     sp__newton_measure(w, n, state);
-    for (int extra = 8; extra > 0 && sp__newton_left(w, n) && n->imbalance > n->goal && !n->proved; ) {
+    for (int extra = 8; extra > 0 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved; ) {
         sp__newton_step(w, n, state);
         if (n->prox <= SP__SHIFT) {
             if (extra-- == 8) sp__newton_restore(w, n, state);
             continue;
         }
-        if (!sp__newton_level(w, n)) continue;
+        if (!sp__newton_near_minimum(w, n)) continue;
         if (n->stalled && !n->proved) sp__newton_restore(w, n, state);
         n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
         n->stalled |= n->prox <= SP__DEEP;
@@ -235,7 +235,7 @@ static void sp__newton_unresisted(sp__system *w, sp__newton *n, sp_state *state)
 /* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
  * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts
  * as tied: where that ties all, every block goes alone. state->y is used up. */
-SP__NOINLINE static void sp__newton_settle(sp__system *w, sp_state *state)
+SP__NOINLINE static void sp__newton_sharpen_proof(sp__system *w, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     int32_t *group = sp__rigid_room(w);

@@ -59,7 +59,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
 }
 
 /* A system in all 6 rows. */
-static sp__system *sp__system_full(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
+static sp__system *sp__system_make_full(const sp_problem *pb, const sp_settings *set, sp__form form, sp_cost *cost, sp_arena *a)
 {
     return sp__system_make(pb, set, form, NULL, cost, a);
 }

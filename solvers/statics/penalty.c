@@ -26,7 +26,7 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
         sp__system_twist(w, t, w->y, V, W);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real u[3], f[3];
-            if (!(sp__system_counts(w, v) > 0)) continue;
+            if (!(sp__system_multiplicity(w, v) > 0)) continue;
             sp__system_rate(w, V, W, w->pb->local[v], u);
             sp__system_force(w, c, yield, u, f);
             const sp_real fn = sp__in_newtons(w->measure.unit, f[0]);
@@ -51,7 +51,7 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
         if (!w) return SP_E_MEMORY;
     }
     if (!w || !sp__system_covers(w)) { arena->used = start; w = NULL; }       /* level, but friction may help */
-    if (!w) w = sp__system_full(pb, set, SP__PENALTY, &state->cost, arena);
+    if (!w) w = sp__system_make_full(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     w->budget.limit = state->left;
     sp__system_bilateral(w);
@@ -60,7 +60,7 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
     if (sp__system_metric(w)) sp__system_bilateral(w);
     sp__newton_measure(w, &n, state);
     n.shift = SP__SHIFT;
-    while (sp__newton_left(w, &n) && n.imbalance > n.goal) sp__newton_step(w, &n, state);
+    while (sp__newton_work_left(w, &n) && n.imbalance > n.goal) sp__newton_step(w, &n, state);
     if (n.imbalance <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a stone that touches nothing */
     return SP_OK;
 }

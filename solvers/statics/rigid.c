@@ -91,13 +91,13 @@ static void sp__rigid_restrict(const sp__system *w, int32_t *up, sp_real *r)
 SP__NOINLINE static void sp__vertex_apply(const sp__system *w, int32_t c, int32_t v, sp__visit *s)
 {
     const sp__yield *yield = sp__system_yield(w, c);
-    const sp_real *l = w->pb->local[v], times = sp__system_counts(w, v);
+    const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
     sp_real *D = s->D, *u = s->u[0], *g = s->f, *m = s->m;
     if (!(times > 0)) return;
     sp__system_rate(w, s->twist[0], s->twist[0] + 3, l, u);
     if (sp__cone_derivative(&w->law.cone, yield, u, D) == SP__APEX) return;
     sp__system_rate(w, s->twist[1], s->twist[1] + 3, l, u);
-    const sp_real S = times * sp__system_S(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
+    const sp_real S = times * sp__system_scale(w, c), x = S * u[0], y = S * u[1], z = S * u[2];
     g[0] = D[0] * x + D[1] * y + D[2] * z;
     g[1] = D[1] * x + D[3] * y + D[4] * z;
     g[2] = D[2] * x + D[4] * y + D[5] * z;
@@ -160,7 +160,7 @@ SP__NOINLINE static void sp__rigid_open_joints(sp__system *w, sp_real *x, sp_rea
     sp_real most = 0;
     memset(off, 0, (size_t)pb->blocks * sizeof *off);
     memset(w->graph.mark, 0, (size_t)pb->blocks * sizeof *w->graph.mark);
-    for (int more = 1, turn = 0; more && sp__system_pay(w, 6 * (int64_t)pb->contacts); turn = !turn) {
+    for (int more = 1, turn = 0; more && sp__system_spend(w, 6 * (int64_t)pb->contacts); turn = !turn) {
         more = 0;
         for (int32_t k = 0; k < pb->contacts; k++) {
             const sp_contact *t = &pb->contact[turn ? pb->contacts - 1 - k : k];

@@ -260,7 +260,7 @@ SP__NOINLINE static size_t sp__system_scratch(const sp_problem *pb)
     return dry.peak;
 }
 
-/* Where a dual ends that begins at `from`, with so many blocks below the diagonal: the symbolic step and the factor share the
+/* Where a system ends that begins at `from`, with so many blocks below the diagonal: the symbolic step and the factor share the
  * space behind the graph. t is used up; t->reduction: in 3 rows. */
 static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_settings *set, sp__form form, int32_t nnz,
                              size_t from)
@@ -277,8 +277,8 @@ static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_setti
 
 /* Bytes of the whole system; reduction (may be NULL): and of one in 3 rows before it, behind *reduction, which takes more where
  * few blocks have many joints. */
-static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, sp__form form, sp__reduction *reduction,
-                              sp_arena scratch)
+static size_t sp__system_bytes(const sp_problem *pb, const sp_settings *set, sp__form form, sp__reduction *reduction,
+                               sp_arena scratch)
 {
     sp__system *w = sp__take(&scratch, 1, sizeof *w);
     const int32_t nnz = w ? sp__system_analyse(w, pb, &scratch) : -1;
@@ -293,7 +293,7 @@ static size_t sp__system_most(const sp_problem *pb, const sp_settings *set, sp__
 /* Bytes of a system in 6 rows. */
 static size_t sp__system_need(const sp_problem *pb, const sp_settings *set, sp__form form, sp_arena scratch)
 {
-    return sp__system_most(pb, set, form, NULL, scratch);
+    return sp__system_bytes(pb, set, form, NULL, scratch);
 }
 
 /* Bytes of a system that may be reduced first. */
@@ -301,12 +301,12 @@ static size_t sp__system_need_reduced(const sp_problem *pb, const sp_settings *s
 {
     sp__reduction *o = sp__take(&scratch, 1, sizeof *o);
     if (!o) return SIZE_MAX;
-    if (sp__reduction_choose(pb, set, o)) return sp__system_most(pb, set, form, o, scratch);
+    if (sp__reduction_choose(pb, set, o)) return sp__system_bytes(pb, set, form, o, scratch);
     return sp__system_need(pb, set, form, scratch);
 }
 
 /* How often vertex v counts: 0 where its mirror image does for both, or where it takes no part. */
-static sp_real sp__system_counts(const sp__system *w, int32_t v)
+static sp_real sp__system_multiplicity(const sp__system *w, int32_t v)
 {
     const sp__reduction *o = sp__reduced(w);
     return o ? (o->image[v] > v ? 2 : o->image[v] == v) : 1;

@@ -71,7 +71,7 @@ static void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g,
 static void sp__wedge_law(const sp__system *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f,
                           sp_real *D)
 {
-    const sp_real S = sp__system_S(w, c), T = S * w->law.slide;
+    const sp_real S = sp__system_scale(w, c), T = S * w->law.slide;
     if (f) { f[0] = u[0]; f[1] = u[1]; }
     if (D) { D[0] = D[2] = 1; D[1] = 0; }
     if (law == SP__ADMISSIBLE && w->reduction->mode == SP__PLANE) sp__wedge_project(w, sp__system_mu(w, c), g, u, f, D);

@@ -184,7 +184,7 @@ TEST(a_programme_goes_on_from_where_it_was)
             low[i] = at - random_real(0, 1);
             high[i] = at + random_real(0, 1);
             if (change % 2) {
-                sp__lp_drop(&lp, i);
+                sp__lp_deactivate(&lp, i);
                 for (int32_t j = 0; j < n; j++) { A[i][j] = random_real(-1, 1); lp.value[n * i + j] = R(A[i][j]); }
             }
             lp.lower[i] = R(low[i]);

@@ -44,7 +44,7 @@ static int begin(bench *b, int k)
     sp_arena *a = &test_arena;
     if (!CHECK_INT(gen_make(scene_of[k].name, scene_of[k].number, scene_of[k].value, a, &b->scene), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&b->scene, a, &b->pb), SP_OK)) return 0;
-    b->w = sp__system_full(&b->pb, &b->set, SP__EXACT, &b->cost, a);
+    b->w = sp__system_make_full(&b->pb, &b->set, SP__EXACT, &b->cost, a);
     if (!CHECK(b->w != NULL)) return 0;
     sp__system_weights(b->w);
     b->n = 6 * (size_t)b->pb.blocks;
@@ -65,7 +65,7 @@ static double value(bench *b, const sp_real *y)
     for (int32_t c = 0; c < b->pb.contacts; c++) {
         const sp_contact *t = &b->pb.contact[c];
         for (int32_t k = 3 * t->point; k < 3 * (t->point + t->points); k++)
-            sum += 0.5 * (double)(b->f[k] * b->f[k] / sp__system_S(b->w, c));
+            sum += 0.5 * (double)(b->f[k] * b->f[k] / sp__system_scale(b->w, c));
     }
     sp__system_load(b->w, b->r);
     for (size_t k = 0; k < b->n; k++) sum += (double)(b->r[k] * y[k]);
@@ -186,7 +186,7 @@ TEST(rigid_groups_are_the_blocks_that_move_together)
     NEED(gen_make("tower", "n", 6, &test_arena, &b.scene) == SP_OK);
     NEED(sp_problem_build(&b.scene, &test_arena, &b.pb) == SP_OK);
     NEED(b.pb.blocks < 15);
-    b.w = sp__system_full(&b.pb, &b.set, SP__EXACT, &b.cost, &test_arena);
+    b.w = sp__system_make_full(&b.pb, &b.set, SP__EXACT, &b.cost, &test_arena);
     NEED(b.w);
     sp__system_weights(b.w);
     b.y = sp__take(&test_arena, (size_t)b.pb.blocks, 6 * sizeof *b.y);

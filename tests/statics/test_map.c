@@ -149,7 +149,7 @@ static int begin(both *b, int k, sp__form form)
     sp_real **all[4] = { b->y, b->d, b->r, b->x };
     for (int q = 0; q < 8; q++) all[q / 2][q % 2] = sp__take(a, b->n, sizeof **b->y);
     for (int q = 0; q < 2; q++) b->f[q] = sp__take(a, (size_t)b->pb[0].points, 3 * sizeof **b->f);
-    b->w[1] = sp__system_full(&b->pb[1], &b->set[1], form, &b->cost, a);
+    b->w[1] = sp__system_make_full(&b->pb[1], &b->set[1], form, &b->cost, a);
     b->o = sp__take(a, 1, sizeof *b->o);
     if (!CHECK(b->w[1] && b->o)) return 0;
     *b->o = chosen;
@@ -229,7 +229,7 @@ TEST(slope_and_work_in_3_rows_are_those_in_6)
     }
 }
 
-/* Sums and largest arm of what forces put on blocks: sp__carry is asked once for a vertex that stands for two. */
+/* Sums and largest arm of what forces put on blocks: sp__carry_add is asked once for a vertex that stands for two. */
 TEST(blocks_bear_the_same_in_3_rows_as_in_6)
 {
     for (int k = 0; k < SCENES; k++) {

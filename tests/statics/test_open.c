@@ -46,9 +46,9 @@ TEST(a_system_takes_what_was_counted)
                 NEED(begin(&o, k, variant % 2 ? 6 : 0, variant / 2 ? 1000000 : 0));
                 const size_t need = sp__system_need(&o.pb, &o.set, (sp__form)form, test_arena);
                 sp_arena a = room(need), less = room(need - SP_ALIGN);
-                CHECK(sp__system_full(&o.pb, &o.set, (sp__form)form, &o.cost, &a) != NULL);
+                CHECK(sp__system_make_full(&o.pb, &o.set, (sp__form)form, &o.cost, &a) != NULL);
                 CHECK_INT(a.peak, need);
-                CHECK(sp__system_full(&o.pb, &o.set, (sp__form)form, &o.cost, &less) == NULL);
+                CHECK(sp__system_make_full(&o.pb, &o.set, (sp__form)form, &o.cost, &less) == NULL);
                 made++;
             }
     CHECK(made >= 5 * 4 * 8);
@@ -65,8 +65,8 @@ TEST(a_reduced_system_and_the_whole_one_take_what_was_counted)
             const size_t need = sp__system_need_reduced(&o.pb, &o.set, SP__EXACT, test_arena);
             sp_arena a = room(need), whole = a, less = room(need - SP_ALIGN), less_whole = less;
             sp__reduction *r = sp__take(&a, 1, sizeof *r);
-            NEED(r != NULL && sp__system_full(&o.pb, &o.set, SP__EXACT, &o.cost, &whole) != NULL);
-            int enough = sp__system_full(&o.pb, &o.set, SP__EXACT, &o.cost, &less_whole) != NULL;
+            NEED(r != NULL && sp__system_make_full(&o.pb, &o.set, SP__EXACT, &o.cost, &whole) != NULL);
+            int enough = sp__system_make_full(&o.pb, &o.set, SP__EXACT, &o.cost, &less_whole) != NULL;
             size_t most = whole.peak;
             if (sp__reduction_choose(&o.pb, &o.set, r)) {
                 CHECK(sp__system_make(&o.pb, &o.set, SP__EXACT, r, &o.cost, &a) != NULL);

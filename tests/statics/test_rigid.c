@@ -30,7 +30,7 @@ static int begin(tied *t, const char *name, const char *number, double value)
     t->set.inscribed = 1;
     if (!CHECK_INT(gen_make(name, number, value, a, &t->scene), SP_OK)) return 0;
     if (!CHECK_INT(sp_problem_build(&t->scene, a, &t->pb), SP_OK) || !CHECK(t->pb.blocks <= MOST)) return 0;
-    t->w = sp__system_full(&t->pb, &t->set, SP__EXACT, &t->cost, a);
+    t->w = sp__system_make_full(&t->pb, &t->set, SP__EXACT, &t->cost, a);
     if (!CHECK(t->w != NULL)) return 0;
     sp__system_weights(t->w);
     t->n = 6 * (size_t)t->pb.blocks;
