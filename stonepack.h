@@ -305,8 +305,8 @@ typedef struct sp_overlap { int32_t a, b; sp_real depth; } sp_overlap;     /* tw
 struct sp_contact_report {
     int32_t joints, points;         /* found; also when the scene had no room for them */
     int32_t overlaps;               /* pairs of blocks inside each other beyond the distance */
-    int32_t overlap_cap;            /* in: room in `overlap`, >= 0 */
-    sp_overlap *overlap;            /* in: the caller's, or NULL; out: the first overlap_cap of them, by block numbers */
+    int32_t overlap_capacity;       /* in: room in `overlap`, >= 0 */
+    sp_overlap *overlap;            /* in: the caller's, or NULL; out: the first overlap_capacity of them, by block numbers */
 };
 SP_API sp_contact_settings sp_contact_settings_default(void);
 

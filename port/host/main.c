@@ -33,7 +33,7 @@ static const char help_check[] =
 "  --cra-nodes N      largest proof that there is none; up to 48 corners  24 corners^3, at most 48000\n"
 "  --solver ipopt     with --coupled: puts the published program's answer beside ours\n\n"
 "  --worker S[,MB]    a process of its own checks each scene: S seconds, MB megabytes, then it is killed (status 70)\n"
-"  --fallback         a worker that does not answer does not matter: check here\n"
+"  --fallback         where the worker does not answer, check here\n"
 "  --skip-done FILE   leaves out scenes with a result in FILE (JSON Lines); what they were counts for the exit status\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 69 a solver that is not in this build, 70 internal, 71 out of memory; of several scenes the\n"
@@ -41,7 +41,7 @@ static const char help_check[] =
 
 static const char help_limit[] =
 "stonepack limit [options] SCENE\n\n"
-"How much of the live loads does it bear on top of the others? The largest multiple for which admissible forces exist, from\n"
+"How much of the live loads does it carry on top of the others? The largest multiple for which admissible forces exist, from\n"
 "both sides: forces that carry the lower one, a mechanism that falls at the upper one; its hinges and sliding joints. Live\n"
 "loads are the scene's `#@ live` lines and --body. With friction the multiplier is an upper value: forces are necessary for\n"
 "standing, not sufficient, and sliding that does not open joints may fall at less.\n\n"
@@ -79,7 +79,7 @@ static const char help_verify[] =
 static const char help_sequence[] =
 "stonepack sequence [options] SCENE\n\n"
 "Does it stand at every step of a build order, and what must be held meanwhile? Stones come in the order of the file unless\n"
-"told; supports are there from the beginning. Each step starts from the forces of the one before.\n\n"
+"an order is given; supports are there from the beginning. Each step starts from the forces of the one before.\n\n"
 "  --order A,B,...    the order, by names; every stone once\n"
 "  --order-file FILE  the same from a file, white space between names, # starts a comment\n"
 "  --remove           everything is there and goes stone by stone: in the order given, which may leave stones out, or from\n"

@@ -45,7 +45,7 @@
     "not asked for\0" "statics asks for none\0" SP__LONG_TEXT("they share no free block; ") "each is solved alone\0" \
     SP__LONG_TEXT("stages or a budget that a plan leaves alone") "\0" \
     SP__LONG_TEXT("everything has one mirror plane: 3 rows a block") "\0" \
-    SP__LONG_TEXT("level joints under plumb loads: pressure alone comes first") "\0" \
+    SP__LONG_TEXT("joints at right angles to the loads: pressure alone comes first") "\0" \
     SP__LONG_TEXT("contacts form a forest, or nothing need move: no search") "\0" "unknown"
 #define SP__WORDS_COUPLING \
     "not asked\0" SP__LONG_TEXT("coupled") "\0" SP__LONG_TEXT("refuted") "\0" SP__LONG_TEXT("not found") "\0" "unknown"

@@ -15,7 +15,7 @@ static sp_status sp__contact_settings_check(const sp_contact_settings *s)
 SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *settings, sp_arena scratch,
                                   sp_contact_report *report)
 {
-    if (!scene || !scratch.base || !report || report->overlap_cap < 0) return SP_E_ARGUMENT;
+    if (!scene || !scratch.base || !report || report->overlap_capacity < 0) return SP_E_ARGUMENT;
     sp__touch *t = sp__take(&scratch, 1, sizeof *t);
     if (!t) return SP_E_MEMORY;
     memset(t, 0, sizeof *t);
@@ -25,7 +25,7 @@ SP_API sp_status sp_contacts_find(sp_scene *scene, const sp_contact_settings *se
     t->scene = scene;
     t->before = scene->count;
     t->report.overlap = report->overlap;
-    t->report.overlap_cap = report->overlap_cap;
+    t->report.overlap_capacity = report->overlap_capacity;
     sp__touch_all(t, &scratch);
     if (t->status || t->full) scene->count = t->before;
     if (t->status) return t->status;

@@ -205,7 +205,7 @@ SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
     const sp_real flat = t->now.gap + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);
     const sp_real depth = sp__pair_depth(t, flat);
     if (!(depth > flat)) return;
-    if (t->report.overlap && t->report.overlaps < t->report.overlap_cap) {
+    if (t->report.overlap && t->report.overlaps < t->report.overlap_capacity) {
         const sp_overlap o = { t->now.a, t->now.b, depth };
         t->report.overlap[t->report.overlaps] = o;
     }

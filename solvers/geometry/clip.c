@@ -41,7 +41,7 @@ typedef struct sp__clip_graph {
     sp__clip_edge *edge;
     int32_t *order, *next;      /* edges in order; next outgoing edge of the same node */
     int32_t *path;              /* nodes of the loop being traced */
-    int32_t nodes, edges, node_cap, edge_cap;
+    int32_t nodes, edges, node_capacity, edge_capacity;
 } sp__clip_graph;
 
 /* Lines through holes, and the strip between two of them. */
@@ -69,8 +69,8 @@ static void sp__clip_carve(sp__clip *c, int64_t p, int64_t q, int64_t crossings,
 {
     const int64_t nodes = p + q + crossings + 32, edges = 3 * (p + q) + 2 * crossings + 32;
     const size_t n = (size_t)nodes, e = (size_t)edges;
-    c->g.node_cap = nodes < INT32_MAX ? (int32_t)nodes : 0;
-    c->g.edge_cap = edges < INT32_MAX ? (int32_t)edges : 0;
+    c->g.node_capacity = nodes < INT32_MAX ? (int32_t)nodes : 0;
+    c->g.edge_capacity = edges < INT32_MAX ? (int32_t)edges : 0;
     c->in.segment = sp__take(a, e, sizeof *c->in.segment);
     c->in.tag = sp__take(a, e, sizeof *c->in.tag);
     c->g.xy = sp__take(a, n, sizeof *c->g.xy);
@@ -96,7 +96,7 @@ static void sp__clip_clear(sp__clip *c)
 /* Add a segment of region `side` (0: P, 1: Q) from (x0, y0) to (x1, y1); numbers of its ends or -1. */
 static void sp__clip_add(sp__clip *c, int32_t side, const sp_real from[2], const sp_real to[2], int32_t name0, int32_t name1)
 {
-    if (c->in.segments >= c->g.edge_cap) { c->full = 1; return; }
+    if (c->in.segments >= c->g.edge_capacity) { c->full = 1; return; }
     const int32_t s = c->in.segments++;
     c->in.segment[s][0] = from[0];
     c->in.segment[s][1] = from[1];
@@ -127,7 +127,7 @@ static int32_t sp__clip_node(sp__clip *c, const sp_real p[2], int32_t name)
         if (c->g.label[k] < 0) c->g.label[k] = name;
         return k;
     }
-    if (c->g.nodes >= c->g.node_cap) { c->full = 1; return 0; }
+    if (c->g.nodes >= c->g.node_capacity) { c->full = 1; return 0; }
     c->g.xy[c->g.nodes][0] = p[0];
     c->g.xy[c->g.nodes][1] = p[1];
     c->g.label[c->g.nodes] = name;
@@ -137,7 +137,7 @@ static int32_t sp__clip_node(sp__clip *c, const sp_real p[2], int32_t name)
 static void sp__clip_edge_add(sp__clip *c, int32_t from, int32_t to, int32_t w0, int32_t w1)
 {
     if (from == to) return;
-    if (c->g.edges >= c->g.edge_cap) { c->full = 1; return; }
+    if (c->g.edges >= c->g.edge_capacity) { c->full = 1; return; }
     const sp__clip_edge e = { from, to, { w0, w1 } };
     c->g.edge[c->g.edges++] = e;
 }
@@ -379,7 +379,7 @@ static void sp__clip_add_cut(sp__clip *c)
     }
     const sp_real mid = (lo + hi) / 2, rim = (hi - lo) / 10;
     for (int32_t k = 0; k < c->cut.lines; k++) if (c->cut.x[k] > lo + rim && c->cut.x[k] < hi - rim) return;
-    if (c->cut.lines >= c->g.node_cap) { c->full = 1; return; }
+    if (c->cut.lines >= c->g.node_capacity) { c->full = 1; return; }
     int32_t k = c->cut.lines++;
     for (; k > 0 && c->cut.x[k - 1] > mid; k--) c->cut.x[k] = c->cut.x[k - 1];
     c->cut.x[k] = mid;
@@ -390,7 +390,7 @@ static void sp__clip_put_loop(sp__clip *c, int32_t from, int32_t to)
 {
     const int32_t start = c->corners;
     sp_real area2 = 0, around = 0;
-    if (c->corners + (to - from) > c->g.edge_cap || c->loops >= c->g.node_cap) { c->full = 1; return; }
+    if (c->corners + (to - from) > c->g.edge_capacity || c->loops >= c->g.node_capacity) { c->full = 1; return; }
     const sp_real *o = c->g.xy[c->g.path[from]];
     for (int32_t k = from; k < to; k++) {
         const sp_real *p = c->g.xy[c->g.path[k]], *q = c->g.xy[c->g.path[k + 1 < to ? k + 1 : from]];

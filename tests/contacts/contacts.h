@@ -105,7 +105,7 @@ static sp_status find(const sp_contact_settings *set)
     const size_t need = test_bytes(&scene, SP_FOR_CONTACTS, NULL);
     if (!CHECK(need > 0 && need < test_arena.capacity - test_arena.used)) return SP_E_MEMORY;
     report.overlap = overlap;
-    report.overlap_cap = 16;
+    report.overlap_capacity = 16;
     return sp_contacts_find(&scene, set, test_arena, &report);
 }
 

@@ -339,7 +339,7 @@ TEST(too_little_room_is_told)
     NEED(c != NULL);
     box(c, 0, 0, 0, 1, 1, 0);
     box(c, 1, 0.5, 0.5, 2, 2, 0);
-    c->g.node_cap = 9;
+    c->g.node_capacity = 9;
     CHECK(!sp__clip_run(c, EPS, 0));
 }
 

@@ -153,7 +153,7 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
     char flops[16];
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points\n", s->path,
             sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, (long)s->scene.count.points);
-    fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, omega; no check above %s flop; "
+    fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, imbalance; no check above %s flop; "
             "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));
     fprintf(out, "%-18s", "stage, cone   tol:");
     for (int k = 0; k < COST_TOLS; k++) fprintf(out, "%17.0e", tol_of[k]);

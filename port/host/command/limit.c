@@ -1,4 +1,4 @@
-/* limit: how much of the live loads does it bear, and what gives way? */
+/* limit: how much of the live loads does it carry, and what gives way? */
 #include "../files/json_out.h"
 #include "../motion.h"
 #include "../run.h"
@@ -155,14 +155,14 @@ static void print_multiplier(const report *r)
     switch (x->kind) {
     case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier + 0.0); break;
     case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
-    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: of the multiples of the live loads that it bears none is the largest"); break;
+    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: it carries arbitrarily large multiples of the live loads"); break;
     default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
-                                                                                    : "the ends stay apart at this tol");
+                                                                                    : "the two bounds do not meet at this tol");
     }
     report_row(stdout, "how sure");
     if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
-    if (x->lower < 0 && x->upper < 0) fputs("neither end found", stdout);
+    if (x->lower < 0 && x->upper < 0) fputs("neither bound found", stdout);
     puts(x->verified ? "; verified" : "; NOT verified");
     if (is_vague(x)) {
         report_row(stdout, "how near");

@@ -137,7 +137,7 @@ static void text_islands(FILE *out, const report *r)
     if (!x->islands.each) return;
     for (int32_t k = 0; k < x->islands.count; k++) stable += x->islands.each[k].verdict == SP_STABLE;
     report_row(out, "islands");
-    fprintf(out, "%ld solved apart, %ld stable", (long)x->islands.count, (long)stable);
+    fprintf(out, "%ld, each solved alone, %ld stable", (long)x->islands.count, (long)stable);
     for (int32_t k = 0; k < x->islands.count && named < SHOWN; k++)
         if (x->islands.each[k].verdict != SP_STABLE)
             fprintf(out, "%s%s %s", named++ ? ", " : "; ", r->scene->name[x->islands.each[k].block],

@@ -300,7 +300,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     printf(": ");
     if (e->verdict == SP_UNSTABLE && !(e->margin > 0))
         printf("least imbalance %s%s, ", text_shortest(e->least_imbalance, least), e->final ? ", final" : "");
-    printf("omega %s", text_shortest(e->imbalance, imbalance));
+    printf("imbalance %s", text_shortest(e->imbalance, imbalance));
     if (e->margin > 0) printf(", refuted, margin %.2g", (double)e->margin);
     else if (v->proof) printf(", not refuted: the proof in it fails");
     else if (o->settings.coupled.asked)

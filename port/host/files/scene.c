@@ -248,7 +248,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     cap->joints = report.joints;
     cap->points = report.points;
     report.overlap = s->overlap;
-    report.overlap_cap = report.overlaps;
+    report.overlap_capacity = report.overlaps;
     failed = build_blocks(f, cap, m, s, error);
     if (!failed) failed = find_once(f, mu, s, &report, &status, error);
     if (failed) return failed;

@@ -85,7 +85,7 @@ void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
     page_text(out, s->path, SIZE_MAX);
-    fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance (omega) left by a check, %s; the exact stage "
+    fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance left by a check, %s; the exact stage "
             "says %s</text>\n", COST_REAL, sp_verdict_text(t->truth));
     draw_panel(out, t, 60, 0);
     draw_panel(out, t, PANEL_W + 150, 1);
