@@ -25,6 +25,7 @@ static void sp__sort_sink(int32_t *p, int32_t root, int32_t n, sp__before before
     p[root] = x;
 }
 
+/* Sort the n numbers p by `before`, which is told `what`; not stable, so `before` breaks ties. */
 static void sp__sort(int32_t *p, int32_t n, sp__before before, const void *what)
 {
     for (int32_t root = n / 2 - 1; root >= 0; root--) sp__sort_sink(p, root, n, before, what);

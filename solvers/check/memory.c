@@ -285,6 +285,7 @@ SP__NOINLINE static sp_status sp__check_memory(const sp_scene *scene, const sp_s
     return sp__memory(scene, settings, NULL, scratch, bytes);
 }
 
+/* Bytes of settings.work, where stages have an arena of their own. */
 SP__NOINLINE static sp_status sp__work_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
                                               size_t *bytes)
 {
@@ -297,6 +298,7 @@ SP__NOINLINE static sp_status sp__work_memory(const sp_scene *scene, const sp_se
 /* The memory that stages work in: settings.work, or the rest of the check's. */
 static sp_arena sp__work_open(const sp_settings *set, const sp_arena *a) { return set->work ? *set->work : *a; }
 
+/* Afterwards: the peak of that memory goes to where it came from. */
 static void sp__work_close(const sp_settings *set, sp_arena *a, const sp_arena *room)
 {
     if (set->work) a = set->work;

@@ -185,6 +185,7 @@ SP__NOINLINE static sp_real sp__yield_support(const sp__cone *k, const sp__yield
     return shut < open ? shut : open;
 }
 
+/* Largest f.u over f in K_v, |f| <= most: of a plain cone most |P_K(u)|. */
 static sp_real sp__cone_support(const sp__cone *k, const sp__yield *y, const sp_real u[3], sp_real most)
 {
     if (y->plain) {

@@ -15,6 +15,7 @@ static int64_t sp__crossings(const sp__top_two *t)
     return all < most ? all : most;
 }
 
+/* x into the largest two. */
 static void sp__top_two_add(sp__top_two *t, int32_t x)
 {
     if (x > t->first) { t->second = t->first; t->first = x; }

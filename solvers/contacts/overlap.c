@@ -200,6 +200,7 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     return most < least ? most : least;
 }
 
+/* Report the pair if it overlaps by more than its distance and what its faces are warped by. */
 SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
 {
     const sp_real flat = t->now.gap + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);

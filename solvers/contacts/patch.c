@@ -36,6 +36,7 @@ static int sp__vertex_before(const void *what, int32_t i, int32_t j)
     return o ? o < 0 : i < j;
 }
 
+/* t->all.same[v]: the first in order of the vertices that lie where v lies, to the bit. */
 static void sp__touch_weld(sp__touch *t)
 {
     const sp_block *k = &t->scene->block[t->own.block];

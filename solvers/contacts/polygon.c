@@ -85,6 +85,7 @@ static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__
     return n;
 }
 
+/* Order of polygons by their corners, one after the other; of equal ones the shorter first, then the one found first. */
 static int sp__polygon_before(const void *what, int32_t i, int32_t j)
 {
     const sp__touch *t = what;

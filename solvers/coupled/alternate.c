@@ -75,6 +75,7 @@ static void sp__explain_entries(sp_triplets *t, const sp_problem *pb, const sp_r
     for (int32_t k = 0; k < d + pb->points; k++) sp__triplets_put(t, d + k, y + k, 1);
 }
 
+/* Unknowns: motion y 6b, d 3v, beta v. Rows: Aeq' y = d, bounds of d, of beta. */
 static void sp__explain_size(const sp_problem *pb, sp_qp *qp)
 {
     memset(qp, 0, sizeof *qp);

@@ -6,6 +6,7 @@
 
 #if SP__WITH_SMALL && SP__WITH_LIMIT
 
+/* Only: can live loads alone be balanced? */
 static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *done)
 {
     (void)done;

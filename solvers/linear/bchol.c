@@ -108,6 +108,7 @@ static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_
     return sp__bchol_count(f, xadj, adj, parent, mark);
 }
 
+/* Row numbers of L's columns, column by column, after sp__bchol_count. */
 static void sp__bchol_pattern(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark)
 {
     for (int32_t k = 0; k < f->n; k++) mark[k] = -1;

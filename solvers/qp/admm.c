@@ -22,6 +22,7 @@ static sp_real sp__qp_row_rho(const sp__qp *w, int32_t i)
     return sp__qp_equation(&w->qp, i) ? w->set.rho_equal * w->kkt.rho : w->kkt.rho;
 }
 
+/* Factor the KKT matrix anew, for the rho at hand. */
 static void sp__qp_refactor(sp__qp *w)
 {
     for (int32_t i = 0; i < w->qp.m; i++) w->kkt.row[i] = sp__qp_row_rho(w, i);

@@ -88,6 +88,7 @@ static sp_real sp__qp_diagonal(const sp__qp *w, int32_t j)
     return end > sp__qp_p0(&w->qp, j) && w->qp.Pi[end - 1] == j ? w->c * w->D[j] * w->qp.Px[end - 1] * w->D[j] : (sp_real)0;
 }
 
+/* Largest |x_i|; NaN where there is one. */
 static sp_real sp__largest(const sp_real *x, int32_t n)
 {
     sp_real most = 0;

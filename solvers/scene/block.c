@@ -19,6 +19,7 @@ static void sp__scene_copy(sp_scene *scene, const sp_mesh *mesh, int32_t corners
     n->faces += mesh->faces;
 }
 
+/* Is there room for one more block with this mesh? */
 static int sp__scene_room(const sp_scene *scene, const sp_mesh *mesh, int32_t corners)
 {
     const sp_capacity *most = &scene->capacity, *n = &scene->count;

@@ -32,6 +32,7 @@ static void sp__joint_force(const sp_joint *t, const sp_real f[3], sp_real F[3])
     for (int k = 0; k < 3; k++) F[k] = f[0] * t->n[k] + f[1] * t->t1[k] + f[2] * t->t2[k];
 }
 
+/* d = (u.n, u.t1, u.t2); d may be u. */
 static void sp__joint_frame(const sp_joint *t, const sp_real u[3], sp_real d[3])
 {
     const sp_real x = sp__dot3(u, t->n), y = sp__dot3(u, t->t1), z = sp__dot3(u, t->t2);

@@ -330,6 +330,7 @@ SP__NOINLINE static sp_real sp__small_step(sp__small *w, sp_real shift)
     return s;
 }
 
+/* May the search go on, its verdict open? */
 static int sp__small_undecided(const sp__small *w) { return w->left > 0 && !w->to->verdict; }
 
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
