@@ -11,6 +11,7 @@
 #   6. no file is longer than LINES
 #   7. no line of the core is wider than 128 columns
 #   8. no switch stands inside a body: there is one of two rooms, or an expression; of precisions a few
+#   9. a test that is written is run
 . tests/checks/tally.sh
 most=${1:-700}
 floors='base linear qp geometry cone scene contacts proof statics seed coupled check small limit sequence memory'
@@ -105,6 +106,13 @@ bodies() {
         END { print n + 0 " conditionals inside bodies, at most " most + 0; exit n > most }' stonepack.c solvers/*/*.c
 }
 
+run() {
+    awk '
+        /^ *TEST\(/ { name = $0; sub(/.*TEST\(/, "", name); sub(/\).*/, "", name); written[FILENAME ": " name] }
+        /^ *RUN[A-Z_]*\(/ { name = $0; sub(/.*RUN[A-Z_]*\(/, "", name); sub(/\).*/, "", name); listed[FILENAME ": " name] }
+        END { for (k in written) if (!(k in listed)) { print k " is in no TEST_LIST"; bad = 1 } exit bad }' tests/*/test_*.c
+}
+
 part "floors: folders include only what stands below" downward
 part "floors: proof/ is asked through what it offers" through
 part "floors: no include inside a condition" unconditional
@@ -114,4 +122,5 @@ part "floors: no private name twice" once
 part "floors: no file over $most lines" short
 part "floors: no line over 128 columns" narrow
 part "floors: no switch inside a body" bodies 0
+part "floors: every test that is written is run" run
 total
