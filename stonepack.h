@@ -486,8 +486,9 @@ struct sp_result {
     int32_t final;              /* 1, of an UNSTABLE: no force of any size would do, for the true cone */
     int32_t verified;           /* 1: the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided, or SP_STAGE_NONE */
-    sp_real imbalance;          /* largest relative imbalance of f; tells for every verdict; where pressure alone decided
-                                   (SP_WHY_PRESSURE) relative to the loads alone, which sp_verify makes less              [1] */
+    sp_real imbalance;          /* largest relative imbalance of f, 1e30 where forces press on a block without loads; tells for
+                                   every verdict; where pressure alone decided (SP_WHY_PRESSURE) relative to the loads alone,
+                                   which sp_verify makes less                                                            [1] */
     sp_real least_imbalance;    /* proved by dq: no admissible forces within force_bound come below this one            [1] */
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
@@ -532,7 +533,7 @@ struct sp_joint_force {
 SP_API sp_status sp_block_resultant(const sp_scene *scene, const sp_result *result, int32_t block, sp_real force[3],
                                     sp_real moment[3]);
 
-/* As sp_text. sp_effect_on: 1: simulated, 0: left out. */
+/* The same, a function for each group of words. sp_effect_on: is it simulated (1) or left out (0)? */
 static inline const char *sp_verdict_text(sp_verdict verdict) { return sp_text(SP_WORDS_VERDICT, (int32_t)verdict); }
 static inline const char *sp_level_text(sp_level level) { return sp_text(SP_WORDS_LEVEL, (int32_t)level); }
 static inline const char *sp_reason_text(sp_reason reason) { return sp_text(SP_WORDS_REASON, (int32_t)reason); }
