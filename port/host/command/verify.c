@@ -242,7 +242,7 @@ static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_evid
 
 /* A stored result read and judged. */
 typedef struct verified {
-    options o;                  /* the caller's question, the only one that is judged: the bound on forces follows from its tol */
+    options o;                  /* the caller's question, the only one judged: the bound on forces follows from its tol */
     options told;               /* that of the result: cone, friction */
     sp_real tol, gravity[3];    /* and its tol and gravity */
     sp_real turned[3];          /* the caller's gravity */
@@ -305,7 +305,8 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     else if (v->proof) printf(", not refuted: the proof in it fails");
     else if (o->settings.coupled.asked)
         printf(", %s, residual %.2g", e->level == SP_COUPLED ? "coupled" : "not coupled", (double)e->residual);
-    if (o->settings.coupled.asked) printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
+    if (o->settings.coupled.asked)
+        printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
     putchar('\n');
 }
 
