@@ -100,8 +100,8 @@ def in_quad(quad, cases, got):
             with open(result, "w", encoding="utf-8") as f:
                 json.dump(r, f)
             p = subprocess.run([quad, "verify", "--cone", "8c", scene, result], capture_output=True, text=True)
-            residual = re.search(r": stable by .*, coupled, residual (\S+)", p.stdout)
-            margin = re.search(r": unstable by .*, refuted, margin (\S+)", p.stdout)
+            residual = re.search(r": stable by .*, coupled, residual ([^,\s]+)", p.stdout)
+            margin = re.search(r": unstable by .*, refuted, margin ([^,\s]+)", p.stdout)
             if not (residual if answer(r) == "coupled" else margin):
                 bad.append("%s: %s" % (c.name, (p.stdout + p.stderr).strip()))
                 continue
