@@ -245,7 +245,7 @@ build/asan.o: $(PARTS)
 	@mkdir -p build
 	$(CC) $(STRICTC) -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -c stonepack.c -o $@
 
-check: all pair build/run build/run_float build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench
+check: all pair build/run build/run_float build/run_small build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench
 	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh
 
 nightly: all build/corpus-double.txt build/corpus-float.txt

@@ -28,9 +28,14 @@
 #define OPEN (HARD_LIMIT | NEWTON)
 #endif
 
-static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
+/* Chains and arches of 1000 stones are nearly all the work of the battery in float: daily work has 300 there, on the same side of
+ * their limits. */
+static int hard_check(const hard_case *whole, const sp_settings *set, sp_result *r)
 {
+    hard_case part = *whole;
+    const hard_case *c = &part;
     sp_scene s;
+    if (SOME_OF(0, TOL(0, 1)) && (c->build == hard_stack || c->build == hard_arch)) part.a = 300;
     test_arena.used = 0;
     memset(r, 0, sizeof *r);
     const int made = CHECK_INT(c->build(c, &test_arena, &s), SP_OK) && CHECK_INT(sp_check(&s, set, &test_arena, r), SP_OK);
@@ -46,9 +51,6 @@ static int hard_check(const hard_case *c, const sp_settings *set, sp_result *r)
 #define ENDED (r.spent.total.factorisations <= 120 && r.spent.total.flops <= (int64_t)4e9)
 #endif
 
-/* The two of 1000 stones, half the work of the battery; in double they are always asked. */
-#define ARCHES(c) ((c)->flags & HARD_HEAVY && (c)->flags & HARD_FORCES_FLOAT)
-
 /* No wrong verdict, undecided only where its row allows it. */
 TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
 {
@@ -59,7 +61,7 @@ TEST(hard_scenes_are_decided_as_they_are_and_hopeless_searches_end)
         sp_result r;
         test_arena.used = 0;
         if (c->flags & REFUSED) CHECK(c->build(c, &test_arena, &s) != SP_OK);
-        if (c->flags & SKIP || (ARCHES(c) && sizeof(sp_real) == 4 && !test_long) || !hard_check(c, &set, &r)) continue;
+        if (c->flags & SKIP || !hard_check(c, &set, &r)) continue;
         const int held = CHECK(hard_right(c, &r) || c->flags & HARD_LIMIT || (c->flags & OPEN && !r.verdict));
         if (r.verdict) CHECK(r.verified);
         if (!CHECK(ENDED)) TEST_PRINT("    %s: %ld factorisations, %g flop\n", c->name, (long)r.spent.total.factorisations, (double)r.spent.total.flops);

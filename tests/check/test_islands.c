@@ -293,7 +293,7 @@ static sp_verdict as_alone(const sp_result *r, int32_t q, int32_t first, const s
 TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
 {
     int32_t coupled = 0, refuted = 0, open = 0, whole = 0, beyond = 0, seen[4] = { 0, 0, 0, 0 };
-    for (int32_t k = 0; k < SOME_OF(24, 12); k++) {
+    for (int32_t k = 0; k < SOME_OF(24, 8); k++) {
         sp_scene piece[5], s;
         const int32_t pieces = test_random_int(2, 5);
         int32_t blocks = 0, joints = 0, points = 0;
@@ -307,7 +307,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         for (int32_t q = 0; q < pieces; q++) add(&s, &piece[q], 0, plain);
         set.coupled.asked = 1;
         set.localise = k % 3 != 0;
-        const sp_result r = checked_exactly(&s, &set, k < 3);
+        const sp_result r = checked_exactly(&s, &set, k < SOME_OF(3, 1));
         NEED(r.islands.count == pieces);
         claim_holds(&s, &set, &r);
         sp_verdict worst = SP_STABLE;
@@ -319,7 +319,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
         coupled += r.verdict == SP_STABLE;
         refuted += r.reason == SP_REASON_NO_MOTION;
         open += r.verdict == SP_UNDECIDED;
-        if (k >= SOME_OF(8, 3)) continue;
+        if (k < SOME_OF(0, 1) || k >= SOME_OF(8, 3)) continue;
         sp_arena rest = test_arena;
         set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
         set.coupled.nodes = 1000;
@@ -333,7 +333,7 @@ TEST(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_
     TEST_PRINT("    %ld coupled, %ld refuted, %ld open; of %ld asked of the whole %ld are decided by islands only\n", (long)coupled,
                (long)refuted, (long)open, (long)whole, (long)beyond);
     CHECK(coupled > SOME_OF(5, 1) && refuted > SOME_OF(2, 0) && beyond < whole);
-    CHECK(seen[SP_COUPLING_COUPLED] > SOME_OF(20, 9) && seen[SP_COUPLING_REFUTED] > SOME_OF(TOL(20, 5), TOL(5, 1)));
+    CHECK(seen[SP_COUPLING_COUPLED] > SOME_OF(20, 5) && seen[SP_COUPLING_REFUTED] > SOME_OF(TOL(20, 5), TOL(3, 0)));
 }
 #endif
 

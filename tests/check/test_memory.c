@@ -531,7 +531,9 @@ TEST(what_is_counted_is_taken_whatever_is_asked)
 {
     const int bundled = (int)(sizeof sample / sizeof *sample);
     for (int k = 0; k < VARIANTS; k++) {
-        const int scenes = k < BY_COUPLED ? SOME_OF(400, 40) : k < BY_COUPLED_ROUNDS ? SOME_OF(100, 14) : bundled;
+        const int some = k < BY_ADMM ? SOME_OF(400, 40) : k < BY_COUPLED ? SOME_OF(400, 16) : SOME_OF(100, 12);
+        const int scenes = k < BY_COUPLED_ROUNDS ? some : bundled;
+        const int most = k < BY_COUPLED ? 12 : SOME_OF(12, 6);          /* joints: of many a search of a second is in vain */
         int exact = 0;
         sp_settings set;
         if (!variant_settings((variant)k, &set)) continue;
@@ -539,8 +541,8 @@ TEST(what_is_counted_is_taken_whatever_is_asked)
             sp_scene scene;
             test_arena.used = 0;
             if (q < bundled) build(sample[q].name, sample[q].param, sample[q].value, &scene);
-            else if (q % 2) random_scene(&scene, test_random_int(1, 6), test_random_int(0, 12));
-            else random_islands(&scene, test_random_int(3, 8), 2, test_random_int(0, 12), 4);
+            else if (q % 2) random_scene(&scene, test_random_int(1, most / 2), test_random_int(0, most));
+            else random_islands(&scene, test_random_int(3, most / 2 + 2), 2, test_random_int(0, most), 4);
             if (k == BY_ADMM && scene.count.vertices > 500 && !TEST_LONG()) continue;       /* 4 s in float, without an end */
             exact += takes_what_was_counted(&scene, &set);
         }

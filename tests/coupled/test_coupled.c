@@ -90,7 +90,7 @@ TEST(the_h_model_is_never_coupled)                      /* though statics accept
         build("h-model", "mu", mu[k], &s);
         NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
         CHECK_INT(r.verdict, SP_STABLE);
-        for (double ratio = 2; ratio < 3e3; ratio *= 10) {
+        for (double ratio = 2; ratio < 3e3; ratio *= SOME_OF(10, 100)) {
             const sp_settings set = asked(ratio, 1);
             test_arena.used = 0;
             build("h-model", "mu", mu[k], &s);
@@ -153,7 +153,7 @@ TEST(without_give_a_squeezed_block_slides_down_and_is_coupled_however_little_it_
 
 TEST(the_answer_does_not_depend_on_units_axes_order_or_sides)
 {
-    for (int k = 0; k < 64; k++) {
+    for (int k = 0; k < 64; k += SOME_OF(1, 5)) {        /* by fives each of the six is met both ways */
         squeeze q = plain;
         q.turn = k & 1 ? 0.7 : 0;
         q.unit = k & 2 ? 1e-3 : 1;
@@ -240,7 +240,7 @@ static void snug(double mu, int order, sp_scene *s)
 
 TEST(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numbered)
 {
-    for (int order = 0; order < SOME_OF(5, 2); order++) {
+    for (int order = SOME_OF(0, 1); order < SOME_OF(5, 3); order++) {
         const sp_settings set = asked(100, 0);
         sp_scene s;
         sp_result r;
@@ -306,6 +306,7 @@ TEST(a_turn_with_gravity_units_order_sides_and_first_corners_leave_the_answer)
             sp_scene s, other;
             int32_t place[MOST], name[MOST];
             change c = none();
+            if (way < 5 && (k + way) % SOME_OF(1, 3)) continue;         /* each way of a third of them, all at once of all */
             if (way == 0 || way == 5) any_turn(&c);
             if (way == 1 || way == 5) c.scale = 12.5, c.density = 4e-3, c.gravity = 3;
             if (way == 2 || way == 5) c.permute = 1;

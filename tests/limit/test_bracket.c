@@ -18,7 +18,7 @@ enum { PLANS = 1 };
 #endif
 
 /* On each free stone in turn, alone: pressed at its middle, off it, at a slant, pushed aside, turned. The stones above bear nothing
- * of it, however much it is. */
+ * of it, however much it is. Daily work asks every third stone for every other load, which one by turns. */
 TEST(a_load_on_any_stone_has_an_end_or_none)
 {
     static const struct { const char *name, *param; double value; } scene[] = {
@@ -28,7 +28,7 @@ TEST(a_load_on_any_stone_has_an_end_or_none)
     int several[4] = { 0, 0, 0, 0 };
     for (size_t k = 0; k < sizeof scene / sizeof *scene; k++)
         for (int32_t i = 1, stones = 2; i < stones; i += SOME_OF(1, 3)) {
-            for (int q = 0; q < 5; q++) {
+            for (int q = (int)k % SOME_OF(1, 2); q < 5; q += SOME_OF(1, 2)) {
                 sp_load load;
                 sp_scene s;
                 test_arena.used = 0;
@@ -55,7 +55,7 @@ TEST(a_load_on_any_stone_has_an_end_or_none)
         }
     CHECK_INT(several[SP_LIMIT_UNDECIDED], 0);
     CHECK_INT(several[SP_LIMIT_NONE], 0);
-    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(100, 30) && several[SP_LIMIT_UNBOUNDED] > SOME_OF(100, 30));
+    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(100, 15) && several[SP_LIMIT_UNBOUNDED] > SOME_OF(100, 15));
 }
 
 /* Weight is taken away by the live load and then more: at 1 there is none, beyond that all that rests on something goes up; between
@@ -206,7 +206,7 @@ static sp_scene pile(void)
 TEST(bisection_of_verdicts_ends_within_the_bracket)
 {
     int several[4] = { 0, 0, 0, 0 };
-    for (int trial = 0; trial < 200; trial++) {
+    for (int trial = 0; trial < SOME_OF(200, 80); trial++) {
         sp_settings set = sp_settings_default();
         sp_scene s = pile();
         if (trial % 10 == 0) { s.body[0] = s.body[1] = 0; s.body[2] = R(-5); }  /* presses on what stands already */
@@ -231,9 +231,9 @@ TEST(bisection_of_verdicts_ends_within_the_bracket)
         }
         CHECK(lo <= (double)x.upper * (1 + NEAR) + NEAR && hi >= (double)x.lower * (1 - NEAR) - NEAR);
     }
-    CHECK(several[SP_LIMIT_FOUND] > 50 && several[SP_LIMIT_NONE] > 5 && several[SP_LIMIT_UNBOUNDED] > 0);
+    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(50, 20) && several[SP_LIMIT_NONE] > SOME_OF(5, 2) && several[SP_LIMIT_UNBOUNDED] > 0);
     CHECK(several[SP_LIMIT_UNDECIDED] <= (TEST_SMALL ? 30 : TOL(2, 4)));
-    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 200 undecided\n", several[SP_LIMIT_UNDECIDED]);
+    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of %d undecided\n", several[SP_LIMIT_UNDECIDED], SOME_OF(200, 80));
 }
 
 #ifdef SP_REAL_MIXED
@@ -253,7 +253,7 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
     };
     enum { SCENES = sizeof scene / sizeof *scene };
     int several[4] = { 0, 0, 0, 0 };
-    for (int trial = 0; trial < 80; trial++) {
+    for (int trial = 0; trial < SOME_OF(80, 30); trial++) {
         const int k = test_random_int(0, SCENES - 1), type = test_random_int(1, 7), load = test_random_int(0, 5);
         sp_load at;
         sp_scene s;
@@ -290,9 +290,10 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
         if (x.upper >= 0) CHECK(verdict_at(s, NULL, (double)x.upper * (1 + TOL(1e-6, 1e-3)) + TOL(1e-9, 1e-4)) != SP_STABLE);
         if (x.lower > 0 && x.dead == SP_STABLE) CHECK(verdict_at(s, NULL, (double)x.lower * (1 - TOL(1e-6, 1e-3))) != SP_UNSTABLE);
     }
-    CHECK(several[SP_LIMIT_FOUND] > 30 && several[SP_LIMIT_UNBOUNDED] > 8 && several[SP_LIMIT_NONE] > 2);
+    CHECK(several[SP_LIMIT_FOUND] > SOME_OF(30, 10) && several[SP_LIMIT_UNBOUNDED] > SOME_OF(8, 2));
+    CHECK(several[SP_LIMIT_NONE] > SOME_OF(2, 0));
     CHECK(several[SP_LIMIT_UNDECIDED] <= GLUED_OPEN);
-    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of 80 undecided\n", several[SP_LIMIT_UNDECIDED]);
+    if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of %d undecided\n", several[SP_LIMIT_UNDECIDED], SOME_OF(80, 30));
 }
 
 /* Scenes with a mirror that live loads share, and without. */
@@ -320,7 +321,7 @@ static sp_scene mirrored_scene(int k)
 
 TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
 {
-    for (int k = 0; k < 3 * MIRRORED; k += SOME_OF(1, 2)) {         /* every other still meets each cone and each scene */
+    for (int k = 0; k < 3 * MIRRORED; k += SOME_OF(1, 4)) {         /* by fours still each cone, plane and space, below and above */
         const sp_scene s = mirrored_scene(k / 3);
         sp_settings set = sp_settings_default(), space;
         set.faces = k % 3 == 1 ? 4 : k % 3 == 2 ? 8 : 0;

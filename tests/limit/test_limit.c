@@ -250,7 +250,9 @@ TEST(walls_in_their_plane_have_the_printed_multipliers)
         { 6, 4, 0.65, 0.59758 }, { 6, 4, 0.84, 0.70268 }, { 8, 4, 0.65, 0.56637 }, { 8, 4, 0.84, 0.66165 },
     };
     static const double along[3] = { 1, 0, 0 };
-    for (size_t k = 0; k < sizeof table / sizeof *table - (TEST_SMALL && TOL(0, 1)); k++) {     /* the last stays undecided there */
+    const size_t walls = sizeof table / sizeof *table;
+    const size_t asked = walls - (TEST_SMALL ? SOME_OF(TOL(0, 1), 3) : 0);      /* SP_SMALL leaves the last undecided in float */
+    for (size_t k = 0; k < asked; k++) {
         const double value[5] = { table[k].rows, table[k].bricks, 2, 1, 1 };
         CHECK_WITHIN(lateral("wall", wall_numbers, value, table[k].mu, along), table[k].lambda, TOL(5.1e-6, 2e-3));
     }

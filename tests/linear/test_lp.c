@@ -167,7 +167,7 @@ TEST(bounds_that_just_touch_leave_a_point)
 TEST(a_programme_goes_on_from_where_it_was)
 {
     int64_t warm = 0, cold = 0;
-    for (int k = 0; k < 30; k++) {
+    for (int k = 0; k < SOME_OF(30, 16); k++) {
         const int32_t n = 30, m = 60;
         double x[MOST_N] = { 0 };
         sp__lp lp, fresh;

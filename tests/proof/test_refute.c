@@ -198,12 +198,12 @@ TEST(every_row_holds_for_every_triple_of_its_state_true_cone) { every_row(0, 1, 
 TEST(every_row_holds_where_slip_is_bound_by_components) { every_row(0, 1, 1); }
 TEST(every_row_holds_for_pyramids_of_3_to_8_faces)
 {
-    for (int32_t faces = 3; faces <= 8; faces++) every_row(faces, faces % 2, faces / 4 % 2);
+    for (int32_t faces = 3; faces <= 8; faces += SOME_OF(1, faces == 4 ? 4 : 1)) every_row(faces, faces % 2, faces / 4 % 2);
 }
 TEST(every_row_holds_for_pyramids_of_9_to_64_faces)
 {
     static const int32_t faces[] = { 9, 10, 12, 16, 17, 31, 32, 48, 63, 64 };
-    for (int k = 0; k < 10; k += SOME_OF(1, 3)) every_row(faces[k], k % 2, k / 2 % 2);
+    for (int k = 0; k < 10; k += SOME_OF(1, k ? 6 : 3)) every_row(faces[k], k % 2, k / 2 % 2);
 }
 
 /* What no state has is refused: rows beyond the last, wrong signs, no number. */

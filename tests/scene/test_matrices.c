@@ -486,12 +486,14 @@ TEST(pyramids_touch_the_cone)
             const int32_t K = s.faces;
             const sp_arena mark = test_arena;
             sp_triplets t;
+            double face[64][3];
             CHECK_INT(sp_matrix_afr(&p, &s, 3, &test_arena, &t), SP_OK);
+            for (int32_t q = 0; q < 3 * K; q++) face[q / 3][q % 3] = at(&t, q / 3, q % 3);
             for (int32_t k = 0; k < K; k++) {
                 const double angle = TURN * (k + (s.inscribed ? 0.5 : 0)) / K, ft[2] = { 0.5 * cos(angle), 0.5 * sin(angle) };
                 double most = -9;
                 for (int32_t q = 0; q < K; q++) {
-                    const double row = at(&t, q, 0) + at(&t, q, 1) * ft[0] + at(&t, q, 2) * ft[1];
+                    const double row = face[q][0] + face[q][1] * ft[0] + face[q][2] * ft[1];
                     if (row > most) most = row;
                 }
                 CHECK_WITHIN(most, 0, 6 * U);

@@ -90,7 +90,7 @@ TEST(a_stage_that_lies_with_forces_is_not_believed)
             plan_for(f, NULL, factor[i], SP_STABLE);
             lie(&s, &t, "scaled forces");
         }
-        for (int trial = 0; trial < 20; trial++) {      /* one number spoilt, where it carries */
+        for (int trial = 0; trial < SOME_OF(20, 8); trial++) {      /* one number spoilt, where it carries */
             const double most = (double)t.extremes.compression > 0 ? (double)t.extremes.compression : 1e4;
             memcpy(g, f, sizeof g);
             int32_t v = test_random_int(0, s.count.points - 1);
@@ -127,7 +127,7 @@ TEST(a_stage_that_lies_with_a_motion_is_not_believed)
         if (t.verdict == SP_UNSTABLE) continue;         /* by chance a motion might be right */
         plan_for(NULL, m, -1, SP_UNSTABLE);
         lie(&s, &t, "all of it sinking");
-        for (int trial = 0; trial < 20; trial++) {
+        for (int trial = 0; trial < SOME_OF(20, 8); trial++) {
             for (int32_t j = 0; j < n; j++) m[j] = trial % 2 || test_random_int(0, 2) ? test_random_real(-1, 1) : R(0);
             if (trial % 5 == 0) m[test_random_int(0, n - 1)] = R(NAN);
             plan_for(NULL, m, 1, SP_UNSTABLE);

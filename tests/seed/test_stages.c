@@ -81,7 +81,7 @@ TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
 {
     const sp_settings gates = stages(SP_STAGE_GATES, SP_STAGE_NONE), exact = stages(SP_STAGE_EXACT, SP_STAGE_NONE);
     int32_t falls = 0, stands = 0;
-    for (int run = 0; run < 1000; run++) {
+    for (int run = 0; run < SOME_OF(1000, 400); run++) {
         const int32_t n = test_random_int(2, 7), joints = test_random_int(1, 2 * n);
         const sp_capacity cap = { n, 0, 0, 0, joints, 4 * joints, 1 };
         const sp_strength strength = sp_strength_friction(test_random_real(0, 1));
@@ -109,7 +109,7 @@ TEST(gates_never_say_unstable_where_the_exact_stage_says_stable)
         falls += v == SP_UNSTABLE;
         stands += w == SP_STABLE;
     }
-    CHECK(falls > 100 && stands > 30);
+    CHECK(falls > SOME_OF(100, 40) && stands > SOME_OF(30, 12));
 }
 
 /* --------------------------------------------------------------------------------------------- least squares and polish */
