@@ -13,11 +13,12 @@ ALL_C    = $(STRICTC) $(CFLAGS) $(WARN)
 
 PARTS    = stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 GEN      = tests/scenes/gen.c
+GEN_H    = $(wildcard tests/scenes/gen*.h)
 # The program, bottom-up: run.c and its neighbours, files/, picture/, worker/, command/, main.c; tests/checks/host_floors.sh holds it.
 READ     = $(addprefix port/host/,run.c clock.c $(addprefix files/,scene.c obj_read.c text.c file.c failure.c))
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c port/host/*/*.c)) $(GEN)
-HOST_H   = stonepack.h $(wildcard port/*/*.h port/host/*/*.h settle/*.h) tests/scenes/gen.h
+HOST_H   = stonepack.h $(wildcard port/*/*.h port/host/*/*.h settle/*.h) $(GEN_H)
 
 # Solvers of others, where they are: Ipopt if pkg-config knows it, OSQP 1.x by its header under a prefix (it has no .pc file).
 PLUGINS  =
@@ -197,7 +198,7 @@ build/scenes.h: tests/corpus/scenes.awk $(wildcard tests/scenes/*.obj)
 
 build/corpus-double.txt: build/stonepack.o
 build/corpus-float.txt: build/float/stonepack.o
-build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) build/scenes.h
+build/corpus-double.txt build/corpus-float.txt: build/corpus-%.txt: $(CORPUS) $(GEN_H) build/scenes.h
 	LIBRARY=$(filter %stonepack.o,$^) sh tests/corpus/corpus.sh $* $(CC) -O0 > $@.new && mv $@.new $@
 
 test-boards: build/corpus-double.txt build/corpus-float.txt
@@ -254,13 +255,13 @@ nightly: all build/corpus-double.txt build/corpus-float.txt
 deps:
 	sh tests/checks/deps.sh
 
-build/bench: tests/bench/bench.c $(GEN) build/libstonepack.a
-	$(CC) $(ALL_C) -DBENCH_FLAGS='"$(CFLAGS)"' $^ -lm -o $@
+build/bench: tests/bench/bench.c $(GEN) $(GEN_H) build/libstonepack.a
+	$(CC) $(ALL_C) -DBENCH_FLAGS='"$(CFLAGS)"' $(filter %.c %.a,$^) -lm -o $@
 
 bench: build/bench
 	@sh tests/bench/bench.sh
 
-build/bench-plan: tests/bench/plan.c tests/scenes/kinds.h $(GEN) $(READ) build/libstonepack.a
+build/bench-plan: tests/bench/plan.c tests/scenes/kinds.h $(GEN) $(GEN_H) $(READ) build/libstonepack.a
 	$(CC) $(ALL_C) $(filter %.c %.a,$^) -lm -o $@
 
 bench-plan: build/bench-plan
