@@ -56,8 +56,8 @@ void __nsan_check_double(double x);                             /* of clang's ru
  * the residuals inside are: of these the rounding is all there is. */
 static void battery_shadow(const sp_result *r)
 {
-    for (int32_t k = 0; r->verdict == SP_STABLE && k < 3 * r->points; k++)
-        if (r->f[k] > 1e-3 * r->max_compression || r->f[k] < -1e-3 * r->max_compression) __nsan_check_double(r->f[k]);
+    for (int32_t k = 0; r->verdict == SP_STABLE && k < 3 * r->counts.points; k++)
+        if (r->f[k] > 1e-3 * r->extremes.compression || r->f[k] < -1e-3 * r->extremes.compression) __nsan_check_double(r->f[k]);
 }
 #else
 #define battery_shadow(r) ((void)(r))
