@@ -546,6 +546,7 @@ check_oracle() {
         part "scenes that were undecided once" /usr/bin/python3 -B tests/oracle/random.py --seeds $once
         part "linear programmes, against HiGHS" /usr/bin/python3 -B tests/oracle/lp.py
         part "build orders, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py
+        part "build orders of the tests, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py --orders
         SHOW=
     else
         skip "random scenes against linear programming" "python3-numpy python3-scipy"

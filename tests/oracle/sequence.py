@@ -2,17 +2,20 @@
 """sequence: build orders, the verdict of every step and the sets to be held against linear programming.
 
     sequence.py [--cli build/stonepack] [--count N] [--seed N]
+    sequence.py --orders [--cli build/stonepack]
 
 Arches stone by stone, then random scenes in random orders, built or taken down. At every step the least imbalance that any
 forces leave is found by HiGHS for what is there: none within pyramids inside the cone is stable, some with pyramids around it
 unstable; what lies between is left out. With the blocks to be held fixed there is none, and where a set of one or two is called minimal,
 every smaller one leaves some. Prints at which step each arch first fails; the exit status is 1 if an answer was wrong.
+--orders: the table of tests/sequence/test_orders.c, whose every letter the programmes must find.
 Needs numpy and scipy (Debian: python3-numpy, python3-scipy).
 """
 import argparse
 import copy
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -80,12 +83,38 @@ def compare(cli, scene, order, remove, cone, count):
     return wrong, told["first_failing"]
 
 
+def generated(cli, words):
+    return oracle.Scene(subprocess.run([cli, "gen"] + words, capture_output=True, text=True, check=True).stdout)
+
+
+def orders(cli):
+    """Every row of the table against the programmes: what is wrong with it."""
+    path = os.path.join(HERE, "..", "sequence", "test_orders.c")
+    rows = re.findall(r'\{ "([a-z-]+)", (?:"(\w+)"|NULL), ([0-9.]+), "(\w+)", "(\w*)" \}', open(path).read())
+    bad = steps = 0
+    for name, number, value, moves, told in rows:
+        scene = generated(cli, [name] + (["%s=%s" % (number, value)] if number else []))
+        free, there, truth = [b.name for b in scene.blocks if not b.fixed], set(), ""
+        for move in moves:
+            there ^= {free[int(move, 36)]}
+            truth += {1: "s", 0: "f", None: "?"}[stands(scene, there, set(), "true")]
+        steps += len(moves)
+        if truth != told:
+            bad += 1
+            print("%s %s %s, %s: %s, the programmes say %s" % (name, number, value, moves, told, truth))
+    print("%d build orders of %d steps; %d wrong" % (len(rows), steps, bad))
+    return 1 if bad or len(rows) < 10 else 0
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--cli", default=os.path.join(HERE, "..", "..", "build", "stonepack"))
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--orders", action="store_true")
     a = parser.parse_args()
+    if a.orders:
+        return orders(a.cli)
     rng = np.random.default_rng(a.seed)
     count, bad = {"steps": 0, "open": 0, "held": 0}, 0
     for k in range(a.count + 3):
@@ -102,8 +131,7 @@ def main():
                      ["rubble", "rows=3", "bricks=2", "seed=%d" % rng.integers(1, 1000)],
                      ["inverted-triangle", "rows=%d" % rng.integers(2, 5)]][kind]
             words.append("mu=%.2f" % rng.uniform(0.2, 1))
-        text = subprocess.run([a.cli, "gen"] + words, capture_output=True, text=True, check=True).stdout
-        scene = oracle.Scene(text)
+        scene = generated(a.cli, words)
         order = [b.name for b in scene.blocks if not b.fixed]
         if not arch and rng.random() < 0.6:
             order = [str(b) for b in rng.permutation(order)]
