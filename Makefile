@@ -121,8 +121,9 @@ build/plugins: always
 	@echo '$(PLUG_C) $(PLUG_L)' | cmp -s - $@ || echo '$(PLUG_C) $(PLUG_L)' > $@
 
 # Tests: the same files in double, in float and with SP_SMALL, optimised little: a minute from nothing, seconds after an edit.
-# White-box tests include parts, hence -MMD. TEST_O is the library's; what stands on it is small.
-TEST_O  ?= -O1
+# White-box tests include parts, hence -MMD. TEST_O is the library's; what stands on it is small. With ONLY= most of the wait after an
+# edit is the compiler's.
+TEST_O  ?= $(if $(THESE),-Og,-O1)
 TEST_CC  = $(Q)$(CC) $(STRICTC) $(if $(filter stonepack.c,$<),$(TEST_O),-O0) $(WARN) $(PLUG_C) -Wno-unused-function -MMD -MP
 
 build/double/%.o: %.c

@@ -22,7 +22,8 @@ end() {                                                 # end NAME > what it pri
 
 if [ $# -gt 0 ]; then
     SHOW=1
-    for run; do count "tests, $(basename "$run")" "$run"; done
+    for run; do begin "$(basename "$run")" "$run"; done
+    for run; do count "tests, $(basename "$run")" end "$(basename "$run")"; done
     total
     exit
 fi
