@@ -1,5 +1,5 @@
 #!/bin/sh
-# test: what `make test` runs: the tests in double, in float and with SP_SMALL, malformed scenes, the corpus, the program, README.
+# test: what `make test` runs: the tests in double, in float and with SP_SMALL, malformed scenes, the program, README.
 # All of it starts at once, what takes longest first; answers come in the order below.
 #
 #     test.sh RUN...        these runners alone, as `make test ONLY=...` built them
@@ -31,7 +31,6 @@ fi
 begin float build/run_float
 begin double build/run
 begin small build/run_small
-for real in double float; do begin "bits_$real" env DIFFER=1 sh tests/corpus/corpus.sh $real "${CC:-gcc}" -O0; done
 begin program sh tests/checks/smoke.sh build/stonepack
 if [ -f build/bullet.o ]; then begin settle sh tests/checks/settle.sh build/stonepack; fi
 begin floors sh tests/checks/floors.sh
@@ -47,7 +46,6 @@ count "floors" end floors
 count "after windows.h" end windows
 count "header" end header
 count "bad scenes" end bad
-for real in double float; do part "same bits without optimisation, $real" end bits_$real; done
 count "program" end program
 if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
