@@ -50,9 +50,10 @@ static int sp__part_live(const sp_scene *scene, const sp__part *part)
 static sp_status sp__part_loads(const sp__part *part, const sp_problem *pb)
 {
     const sp_load *load = pb->scene->load;
-    sp_status status = sp__problem_weights(pb);
+    sp_status status = sp__problem_clear(pb);
     if (status) return status;
     for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__problem_load(pb, &load[k], part->row[load[k].block]);
+    sp__problem_weights(pb);
     status = sp__problem_sum(pb);
     if (status) return status;
     for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__load_clear_sums(pb, &load[k], part->row[load[k].block]);

@@ -153,7 +153,6 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
     sp_real *p = problem->p + 6 * (size_t)row, *live = problem->live ? problem->live + 6 * (size_t)row : p;
     sp_real weight[3];
     sp__load_add(load->live ? live : p, load->force, load->couple, load->point, c);
-    if (!(load->mass > 0)) return;
     sp__scale3(load->mass, scene->gravity, weight);
     sp__load_add(load->live ? live : p, weight, none, load->point, c);
     sp__scale3(load->mass, scene->body, weight);
@@ -161,21 +160,27 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 }
 
 /* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
- * component of the force is compared with its own terms, for a push sideways hides no weight. A point is known no better than
- * its place.
+ * component of the force is compared with its own terms, for a push sideways hides no weight. Nor does a load so large that the
+ * weight is less than its rounding: then what is left may be the weight (SP_SMALL
+ * takes it for rounding). A point is known no better than its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
 static void sp__load_clear_rounding(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
                                     const sp_block *block)
 {
-    const sp_real noise = 16 * (sp_real)SP_EPSILON, reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
-    sp_real F[3];
+    const sp_real noise = 16 * (sp_real)SP_EPSILON;
+    sp_real F[3], weight = 0;
     for (int k = 0; k < 3; k++) {
-        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * (load->mass + block->mass);
+        const sp_real w = sp__abs(own[k]) * block->mass;
+        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * load->mass + w;
         if (sp__abs(q[k]) > noise * F[k]) return;
+        weight += w;
     }
-    q[0] = q[1] = q[2] = 0;
-    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) q[3] = q[4] = q[5] = 0;
+    const sp_real all = noise * sp__norm3(F);
+    if (SP__HAS_STRENGTH && weight > 0 && weight <= all) return;
+    memset(q, 0, 3 * sizeof *q);
+    const sp_real reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
+    if (sp__norm3(q + 3) <= noise * share * sp__norm3(load->couple) + all * reach) memset(q + 3, 0, 3 * sizeof *q);
 }
 
 /* Apply sp__load_clear_rounding to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live
@@ -196,19 +201,25 @@ static void sp__load_clear_sums(const sp_problem *problem, const sp_load *load, 
         sp__load_clear_rounding(problem->live + 6 * (size_t)row, load, 1, scene->gravity, scene->body, block);
 }
 
-/* p = weight; loads are added to it. */
-static sp_status sp__problem_weights(const sp_problem *problem)
+/* p = 0, and the live loads, before anything is added to them. */
+static sp_status sp__problem_clear(const sp_problem *problem)
 {
     const sp_scene *scene = problem->scene;
     if (!sp__finite(scene->live) || !sp__finite3(scene->gravity) || !sp__finite3(scene->body)) return SP_E_NOT_FINITE;
     memset(problem->p, 0, (size_t)problem->blocks * 6 * sizeof *problem->p);
     if (problem->live) memset(problem->live, 0, (size_t)problem->blocks * 6 * sizeof *problem->live);
+    return SP_OK;
+}
+
+/* p += weight, after the loads: what they sum to may be less than their rounding, and hides no weight then. */
+static void sp__problem_weights(const sp_problem *problem)
+{
+    const sp_scene *scene = problem->scene;
     for (int32_t i = 0; i < problem->blocks; i++) {
         const sp_real mass = scene->block[problem->block[i]].mass;
-        sp__scale3(mass, scene->gravity, problem->p + 6 * (size_t)i);
-        if (problem->live) sp__scale3(mass, scene->body, problem->live + 6 * (size_t)i);
+        sp__add3(problem->p + 6 * (size_t)i, mass, scene->gravity);
+        if (problem->live) sp__add3(problem->live + 6 * (size_t)i, mass, scene->body);
     }
-    return SP_OK;
 }
 
 /* p += live multiple x live loads */
@@ -225,12 +236,13 @@ static sp_status sp__problem_sum(const sp_problem *problem)
 static sp_status sp__problem_loads(const sp_problem *problem)
 {
     const sp_scene *scene = problem->scene;
-    sp_status status = sp__problem_weights(problem);
+    sp_status status = sp__problem_clear(problem);
     if (status) return status;
     for (int32_t k = 0; k < scene->count.loads; k++) {
         const int32_t row = sp__problem_row(problem, scene->load[k].block);
         if (row >= 0) sp__problem_load(problem, &scene->load[k], row);
     }
+    sp__problem_weights(problem);
     status = sp__problem_sum(problem);
     if (status) return status;
     for (int32_t k = 0; k < scene->count.loads; k++) {

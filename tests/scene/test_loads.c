@@ -324,6 +324,22 @@ TEST(opposed_pushes_hide_no_weight)
     }
 }
 
+/* Two loads of opposite sign along the weight, or along the slope, swallowed it: a cube that slides stood. */
+TEST(loads_that_cancel_swallow_no_weight)
+{
+    for (int k = 0; k < 12; k++) {
+        const double push = (k % 3 + 1) * TOL(1e19, 1e9);
+        const int up = k / 3 % 2, falls = k / 6;
+        sp_scene s = cube(0.3);
+        s.gravity[0] = (sp_real)(falls ? 3.354 : 1.703);        /* 20 or 10 degrees; friction holds 16.7 */
+        for (int side = -1; side <= 1; side += 2) {
+            const sp_load load = force(up ? 0 : side * push, 0, up ? side * push : 0, 0.5, 0.5, 1.25);
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        if (!CHECK_INT(verdict(&s), falls ? SP_UNSTABLE : SP_STABLE)) TEST_PRINT("    loads %d\n", k);
+    }
+}
+
 /* Lifted, but not at its centroid: it turns. */
 TEST(a_couple_on_what_touches_nothing_turns_it)
 {
@@ -458,6 +474,7 @@ TEST_LIST(loads)
     RUN(loads_that_cancel_are_none_in_any_order)
     RUN(pulls_along_one_line_cancel)
     RUN(opposed_pushes_hide_no_weight)
+    RUN(loads_that_cancel_swallow_no_weight)
     RUN(a_couple_on_what_touches_nothing_turns_it)
     RUN(a_large_multiple_of_a_small_load_counts)
     RUN(bad_loads_are_refused)
