@@ -44,15 +44,15 @@ static void sp__island_hint(const sp__island_claim *p, const sp_scene *scene, co
 SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
                                              const sp_result *claim, sp_arena a, sp_real *margin)
 {
-    const int32_t island = claim->coupled.proof.island - 1;
     sp__island_claim *p = sp__take(&a, 1, sizeof *p);
     if (!p) return SP_E_MEMORY;
     sp__islands_carve(&p->t, scene, scene->count.blocks, NULL, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     const int32_t count = sp__islands_join(scene, p->t.row);
-    if (island < 0 || island >= count) return SP_OK;
+    const int32_t island = claim->coupled.proof.island;
+    if (island < 1 || island > count) return SP_OK;
     sp__islands_fill(scene, &p->t);
-    const sp__part part = sp__islands_part(&p->t, island);
+    const sp__part part = sp__islands_part(&p->t, island - 1);
     sp__part_count(scene, &part, &p->pb);
     if (p->pb.points > SP_EXACT_POINTS || p->pb.blocks > SP_EXACT_POINTS) return SP_OK;
     const sp_status status = sp__part_build(scene, &part, &a, &p->pb);

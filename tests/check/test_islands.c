@@ -177,8 +177,8 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
     CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
     CHECK_INT(e.verdict, SP_UNSTABLE);
     CHECK(e.margin > 0);
-    static const int32_t wrong[] = { 0, -1, 8, INT32_MAX };             /* a proof of what it is not of */
-    for (int k = 0; k < 4; k++) {
+    static const int32_t wrong[] = { 0, -1, 8, INT32_MAX, INT32_MIN };  /* a proof of what it is not of */
+    for (int k = 0; k < 5; k++) {
         r.coupled.proof.island = wrong[k];
         CHECK_INT(sp_verify(&s, &set, &r, a, &e), SP_OK);
         CHECK_INT(e.verdict, SP_STABLE);
