@@ -161,8 +161,8 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 
 /* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
  * component of the force is compared with its own terms, for a push sideways hides no weight. Nor does a load so large that the
- * weight is less than its rounding: then what is left may be the weight (SP_SMALL
- * takes it for rounding). A point is known no better than its place.
+ * weight is less than its rounding: then what is left may be the weight (SP_SMALL takes it for rounding). A point is known no
+ * better than its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
 static void sp__load_clear_rounding(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],

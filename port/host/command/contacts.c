@@ -15,8 +15,9 @@ static void print_table(const host_scene *s)
     for (int32_t i = 0; i < s->overlaps; i++)
         printf("overlap: %s and %s are %.6g m inside each other\n", s->name[s->overlap[i].a], s->name[s->overlap[i].b],
                (double)s->overlap[i].depth);
-    printf("%ld contacts between %ld blocks, %ld overlaps\n", (long)s->scene.count.joints, (long)s->scene.count.blocks,
-           (long)s->overlaps);
+    printf("%ld contact%s between %ld block%s, %ld overlap%s\n", (long)s->scene.count.joints,
+           s->scene.count.joints == 1 ? "" : "s", (long)s->scene.count.blocks, s->scene.count.blocks == 1 ? "" : "s",
+           (long)s->overlaps, s->overlaps == 1 ? "" : "s");
 }
 
 static void print_json(const host_scene *s)
