@@ -53,6 +53,26 @@ const char *report_tol_by(const report *r)
     return least / 8 <= r->result.tol ? "least friction" : "coupled";
 }
 
+double report_joint_compression(const report *r)
+{
+    const sp_scene *s = &r->scene->scene;
+    double most = 0;
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        const sp_real *n = s->joint[k].n;
+        sp_joint_force f;
+        if (sp_joint_resultant(s, &r->result, k, &f) != SP_OK) continue;
+        const double fn = (double)(f.force[0] * n[0] + f.force[1] * n[1] + f.force[2] * n[2]);
+        if (fn > most) most = fn;
+    }
+    return most;
+}
+
+int report_supported(const report *r)
+{
+    for (int32_t i = 0; i < r->scene->scene.count.blocks; i++) if (r->scene->scene.block[i].fixed) return 1;
+    return 0;
+}
+
 int report_draw(const report *r, failure *error)
 {
     const char *path = r->options->svg;

@@ -35,6 +35,12 @@ const char *report_tol_by(const report *r);
 /* A line on that where it was not asked for. */
 void report_tol(FILE *out, const report *r);
 
+/* The largest compression of a whole joint, its corners together [N]; 0: none presses. */
+double report_joint_compression(const report *r);
+
+/* Is any block held, in any direction? */
+int report_supported(const report *r);
+
 /* Draw it into the file of --svg.                          returns 0 or an exit status */
 int report_draw(const report *r, failure *error);
 

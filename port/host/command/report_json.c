@@ -219,12 +219,14 @@ static void json_question(json_out *j, const report *r)
 }
 
 /* What stands for the verdict, in numbers. */
-static void json_evidence(json_out *j, const sp_result *x)
+static void json_evidence(json_out *j, const report *r)
 {
+    const sp_result *x = &r->result;
     json_string(j, "stage", sp_stage_text(x->stage));
     json_real(j, "omega", (double)x->imbalance);
     json_real(j, "least_imbalance", (double)x->least_imbalance);
     json_real(j, "max_compression", (double)x->extremes.compression);
+    json_real(j, "max_joint_compression", report_joint_compression(r));
     json_real(j, "max_tension", (double)x->extremes.tension);
     json_real(j, "max_utilisation", (double)x->extremes.utilisation);
     if (x->extremes.tension_ratio >= 0) json_real(j, "tension_ratio", (double)x->extremes.tension_ratio);
@@ -246,7 +248,7 @@ void report_json(FILE *out, const report *r)
     json_bool(&j, "verified", x->verified);
     json_bool(&j, "final", x->final);
     json_question(&j, r);
-    json_evidence(&j, x);
+    json_evidence(&j, r);
     json_joints(&j, r);
     json_mechanism(&j, r);
     json_overlaps(&j, r->scene);

@@ -95,6 +95,8 @@ static void text_published(FILE *out, const solvers_published *p)
             a->seconds, a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
 }
 
+#define NEAR_LIMIT 0.01                 /* share of its friction from which a joint is worth a name: below it is rounding */
+
 static void text_weakest(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
@@ -103,6 +105,10 @@ static void text_weakest(FILE *out, const report *r)
     if (x->extremes.weakest < 0 || sp_joint_resultant(s, x, x->extremes.weakest, &f) != SP_OK) return;
     const sp_demand *help = &x->demand[x->extremes.weakest];
     report_row(out, "weakest joint");
+    if (!(help->friction > 0 || help->tension > 0 || (double)f.utilisation >= NEAR_LIMIT)) {
+        fputs("none is near its limit\n", out);
+        return;
+    }
     fprintf(out, "%s - %s", r->scene->name[s->joint[x->extremes.weakest].a], r->scene->name[s->joint[x->extremes.weakest].b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
@@ -155,11 +161,16 @@ static void text_overlaps(FILE *out, const host_scene *s)
     fputc('\n', out);
 }
 
-static void text_forces(FILE *out, const sp_result *x)
+/* What a joint's corners carry together, and one of them alone. */
+static void text_forces(FILE *out, const report *r)
 {
+    const sp_result *x = &r->result;
     report_row(out, "forces");
     fputs("largest compression ", out);
+    put_scaled(out, report_joint_compression(r), "N");
+    fputs(" of a joint, ", out);
     put_scaled(out, (double)x->extremes.compression, "N");
+    fputs(" at a corner", out);
     fputs(x->extremes.tension > 0 ? ", largest tension asked for " : "", out);
     if (x->extremes.tension > 0) put_scaled(out, (double)x->extremes.tension, "N");
     fputc('\n', out);
@@ -210,6 +221,7 @@ void report_text(FILE *out, const report *r)
 {
     fprintf(out, "%s: %s\n", r->scene->path, capitals(r->result.verdict));
     report_row(out, "why");
+    if (r->result.verdict != SP_STABLE && !report_supported(r)) fputs("nothing is fixed, so nothing holds these blocks: ", out);
     fprintf(out, "%s\n", text_of_reason(r->result.reason));
     text_certainty(out, r);
     report_tol(out, r);
@@ -217,7 +229,7 @@ void report_text(FILE *out, const report *r)
     text_published(out, r->published);
     text_weakest(out, r);
     text_mechanism(out, r);
-    text_forces(out, &r->result);
+    text_forces(out, r);
     text_penalty(out, r);
     text_scene(out, r);
     text_islands(out, r);
