@@ -459,7 +459,8 @@ typedef struct sp_extremes {
     sp_real tension;            /* largest demanded tension [N] */
     sp_real utilisation;        /* largest of the joints' [1] */
     sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
-    int32_t weakest;            /* joint: most help demanded, else highest utilisation; -1 if there is none */
+    int32_t weakest;            /* joint, where something falls one of a block that moves: most help demanded, else highest
+                                   utilisation; -1 if there is none */
 } sp_extremes;
 
 /* What took part: free blocks, the joints that touch one, and their corners. */

@@ -6,7 +6,16 @@
 
 #if SP__WITH_LARGE
 
-/* Reading the force state: extremes over the joints, and the weakest of them. */
+/* Does joint t touch a block that moves in the mechanism, by more than a millionth of the largest? Without one all do. */
+static int sp__joint_goes(const sp_joint *t, const sp_real *dq, sp_real largest)
+{
+    sp_real most = 0;
+    for (int k = 0; k < 6; k++)
+        most = sp__max(most, sp__max(sp__abs(dq[6 * (size_t)t->a + (size_t)k]), sp__abs(dq[6 * (size_t)t->b + (size_t)k])));
+    return !(most < (sp_real)1e-6 * largest);
+}
+
+/* Reading the force state: extremes over the joints, and the weakest of them: of what falls, one of the mechanism. */
 SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
 {
     sp_real worst = -1;
@@ -21,10 +30,13 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
         most->tension = sp__max(most->tension, r->demand[k].tension);
         most->utilisation = sp__max(most->utilisation, f.utilisation);
     }
+    sp_real largest = 0;
+    for (size_t k = 0; r->verdict == SP_UNSTABLE && k < 6 * (size_t)scene->count.blocks; k++)
+        largest = sp__max(largest, sp__abs(r->dq[k]));
     const sp_real tiny = 16 * SP__SCALE_TOL * most->compression;
     for (int32_t k = 0; k < scene->count.joints; k++) {
         sp_joint_force f;
-        if (!sp__contact_counts(scene, &scene->joint[k])) continue;
+        if (!sp__contact_counts(scene, &scene->joint[k]) || !sp__joint_goes(&scene->joint[k], r->dq, largest)) continue;
         sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
         const int wanted = help > tiny;

@@ -342,6 +342,30 @@ TEST(tension_counts_before_utilisation)
     CHECK(r.demand[1].tension > r.demand[0].tension);
 }
 
+/* Of a wall of rubble from which one stone falls, the joint that lacked most was far from that stone. */
+TEST(the_weakest_joint_of_what_falls_touches_what_moves)
+{
+    sp_scene s;
+    int falls = 0;
+    for (int k = 0; k < 4; k++) {
+        sp_result r;
+        test_arena.used = 0;
+        NEED(gen_make("rubble", "tilt", 38 + 2 * k, &test_arena, &s) == SP_OK);
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        if (r.verdict != SP_UNSTABLE) continue;
+        falls++;
+        NEED(r.extremes.weakest >= 0);
+        const sp_joint *t = &s.joint[r.extremes.weakest];
+        double here = 0, all = 0;
+        for (int32_t i = 0; i < 6 * s.count.blocks; i++) {
+            all = fmax(all, fabs((double)r.dq[i]));
+            if (i / 6 == t->a || i / 6 == t->b) here = fmax(here, fabs((double)r.dq[i]));
+        }
+        CHECK(here >= 1e-6 * all);
+    }
+    CHECK(falls > 0);
+}
+
 TEST(without_joints_there_is_no_weakest)
 {
     sp_scene s;
@@ -576,6 +600,7 @@ TEST_LIST(result)
     RUN(utilisation_on_a_slope_is_its_tangent_over_mu)
     RUN(the_weakest_joint_has_the_least_friction_left)
     RUN(tension_counts_before_utilisation)
+    RUN(the_weakest_joint_of_what_falls_touches_what_moves)
     RUN(without_joints_there_is_no_weakest)
     RUN(a_toppling_cube_turns_about_the_edge)
     RUN(mechanisms_have_one_size)
