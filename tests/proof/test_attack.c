@@ -1,6 +1,8 @@
 /* Scenes made to mislead: slots, weights of very different size, limits, supports that hold in part, random piles. */
 #include "attack.h"
 
+#include <string.h>
+
 /* An upright square 2 p by 2 p about (x, 0, z), normal along x. */
 static void wall(sp_scene *s, int32_t a, int32_t b, double x, double z, double p, double mu)
 {
@@ -37,6 +39,36 @@ TEST(no_squeeze_holds_a_block_in_a_slippery_slot)
             forged.y0 = r.y0;
             CHECK_INT(judged(&s, &forged, NULL), SP_UNDECIDED);
         }
+    }
+}
+
+/* A jaw that slides along x only presses the stone onto a fixed wall. The load passes through the stone, which is judged by what it
+ * carries: the stone falls up to 1 / tol weights, a thousand times more hide its weight, as solvers/README.md says. */
+TEST(an_outside_load_hides_a_weight_of_less_than_tol_of_it)
+{
+    static const struct { double squeeze, small; sp_verdict want; } table[] = {
+        { 1, 1, SP_UNSTABLE }, { 1e4, 10, SP_UNSTABLE }, { 1e8, 1e3, SP_UNSTABLE }, { 1e12, 1e7, SP_STABLE }
+    };
+    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
+        const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 1 };
+        const double squeeze = TOL(table[k].squeeze, table[k].small);
+        sp_scene s;
+        sp_result r;
+        sp_load load;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        const int32_t fixed = body(&s, 0, -2, 0, 8, SP_FIXED), stone = body(&s, 1, 0, 0, 8, 0);
+        const int32_t jaw = body(&s, 1, 2, 0, 8, SP_FIXED & ~1u);
+        wall(&s, fixed, stone, -1, 8, 1, 0);
+        wall(&s, stone, jaw, 1, 8, 1, 0);
+        memset(&load, 0, sizeof load);
+        load.block = jaw;
+        load.force[0] = R(-9.80665 * squeeze);
+        load.point[0] = 2;
+        load.point[2] = 8;
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        NEED(checked(&s, NULL, &r) == SP_OK);
+        if (!CHECK_INT(r.verdict, table[k].want)) TEST_PRINT("    squeezed by %g weights\n", squeeze);
     }
 }
 
@@ -372,6 +404,7 @@ TEST(piles_of_random_weights_are_never_judged_wrong)
 
 TEST_LIST(attack)
     RUN(no_squeeze_holds_a_block_in_a_slippery_slot)
+    RUN(an_outside_load_hides_a_weight_of_less_than_tol_of_it)
     RUN(tiny_friction_is_told_honestly)
     RUN(the_bound_on_forces_is_the_callers)
     RUN(pebbles_on_and_under_cathedrals)
