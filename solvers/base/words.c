@@ -15,7 +15,7 @@
     "not enough memory" SP__LONG_TEXT(" in the arena") "\0" \
     "the scene is full\0" \
     SP__LONG_TEXT("a number is ") "infinite" SP__LONG_TEXT(", not a number, or too large to be squared") "\0" \
-    SP__LONG_TEXT("a block, vertex or joint of ") "that number does not exist\0" \
+    SP__LONG_TEXT("a block, vertex or joint of ") "that number is missing\0" \
     SP__LONG_TEXT("a number is ") "outside its range\0" \
     "the mesh is open" SP__LONG_TEXT(": an edge lacks its opposite") "\0" \
     SP__LONG_TEXT("the mesh is inside out: ") "its faces look inward\0" \

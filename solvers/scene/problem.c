@@ -161,26 +161,21 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load, int
 
 /* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
  * component of the force is compared with its own terms, for a push sideways hides no weight. Nor does a load so large that the
- * weight is less than its rounding: then what is left may be the weight (SP_SMALL takes it for rounding). A point is known no
- * better than its place.
+ * weight is less than its rounding: then what is left may be the weight. A point is known no better than its place.
  *   g: what the load's mass weighs by, `share` times [m/s^2]
  *   own: acceleration of the block and of all masses on it [m/s^2] */
 static void sp__load_clear_rounding(sp_real *q, const sp_load *load, sp_real share, const sp_real g[3], const sp_real own[3],
                                     const sp_block *block)
 {
-    const sp_real noise = 16 * (sp_real)SP_EPSILON;
-    sp_real F[3], weight = 0;
+    const sp_real noise = 16 * (sp_real)SP_EPSILON, reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
+    sp_real F[3];
     for (int k = 0; k < 3; k++) {
-        const sp_real w = sp__abs(own[k]) * block->mass;
-        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * load->mass + w;
-        if (sp__abs(q[k]) > noise * F[k]) return;
-        weight += w;
+        const sp_real weight = sp__abs(own[k]) * block->mass;
+        F[k] = share * (sp__abs(load->force[k]) + sp__abs(g[k]) * load->mass) + sp__abs(own[k]) * load->mass + weight;
+        if (sp__abs(q[k]) > noise * F[k] || (weight > 0 && weight <= noise * F[k])) return;
     }
-    const sp_real all = noise * sp__norm3(F);
-    if (SP__HAS_STRENGTH && weight > 0 && weight <= all) return;
     memset(q, 0, 3 * sizeof *q);
-    const sp_real reach = (sp__norm3(load->point) + sp__norm3(block->centroid)) / 4;
-    if (sp__norm3(q + 3) <= noise * share * sp__norm3(load->couple) + all * reach) memset(q + 3, 0, 3 * sizeof *q);
+    if (sp__norm3(q + 3) <= noise * (share * sp__norm3(load->couple) + sp__norm3(F) * reach)) memset(q + 3, 0, 3 * sizeof *q);
 }
 
 /* Apply sp__load_clear_rounding to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live

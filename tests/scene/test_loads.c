@@ -271,8 +271,9 @@ TEST(a_couple_turns_what_nothing_holds)
     s.gravity[2] = 0;
     CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
     CHECK_INT(r.verdict, SP_UNSTABLE);
-    CHECK_INT(r.reason, SP_REASON_NO_SUPPORT);
     CHECK_INT(r.final, 1);
+    if (TEST_SMALL) return;                                     /* has no gates: finds another motion */
+    CHECK_INT(r.reason, SP_REASON_NO_SUPPORT);
     CHECK_NEAR(r.dq[7] / r.dq[3], -1, TOL(1e-12, 1e-5));        /* the upper one swings to -y about the lower's centroid */
 }
 
@@ -448,7 +449,8 @@ TEST(without_weight_only_what_bears_the_load_is_pressed)
             /* the joint of stone i reaches from 0.06 i - 0.5 to 0.06 i + 0.44: that of the first, or its own, is the first to open */
             const int stands = out < 0.06 + 0.44 && out > at - 0.5;
             const sp_verdict v = verdict(&s);
-            const int right = stands ? v == SP_STABLE : v == SP_UNSTABLE || (sizeof(sp_real) == 4 && v == SP_UNDECIDED);
+            const int open = v == SP_UNDECIDED && (stands ? TEST_SMALL : sizeof(sp_real) == 4 || TEST_SMALL);
+            const int right = open || v == (stands ? SP_STABLE : SP_UNSTABLE);
             if (!CHECK(right)) TEST_PRINT("    stone %d, load %d at %g: %s\n", k, q, out, sp_verdict_text(v));
         }
 }
