@@ -76,7 +76,7 @@ static void title_of_check(const words *w)
     put_friction(w);
     fputs("; largest compression ", w->out);
     page_quantity(w->out, (double)x->extremes.compression, "N");
-    fputs("</text>\n", w->out);
+    fputs(" at a corner</text>\n", w->out);
     fprintf(w->out, "<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     put_certainty(w);
     fputs("</text>\n", w->out);
