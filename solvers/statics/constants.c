@@ -19,6 +19,7 @@
 #define SP__PLAY ((sp_real)1e-6)
 #define SP__GAIN ((sp_real)0.5)
 #endif
+#define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 #define SP__PLAY_IDLE ((sp_real)0.1)    /* SP__PLAY where rounding has ended the search */
 #define SP__IPM_MOST 60                 /* interior-point iterations */

@@ -64,6 +64,30 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     }
 }
 
+/* Does a joint have no friction, and none any strength? */
+static int sp__system_slippery(const sp__system *w)
+{
+    if (sp__problem_strong(w->pb)) return 0;
+    for (int32_t c = 0; c < w->pb->contacts; c++) if (!(sp__system_mu(w, c) > 0)) return 1;
+    return 0;
+}
+
+/* Without friction the matrices have a null vector for every way that blocks can slide, and solutions are rounding. A little
+ * friction resists them; a mechanism that falls with it falls without it, too. Forces that balance with it prove nothing and
+ * are not kept. */
+static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
+{
+    const sp_real best = n->best;
+    w->law.least = SP__RUB;
+    sp__system_bilateral(w);
+    n->best = 0;
+    sp__ipm_run(w, w->inner, n, state);
+    w->law.least = 0;
+    n->found = 0;
+    n->best = best;
+    sp__newton_residual(w);
+}
+
 /* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped
  * although the scene has some, only the least force is tried: it can prove stability and costs little. */
 SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction,
@@ -91,6 +115,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     sp__system_sizes(w, w->y);
     if (!whole && w->singular) return SP_OK;
     sp__exact_ways(w, &n, looked, state);
+    if (SP__WITH_INTERIOR && sp__newton_unfinished(&n) && whole && sp__system_slippery(w)) sp__exact_slippery(w, &n, state);
     const int spent = w->budget.spent;
     w->budget.limit = state->left;
     w->budget.spent = 0;

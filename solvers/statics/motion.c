@@ -128,7 +128,10 @@ static int sp__problem_strong(const sp_problem *pb)
 }
 
 /* Coefficient of contact c in force. */
-static sp_real sp__system_mu(const sp__system *w, int32_t c) { return w->pb->contact[c].joint->strength.mu * w->law.friction; }
+static sp_real sp__system_mu(const sp__system *w, int32_t c)
+{
+    return sp__max(w->law.least, w->pb->contact[c].joint->strength.mu * w->law.friction);
+}
 
 /* K of a vertex of contact c in units, and as f = S P_(K/S)(u) wants it: strength over S, friction in its own units. It lies in
  * w->law.yield until the next call. */

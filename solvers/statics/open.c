@@ -47,6 +47,7 @@ SP__NOINLINE static sp__system *sp__system_make(const sp_problem *pb, const sp_s
     sp__cone_make(&w->law.cone);
     sp_real half;
     w->law.friction = 1;
+    w->law.least = 0;
     w->measure.metric = 0;
     if (set->faces && set->inscribed) sp__pyramid_half(set->faces, &w->law.friction, &half);
     if (set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) w->law.friction = 0;

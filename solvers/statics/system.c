@@ -88,6 +88,7 @@ typedef struct sp__joint_law {
     const sp_real *given;               /* 6 x points: D of every vertex, for SP__GIVEN */
     sp_real soft, slide;                /* 1/gamma (0: no tension), 1/sqrt(tau); the exact form has 0 and 1 */
     sp_real friction;                   /* coefficient in force / mu */
+    sp_real least;                      /* coefficient that every joint has at least */
 } sp__joint_law;
 
 /* Scales by which numbers are measured. */
