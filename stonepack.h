@@ -484,7 +484,8 @@ struct sp_result {
     sp_verdict verdict;
     sp_level level;             /* of a STABLE, else SP_NONE */
     sp_reason reason;
-    int32_t final;              /* 1, of an UNSTABLE: no force of any size would do, for the true cone */
+    int32_t final;              /* 1, of an UNSTABLE: no force of any size would do, for the true cone; then least_imbalance may
+                                   be less than tol */
     int32_t verified;           /* 1: the evidence passed sp_verify's own computation */
     sp_stage_id stage;          /* that decided, or SP_STAGE_NONE */
     sp_real imbalance;          /* largest relative imbalance of f, 1e30 where forces press on a block without loads; tells for

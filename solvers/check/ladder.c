@@ -51,8 +51,9 @@ SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp
     const sp_real least = sp__certify_mechanism(j, state->dq, &final);
     if (best && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
-    if (claim != SP_UNSTABLE || least > r->tol) sp__motion_write(j, r->dq);
-    if (!(least > r->tol)) return SP_UNDECIDED;
+    const int falls = least > r->tol || final;
+    if (claim != SP_UNSTABLE || falls) sp__motion_write(j, r->dq);
+    if (!falls) return SP_UNDECIDED;
     r->final = final;
     return SP_UNSTABLE;
 }

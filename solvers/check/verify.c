@@ -145,7 +145,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     e.imbalance = sp__certify_forces(&j, claim->f, NULL);
     e.least_imbalance = sp__certify_mechanism(&j, dq, &e.final);
     if (e.imbalance <= c->set.tol) e.verdict = SP_STABLE;
-    else if (e.least_imbalance > c->set.tol) e.verdict = SP_UNSTABLE;
+    else if (e.least_imbalance > c->set.tol || (SP__WITH_LARGE && e.final)) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;
     if (SP__WITH_COUPLED) status = sp__verify_coupled(scene, c, &j, claim, dq, &scratch, room, &e);

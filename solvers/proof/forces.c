@@ -198,21 +198,32 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
 /* Shares of the largest motion below which blocks are held. */
 static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
-/* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion. */
+/* What a motion proves: 3 and 2, final or not, by more than tol; 1, final by more than rounding, for where no contact resists
+ * no tol is needed. SP_SMALL asks for it. */
+static int32_t sp__certify_rank(const sp__certifier *j, sp_real value, int32_t final)
+{
+    if (value > j->set->tol) return 2 + final;
+    return SP__WITH_LARGE && final && value > (4096 + (sp_real)j->pb->blocks) * (sp_real)SP_EPSILON;
+}
+
+/* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion.
+ *   *final: no contact resists, and it proves UNSTABLE, be its value within tol or not */
 static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_t *final)
 {
     sp_real best = -1, held = 0, value = -1;
-    int32_t sure = 0, last = 0, before = -2;
+    int32_t rank = -1, last = 0, before = -2;
     for (int k = 0; k < 6; k++) {
         const int32_t still = sp__certifier_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
         value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
-        *final &= value > j->set->tol;
-        last = *final > sure || (*final == sure && value > best);
-        if (last) { best = value; held = sp__certify_rest[k]; sure = *final; }
+        const int32_t now = sp__certify_rank(j, value, *final);
+        last = now > rank || (now == rank && value > best);
+        if (last) { best = value; held = sp__certify_rest[k]; rank = now; }
     }
-    return last ? value : sp__certify_motion(j, dq, held, final);
+    if (!last) value = sp__certify_motion(j, dq, held, final);
+    *final = rank & 1;
+    return value;
 }
 
 /* Units, friction cone and its directions. */

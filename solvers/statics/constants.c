@@ -34,7 +34,9 @@
 #endif
 #if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
 #define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
+#define SP__IPM_NONE 0                  /* rounding ends theta long before */
 #else
+#define SP__IPM_NONE ((sp_real)1e-3)    /* tau that is none at the end: there are no forces */
 #define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more */
 #endif
 

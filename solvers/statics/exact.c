@@ -74,10 +74,13 @@ static int sp__system_slippery(const sp__system *w)
 
 /* Without friction the matrices have a null vector for every way that blocks can slide, and solutions are rounding. A little
  * friction resists them; a mechanism that falls with it falls without it, too. Forces that balance with it prove nothing and
- * are not kept. */
+ * are not kept. Where none is found, the one there was is what there is. */
 static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
 {
     const sp_real best = n->best;
+    const int falls = sp__ipm_falls(w->inner);
+    const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
+    if (falls) memcpy(state->y, w->y, bytes);
     w->law.least = SP__RUB;
     sp__system_bilateral(w);
     n->best = 0;
@@ -85,6 +88,7 @@ static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
     w->law.least = 0;
     n->found = 0;
     n->best = best;
+    if (falls && !n->proved) memcpy(w->y, state->y, bytes);
     sp__newton_residual(w);
 }
 
