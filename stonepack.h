@@ -458,6 +458,7 @@ typedef struct sp_extremes {
     sp_real compression;        /* largest fn of a corner [N] */
     sp_real tension;            /* largest demanded tension [N] */
     sp_real utilisation;        /* largest of the joints' [1] */
+    sp_real corner_utilisation; /* largest of the corners', the specification's number [1]                       [seed 1.6] */
     sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
     int32_t weakest;            /* joint, where something falls one of a block that moves: most help demanded, else highest
                                    utilisation; -1 if there is none */
@@ -528,6 +529,9 @@ struct sp_joint_force {
     sp_real point[3];           /* where it acts: mean of the vertices weighted by |fn| [m] */
     sp_real min_fn, max_fn;     /* of its corners [N] */
     sp_real utilisation;        /* |sum ft| / (mu sum fn + cohesion area) [1]; 0 below 1e-4 of the lighter block's weight */
+    sp_real corner_utilisation; /* largest |ft| / (mu fn + its share of cohesion) of a corner [1]; of this force state alone:
+                                   others may use less. A corner below 1e-4 of the lighter block's weight, or of the
+                                   joint's largest fn, does not count; 0 in SP_SMALL                         [seed 1.6] */
 };
 
 /* What the contacts together do to a block: force [N] and moment about its centroid [N m], world axes. On a free block they

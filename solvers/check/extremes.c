@@ -29,6 +29,7 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
         most->compression = sp__max(most->compression, f.max_fn);
         most->tension = sp__max(most->tension, r->demand[k].tension);
         most->utilisation = sp__max(most->utilisation, f.utilisation);
+        most->corner_utilisation = sp__max(most->corner_utilisation, f.corner_utilisation);
     }
     sp_real largest = 0;
     for (size_t k = 0; r->verdict == SP_UNSTABLE && k < 6 * (size_t)scene->count.blocks; k++)

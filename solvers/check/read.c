@@ -3,6 +3,7 @@
 #define SP__CHECK_READ_C
 
 #include "../base/vectors.c"
+#include "../scene/joint.c"
 #include "../scene/problem.c"
 
 /* Weight of the lighter free block of a joint: what a joint that carries next to nothing is measured by. */
@@ -11,6 +12,19 @@ static sp_real sp__lesser_weight(const sp_scene *scene, const sp_joint *t)
     const sp_block *a = &scene->block[t->a], *b = &scene->block[t->b];
     const sp_real mass = a->fixed == SP_FIXED || (b->fixed != SP_FIXED && b->mass < a->mass) ? b->mass : a->mass;
     return mass * sp__norm3(scene->gravity);
+}
+
+/* Largest |ft| / (mu fn + C) of a joint's corners with |fn| + |ft| above `least`: at 1 one of them slides, by this force
+ * state.                                                                                                      [seed 1.6] */
+static sp_real sp__corner_utilisation(const sp_joint *t, const sp_real *f, sp_real least)
+{
+    const sp_real C = sp__vertex_strength(t, 0).C;
+    sp_real most = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        const sp_real fn = f[3 * (size_t)v], x = f[3 * (size_t)v + 1], y = f[3 * (size_t)v + 2], slip = SP_SQRT(x * x + y * y);
+        if (sp__abs(fn) + slip > least) most = sp__max(most, sp__ratio(slip, sp__max(0, t->strength.mu * fn + C)));
+    }
+    return most;
 }
 
 SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *result, int32_t joint,
@@ -40,7 +54,9 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
     sp__joint_force(t, sum, o.force);
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
     const sp_real held = sp__max(0, t->strength.mu * sum[0] + t->strength.cohesion * t->area);
-    o.utilisation = size + slip > (sp_real)1e-4 * sp__lesser_weight(scene, t) ? sp__ratio(slip, held) : 0;
+    const sp_real least = (sp_real)1e-4 * sp__lesser_weight(scene, t);
+    o.utilisation = size + slip > least ? sp__ratio(slip, held) : 0;
+    if (SP__WITH_LARGE) o.corner_utilisation = sp__corner_utilisation(t, result->f, sp__max(least, (sp_real)1e-4 * o.max_fn));
     *out = o;
     return SP_OK;
 }

@@ -303,6 +303,74 @@ TEST(utilisation_on_a_slope_is_its_tangent_over_mu)
         }
 }
 
+/* A box by its sides and height on the ground. */
+static void box_on_ground(double a, double h, double mu, sp_scene *s)
+{
+    const double ground[2][3] = { { -2, -2, -1 }, { 2, 2, 0 } }, lo[3] = { -a / 2, -a / 2, 0 }, hi[3] = { a / 2, a / 2, h };
+    const sp_capacity cap = { 2, 16, 12, 48, 1, 4, 1 };
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    box(s, ground[0], ground[1], SP_FIXED);
+    box(s, lo, hi, 0);
+    level(s, 0, 1, -a / 2, a / 2, -a / 2, a / 2, 0, mu);
+}
+
+/* On a slope of angle b the corners share the tangent evenly, and the pressure by the lever of the height: the upper two carry
+ * N/4 (1 - h/a tan b), so they use tan b / (mu (1 - h/a tan b)) where the joint as a whole uses tan b / mu.      [seed 1.6] */
+TEST(on_a_slope_the_upper_corners_use_more_friction_than_the_joint)
+{
+    static const double angle[] = { 5, 12, 20, 30 }, h = 0.5, mu = 0.84;
+    for (size_t k = 0; k < sizeof angle / sizeof angle[0]; k++) {
+        const double slope = tan(angle[k] / deg);
+        sp_scene s;
+        sp_joint_force f;
+        box_on_ground(1, h, mu, &s);
+        gen_gravity(angle[k], 0, s.gravity);
+        const sp_result r = check(&s, NULL, SP_STABLE);
+        CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
+        CHECK_NEAR(f.utilisation, slope / mu, TOL(1e-8, 1e-3));
+        CHECK_NEAR(f.corner_utilisation, slope / (mu * (1 - h * slope)), TOL(1e-8, 1e-3));
+        CHECK_NEAR(r.extremes.utilisation, f.utilisation, 0);
+        CHECK_NEAR(r.extremes.corner_utilisation, f.corner_utilisation, 0);
+    }
+}
+
+/* Twisted about the vertical by T the corners' friction goes round and sums to nothing: the joint uses none, each corner
+ * T / (mu W r), r half the diagonal.                                                                            [seed 1.6] */
+TEST(a_twisted_joint_uses_friction_at_its_corners_alone)
+{
+    static const double part[] = { 0.1, 0.5, 0.9 }, a = 0.8, h = 0.3, mu = 0.6;
+    const double W = density * a * a * h * gravity, most = mu * W * a / sqrt(2.);
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++) {
+        const sp_load twist = { 1, 0, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, R(part[k] * most) }, 0 };
+        sp_scene s;
+        sp_joint_force f;
+        box_on_ground(a, h, mu, &s);
+        CHECK_INT(sp_scene_load(&s, &twist, NULL), SP_OK);
+        const sp_result r = check(&s, NULL, SP_STABLE);
+        CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
+        CHECK_WITHIN(f.utilisation, 0, TOL(1e-9, 1e-4));
+        CHECK_NEAR(f.corner_utilisation, part[k], TOL(1e-8, 1e-3));
+        CHECK_NEAR(r.extremes.corner_utilisation, f.corner_utilisation, 0);
+    }
+}
+
+/* Held by cohesion alone, mu = 0: joint and corners alike use W sin b / C, C = cohesion area.                   [seed 1.6] */
+TEST(a_corner_has_its_share_of_the_cohesion)
+{
+    const double a = 0.5, h = 0.5, W = density * a * a * h * gravity;
+    const sp_strength glue = { 0, R(4 * W / (a * a)), 0, 0 };
+    sp_scene s;
+    sp_joint_force f;
+    box_on_ground(a, h, 0, &s);
+    s.joint[0].strength = glue;
+    gen_gravity(30, 0, s.gravity);                      /* sin 30 of the weight across the joint, its corners alike */
+    const sp_result r = check(&s, NULL, SP_STABLE);
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
+    CHECK_NEAR(f.utilisation, 0.5 / 4, TOL(1e-8, 1e-3));
+    CHECK_NEAR(f.corner_utilisation, 0.5 / 4, TOL(1e-6, 1e-2));
+}
+
 /* Four cubes in a world that leans: every joint carries the same slope, the one with least friction is the weakest. */
 TEST(the_weakest_joint_has_the_least_friction_left)
 {
@@ -598,6 +666,9 @@ TEST_LIST(result)
     RUN(both_sides_of_a_joint_feel_opposite_forces)
     RUN(resultants_say_which_argument_they_cannot_use)
     RUN(utilisation_on_a_slope_is_its_tangent_over_mu)
+    RUN(on_a_slope_the_upper_corners_use_more_friction_than_the_joint)
+    RUN(a_twisted_joint_uses_friction_at_its_corners_alone)
+    RUN(a_corner_has_its_share_of_the_cohesion)
     RUN(the_weakest_joint_has_the_least_friction_left)
     RUN(tension_counts_before_utilisation)
     RUN(the_weakest_joint_of_what_falls_touches_what_moves)

@@ -252,6 +252,8 @@ part "refuted: the proof, read again"  refuted
 part "verify: the question is its own"  another
 part "a plain wall: none near its limit" sh -c "'$cli' gen wall rows=4 bricks=6 | '$cli' check - | grep -q '^  weakest joint  none is near its limit'"
 part "compression of a joint and a corner" sh -c "'$cli' gen two-cubes | '$cli' check - | grep -q 'compression .* of a joint, .* at a corner'"
+part "friction of a joint and a corner" sh -c "'$cli' gen arch | '$cli' check - | grep -q 'friction used to .* %, to .* % at a corner'"
+part "friction of a corner in JSON"     sh -c "'$cli' gen arch | '$cli' check --json - | grep -q '\"max_corner_utilisation\".*\"corner_utilisation\"'"
 part "nothing fixed: told first"        sh -c "'$cli' gen two-cubes | sed '/fixed/d' | '$cli' check - | sed -n 2p | grep -q 'nothing is fixed'"
 part "a bad scene among others"     goes_on
 part "skip-done: a stopped run goes on" resumed

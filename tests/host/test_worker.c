@@ -147,9 +147,9 @@ static int same_words(const sp_result *a, const sp_result *b)
 {
     const sp_coupled *c = &a->coupled, *d = &b->coupled;
     const sp_real x[] = { a->tol, a->force_bound, a->imbalance, a->least_imbalance, a->extremes.compression, a->extremes.tension,
-                          a->extremes.utilisation, a->extremes.tension_ratio, c->residual, c->eps, c->eta, c->margin, c->tension_ratio };
+                          a->extremes.utilisation, a->extremes.corner_utilisation, a->extremes.tension_ratio, c->residual, c->eps, c->eta, c->margin, c->tension_ratio };
     const sp_real y[] = { b->tol, b->force_bound, b->imbalance, b->least_imbalance, b->extremes.compression, b->extremes.tension,
-                          b->extremes.utilisation, b->extremes.tension_ratio, d->residual, d->eps, d->eta, d->margin, d->tension_ratio };
+                          b->extremes.utilisation, b->extremes.corner_utilisation, b->extremes.tension_ratio, d->residual, d->eps, d->eta, d->margin, d->tension_ratio };
     int same = memcmp(x, y, sizeof x) == 0 && same_cost(&a->spent.total, &b->spent.total) && same_cost(&c->cost, &d->cost);
     for (int k = 0; k < SP_STAGES_MAX; k++) same = same && same_cost(&a->spent.by_stage[k], &b->spent.by_stage[k]);
     return same && a->verdict == b->verdict && a->level == b->level && a->reason == b->reason && a->final == b->final
@@ -164,7 +164,7 @@ TEST(every_field_of_settings_and_result_is_known_to_the_messages)
 {
     if (sizeof(void *) != 8) return;
     CHECK_INT(sizeof(sp_settings), TOL(184, 152));
-    CHECK_INT(sizeof(sp_result), TOL(520, 472));
+    CHECK_INT(sizeof(sp_result), TOL(528, 472));
 }
 
 TEST(scenes_come_through_and_are_answered_as_in_process_bit_by_bit)

@@ -17,6 +17,7 @@ static void json_joints(json_out *j, const report *r)
         json_real(j, "min_fn", (double)f.min_fn);
         json_real(j, "max_fn", (double)f.max_fn);
         json_real(j, "utilisation", (double)f.utilisation);
+        json_real(j, "corner_utilisation", (double)f.corner_utilisation);
         json_real(j, "tension", (double)r->result.demand[i].tension);
         json_real(j, "missing_friction", (double)r->result.demand[i].friction);
         json_close(j, '}');
@@ -229,6 +230,7 @@ static void json_evidence(json_out *j, const report *r)
     json_real(j, "max_joint_compression", report_joint_compression(r));
     json_real(j, "max_tension", (double)x->extremes.tension);
     json_real(j, "max_utilisation", (double)x->extremes.utilisation);
+    json_real(j, "max_corner_utilisation", (double)x->extremes.corner_utilisation);
     if (x->extremes.tension_ratio >= 0) json_real(j, "tension_ratio", (double)x->extremes.tension_ratio);
     else json_null(j, "tension_ratio");
     if (x->extremes.weakest >= 0) json_int(j, "weakest_interface", x->extremes.weakest);

@@ -118,7 +118,8 @@ static void text_weakest(FILE *out, const report *r)
         fputs(": asks for ", out);
         put_scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
-    } else fprintf(out, ": friction used to %.0f %%\n", 100 * (double)f.utilisation);
+    } else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
+                   100 * (double)f.corner_utilisation);
 }
 
 static void text_mechanism(FILE *out, const report *r)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define MAGIC 0x4b505453u
-#define VERSION 1
+#define VERSION 2
 #define FLAGS (sizeof(sp_real) == 4 ? 1u : 0u)
 #define REAL sizeof(sp_real)
 
@@ -496,6 +496,7 @@ static void io_head(io *s, const sp_scene *scene, sp_result *r, run_cost *cost, 
     io_real(s, &r->extremes.compression);
     io_real(s, &r->extremes.tension);
     io_real(s, &r->extremes.utilisation);
+    io_real(s, &r->extremes.corner_utilisation);
     io_real(s, &r->extremes.tension_ratio);
     io_int(s, &r->extremes.weakest, -1, scene->count.joints - 1);
     io_cost(s, &r->spent.total);

@@ -4,7 +4,7 @@
  *
  *     bytes  what
  *     4      magic 0x4b505453, "STPK"
- *     2      version 1
+ *     2      version 2
  *     2      kind: 1 request, 2 result, 3 error
  *     4      flags: 1 reals are float (4 bytes), else double (8); others must be 0
  *     4      length of the body, at most BLOB_CAP
