@@ -1319,7 +1319,7 @@ SP_API const sp_seed *sp_seed_table(void);
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
 
 /* gates, least squares, polish, ADMM with the seed's cone, constants, gates and its tolerance for tension as tol; a coupled
- * check, where it is asked for, by the seed's alternation alone. */
+ * check, where it is asked for, by the seed's alternation alone, eta bounding each component. */
 SP_API sp_settings sp_settings_seed(void);
 #endif
 #endif /* SP_QP_ONLY */

@@ -44,7 +44,7 @@ SP__NOINLINE static void sp__check_close(const sp_scene *scene, sp__check *c)
     if (c->set.coupled.asked) sp__apply_coupled_verdicts(c);
     if (r->verdict == SP_STABLE) memset(r->dq, 0, 6 * (size_t)scene->count.blocks * sizeof *r->dq);
     if (r->verdict == SP_STABLE) r->level = c->set.coupled.asked ? SP_COUPLED : SP_ADMISSIBLE;
-    sp__read_extremes(scene, r);
+    sp__read_extremes(scene, &c->set, r);
     for (int32_t k = 0; k < SP_EFFECTS; k++)
         if (r->effect[k] == SP_WHY_CALLED)
             r->effect[k] = sp__effect_why(&c->set, (sp_effect)k, sp__effect_present(scene, &c->set, islands, (sp_effect)k));

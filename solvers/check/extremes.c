@@ -15,8 +15,9 @@ static int sp__joint_goes(const sp_joint *t, const sp_real *dq, sp_real largest)
     return !(most < (sp_real)1e-6 * largest);
 }
 
-/* Reading the force state: extremes over the joints, and the weakest of them: of what falls, one of the mechanism. */
-SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
+/* Reading the force state: extremes over the joints, and the weakest of them: of what falls, one of the mechanism. Joints are
+ * compared by their resultants, with the seed's constants in the settings by their corners.                    [seed 1.6] */
+SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, const sp_settings *set, sp_result *r)
 {
     sp_real worst = -1;
     int wants = 0;
@@ -41,7 +42,7 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, sp_result *r)
         sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
         const int wanted = help > tiny;
-        const sp_real score = wanted ? help : f.utilisation;
+        const sp_real score = wanted ? help : set->seed ? f.corner_utilisation : f.utilisation;
         if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; most->weakest = k; }
     }
 }

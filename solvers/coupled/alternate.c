@@ -16,10 +16,14 @@
  *     s.t.                dn >= -eps, |dd| <= eta, beta >= least
  *
  * in our signs and units of L: first without constraints, beta solved for in closed form (in the block matrix it is the
- * projection of dt across h); where that breaks a constraint, as a quadratic program. Friction without slip is no motion that
- * explains it, so beta is drawn, ever so weakly, to SP__ALT_SLIP, and bounded below. Where w |dn + eps| <= gate on E the forces
- * are laid along the slips and the triple is judged like any other. Else the worst joints of E lose their force and friction
- * against the slip is dropped, and the forces are solved for anew. */
+ * projection of dt across h); where that breaks a constraint, as a quadratic program. Where w |dn + eps| <= gate on E the
+ * forces are laid along the slips and the triple is judged like any other. Else the worst joints of E lose their force and
+ * friction against the slip is dropped, and the forces are solved for anew.
+ *
+ * The least such motion hardly slips, which explains no friction. Terms of ours: beta is drawn, ever so weakly, to m->slip and
+ * bounded below; corners that hardly press are drawn as weakly to close; F is a part of E. With the seed's constants in the
+ * settings its motion is without them (weak, least = 0) until it passes the gate, where the seed would have ended; from there
+ * on it is with them, so that there is a triple to judge. */
 typedef struct sp__alt {
     sp__cra *c;
     const sp_seed *seed;
@@ -28,7 +32,7 @@ typedef struct sp__alt {
     sp_real *weight;                    /* points: w, 0 outside E */
     int32_t *pin;                       /* points: 1: no friction, 2: no force */
     sp_real *normal, *sliding;          /* points: a and b, parts of the force along the normal and along the slip */
-    sp_real slip, least;                /* what beta is drawn to; its bound */
+    sp_real weak, slip, least;          /* weight of our terms, 0: the seed's motion; what beta is drawn to; its bound */
     sp_arena rest;                      /* for the programs */
 } sp__alt;
 
@@ -44,7 +48,7 @@ typedef struct sp__explain {
 } sp__explain;
 
 #define SP__ALT_STEPS 40                /* of the forces towards balance */
-#define SP__ALT_WEAK ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-3))    /* weight of (beta - slip)^2 */
+#define SP__ALT_WEAK ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-3))    /* of our terms: of (beta - slip)^2, (dn + eps)^2 */
 
 static void sp__alt_carve(sp__alt *m, const sp_problem *pb, sp_arena *a)
 {
@@ -100,7 +104,7 @@ static void sp__explain_carve(sp__explain *g, const sp_problem *pb, int32_t entr
 static sp_real sp__alt_closing_weight(const sp__alt *m, size_t v)
 {
     const sp_real w = m->weight[v];
-    return w > 0 ? w * w : m->f[v][0] > 0 && m->pin[v] < 2 ? SP__ALT_WEAK : 0;
+    return w > 0 ? w * w : m->f[v][0] > 0 && m->pin[v] < 2 ? m->weak : 0;
 }
 
 /* P and q; m NULL: only where their entries are. */
@@ -119,9 +123,10 @@ SP__NOINLINE static void sp__explain_cost(sp__explain *g, const sp_problem *pb, 
             g->Px[e] = rubs ? m->h[v][k - 1] : 0;
         }
         g->Pi[e] = j;
-        g->Px[e] = j < y ? (m ? m->seed->reg : 1) : axis == 0 ? w2 : axis < 3 ? (sp_real)rubs : (sp_real)rubs + SP__ALT_WEAK;
+        g->Px[e] = j < y ? (m ? m->seed->reg : 1) : axis == 0 ? w2 : axis < 3 ? (sp_real)rubs
+                    : (sp_real)rubs + (m ? sp__max(m->weak, m->seed->reg) : 1);
         if (m && j >= y && axis == 0) g->q[j] = w2 * m->c->k.eps;
-        if (m && j >= y + d) g->q[j] = -SP__ALT_WEAK * m->slip;
+        if (m && j >= y + d) g->q[j] = -m->weak * m->slip;
         e++;
     }
     g->Pp[g->qp.n] = e;
@@ -236,7 +241,7 @@ static int32_t sp__alt_engage(sp__alt *m)
     const sp_real least = sp__max(m->seed->floor, m->seed->engaged * most);
     for (int32_t v = 0; v < c->pb->points; v++) {
         const sp_real *f = m->f[v], ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
-        const int rubs = f[0] > least && ft > least;
+        const int rubs = ft > least && (!(m->weak > 0) || f[0] > least);
         m->weight[v] = f[0] > least ? SP_SQRT(f[0] / most) : 0;
         m->h[v][0] = rubs ? f[1] / ft : 0;
         m->h[v][1] = rubs ? f[2] / ft : 0;
@@ -249,15 +254,15 @@ static int32_t sp__alt_engage(sp__alt *m)
 SP__NOINLINE static void sp__alt_least_squares(sp__alt *m)
 {
     const sp__cra *c = m->c;
-    const sp_real weak = SP__ALT_WEAK;
+    const sp_real weak = sp__max(m->weak, m->seed->reg);
     memset(c->spring.d, 0, 3 * (size_t)c->pb->points * sizeof *c->spring.d);
     memset(c->spring.D, 0, 6 * (size_t)c->pb->points * sizeof *c->spring.D);
     for (size_t v = 0; v < (size_t)c->pb->points; v++) {
-        const sp_real w = m->weight[v], x = m->h[v][0], y = m->h[v][1];
+        const sp_real x = m->h[v][0], y = m->h[v][1];
         sp_real *D = c->spring.D + 6 * v, *pull = c->spring.d + 3 * v;      /* right-hand sides in the place of rates */
         D[0] = sp__alt_closing_weight(m, v);
         pull[0] = -D[0] * c->k.eps;
-        if (!(w > 0 && x * x + y * y > 0)) continue;
+        if (!(x * x + y * y > 0)) continue;
         D[3] = y * y + weak * x * x;
         D[4] = (weak - 1) * x * y;
         D[5] = x * x + weak * y * y;
@@ -285,7 +290,7 @@ static int sp__alt_within_bounds(const sp__alt *m)
         const sp_real *d = m->c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
         const sp_real most = m->c->set->coupled.box ? sp__max(sp__abs(d[1]), sp__abs(d[2])) : slip;
         if (d[0] < -k->eps - (sp_real)1e-3 || sp__max(d[0], most) > k->eta) return 0;
-        if (m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0 && sp__alt_beta(m, v) < m->least) return 0;
+        if (m->least > 0 && m->h[v][0] * m->h[v][0] + m->h[v][1] * m->h[v][1] > 0 && sp__alt_beta(m, v) < m->least) return 0;
     }
     return 1;
 }
@@ -329,6 +334,23 @@ SP__NOINLINE static int sp__alt_explain(sp__alt *m)
     memcpy(c->w->y, g->r.x, n * sizeof *c->w->y);
     sp__cra_rates(c, c->w->y, c->spring.d);
     return 1;
+}
+
+/* Our terms, or with weak = 0 none. */
+static void sp__alt_terms(sp__alt *m, sp_real weak)
+{
+    const sp__lengths *k = &m->c->k;
+    m->weak = weak;
+    m->slip = !(weak > 0) ? 0 : k->eps > 0 && k->eta > 10 ? 1 : k->eta / 10;
+    m->least = weak > 0 ? sp__max(m->slip / 1000, 4 * SP__SLIP) : 0;
+}
+
+/* The motion for the round's forces.     returns 1, 0: none: nothing presses, or its program has no answer */
+static int sp__alt_motion(sp__alt *m)
+{
+    if (!sp__alt_engage(m)) return 0;
+    sp__alt_least_squares(m);
+    return sp__alt_within_bounds(m) || sp__alt_explain(m);
 }
 
 /* w |dn + eps| at vertex v, in L. */
@@ -458,6 +480,19 @@ static int sp__alt_offer(sp__alt *m)
     return sp__cra_offer(c);
 }
 
+/* A round's motion and its residual, the largest w |dn + eps|. Where the seed's own passes the gate, the seed is done: it is
+ * taken anew with our terms, and they stay, until a triple is verified.     returns 1, 0: there is none */
+static int sp__alt_look(sp__alt *m, sp_real *worst)
+{
+    for (;;) {
+        *worst = 0;
+        if (!sp__alt_motion(m)) return 0;
+        for (size_t v = 0; v < (size_t)m->c->pb->points; v++) *worst = sp__max(*worst, sp__alt_gap(m, v));
+        if (m->weak > 0 || *worst > m->seed->gate) return 1;
+        sp__alt_terms(m, SP__ALT_WEAK);
+    }
+}
+
 /* Rounds of forces and motion.     returns 1 when a triple is verified, -1: no memory */
 static int sp__alternate(sp__cra *c, sp_arena *a)
 {
@@ -469,18 +504,14 @@ static int sp__alternate(sp__cra *c, sp_arena *a)
     m->c = c;
     m->seed = sp__seed_of(c->set);
     m->rest = *a;
-    m->slip = c->k.eps > 0 && c->k.eta > 10 ? 1 : c->k.eta / 10;
-    m->least = sp__max(m->slip / 1000, 4 * SP__SLIP);
+    sp__alt_terms(m, c->set->seed ? 0 : SP__ALT_WEAK);
     memset(m->pin, 0, (size_t)c->pb->points * sizeof *m->pin);
     const sp_real newton = sp__in_units(c->w->measure.unit, 1);         /* in units */
     for (size_t v = 0; v < (size_t)c->pb->points; v++) sp__scale3(newton, c->statics + 3 * v, m->f[v]);
     while (c->out->rounds < c->set->coupled.rounds) {
-        sp_real worst = 0;
+        sp_real worst;
         c->out->rounds++;
-        if (!sp__alt_engage(m)) return 0;
-        sp__alt_least_squares(m);
-        if (!sp__alt_within_bounds(m) && !sp__alt_explain(m)) return 0;
-        for (size_t v = 0; v < (size_t)c->pb->points; v++) worst = sp__max(worst, sp__alt_gap(m, v));
+        if (!sp__alt_look(m, &worst)) return 0;
         const int32_t pinned = sp__alt_remove_worst(m, worst);
         const int passes = worst <= m->seed->gate;
         if (passes && sp__alt_offer(m)) return 1;

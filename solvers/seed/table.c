@@ -54,6 +54,7 @@ static void sp__seed_settings(sp_settings *s)
     s->penalty.tau = sp__seed.tau;
     s->seed = &sp__seed;
     s->coupled.rounds = sp__seed.turns;
+    s->coupled.box = 1;                                                         /* [3.2] */
 }
 #endif
 

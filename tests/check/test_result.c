@@ -371,6 +371,33 @@ TEST(a_corner_has_its_share_of_the_cohesion)
     CHECK_NEAR(f.corner_utilisation, 0.5 / 4, TOL(1e-6, 1e-2));
 }
 
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+/* Of two stones one is twisted, the other pushed: by its resultant the second joint is weaker, by its corners the first. */
+TEST(the_weakest_joint_of_the_preset_is_that_of_its_corners)
+{
+    const double W = density * 0.5 * gravity, mu = 0.8, ground[2][3] = { { -2, -2, -1 }, { 4, 2, 0 } };
+    const sp_capacity cap = { 3, 24, 18, 72, 2, 8, 2 };
+    const sp_settings preset = sp_settings_seed();
+    const sp_load load[2] = { { 1, 0, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, R(0.5 * mu * W / sqrt(2.)) }, 0 },
+                              { 2, 0, { R(1.5), R(0.5), 0 }, { R(0.3 * mu * W), 0, 0 }, { 0, 0, 0 }, 0 } };
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    box(&s, ground[0], ground[1], SP_FIXED);
+    for (int k = 0; k < 2; k++) {
+        const double lo[3] = { k, 0, 0 }, hi[3] = { k + 1., 1, 0.5 };
+        box(&s, lo, hi, 0);
+        level(&s, 0, k + 1, k, k + 1., 0, 1, 0, mu);
+        CHECK_INT(sp_scene_load(&s, &load[k], NULL), SP_OK);
+    }
+    const sp_result ours = check(&s, NULL, SP_STABLE), seed = check(&s, &preset, SP_STABLE);
+    CHECK_INT(ours.extremes.weakest, 1);
+    CHECK_INT(seed.extremes.weakest, 0);
+    CHECK_NEAR(ours.extremes.utilisation, 0.3, TOL(1e-8, 1e-3));
+    CHECK_NEAR(seed.extremes.corner_utilisation, 0.5, TOL(1e-6, 1e-2));
+}
+#endif
+
 /* Four cubes in a world that leans: every joint carries the same slope, the one with least friction is the weakest. */
 TEST(the_weakest_joint_has_the_least_friction_left)
 {
@@ -669,6 +696,9 @@ TEST_LIST(result)
     RUN(on_a_slope_the_upper_corners_use_more_friction_than_the_joint)
     RUN(a_twisted_joint_uses_friction_at_its_corners_alone)
     RUN(a_corner_has_its_share_of_the_cohesion)
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    RUN(the_weakest_joint_of_the_preset_is_that_of_its_corners)
+#endif
     RUN(the_weakest_joint_has_the_least_friction_left)
     RUN(tension_counts_before_utilisation)
     RUN(the_weakest_joint_of_what_falls_touches_what_moves)

@@ -101,6 +101,7 @@ TEST(the_preset_is_the_table_and_the_seeds_order)
     CHECK_NEAR(s.penalty.tau, t->tau, 0);
     CHECK_NEAR(s.tol, t->tension, 0);
     CHECK(s.coupled.rounds == t->turns && s.coupled.nodes == 0 && s.coupled.eps < 0);     /* its alternation, alone */
+    CHECK_INT(s.coupled.box, 1);                        /* eta bounds each component */
 }
 
 TEST(a_table_that_would_break_a_stage_is_refused)
