@@ -4,8 +4,8 @@
  *
  * Ends when the forces in the cones balance, or when a window of rounds gains too little: an empty intersection never ends by
  * itself, so this stage can only say STABLE. With the seed's constants in the settings the second step is taken in the metric
- * of the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's gate, and it does not start
- * where tension alone blocks the bilateral force.
+ * of the penalty form, f <- f - H^-1 Aeq' (Aeq H^-1 Aeq')^-1 (Aeq f + p), its goal is the seed's gate, it does not start where
+ * tension alone blocks the bilateral force, and K is the seed's round cone inside the pyramid.
  */
 #ifndef SP__SEED_POLISH_C
 #define SP__SEED_POLISH_C
@@ -55,6 +55,18 @@ SP__NOINLINE static sp_real sp__polish_measure(sp__system *w, sp_real *f, sp_rea
     return w->budget.spent ? SP__HUGE : sp__system_imbalance(w, w->r);
 }
 
+/* From now on K is the round cone that the seed names, of the coefficient mu_eff cos(pi/K). It lies inside the pyramid, and is
+ * not the largest that does: that has mu_eff.                                                      [seed 2.2, departure 7] */
+static void sp__polish_round_cone(sp__system *w)
+{
+    sp_real c, half;
+    if (!w->law.cone.faces) return;
+    sp__pyramid_half(w->law.cone.faces, &c, &half);
+    w->law.cone.faces = 0;
+    w->law.cone.tan_half = 0;
+    w->law.friction *= c;
+}
+
 /* Bytes the stage takes: a factor, and on a budget the best forces so far. */
 static size_t sp__polish_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
@@ -81,6 +93,7 @@ static sp_status sp__polish_run(const sp_problem *pb, const sp_settings *set, sp
     if (set->seed) sp__system_forces(w, SP__BILATERAL, w->y, state);
     const sp__gate gate = set->seed ? sp__seed_gate(w, seed, state->f) : (sp__gate){ 1, 0 };
     if (gate.friction && !gate.tension) { state->reason = SP_REASON_STAGES; return SP_OK; }
+    if (set->seed) sp__polish_round_cone(w);
     memset(state->f, 0, size * sizeof *state->f);
     sp_real imbalance = sp__polish_measure(w, state->f, keep, &best), last = imbalance;
     if (w->budget.spent) return SP_OK;

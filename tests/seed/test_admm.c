@@ -287,6 +287,50 @@ TEST(the_seeds_gates_are_kept)
     CHECK(check(&scene, &set).imbalance > 10 * sp_seed_table()->balance);
 }
 
+/* mu = .6 and 8 faces inside: the pyramid carries .5543 of the pressure towards a face, the preset's cone .5121 everywhere. Of a
+ * slope between the two the preset's polish knows no forces; ADMM after it does.                                      [seed 2.2] */
+TEST(the_presets_polish_projects_onto_the_seeds_cone)
+{
+    static const double slope[] = { 0.45, 0.53, 0.57 };
+    const sp_settings preset = sp_settings_seed();
+    for (int k = 0; k < 3; k++)
+        for (int seed = 0; seed < 2; seed++) {
+            gen_scene g;
+            sp_scene scene;
+            sp_settings set = preset;
+            set.stage_count = 1;
+            set.stage[0] = SP_STAGE_POLISH;
+            if (!seed) set.seed = NULL;
+            test_arena.used = 0;
+            CHECK_INT(gen_open(&g, "incline"), 1);
+            gen_set(&g, "mu", 0.6);
+            gen_set(&g, "angle", atan(slope[k]) * 180 / 3.14159265358979323846);
+            NEED(gen_build(&g, &test_arena, &scene) == SP_OK);
+            const sp_result r = check(&scene, &set);
+            CHECK_INT(r.verdict, k < 2 - seed ? SP_STABLE : SP_UNDECIDED);
+            if (r.verdict == SP_STABLE) CHECK_NEAR(r.extremes.utilisation, slope[k] / 0.6, 5e-3);
+            if (seed && k < 2) CHECK_INT(check(&scene, &preset).verdict, SP_STABLE);
+        }
+}
+
+/* Its forces use cos^2(pi/8) = 85.4 % of mu at most, in whatever direction; ours go to the corners of the pyramid. */
+TEST(forces_of_the_presets_polish_are_within_its_cone)
+{
+    const double most = cos(3.14159265358979323846 / 8) * cos(3.14159265358979323846 / 8);
+    for (int seed = 0; seed < 2; seed++) {
+        sp_scene scene;
+        sp_settings set = sp_settings_seed();
+        if (!seed) set.seed = NULL;
+        test_arena.used = 0;
+        build("wall", "size", 54, &scene);
+        const sp_result r = check(&scene, &set);
+        CHECK_INT(r.verdict, SP_STABLE);
+        CHECK_INT(r.stage, SP_STAGE_POLISH);
+        if (seed) CHECK_NEAR(r.extremes.corner_utilisation, most, 16 * (double)SP_EPSILON);
+        else CHECK((double)r.extremes.corner_utilisation > cos(3.14159265358979323846 / 8));
+    }
+}
+
 /* Below the gate a dense factor, above none at all: less memory, no cheaper. */
 TEST(the_gate_of_cells_chooses_dense_or_none)
 {
@@ -439,6 +483,8 @@ TEST_LIST(admm)
     RUN(units_do_not_matter)
     RUN(the_preset_decides_what_the_seed_decides)
     RUN(the_seeds_gates_are_kept)
+    RUN(the_presets_polish_projects_onto_the_seeds_cone)
+    RUN(forces_of_the_presets_polish_are_within_its_cone)
     RUN(the_gate_of_cells_chooses_dense_or_none)
     RUN(another_solver_is_asked_as_the_seed_asks_its_own)
     RUN(a_solver_that_lies_decides_nothing)
