@@ -153,6 +153,17 @@ plugged() {                                             # plugged FILE: same obj
         else [ $? -eq 69 ] && grep -q "^stonepack: --solver $pl is not in this build: .*install" "$tmp/said" || return 1; fi
     done
 }
+first() {                                               # first FILE: auto is osqp where that is built in, else admm; told by name
+    fi=admm; "$cli" qp --solver osqp "$1" > "$tmp/osqp" 2>&1 && fi=osqp
+    "$cli" qp --json --solver auto "$1" > "$tmp/auto" && grep -q "\"solver\": *\"$fi\"" "$tmp/auto" || return 1
+    for fi_o in '' "--solver auto" "--solver $fi"; do
+        # shellcheck disable=SC2086
+        "$cli" check --json --preset seed --stages gates,admm $fi_o "$tmp/scene.obj" | sed 's/"seconds": *[^,]*//g' > "$tmp/by" || return 1
+        [ "$fi_o" ] || cp "$tmp/by" "$tmp/by-preset"
+        cmp -s "$tmp/by" "$tmp/by-preset" || return 1
+    done
+    exits 0 "$cli" check --worker 20 --preset seed --stages gates,admm "$tmp/scene.obj"
+}
 form() {                                                # form OBJECTIVE HEAD ROW RHS-AND-RANGES BOUNDS: of (x - 3)^2, or HEAD
     printf '%b' "NAME form\n$2ROWS\n N o\n $3 c\nCOLUMNS\n x o -6 c 1\nRHS\n r o -9\n$4BOUNDS\n$5QUADOBJ\n x x 2\nENDATA\n" > "$tmp/form.qps"
     says "objective $1\$" "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned"
@@ -357,6 +368,7 @@ edited 's/10.0$/-10.0/'
 part "qp: a saddle: 65"             exits 65 "$cli" qp "$tmp/edited.qps"
 part "qp: dykstra, P not diagonal: 2" exits 2 "$cli" qp --solver dykstra "$tmp/small.qps"
 part "qp: unknown solver: 64"        exits 64 "$cli" qp --solver simplex "$tmp/small.qps"
+part "solver auto: the first there is"  first "$tmp/small.qps"
 part "qp: a solver of others, or what to install" plugged "$tmp/small.qps"
 part "qp: unknown back end: 64"     exits 64 "$cli" qp --backend gpu "$tmp/small.qps"
 total

@@ -166,8 +166,16 @@ static int take_solver(options *o, const char *name, const char *value, failure 
 {
     (void)name;
     o->solver_name = value;
+    if (strcmp(value, "auto") == 0) return 0;           /* chosen when all options are read */
     o->settings.penalty.solver = strcmp(value, "admm") ? &o->solver : NULL;          /* ours: by NULL */
     return solvers_find(value, &o->solver, error);
+}
+
+/* --solver auto: the first that is built in; ours for a worker, to which no other travels. */
+static int choose_solver(options *o, failure *error)
+{
+    if (strcmp(o->solver_name, "auto")) return 0;
+    return take_solver(o, "--solver", o->worker > 0 ? "admm" : solvers_first(), error);
 }
 
 /* Which effect a word of n bytes names, SP_EFFECTS: none. */
@@ -275,6 +283,7 @@ static int set_preset(const char *value, options *o)
     }
     if (strcmp(value, "seed") != 0) return 0;
     o->settings = sp_settings_seed();
+    o->solver_name = "auto";                            /* [seed 4.1] */
     snprintf(o->cone, sizeof o->cone, "%ld%c", (long)o->settings.faces, o->settings.inscribed ? 'i' : 'c');
     return 1;
 }
@@ -366,5 +375,6 @@ int options_read(int argc, char **argv, const char *allowed, options *o, failure
             if (strncmp(word, "--cra-", 6) == 0) coupled_only = word;
         }
     }
+    if (!status) status = choose_solver(o, error);
     return status ? status : join_coupled(o, coupled_only, error);
 }

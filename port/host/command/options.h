@@ -19,7 +19,7 @@ typedef struct options {
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
     sp_real eps;                /* of qp; 0: not given */
     int backend;                /* of qp: an sp_qp_backend */
-    const char *solver_name;    /* "admm", ours, unless --solver says otherwise */
+    const char *solver_name;    /* "admm", ours, unless --solver or the preset of the seed says otherwise; never "auto" */
     sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
     sp_choice couple;           /* of --effects: coupled */

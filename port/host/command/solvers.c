@@ -27,6 +27,13 @@ static const struct { const char *name; sp_qp_solver (*make)(void); const char *
 #endif
 };
 
+const char *solvers_first(void)
+{
+    for (size_t k = 0; k < sizeof solver / sizeof *solver; k++)
+        if (solver[k].make && strcmp(solver[k].name, "osqp") == 0) return solver[k].name;
+    return solver[0].name;
+}
+
 int solvers_find(const char *name, sp_qp_solver *out, failure *error)
 {
     for (size_t k = 0; k < sizeof solver / sizeof *solver; k++) {
@@ -37,7 +44,7 @@ int solvers_find(const char *name, sp_qp_solver *out, failure *error)
         *out = solver[k].make();
         return 0;
     }
-    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs admm, dykstra, osqp or ipopt");
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs auto, admm, dykstra, osqp or ipopt");
 }
 
 #ifdef WITH_IPOPT

@@ -9,6 +9,9 @@
  * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */
 int solvers_find(const char *name, sp_qp_solver *out, failure *error);
 
+/* The name of the first that is built in: OSQP, else our ADMM.                                                   [seed 4.1] */
+const char *solvers_first(void);
+
 /* The coupled question of a check as its authors' program, by Ipopt. */
 typedef struct solvers_published {
     ipopt_cra_answer answer;
