@@ -4,9 +4,9 @@
 
 #include "../../stonepack.h"
 
-/* Solves with an installed OSQP. Of the settings it takes eps_abs, eps_rel, polish, iterations, check, passes, sigma, relax and
- * rho; it has no budget and adapts rho its own way. Memory: OSQP's own, by malloc; x and y are in the arena.
- * What it answers is judged by port/host/qp_judge.c on the data as given. */
+/* Solves with an installed OSQP. Of the settings it takes eps_abs, eps_rel, eps_pinf, eps_dinf, polish, iterations, check,
+ * passes, sigma, relax and rho; it has no budget and adapts rho its own way. Memory: OSQP's own, by malloc; x and y are in the
+ * arena. What it answers is judged by port/host/qp_judge.c on the data as given. */
 sp_qp_solver osqp_qp_solver(void);
 
 /* "1.0.0" */

@@ -356,6 +356,59 @@ static void everything(sp_qp_solver s)
 
 #ifdef WITH_OSQP
 TEST(osqp_answers_as_it_must) { everything(osqp_qp_solver()); }
+/* A random program whose rows have upper limits alone, and one row more: a sum of three of them, weighted, exceeds that of their
+ * limits by 1. */
+static sp_qp contradiction(sample *a)
+{
+    static sp_real Ax[N * (M + 1)], l[M + 1], u[M + 1];
+    static int32_t Ap[N + 1], Ai[N * (M + 1)];
+    make(a, 0);
+    const int32_t n = a->qp.n, m = a->qp.m;
+    const sp_qp qp = { n, m + 1, a->Pp, a->Pi, a->Px, a->q, Ap, Ai, Ax, l, u };
+    const sp_real weight[3] = { test_random_real(0.2, 1), test_random_real(0.2, 1), test_random_real(0.2, 1) };
+    l[m] = 1;
+    u[m] = inf;
+    for (int32_t i = 0; i < m; i++) {
+        l[i] = -inf;
+        u[i] = a->u[i];
+        if (i < 3) l[m] += weight[i] * u[i];
+    }
+    for (int32_t j = 0, k = 0; j < n; j++) {
+        sp_real sum = 0;
+        for (int32_t i = 0; i < m; i++, k++) {
+            Ai[k] = i;
+            Ax[k] = a->Ax[j * m + i];
+            if (i < 3) sum += weight[i] * Ax[k];
+        }
+        Ai[k] = m;
+        Ax[k++] = sum;
+        Ap[j + 1] = k;
+    }
+    return qp;
+}
+
+/* A coarser certificate is found sooner; where the judge can make no proof of it, which is so for half of these, it is looked for
+ * anew, and sharper. A thousandth of 1e-6 is beyond float.                                             [seed 4.3, 4.4] */
+TEST(osqp_is_asked_for_certificates_as_given)
+{
+    static const sp_real eps[] = { R(1e-4), R(1e-6) };
+    static sample a;
+    int iterations[2] = { 0, 0 };
+    for (int trial = 0; trial < 40; trial++) {
+        const sp_qp qp = contradiction(&a);
+        for (int k = 0; k < 2; k++) {
+            sp_qp_settings set = sp_qp_default();
+            sp_qp_result r;
+            test_arena.used = 0;
+            set.eps_pinf = set.eps_dinf = eps[k];
+            CHECK_INT(asked(osqp_qp_solver(), &qp, &set, &r), SP_QP_PRIMAL_INFEASIBLE);
+            CHECK(r.iterations <= set.iterations);
+            iterations[k] += r.iterations;
+        }
+    }
+    CHECK(iterations[0] < iterations[1]);
+}
+
 TEST(osqp_inaccurate_is_never_solved)
 {
     int solved = 0;
@@ -502,6 +555,7 @@ TEST_LIST(plugins)
     RUN(unbounded_needs_a_direction)
 #ifdef WITH_OSQP
     RUN(osqp_answers_as_it_must)
+    RUN(osqp_is_asked_for_certificates_as_given)
     RUN(osqp_inaccurate_is_never_solved)
 #endif
 #ifdef WITH_IPOPT
