@@ -139,6 +139,7 @@
 #include "solvers/seed/program.c"               /* the penalty form as a quadratic program [seed 1.5, 4] */
 
 #include "solvers/coupled/decide.c"             /* branch and bound over the states of joints */
+#include "solvers/coupled/point.c"              /* a triple looked for by cases */
 #include "solvers/coupled/springs.c"            /* the search: springs at pressing joints, drag at slipping ones */
 #include "solvers/coupled/offer.c"              /* triples made of forces and a motion, to be judged */
 #include "solvers/coupled/held.c"               /* motions with joints held fast */

@@ -3,6 +3,7 @@
 #ifndef SP__COUPLED_COUPLED_C
 #define SP__COUPLED_COUPLED_C
 
+#include "point.c"
 #include "help.c"
 #include "alternate.c"
 #include "forest.c"
@@ -39,6 +40,34 @@ static void sp__coupled_scales(sp__cra *c, const sp_real *y0)
     c->out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)(c->j.sweeps - before) * c->pb->points;
 }
 
+/* The triple on offer is judged.     returns 1 when it is verified: into the result */
+static int sp__coupled_judge(sp__cra *c, sp_state *state, sp_real *imbalance)
+{
+    c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
+    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
+    c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
+    c->out->residual = c->offer.residual;
+    if (!(c->offer.imbalance <= c->set->tol && c->offer.residual <= 1)) return 0;
+    sp__cra_write_result(c, state, imbalance);
+    return 1;
+}
+
+/* The decision found no proof: where it stopped at friction without slip there may be triples beside that point, so they are
+ * looked for by the same cases (point.c), with long slips, then with shorter ones. */
+SP__NOINLINE static sp_status sp__coupled_by_cases(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena a)
+{
+    static const sp_real slip[] = { (sp_real)0.1, (sp_real)1e-3, (sp_real)1e-5 };
+    const int64_t judge = 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
+    for (int q = 0; q < 3 && slip[q] > 4 * SP__SLIP; q++) {
+        int64_t *flops = &c->out->cost.flops;
+        const int64_t limit = state->left - *flops - judge;
+        const int point = sp__point_find(c->pb, c->set, &c->j, &c->k, slip[q], limit, &c->offer.t, a, flops);
+        if (point < 0) return SP_E_MEMORY;
+        if (point && sp__coupled_judge(c, state, imbalance)) return SP_OK;
+    }
+    return SP_OK;
+}
+
 /* No triple was found: is there none? With mu = 0 this is one linear program that decides either way: ft = 0, alpha = 0, and
  * what is left is linear. Forces fn >= 0 that balance with the least g sum fn, and the multipliers dq of balance, dn >= -g,
  * meet fn (dn + g) = 0, because g sum fn = p . dq: a triple, where |d| <= eta. The root of the decision is that program,
@@ -54,12 +83,9 @@ SP__NOINLINE static sp_status sp__coupled_decide(sp__cra *c, sp_state *state, sp
     sp__triple *t = frictionless ? &c->offer.t : NULL;
     const sp_status status = sp__branch_decide(c->pb, c->set, &c->j, &c->k, state->left, t, a, c->out);
     if (anew) sp__coupled_scales(c, state->has_y0 ? state->y0 : NULL);
-    if (status || !frictionless || c->out->reason != SP_COUPLING_LIMIT) return status;
-    c->offer.imbalance = sp__certify_forces(&c->j, c->offer.t.f, c->offer.t.f);
-    c->offer.residual = sp__certify_coupled(&c->j, &c->k, c->offer.t.f, c->offer.t.dq, c->offer.t.alpha);
-    c->out->cost.flops += 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
-    c->out->residual = c->offer.residual;
-    if (c->offer.imbalance <= c->set->tol && c->offer.residual <= 1) sp__cra_write_result(c, state, imbalance);
+    if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    if (!frictionless) return sp__coupled_by_cases(c, state, imbalance, *a);
+    if (c->out->reason == SP_COUPLING_LIMIT) sp__coupled_judge(c, state, imbalance);
     return SP_OK;
 }
 

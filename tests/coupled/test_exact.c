@@ -138,6 +138,55 @@ TEST(a_beam_snug_between_a_wall_and_a_free_block_is_refused)
     CHECK(refuted(decided(&s, &set, &r)));
 }
 
+/* A block of 125 kg at rest between triangles of a fixed one, corners in cm, anticlockwise seen from the block. */
+typedef struct wedged { double mu; int joints, cm[3][9]; } wedged;
+
+static void hold(const wedged *w, sp_scene *s)
+{
+    static const sp_capacity cap = { 2, 0, 0, 0, 3, 9, 0 };
+    const sp_real far[3] = { -9, -9, -9 }, origin[3] = { 0, 0, 0 };
+    const sp_strength strength = sp_strength_friction(R(w->mu));
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(s, 1000, far, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(s, 125, origin, 0, NULL), SP_OK);
+    for (int k = 0; k < w->joints; k++) {
+        sp_real xyz[9];
+        for (int q = 0; q < 9; q++) xyz[q] = R(w->cm[k][q] / 100.0);
+        CHECK_INT(sp_scene_joint(s, 0, 1, 3, xyz, &strength, NULL), SP_OK);
+    }
+}
+
+/* The decision ends at friction without slip, and the search's springs find nothing; beside that point there are triples. */
+TEST(a_triple_beside_a_point_of_friction_without_slip_is_found)
+{
+    static const wedged w[] = {
+        { 0.4, 3, { { -26, 23, 28, -14, -4, 49, -33, -11, 19 },
+                  { 13, -28, -28, 7, -40, -13, 24, -30, -11 },
+                  { -12, 43, -5, 12, 40, -11, 5, 37, 13 } } },
+        { 1, 3, { { -3, 40, 14, -18, 46, -7, 4, 33, -11 },
+                  { 6, -24, -38, -19, -15, -46, -13, -17, -19 },
+                  { -23, 42, -11, -4, 35, 18, -36, 22, 15 } } },
+        { 2, 3, { { 20, -31, 33, -19, -3, 42, 25, 17, 41 },
+                  { -10, 45, 1, -3, 39, -17, 8, 34, 0 },
+                  { 45, -10, 16, 25, -25, -11, 21, -37, 23 } } },
+        { 1, 2, { { 39, -14, 5, 43, 0, 1, 37, -9, -9 },
+                  { -35, 21, 8, -28, 3, 26, -47, -2, 8 } } },
+        { 2, 2, { { 37, -12, 1, 40, 8, 14, 43, 9, -10 },
+                  { -30, -33, 30, -19, -43, -5, -32, -8, 1 } } } };
+    for (size_t k = 0; k < sizeof w / sizeof *w; k++) {
+        sp_settings set = coupled(100, 0);
+        sp_scene s;
+        sp_result r;
+        set.coupled.eps = -1;
+        set.coupled.eta = 0;
+        hold(&w[k], &s);
+        const sp_coupling found = decided(&s, &set, &r);
+        CHECK(found == SP_COUPLING_COUPLED || (TOL(0, 1) && found == SP_COUPLING_NOT_FOUND));
+        CHECK(found != SP_COUPLING_COUPLED || (r.coupled.residual <= 1 && r.imbalance <= r.tol));
+    }
+}
+
 TEST(what_plainly_stands_is_never_refuted)
 {
     static const char *const scenes[] = { "two-cubes", "incline", "topple", "overhang", "cantilever" };
@@ -306,6 +355,7 @@ TEST_LIST(exact)
     RUN(a_squeezed_block_is_refuted_up_to_its_limits_and_coupled_beyond)
     RUN(the_verdict_knows_no_units)
     RUN(a_beam_snug_between_a_wall_and_a_free_block_is_refused)
+    RUN(a_triple_beside_a_point_of_friction_without_slip_is_found)
     RUN(what_plainly_stands_is_never_refuted)
     RUN(a_proof_holds_for_its_own_question_only)
     RUN(a_proof_with_a_part_missing_or_changed_is_none)
