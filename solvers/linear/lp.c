@@ -26,6 +26,7 @@
 #define SP__LP_TOL ((sp_real)1e-9)
 #define SP__LP_ZERO ((sp_real)1e-10)
 #endif
+#define SP__LP_LARGE ((sp_real)1e6)     /* multiplier that is asked of M built anew */
 #define SP__LP_STEPS 64                 /* after so many M is built anew */
 
 typedef enum sp__lp_status { SP__LP_POINT, SP__LP_NONE, SP__LP_GIVEN_UP } sp__lp_status;
@@ -251,6 +252,14 @@ static int32_t sp__lp_leaving(const sp__lp *lp, int grow, int first)
     return best;
 }
 
+/* The largest |t_k|. Where it is large the small ones may be rounding, or be taken for it. */
+static sp_real sp__lp_greatest(const sp__lp *lp)
+{
+    sp_real largest = 0;
+    for (int32_t k = 0; k < lp->n; k++) largest = sp__max(largest, sp__abs(lp->t[k]));
+    return largest;
+}
+
 /* How far the active constraints are from the values they should have: what rounding did to M. */
 static sp_real sp__lp_drift(const sp__lp *lp)
 {
@@ -288,7 +297,8 @@ static sp__lp_status sp__lp_run(sp__lp *lp, int32_t most)
         if (k < 0) {
             lp->failed = i;
             lp->low = gap > 0;
-            if (lp->since == 0 || sp__lp_drift(lp) <= SP__LP_TOL * (sp_real)0.01) return SP__LP_NONE;
+            const int sound = sp__lp_greatest(lp) < SP__LP_LARGE && sp__lp_drift(lp) <= SP__LP_TOL * (sp_real)0.01;
+            if (lp->since == 0 || sound) return SP__LP_NONE;
             if (!sp__lp_affords(lp, 2 * (int64_t)lp->n + 3)) break;
             sp__lp_refresh(lp);
             continue;

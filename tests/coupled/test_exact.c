@@ -187,6 +187,40 @@ TEST(a_triple_beside_a_point_of_friction_without_slip_is_found)
     }
 }
 
+/* A block w wide, d deep and h high between two fixed faces, of a friction that is `part` of the 2h/w from which it jams. */
+static void between(const double size[4], sp_scene *s)
+{
+    static const sp_capacity cap = { 2, 0, 0, 0, 2, 8, 0 };
+    const double w = size[0], h = size[1], d = size[2];
+    const sp_real far[3] = { -9, -9, -9 }, at[3] = { R(w / 2), R(d / 2), R(h / 2) };
+    const sp_strength strength = sp_strength_friction(R(2 * h / w * size[3]));
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(s, 1000, far, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(s, R(1000 * w * d * h), at, 0, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const sp_real x = R(k * w), y = R(d), z = R(h), xyz[12] = { x, 0, 0, x, y, 0, x, y, z, x, 0, z };
+        CHECK_INT(sp_scene_joint(s, k, 1 - k, 4, xyz, &strength, NULL), SP_OK);
+    }
+}
+
+/* Between two refreshes of its basis the linear program once closed cases by multipliers of 1e9, which were rounding: the tree
+ * was complete, and the certificate check refused it. */
+TEST(the_cases_of_a_squeezed_block_are_closed_by_multipliers_that_prove_it)
+{
+    static const double w[] = { 0.9, 1, 1.1, 1.3 }, h[] = { 0.3, 1, 1.2, 1.5 }, d[] = { 0.3, 0.5, 0.8 }, part[] = { 0.9, 0.99 };
+    for (int k = 0; k < 96; k++) {
+        const double size[] = { w[k % 4], h[k / 4 % 4], d[k / 16 % 3], part[k / 48] };
+        sp_settings set = coupled(100, 0);
+        sp_scene s;
+        sp_result r;
+        set.coupled.eps = -1;
+        set.coupled.eta = 0;
+        between(size, &s);
+        if (!CHECK(refuted(decided(&s, &set, &r)))) TEST_PRINT("    %g wide, %g high\n", size[0], size[1]);
+    }
+}
+
 TEST(what_plainly_stands_is_never_refuted)
 {
     static const char *const scenes[] = { "two-cubes", "incline", "topple", "overhang", "cantilever" };
@@ -356,6 +390,7 @@ TEST_LIST(exact)
     RUN(the_verdict_knows_no_units)
     RUN(a_beam_snug_between_a_wall_and_a_free_block_is_refused)
     RUN(a_triple_beside_a_point_of_friction_without_slip_is_found)
+    RUN(the_cases_of_a_squeezed_block_are_closed_by_multipliers_that_prove_it)
     RUN(what_plainly_stands_is_never_refuted)
     RUN(a_proof_holds_for_its_own_question_only)
     RUN(a_proof_with_a_part_missing_or_changed_is_none)
