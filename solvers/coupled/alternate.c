@@ -169,11 +169,13 @@ SP__NOINLINE static sp__explain *sp__explain_make(const sp_problem *pb, const sp
 
 static sp_qp_solver sp__alt_solver(const sp_settings *set) { return set->penalty.solver ? *set->penalty.solver : sp_qp_admm(); }
 
+/* Bytes of the program and of whoever solves it; the program is made in more than it keeps. */
 static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {
     size_t bytes = 0;
     sp__take(&scratch, 1, 0);                           /* aligned */
     const size_t from = scratch.used;
+    scratch.peak = from;
     sp__explain *g = sp__explain_make(pb, NULL, &scratch);
     const sp_qp_solver solver = sp__alt_solver(set);
     if (!g) return SIZE_MAX;
@@ -182,11 +184,12 @@ static size_t sp__explain_need(const sp_problem *pb, const sp_settings *set, sp_
     if (solver.need) {
         if (solver.need(solver.self, &g->qp, &sp__seed_of(set)->native, scratch, &bytes)) return SIZE_MAX;
         sp__take(&dry, 1, bytes);
-        return dry.used;
+    } else {
+        sp__take(&dry, (size_t)g->qp.n, sizeof(sp_real));
+        sp__take(&dry, (size_t)g->qp.m, sizeof(sp_real));
     }
-    sp__take(&dry, (size_t)g->qp.n, sizeof(sp_real));
-    sp__take(&dry, (size_t)g->qp.m, sizeof(sp_real));
-    return dry.used;
+    const size_t made = scratch.peak - from;
+    return dry.used > made ? dry.used : made;
 }
 
 /* Bytes of its own arrays. */

@@ -1,6 +1,8 @@
 /* The specification's alternation of forces and motion, and the memory of a coupled check. */
 #include "coupled.h"
 
+#include <string.h>
+
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
 static sp_settings turns(double ratio)
 {
@@ -58,6 +60,44 @@ TEST(the_seeds_alternation_stops_after_the_rounds_asked_for)
     CHECK_INT(in_turns("h-model", "mu", 0.6, &set, &r), SP_COUPLING_NOT_FOUND);
     CHECK_INT(r.coupled.rounds, 1);
 }
+/* A solver that has its own memory, and no answer. */
+static sp_status elsewhere(void *self, const sp_qp *qp, const sp_qp_settings *set, sp_arena *arena, const sp_real *x0,
+                           const sp_real *y0, sp_qp_result *r)
+{
+    (void)self; (void)qp; (void)set; (void)arena; (void)x0; (void)y0;
+    memset(r, 0, sizeof *r);
+    r->status = SP_QP_NUMERICAL;
+    return SP_OK;
+}
+
+static sp_status takes_nothing(void *self, const sp_qp *qp, const sp_qp_settings *set, sp_arena scratch, size_t *bytes)
+{
+    (void)self; (void)qp; (void)set; (void)scratch;
+    *bytes = 0;
+    return SP_OK;
+}
+
+/* The program was made in more memory than it keeps, which a solver of the library's hid: with OSQP a dome ran out of its own. */
+TEST(a_solver_with_its_own_memory_leaves_enough_to_make_its_program)
+{
+    const sp_qp_solver solver = { NULL, elsewhere, takes_nothing };
+    for (int rings = 3; rings <= 8; rings += 5) {
+        sp_settings set = turns(100);
+        sp_scene s;
+        sp_result r;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        set.penalty.solver = &solver;
+        build("dome", "rings", rings, &s);
+        NEED(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes) == SP_OK);
+        sp_arena a = test_arena;
+        a.used = (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        NEED(bytes <= a.capacity - a.used);
+        a.capacity = a.used + bytes;
+        CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
+        CHECK_INT(r.coupled.verdict, SP_COUPLING_NOT_FOUND);
+    }
+}
 #else
 TEST(the_seeds_alternation_is_refused_where_it_is_left_out)
 {
@@ -107,6 +147,7 @@ TEST_LIST(alternation)
     RUN(the_seeds_alternation_couples_what_stands_in_a_round)
     RUN(the_seeds_alternation_drops_what_no_motion_explains_and_refutes_nothing)
     RUN(the_seeds_alternation_stops_after_the_rounds_asked_for)
+    RUN(a_solver_with_its_own_memory_leaves_enough_to_make_its_program)
 #else
     RUN(the_seeds_alternation_is_refused_where_it_is_left_out)
 #endif
