@@ -200,7 +200,7 @@ static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (
 
 /* What a motion proves: 3 and 2, final or not, by more than tol; 1, final by more than rounding, for where no contact resists
  * no tol is needed. SP_SMALL asks for it. */
-static int32_t sp__certify_rank(const sp__certifier *j, sp_real value, int32_t final)
+SP__NOINLINE static int32_t sp__certify_rank(const sp__certifier *j, sp_real value, int32_t final)
 {
     if (value > j->set->tol) return 2 + final;
     return SP__WITH_LARGE && final && value > (4096 + (sp_real)j->pb->blocks) * (sp_real)SP_EPSILON;
@@ -210,8 +210,8 @@ static int32_t sp__certify_rank(const sp__certifier *j, sp_real value, int32_t f
  *   *final: no contact resists, and it proves UNSTABLE, be its value within tol or not */
 static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_t *final)
 {
-    sp_real best = -1, held = 0, value = -1;
-    int32_t rank = -1, last = 0, before = -2;
+    sp_real best = -1, value = -1;
+    int32_t rank = -1, last = 0, before = -2, held = 0;
     for (int k = 0; k < 6; k++) {
         const int32_t still = sp__certifier_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
@@ -219,9 +219,9 @@ static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_
         value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
         const int32_t now = sp__certify_rank(j, value, *final);
         last = now > rank || (now == rank && value > best);
-        if (last) { best = value; held = sp__certify_rest[k]; rank = now; }
+        if (last) { best = value; held = k; rank = now; }
     }
-    if (!last) value = sp__certify_motion(j, dq, held, final);
+    if (!last) value = sp__certify_motion(j, dq, sp__certify_rest[held], final);
     *final = rank & 1;
     return value;
 }

@@ -75,7 +75,7 @@ static int sp__system_slippery(const sp__system *w)
 /* Without friction the matrices have a null vector for every way that blocks can slide, and solutions are rounding. A little
  * friction resists them; a mechanism that falls with it falls without it, too. Forces that balance with it prove nothing and
  * are not kept. Where none is found, the one there was is what there is. */
-static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
 {
     const sp_real best = n->best;
     const int falls = sp__ipm_falls(w->inner);
@@ -90,6 +90,26 @@ static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
     n->best = best;
     if (falls && !n->proved) memcpy(w->y, state->y, bytes);
     sp__newton_residual(w);
+}
+
+/* What the ways came to: forces, motion, claim and reason. */
+SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp__reduction *reduction, sp_state *state,
+                                          sp_verdict *claim)
+{
+    const int spent = w->budget.spent;
+    w->budget.limit = state->left;
+    w->budget.spent = 0;
+    if (!n->found && n->best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
+    w->budget.spent = spent;
+    if (n->proved && w->set->localise) sp__newton_sharpen_proof(w, state);
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks && !n->proved; k++)
+        state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
+    sp__reduction_to_space(w, state->dq);
+    sp__reduction_copy_forces(reduction, w->pb, state->f);
+    if (reduction) reduction->spent = spent;
+    *claim = n->proved ? SP_UNSTABLE : n->best <= w->set->tol ? SP_STABLE : SP_UNDECIDED;
+    state->reason = n->proved ? SP_REASON_MECHANISM : n->best <= w->set->tol ? SP_REASON_FORCES
+                  : n->left > 0 && !spent && n->best <= SP__NEAR * w->set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
 /* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped
@@ -120,20 +140,7 @@ SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_se
     if (!whole && w->singular) return SP_OK;
     sp__exact_ways(w, &n, looked, state);
     if (SP__WITH_INTERIOR && sp__newton_unfinished(&n) && whole && sp__system_slippery(w)) sp__exact_slippery(w, &n, state);
-    const int spent = w->budget.spent;
-    w->budget.limit = state->left;
-    w->budget.spent = 0;
-    if (!n.found && n.best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
-    w->budget.spent = spent;
-    if (n.proved && set->localise) sp__newton_sharpen_proof(w, state);
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks && !n.proved; k++)
-        state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
-    sp__reduction_to_space(w, state->dq);
-    sp__reduction_copy_forces(reduction, pb, state->f);
-    if (reduction) reduction->spent = spent;
-    *claim = n.proved ? SP_UNSTABLE : n.best <= set->tol ? SP_STABLE : SP_UNDECIDED;
-    state->reason = n.proved ? SP_REASON_MECHANISM : n.best <= set->tol ? SP_REASON_FORCES
-                  : n.left > 0 && !spent && n.best <= SP__NEAR * set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+    sp__exact_answer(w, &n, reduction, state, claim);
     return SP_OK;
 }
 
