@@ -78,7 +78,7 @@ static int sp__system_slippery(const sp__system *w)
 SP__NOINLINE static void sp__exact_slippery(sp__system *w, sp__newton *n, sp_state *state)
 {
     const sp_real best = n->best;
-    const int falls = sp__ipm_falls(w->inner);
+    const int falls = n->falls;
     const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
     if (falls) memcpy(state->y, w->y, bytes);
     w->law.least = SP__RUB;
@@ -108,8 +108,9 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     sp__reduction_copy_forces(reduction, w->pb, state->f);
     if (reduction) reduction->spent = spent;
     *claim = n->proved ? SP_UNSTABLE : n->best <= w->set->tol ? SP_STABLE : SP_UNDECIDED;
+    const int near = n->best <= SP__NEAR * w->set->tol || n->falls;
     state->reason = n->proved ? SP_REASON_MECHANISM : n->best <= w->set->tol ? SP_REASON_FORCES
-                  : n->left > 0 && !spent && n->best <= SP__NEAR * w->set->tol ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+                  : n->left > 0 && !spent && near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
 /* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped
@@ -117,7 +118,7 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
 SP__NOINLINE static sp_status sp__exact_search(const sp_problem *pb, const sp_settings *set, sp__reduction *reduction,
                                                sp_state *state, sp_arena *arena, sp_verdict *claim)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, set->iterations, 0, 0, 0, 0 };
+    sp__newton n = { 0, 0, 0, SP__HUGE, set->tol / 4, 0, set->iterations, 0, 0, 0, 0 };
     sp__system *w = sp__system_make(pb, set, SP__EXACT, reduction, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     if (SP__WITH_INTERIOR) w->inner->x = w->x;

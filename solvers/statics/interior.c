@@ -292,9 +292,6 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
     w->inner = m;
 }
 
-/* Has it come to a motion, be its proof within tol or beyond? */
-static int sp__ipm_falls(const sp__ipm *m) { return m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON); }
-
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
  *   returns 1 where no other way gets farther: SP__IPM_IDLE steps one after the other got nowhere, for factors have too few
  *   digits, or it falls, but within tol, as a pebble among boulders does */
@@ -329,7 +326,8 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
         sp__newton_try_rigid(w, n, SP__PLAY_IDLE, state);
     }
-    return SP__IPM_LAST && (idle == SP__IPM_IDLE || sp__ipm_falls(m));
+    n->falls = m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON);
+    return SP__IPM_LAST && (idle == SP__IPM_IDLE || n->falls);
 }
 
 #endif

@@ -26,11 +26,12 @@ typedef struct sp__newton {
     sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
     sp_real imbalance, best;                /* of the current y, of the best (kept in state->y) */
     sp_real goal;                       /* imbalance to reach */
-    int32_t left;                       /* factorisations */
-    int proved;                         /* state->dq holds a proof */
     sp_real level;                      /* imbalance at the end of the last piece of the path */
-    int stalled;                        /* it no longer falls with prox: something moves */
-    int found;                          /* state->f holds forces that balance */
+    int32_t left;                       /* factorisations */
+    signed char proved;                 /* state->dq holds a proof */
+    signed char stalled;                /* level no longer falls with prox: something moves */
+    signed char found;                  /* state->f holds forces that balance */
+    signed char falls;                  /* the interior points came to a motion, be its proof within tol or beyond */
 } sp__newton;
 
 /* Is there work left to spend? */

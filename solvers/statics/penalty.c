@@ -41,7 +41,7 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
 SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
                                            sp_demand *demand)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 40, 1, 0, 0, 0 };   /* proved = 1: seeks none */
+    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 0, 40, 1, 0, 0, 0 }; /* proved = 1: seeks none */
     sp__system *w = NULL;
     const size_t start = arena->used;
     sp__reduction *reduction = sp__take(arena, 1, sizeof *reduction);
