@@ -108,9 +108,9 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     sp__reduction_copy_forces(reduction, w->pb, state->f);
     if (reduction) reduction->spent = spent;
     *claim = n->proved ? SP_UNSTABLE : n->best <= w->set->tol ? SP_STABLE : SP_UNDECIDED;
-    const int near = n->best <= SP__NEAR * w->set->tol || n->falls;
+    const int nearly = n->best <= SP__NEAR * w->set->tol || n->falls;
     state->reason = n->proved ? SP_REASON_MECHANISM : n->best <= w->set->tol ? SP_REASON_FORCES
-                  : n->left > 0 && !spent && near ? SP_REASON_LIMIT : SP_REASON_BUDGET;
+                  : n->left > 0 && !spent && nearly ? SP_REASON_LIMIT : SP_REASON_BUDGET;
 }
 
 /* reduction (may be NULL): in 3 rows a block; its forces and motions are then made those of all 6. If friction was dropped
