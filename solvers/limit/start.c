@@ -39,6 +39,7 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     if (!g->w) return SP_E_MEMORY;
     g->w->budget.limit = sp__engine_flops(b) + b->cost.flops;
     g->h.m.x = g->w->x;
+    g->h.m.capped = NULL;
     for (int k = 0; k < 2; k++) {
         sp__bracket_load(b, k ? 0 : 1, k ? L->ref : 0);
         if (k) sp__bilateral_solve(g->w); else sp__system_bilateral(g->w);

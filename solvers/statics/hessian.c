@@ -8,7 +8,7 @@
 #ifndef SP__STATICS_HESSIAN_C
 #define SP__STATICS_HESSIAN_C
 
-#include "../cone/ipm.c"
+#include "capped.c"
 #include "wedge.c"
 
 #if SP__WITH_LARGE
@@ -61,7 +61,8 @@ static void sp__ipm_derivative(sp__system *w, int32_t c, int32_t v, const sp_rea
 {
     for (int k = 0; k < 6; k++) D[k] = 0;
     for (int k = 0; f && k < 3; k++) f[k] = 0;
-    if (w->law.cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
+    if (w->inner->capped) sp__capped_derivative(w, c, v, D, f);
+    else if (w->law.cone.faces) sp__ipm_by_edges(w, c, v, u, D, f);
     else sp__ipm_by_cone(w, c, v, u, D, f);
 }
 

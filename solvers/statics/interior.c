@@ -77,9 +77,10 @@ SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c
 }
 
 /* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     g[0] = g[1] = g[2] = 0;
+    if (m->capped) { sp__capped_vertex(w, m, c, v, u, g); return; }
     if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
@@ -92,10 +93,11 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t
 SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
-    const int counts[3] = { 1, m->corrected, pass != SP__AIM }, rates = 1 + counts[1] + counts[2];
+    const int gathers = pass == SP__AIM || pass == SP__COLUMN;
+    const int counts[3] = { 1, m->corrected, !gathers }, rates = 1 + counts[1] + counts[2];
     m->pass = pass;
     if (!sp__system_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
-    if (pass == SP__AIM) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
+    if (gathers) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp__visit *s = sp__visit_of(w);
@@ -113,9 +115,16 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
             sp__cross3(pb->local[v], g, s->m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
         }
-        if (pass == SP__AIM) sp__system_scatter(w, t, F, M, r);
+        if (gathers) sp__system_scatter(w, t, F, M, r);
     }
-    if (pass == SP__AIM) sp__system_release(w, r);
+    if (gathers) sp__system_release(w, r);
+}
+
+/* Strength by which forces in units, not over S, are projected. */
+static sp__yield sp__yield_times(const sp__yield *k, sp_real S)
+{
+    const sp__yield whole = { k->mu, k->C * S, k->T * S, k->N < SP__HUGE ? k->N * S : SP__HUGE, k->plain };
+    return whole;
 }
 
 /* g = P_K(f - D u); g may be f. */
@@ -150,6 +159,7 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__system_yield(w, c);
+        const sp__yield whole = sp__yield_times(yield, sp__system_scale(w, c));
         sp__visit *s = sp__visit_of(w);
         sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->sum, *M = F + 3;
         sp__system_twist(w, t, w->y, twist[0], twist[0] + 3);
@@ -169,9 +179,9 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
             sp__system_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
-            sp__ipm_change(w, yield, D, u, f, f);
+            sp__ipm_change(w, &whole, D, u, f, f);
             sp__system_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
-            sp__ipm_change(w, yield, D, u, f, g);
+            sp__ipm_change(w, &whole, D, u, f, g);
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
@@ -212,12 +222,28 @@ SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__new
     n->found = 1;
 }
 
+/* Work that x does along the column of tau. */
+static sp_real sp__ipm_work(const sp__system *w, const sp__ipm *m, const sp_real *x)
+{
+    return m->capped ? sp__dot(w->load, x, 6 * (size_t)w->pb->blocks) : sp__system_work(w, x);
+}
+
+/* kappa + p.y, with strength + h.z: what is left of the last equation. */
+static sp_real sp__ipm_rest(const sp__system *w, const sp__ipm *m)
+{
+    return m->kappa + sp__system_work(w, w->y) + (m->capped ? m->capped->held : 0);
+}
+
+/* What of the change of h.z does not come through y: with no change of tau, and for each unit of it. */
+static sp_real sp__ipm_offset(const sp__ipm *m) { return m->capped ? m->capped->offset : 0; }
+static sp_real sp__ipm_bend(const sp__ipm *m) { return m->capped ? m->capped->bend : 0; }
+
 /* Changes of tau and kappa, from the step w->r of y that leaves tau alone and state->dq = dy / dtau. */
 static void sp__ipm_homogeneous(const sp__system *w, sp__ipm *m, const sp_state *state, sp_real product)
 {
-    const sp_real rest = m->kappa + sp__system_work(w, w->y), keep = 1 - m->sigma;
+    const sp_real rest = sp__ipm_rest(w, m), keep = 1 - m->sigma, other = sp__ipm_offset(m) + sp__ipm_work(w, m, w->r);
     const sp_real c = m->tau * m->kappa + product - m->sigma * m->kappa_weight * m->mu;
-    m->dtau = (c / m->tau - keep * rest - sp__system_work(w, w->r)) / (sp__system_work(w, state->dq) - m->kappa / m->tau);
+    m->dtau = (c / m->tau - keep * rest - other) / (sp__ipm_work(w, m, state->dq) + sp__ipm_bend(m) - m->kappa / m->tau);
     m->dkappa = -(c + m->kappa * m->dtau) / m->tau;
 }
 
@@ -229,21 +255,34 @@ static void sp__ipm_reach(sp__system *w, sp__ipm *m)
     m->reach = sp__ray_step(m->kappa, m->dkappa, sp__ray_step(m->tau, m->dtau, m->reach));
 }
 
+/* out = the column of tau: p, with strength p + Aeq b, which w->load keeps. */
+static void sp__ipm_column(sp__system *w, sp__ipm *m, sp_real *out)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    sp__system_load(w, out);
+    if (!m->capped) return;
+    m->capped->bend = 0;
+    sp__ipm_sweep(w, m, SP__COLUMN, w->load);
+    sp__system_axpy(w, 1, out, w->load);
+    memcpy(out, w->load, size * sizeof *out);
+}
+
 /* state->dq = dy / dtau; w->d = the least change of y in the metric of W after which no contact resists. With so much of
  * dy / dtau that the load's work is kappa it is tried as a proof. */
 SP__NOINLINE static void sp__ipm_motion(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
-    sp__system_load(w, state->dq);
-    for (size_t k = 0; k < size; k++) state->dq[k] = -state->dq[k];
-    sp__system_solve(w, state->dq, state->dq);
     m->corrected = 0;
     m->sigma = 0;
+    sp__ipm_column(w, m, state->dq);
+    for (size_t k = 0; k < size; k++) state->dq[k] = -state->dq[k];
+    sp__system_solve(w, state->dq, state->dq);
+    if (m->capped) m->capped->offset = 0;
     sp__ipm_sweep(w, m, SP__AIM, w->d);
     sp__system_solve(w, w->d, w->d);
-    const sp_real pulls = -sp__system_work(w, state->dq);
+    const sp_real pulls = -sp__ipm_work(w, m, state->dq) - sp__ipm_bend(m);
     if (!(pulls > 0)) return;
-    const sp_real share = (m->kappa + sp__system_work(w, w->y) + sp__system_work(w, w->d)) / pulls;
+    const sp_real share = (sp__ipm_rest(w, m) + sp__ipm_offset(m) + sp__ipm_work(w, m, w->d)) / pulls;
     for (size_t k = 0; k < size; k++) w->r[k] = w->y[k] + w->d[k] + share * state->dq[k];
     sp__newton_record_proof(w, n, w->r, state);
 }
@@ -260,6 +299,7 @@ SP__NOINLINE static void sp__ipm_step(sp__system *w, sp__ipm *m, const sp_state 
     const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), product = m->dtau * m->dkappa;
     m->corrected = 1;
     m->sigma = left * left * left;
+    if (m->capped) { m->capped->before = m->dtau; m->capped->offset = 0; }
     sp__ipm_sweep(w, m, SP__AIM, w->r);
     sp__system_solve(w, w->r, w->r);
     sp__system_axpy(w, (1 - m->sigma) * m->tau, state->dq, w->r);
@@ -281,7 +321,8 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
 {
     const int32_t faces = w->law.cone.faces;
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
-    for (size_t k = 0; k < (size_t)(faces ? faces : 3) * (size_t)w->pb->points; k++) m->x[k] = faces || k % 3 == 0;
+    const size_t numbers = (size_t)(faces ? faces : 3) * (size_t)w->pb->points;
+    for (size_t k = 0; k < numbers && !m->capped; k++) m->x[k] = faces || k % 3 == 0;
     m->force_scale = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->measure.size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
     if (w->measure.metric > 0) m->force_scale = 1 / (4 * w->measure.metric);
@@ -290,6 +331,7 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
     m->ray = 0;
     m->along[0] = m->along[1] = m->along[2] = w->y;
     w->inner = m;
+    if (m->capped) sp__capped_start(w, m);
 }
 
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
@@ -297,14 +339,17 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
  *   digits, or it falls, but within tol, as a pebble among boulders does */
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    const sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
+    sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
     int idle = 0;
+    m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
+    if (m->capped) cones = m->capped->count;
     for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_work_left(w, n)
                      && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
+        if (m->capped) m->capped->reserve = 0;
         if (m->theta < SP__IPM_LATE) m->kappa_weight = 3 * cones;
         sp__system_factor(w, SP__INTERIOR, w->y, SP__IPM_SHIFT);
         if (w->budget.spent) break;
@@ -312,6 +357,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         state->cost.iterations++;
         state->cost.interior++;
         if (m->outside) break;
+        if (m->capped) m->capped->held = m->capped->reserve;
         m->mu = (m->gap + m->tau * m->kappa) / (cones + m->kappa_weight);
         sp__ipm_forces(w, m, n, state);
         if (n->found) return 0;

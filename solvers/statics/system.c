@@ -13,12 +13,29 @@
 #ifndef SP__STATICS_SYSTEM_C
 #define SP__STATICS_SYSTEM_C
 
+#include "../cone/ipm.c"
 #include "../linear/bchol.c"
 #include "mirror.c"
 
 #if SP__WITH_LARGE
 
-typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE } sp__pass;
+typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE, SP__COLUMN } sp__pass;
+
+/* Interior points of joints with strength (capped.c), and scratch of the vertex at hand. Rows are 5: 3 of the cone, 2 of its
+ * ends. */
+typedef struct sp__capped {
+    sp_real count;                      /* of cones and half lines */
+    sp_real reserve, held;              /* h.z as it is summed; of the point at hand */
+    sp_real bend, offset;               /* what its change has besides work of w->load: for each unit of dtau, and without */
+    sp_real before;                     /* dtau of the predictor */
+    sp_real mu, C, T, N;                /* of the vertex, in units of force_scale S; N 0: no crushing */
+    sp_real cone, low, high;            /* scales of its rows, 0: there is no such row */
+    sp_real lower, upper;               /* z / s of both ends */
+    sp__nt W;
+    sp_real D[6], b[3], t[3], dx[3], resist[3];
+    sp_real h[5], change[5], miss[5], aim[5], ds[5], dz[5];
+} sp__capped;
+#define SP__CAPPED 13                   /* numbers of a vertex: x, s, z */
 
 /* The interior-point method (interior.c) has f = E x at a vertex, x in a cone that is its own dual. */
 typedef struct sp__ipm {
@@ -28,12 +45,13 @@ typedef struct sp__ipm {
     int outside;                        /* x or z is no longer inside, by rounding */
     sp__pass pass;                      /* right-hand side; step length; step */
     int corrected;                      /* the product of the predictor's changes is taken into account */
+    int ray;                            /* forces are asked for the live loads alone */
+    sp__capped *capped;                 /* NULL: no joint has strength */
     const sp_real *along[3];            /* y; its predictor and its step */
     sp_real tau, kappa, mu, sigma;
     sp_real kappa_weight;               /* weight of the pair: tau kappa = kappa_weight mu */
     sp_real reach;                      /* step length */
     sp_real dtau, dkappa;
-    int ray;                            /* forces are asked for the live loads alone */
 } sp__ipm;
 
 /* Scratch of a pass over the vertices of a contact. Twists are V and W of sp__system_twist. */
@@ -120,6 +138,8 @@ typedef struct sp__system {
 #endif
     struct sp__reduction *reduction;    /* of a search in 3 rows a block, else NULL: ask sp__reduced */
     struct sp__ipm *inner;              /* of the interior-point method */
+    sp__capped *capped;                 /* of that, where joints have strength, else NULL */
+    sp_real *load;                      /* 6b, likewise: p + Aeq b, the column of tau */
     sp_real *x;                         /* points x sp__form_numbers */
     sp_real *y, *r, *d;                 /* 6b: potential, gradient, step */
     sp_real *carried;                   /* 3b: sum |f_v|, sum |x_v x f_v|, longest arm of the last forces; NULL: not wanted */
@@ -134,12 +154,22 @@ typedef enum sp__form {
     SP__EXACT, SP__LEAST, SP__LEAST_DENSE, SP__METRIC, SP__POLISH, SP__PENALTY, SP__LIMIT, SP__MOTION
 } sp__form;
 
+/* Are there interior points of joints with strength? The true cone's alone. */
+static int sp__form_capped(const sp_problem *pb, const sp_settings *set, sp__form form)
+{
+    int strong = 0;
+    if (!SP__WITH_INTERIOR || (form != SP__EXACT && form != SP__LIMIT) || set->faces) return 0;
+    for (int32_t c = 0; c < pb->contacts; c++) strong |= sp__strength_beyond_friction(&pb->contact[c].joint->strength);
+    return strong;
+}
+
 /* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid;
  * the polish its best forces on a budget. */
-static size_t sp__form_numbers(sp__form form, const sp_settings *set)
+static size_t sp__form_numbers(sp__form form, const sp_settings *set, int capped)
 {
     if (form == SP__POLISH) return set->budget > 0 ? 3 : 0;
     if (!SP__WITH_INTERIOR || (form != SP__EXACT && form != SP__LIMIT)) return 0;
+    if (capped) return SP__CAPPED;
     return set->faces ? (size_t)set->faces : 3;
 }
 
@@ -171,6 +201,7 @@ static void sp__system_carve(sp__system *w, const sp_problem *pb, const sp_setti
                              sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks, c = (size_t)pb->contacts;
+    const int capped = sp__form_capped(pb, set, form);
     w->dense = form == SP__LEAST_DENSE ? sp__take(a, 3 * b, (6 * b + 1) * sizeof *w->dense) : NULL;
     sp__cone_carve(&w->law.cone, set->faces, a);
     w->law.yield = sp__take(a, 1, sizeof *w->law.yield);
@@ -194,7 +225,9 @@ static void sp__system_carve(sp__system *w, const sp_problem *pb, const sp_setti
     w->mixed.cg = sp__take(a, b, 24 * sizeof *w->mixed.cg);
 #endif
     if (SP__WITH_INTERIOR) w->inner = sp__take(a, 1, sizeof *w->inner);
-    w->x = sp__take(a, (size_t)pb->points, sp__form_numbers(form, set) * sizeof *w->x);
+    w->capped = capped ? sp__take(a, 1, sizeof *w->capped) : NULL;
+    w->load = capped ? sp__take(a, b, 6 * sizeof *w->load) : NULL;
+    w->x = sp__take(a, (size_t)pb->points, sp__form_numbers(form, set, capped) * sizeof *w->x);
 }
 
 /* Neighbours of every free block, each once. */
