@@ -987,6 +987,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *                     numbers for each two blocks: near the truth up to some thirty blocks. For SP_STAGE_CUSTOM, whose
  *                     need it cannot know, it is SP_NEVER_FITS, larger than any.
  *   SP_PYRAMID_BYTES  what settings.faces takes besides
+ *   SP_STRENGTH_BYTES what joints with cohesion, tension or crushing take besides, where settings.faces is 0
  *   SP_COUPLED_BYTES  what settings.coupled.asked takes besides, with room for coupled.nodes (0 or more) in a proof; without
  *                     coupled.rounds
  *   SP_ADMM_BYTES     in SP_MEMORY_BYTES where the mask has SP_STAGE_ADMM, for a pyramid of up to 8 faces, the seed's own; of
@@ -1002,7 +1003,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
      + (((uint64_t)(joints) * sizeof(sp_joint) + 15) & ~(uint64_t)15) \
      + (((uint64_t)(points) * 3 * sizeof(sp_real) + 15) & ~(uint64_t)15) + (uint64_t)(loads) * sizeof(sp_load))
 #ifdef SP_REAL_MIXED                                    /* the matrix beside its factor, and what refines */
-#define SP_MIXED_BYTES(blocks, joints) (sizeof(sp_real) * (54 * (uint64_t)(blocks) + 36 * (uint64_t)(joints)) + 64)
+#define SP_MIXED_BYTES(blocks, joints) (sizeof(sp_real) * (54 * (uint64_t)(blocks) + 36 * (uint64_t)(joints)) + 80)
 #else
 #define SP_MIXED_BYTES(blocks, joints) 0
 #endif
@@ -1022,6 +1023,8 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
      + (sizeof(sp_demand) + sizeof(sp_contact)) * (uint64_t)(joints) + sizeof(sp_island) * ((uint64_t)(blocks) + 1) \
      + 2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + 1776)
 #define SP_PYRAMID_BYTES(vertices, faces) (sizeof(sp_real) * (uint64_t)(faces) * ((uint64_t)(vertices) + 4) + 64)
+#define SP_STRENGTH_BYTES(blocks, vertices) \
+    (sizeof(sp_real) * (10 * (uint64_t)(vertices) + 6 * (uint64_t)(blocks) + 68) + 64)
 #define SP_COUPLED_BYTES(blocks, vertices, nodes) \
     (sizeof(sp_real) * (32 * (uint64_t)(vertices) + 79 * (uint64_t)(blocks)) + 1000 \
      + ((nodes) ? SP_PROOF_BYTES(SP_EXACT_MOST(blocks), SP_EXACT_MOST(vertices), nodes) : 0))

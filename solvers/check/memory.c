@@ -242,11 +242,13 @@ SP__NOINLINE static sp_status sp__work_need(const sp_scene *scene, int32_t islan
 
 /* SP_MEMORY_BYTES holds only if structs and sizes that the header does not show are no larger than this,
  * in double and float. */
-typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <= 400 && sizeof(sp__yield) <= 64
+typedef char sp__memory_bytes_holds[sizeof(sp_real) > 8 || (sizeof(sp__system) <= (SP_MIXED_BYTES(0, 0) ? 416 : 400)
+                                    && sizeof(sp__yield) <= 64
                                     && sizeof(sp__scale) <= 13 * sizeof(sp_real)
                                     && sizeof(sp__scratch) <= 102 * sizeof(sp_real) && SP_ALIGN == 16) ? 1 : -1];
 typedef char sp__memory_bytes_holds_reduction[sizeof(sp_real) > 8 || SP__REDUCTION_G <= 20 ? 1 : -1];
 typedef char sp__memory_bytes_holds_inner[sizeof(sp_real) > 8 || sizeof(sp__ipm) <= 144 ? 1 : -1];      /* 368 + 144 = 512 */
+typedef char sp__memory_bytes_holds_strength[sizeof(sp_real) > 8 || sizeof(sp__capped) <= 68 * sizeof(sp_real) + 8 ? 1 : -1];
 
 #if SP__WITH_COUPLED
 typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__cra) <= 448 && sizeof(sp__branch) <= 448

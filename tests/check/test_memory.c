@@ -324,6 +324,17 @@ static void random_scene(sp_scene *scene, int32_t blocks, int32_t joints)
     if (test_random_int(0, 1)) CHECK_INT(sp_scene_load(scene, &load, NULL), SP_OK);
 }
 
+/* Mortar in about half of its joints. */
+static void strengthen(sp_scene *scene)
+{
+    for (int32_t k = 0; k < scene->count.joints; k++) {
+        sp_strength *s = &scene->joint[k].strength;
+        if (test_random_int(0, 1)) s->cohesion = test_random_real(0, 3000);
+        if (test_random_int(0, 3) == 0) s->tension = test_random_real(0, 1000);
+        if (test_random_int(0, 3) == 0) s->crushing = test_random_real(1000, 100000);
+    }
+}
+
 #define ALL_STAGES (1 << SP_STAGE_GATES | 1 << SP_STAGE_LEAST_SQUARES | 1 << SP_STAGE_DENSE | 1 << SP_STAGE_POLISH \
                     | 1 << SP_STAGE_EXACT)
 
@@ -545,6 +556,7 @@ TEST(what_is_counted_is_taken_whatever_is_asked)
             if (q < bundled) build(sample[q].name, sample[q].param, sample[q].value, &scene);
             else if (q % 2) random_scene(&scene, test_random_int(1, most / 2), test_random_int(0, most));
             else random_islands(&scene, test_random_int(3, most / 2 + 2), 2, test_random_int(0, most), 4);
+            if (q % 3 == 1 && k < BY_COUPLED) strengthen(&scene);
             if (k == BY_ADMM && scene.count.vertices > 500 && !TEST_LONG()) continue;       /* 4 s in float, without an end */
             exact += takes_what_was_counted(&scene, &set);
         }
@@ -568,6 +580,26 @@ TEST(where_nothing_touches_bytes_are_counted)
         if (k % 3 == 1) s.gravity[2] = 0;
         takes_what_was_counted(&s, &set);
     }
+}
+
+TEST(strength_by_counts_is_bounded)
+{
+    spread s = { "strength", 0, 0 };
+    for (int k = 0; k < 200; k++) {
+        const int32_t blocks = test_random_int(2, k % 10 ? 12 : 40), joints = test_random_int(1, 3 * blocks);
+        sp_scene scene;
+        sp_settings set = sp_settings_default();
+        test_arena.used = 0;
+        if (k % 2) random_scene(&scene, blocks, joints);
+        else random_islands(&scene, blocks, test_random_int(1, blocks - 1), joints, 4);
+        strengthen(&scene);
+        set.faces = k % 3 ? 0 : test_random_int(3, 64);
+        const int32_t i = scene.count.joints, v = scene.count.points;
+        const size_t more = set.faces ? SP_PYRAMID_BYTES(v, set.faces) : SP_STRENGTH_BYTES(blocks, v);
+        within(&s, &scene, &set, SP_MEMORY_BYTES(blocks, i, v, 0) + more);
+    }
+    TEST_PRINT("    %-21s bound / need  %.3f .. %.2f\n", s.what, s.least, s.most);
+    CHECK(s.least > 0 && s.least < 1.5);
 }
 
 TEST(islands_of_few_stones_with_many_joints_are_bounded)
@@ -614,7 +646,8 @@ TEST(scene_memory_by_counts_is_exact)
 /* What a size_t of 32 bits cannot hold is told all the same, alone and in sums, up to the counts that the header names. */
 #define MANY (1 << 23)
 typedef char bytes_are_of_64_bits[sizeof(SP_SCENE_BYTES(1, 1, 1, 1, 1, 1, 1)) == 8 && sizeof(SP_MEMORY_BYTES(1, 1, 1, 0)) == 8
-                                  && sizeof(SP_PYRAMID_BYTES(1, 8)) == 8 && sizeof(SP_COUPLED_BYTES(1, 1, 0)) == 8
+                                  && sizeof(SP_PYRAMID_BYTES(1, 8)) == 8 && sizeof(SP_STRENGTH_BYTES(1, 1)) == 8
+                                  && sizeof(SP_COUPLED_BYTES(1, 1, 0)) == 8
                                   && sizeof(SP_ADMM_BYTES(1, 1, 8)) == 8 && sizeof(SP_ADMM_CG_BYTES(1, 1, 8)) == 8 ? 1 : -1];
 typedef char a_full_factor_is_not_wrapped[SP_MEMORY_BYTES(100000, 0, 0, 0) / 4096 > UINT32_MAX / 4096 ? 1 : -1];
 typedef char the_largest_are_not_wrapped[SP_ADMM_BYTES(MANY, MANY, 64) > (uint64_t)20 * MANY * MANY * 64
@@ -625,6 +658,7 @@ TEST(bytes_by_counts_do_not_wrap)
     uint64_t last = 0;
     for (int32_t n = 1; n <= MANY; n *= 2) {
         const uint64_t all = SP_SCENE_BYTES(n, n, n, n, n, n, n) + SP_MEMORY_BYTES(n, n, n, ALL_STAGES) + SP_PYRAMID_BYTES(n, 64)
+                           + SP_STRENGTH_BYTES(n, n)
                            + SP_COUPLED_BYTES(n, n, 48000) + SP_ADMM_BYTES(n, n, 64);
         CHECK(all > last && all < SP_NEVER_FITS && all + SP_NEVER_FITS > all);
         last = all;
