@@ -2,10 +2,12 @@
 """random: random scenes a hair on either side of their limit, the program's verdict against linear programming.
 
     random.py [--quick] [--cli build/stonepack] [--seed N] [--count N] [--seeds N,N..] [--jobs N] [--keep FOLDER] [--verbose]
+              [--kind friction | strength | loads | supports | masses]
 
-Each scene is generated, changed at random (weights, friction, lost joints, a turned world), and pushed: gravity g + lambda h in a
+Each scene is generated, changed at random (weights, friction, lost joints, a turned world; by its kind, joints with cohesion,
+tension and crushing, loads at points, lost supports, masses 1e4 to 1e8 apart), and pushed: gravity g + lambda h in a
 random direction h, where h and g are equally long. oracle.py finds the largest lambda that some forces balance; at relative
-distances 1e-2 .. 1e-6 on either side the program must say stable or unstable. A millionth beyond its limit a scene may miss
+distances 1e-1 .. 1e-6 on either side the program must say stable or unstable. A millionth beyond its limit a scene may miss
 balance by less than 1e-9 of its blocks' forces: where the program says that the limit is nearer than its tol, it is asked again
 at a tenth and a hundredth of that ("finer"). Prints what was compared; the exit status is 1 if a verdict was wrong, of --seeds if
 one was undecided, too. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
@@ -24,7 +26,8 @@ sys.path = [p for p in sys.path if os.path.abspath(p or ".") != HERE] + [HERE]  
 import numpy as np
 import oracle
 
-DISTANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+DISTANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+KINDS = ("friction", "strength", "loads", "supports", "masses")
 CONES = ("8i", "4c", "16i", "true")
 TOLS = (1e-9, 1e-10, 1e-11)                             # the program's, and what it is asked for where that leaves it undecided
 
@@ -83,6 +86,37 @@ def change(scene, rng):
     return done
 
 
+def change_kind(scene, kind, rng):
+    """What the kind of scenes has besides."""
+    free = [b for b in scene.blocks if not b.fixed]
+    volumes = [oracle.volume(scene.x, b.faces) for b in free]
+    weight = 9.80665 * float(np.mean([v * (b.density or scene.density) for (v, _), b in zip(volumes, free)]))
+    fixed = {b.name for b in scene.blocks if b.fixed}
+    if kind == "masses":
+        span = rng.uniform(4, 8)
+        for b in free:
+            b.density = float(scene.density * 10 ** rng.uniform(-span / 2, span / 2))
+    if kind == "supports":
+        held = [i for i in scene.interfaces if i.a in fixed or i.b in fixed]
+        lost = [i for i in held[1:] if rng.random() < 0.4]
+        scene.interfaces = [i for i in scene.interfaces if not any(i is k for k in lost)]
+    for _ in range(rng.integers(1, 4) if kind == "loads" and free else 0):
+        k = rng.integers(len(free))
+        f = rng.normal(size=3) * weight * 10 ** rng.uniform(-2, 1)
+        scene.loads.append((free[k].name, f, volumes[k][1] + 0.1 * rng.normal(size=3)))
+    for i in scene.interfaces if kind == "strength" else []:
+        if rng.random() < 0.2:
+            continue
+        stress = weight / oracle.frame(i.x)[1] * 10 ** rng.uniform(-1, 1)
+        mu = scene.mu if i.mu is None else i.mu
+        if rng.random() < 0.7:
+            i.strength["cohesion"] = float(stress * rng.uniform(0.01, 1))
+        if rng.random() < 0.5 and ("cohesion" in i.strength or not mu):
+            i.strength["tension"] = float(stress * rng.uniform(0.01, 0.5))
+        if rng.random() < 0.7:
+            i.strength["crushing"] = float(stress * 10 ** rng.uniform(1, 2))
+
+
 def ask(cli, scene, cone, gravity, tol):
     """The program's answer."""
     scene.gravity = gravity
@@ -119,7 +153,7 @@ def judge(cli, scene, problem, cone, gravity, want, distance, label, tols=TOLS[:
 
 def trial(job):
     """One scene, one direction, one cone: all its comparisons, or why there are none."""
-    cli, seed, cone = job
+    cli, seed, cone, kind = job
     rng = np.random.default_rng(seed)
     given = numbers(rng)
     made = subprocess.run([cli, "gen"] + given, capture_output=True, text=True)
@@ -127,11 +161,14 @@ def trial(job):
         return dict(skip="gen: " + made.stderr.strip(), label=" ".join(given))
     scene = oracle.Scene(made.stdout)
     label = "seed %d: %s (%s)" % (seed, " ".join(given), ", ".join(change(scene, rng)))
+    if kind != "friction":
+        change_kind(scene, kind, rng)
     problem = oracle.Problem(scene)
     g = scene.gravity.copy()
     h = rng.normal(size=3)
     h *= np.linalg.norm(g) / np.linalg.norm(h)
-    top = oracle.limit(problem, cone, g / np.linalg.norm(g), h / np.linalg.norm(g))
+    one = 1 / np.linalg.norm(g)
+    top = oracle.limit(problem, cone, g * one, h * one, one)
     if top.status == "infeasible":
         least = oracle.least_imbalance(problem, cone, g)
         if not least > 1e-5:
@@ -142,7 +179,7 @@ def trial(job):
     if not oracle.within_bound(problem, top.f):
         return dict(skip="forces beyond the bound", label=label)
     tols = [t for t in TOLS if oracle.within_bound(problem, top.f, min(0.1, t / TOLS[0]))]     # the bound shrinks with tol
-    bottom = oracle.limit(problem, cone, g / np.linalg.norm(g), -h / np.linalg.norm(g))
+    bottom = oracle.limit(problem, cone, g * one, -h * one, one)
     width = top.value + bottom.value if bottom.status == "limit" else np.inf
     size = np.linalg.norm(g + top.value * h) / np.linalg.norm(h)
     found, unknown = [], 0
@@ -160,7 +197,7 @@ def trials(options):
     """Answers in order, until the count or the time is spent."""
     until = time.time() + (22 if options.quick else 1e9)
     seeds = options.seeds or range(options.seed, options.seed + options.count)
-    jobs = ((options.cli, k, CONES[k % len(CONES)]) for k in seeds)
+    jobs = ((options.cli, k, "true" if options.kind == "strength" else CONES[k % len(CONES)], options.kind) for k in seeds)
     if options.jobs < 2:
         for j in jobs:
             yield trial(j)
@@ -208,6 +245,7 @@ def main():
     p = argparse.ArgumentParser(description="random scenes near their limit, against linear programming")
     p.add_argument("--quick", action="store_true", help="fewer scenes, at most 25 seconds")
     p.add_argument("--cli", default="build/stonepack")
+    p.add_argument("--kind", default="friction", choices=KINDS, help="what the scenes have besides friction")
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--count", type=int, default=0)
     p.add_argument("--seeds", type=lambda text: [int(k) for k in text.split(",")], help="these scenes only")
