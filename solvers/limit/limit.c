@@ -65,21 +65,28 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
     if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
     else if (!(r->lower > 0) && r->lower >= 0) r->dead = SP_STABLE;
     if (r->dead == SP_STABLE) r->lowest = 0;
-    for (int it = 0; it < 12 && r->lowest > a * L->ref && sp__engine_may_ask(&L->engine, b); it++) {
+    const int strong = sp__limit_strong(L);
+    sp_real fell = 0;
+    for (int it = 0; it < (strong ? SP__LIMIT_ASKS : 12) && r->lowest > a * L->ref && sp__engine_may_ask(&L->engine, b); it++) {
         const sp_real last = a;
         const sp_verdict claim = sp__limit_ask(L, 1, a, L->f);
         if (claim == SP_STABLE) {
             r->lowest = a * L->ref;
             if (!it) r->dead = SP_STABLE;
-            if (!SP__WITH_INTERIOR || r->kind != SP_LIMIT_UNBOUNDED) return;
-            r->lower = r->lowest;                       /* every multiple from there on */
-            r->imbalance = b->imbalance;
-            memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
-            return;
+            if (SP__WITH_INTERIOR && r->kind == SP_LIMIT_UNBOUNDED) {
+                r->lower = r->lowest;                   /* every multiple from there on */
+                r->imbalance = b->imbalance;
+                memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
+            }
+            if (!strong || !it || a - fell <= 2 * SP__LIMIT_STEP * b->set.tol * (1 + a)) return;
+            a = fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
+            continue;
         }
         if (claim == SP_UNSTABLE && sp__bracket_falls(b, a * L->ref, 0, NULL)) {
             r->dead = SP_UNSTABLE;
-            a = sp__limit_balance(L) + SP__LIMIT_STEP * b->set.tol * (1 + a);
+            fell = sp__limit_balance(L);
+            a = fell + SP__LIMIT_STEP * b->set.tol * (1 + a);
+            if (strong && a - last < r->lowest / L->ref - a) a = (a + r->lowest / L->ref) / 2;
         } else if (!it) return;
         if (!(a > last)) a = (last + r->lowest / L->ref) / 2;
     }

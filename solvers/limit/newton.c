@@ -25,6 +25,7 @@ typedef struct sp__limit {
 #define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked
                                                                        for */
 #define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist depends on caps, and those on the multiple */
+#define SP__LIMIT_ASKS 60               /* where joints have strength: an interval is halved until it is as narrow as tol */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
 #ifdef SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
@@ -61,6 +62,16 @@ static int sp__limit_never_stands(sp__limit *L)
     return L->none;
 }
 
+static int sp__limit_strong(const sp__limit *L) { return SP__HAS_STRENGTH && sp__scene_strong(&L->bracket.scene); }
+
+/* Where to ask after a collapse at `last` that leaves the interval open to `next`: there, or in the middle where it gained less
+ * than half. The exact stage ends with any motion that falls, which need not be the one that falls by most. */
+static sp_real sp__limit_between(const sp__limit *L, sp_real last, sp_real next)
+{
+    const sp_real low = sp__max(0, sp__max(L->r.lower / L->ref, L->least)), middle = (low + next) / 2;
+    return last - next < next - low ? middle : next;
+}
+
 /* Something falls at *a. Its power balance is a bound from above; from below where live loads hinder it. *a: where to ask next.
  *     returns 0: nothing gained */
 static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
@@ -78,6 +89,7 @@ static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
     if (SP__HAS_STRENGTH && sp__limit_never_stands(L)) return 1;
     const sp_real next = beyond ? L->best - step : balance + step < L->best ? balance + step : L->best;
     *a = sp__max(0, next);
+    if (beyond && last < SP__HUGE && sp__limit_strong(L)) *a = sp__limit_between(L, last, *a);
     return beyond ? *a < last : *a > last;
 }
 
@@ -103,7 +115,7 @@ SP__NOINLINE static void sp__limit_live_alone(sp__limit *L)
  *     returns 1: lower is found (of an UNBOUNDED any), or nothing stands */
 SP__NOINLINE static int sp__limit_newton(sp__limit *L)
 {
-    const int any = L->r.kind == SP_LIMIT_UNBOUNDED;
+    const int any = L->r.kind == SP_LIMIT_UNBOUNDED, strong = sp__limit_strong(L);
     sp_real *f = any ? L->r.f : L->r.ray;               /* those of the lower end stay until there are better ones */
     if (any) L->best = SP__HUGE;
     const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), farthest = SP__LIMIT_FARTHEST * size;
@@ -111,7 +123,8 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     L->least = -SP__HUGE;
     memcpy(L->upper, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
-    for (int it = 0; it < 24 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest; it++) {
+    int asks = strong ? SP__LIMIT_ASKS : 24;
+    while (asks-- > 0 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest) {
         const sp_verdict claim = sp__limit_ask(L, 1, a, f);
         if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
@@ -120,6 +133,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
                 L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
+            if (strong && !any && L->best < SP__HUGE && L->best - a > 2 * step) { a = L->best - step; continue; }
             if (any || L->best < SP__HUGE) return 1;
             if (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref)) return 1;
             a = a > 0 ? 8 * a : 1;

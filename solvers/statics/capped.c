@@ -23,7 +23,7 @@
 
 #if SP__WITH_LARGE
 
-/* Rows of the vertices of contact c. Tension that ends where the cone does needs none. */
+/* Rows of the vertices of contact c, before any of them is asked for. Tension that ends where the cone does needs none. */
 static void sp__capped_rows(sp__system *w, int32_t c)
 {
     sp__capped *o = w->inner->capped;
@@ -112,7 +112,6 @@ SP__NOINLINE static void sp__capped_derivative(sp__system *w, int32_t c, int32_t
     sp__capped *o = m->capped;
     const sp_real *x = m->x + SP__CAPPED * (size_t)v, *s = x + 3, *z = x + 8;
     const sp_real S = m->force_scale * sp__system_scale(w, c), times = sp__system_multiplicity(w, v);
-    sp__capped_rows(w, c);
     if (!sp__capped_scaling(o, s, z)) { m->outside = 1; return; }
     for (int k = 0; k < 6; k++) D[k] = S * S * o->D[k];
     for (int k = 0; f && k < 3; k++) f[k] = S * x[k];
@@ -120,14 +119,10 @@ SP__NOINLINE static void sp__capped_derivative(sp__system *w, int32_t c, int32_t
     o->reserve += times * sp__capped_reserve(o, z);
 }
 
-/* aim <- -s, or with the product of the predictor's changes: towards s o z = sigma mu e. u: rates of the predictor */
-SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real *x, const sp_real u[3])
+/* Changes ds, dz of the predictor, u its rates. */
+SP__NOINLINE static void sp__capped_predicted(sp__capped *o, const sp_real s[5], const sp_real u[3])
 {
-    sp__capped *o = m->capped;
-    const sp_real *s = x + 3, *z = x + 8;
-    sp_real *aim = o->aim, *ds = o->ds, *dz = o->dz, *t = o->t, *dx = o->dx;
-    for (int k = 0; k < 5; k++) aim[k] = -s[k];
-    if (!m->corrected) return;
+    sp_real *ds = o->ds, *dz = o->dz, *t = o->t, *dx = o->dx;
     for (int k = 0; k < 5; k++) dz[k] = -s[k] - o->miss[k];
     sp__capped_divide(o, dz);
     for (int k = 0; k < 3; k++) t[k] = u[k] + o->resist[k];
@@ -136,6 +131,15 @@ SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real *x, cons
     sp__capped_slack(o, dx, o->before, ds);
     for (int k = 0; k < 5; k++) { ds[k] += o->miss[k]; dz[k] = -s[k] - ds[k]; }
     sp__capped_divide(o, dz);
+}
+
+/* aim <- -s, or with the product of the predictor's changes: towards s o z = sigma mu e. */
+SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real s[5], const sp_real z[5])
+{
+    sp__capped *o = m->capped;
+    sp_real *aim = o->aim, *ds = o->ds, *dz = o->dz;
+    for (int k = 0; k < 5; k++) aim[k] = -s[k];
+    if (!m->corrected) return;
     if (o->cone > 0) sp__soc_corrector(&o->W, s, z, ds, dz, m->sigma * m->mu, aim);
     if (o->low > 0) aim[3] = -s[3] + (m->sigma * m->mu - ds[3] * dz[3]) / z[3];
     if (o->high > 0) aim[4] = -s[4] + (m->sigma * m->mu - ds[4] * dz[4]) / z[4];
@@ -156,26 +160,36 @@ static void sp__capped_go(sp__ipm *m, sp_real *x)
     for (int k = 0; k < 5; k++) { s[k] += m->reach * o->ds[k]; z[k] += m->reach * o->dz[k]; }
 }
 
+/* b, the x of least |W^-1 (G x + h)|, and o->rest = G b + h: what comes of tau is told by that, for in h'W^-2 h + h'W^-2 G b
+ * every digit is lost where a row is stiff. The second time mends what rounding left. */
+static void sp__capped_column(sp__capped *o)
+{
+    for (int k = 0; k < 3; k++) o->b[k] = 0;
+    for (int again = 0; again < 2; again++) {
+        sp__capped_slack(o, o->b, 1, o->change);
+        sp__capped_divide(o, o->change);
+        for (int k = 0; k < 3; k++) o->t[k] = 0;
+        sp__capped_gather(o, o->change, o->t);
+        sp__capped_change(o, o->t, 0, o->dx);
+        for (int k = 0; k < 3; k++) o->b[k] -= o->dx[k];
+    }
+    sp__capped_slack(o, o->b, 1, o->rest);
+}
+
 /* One vertex of a pass; u: rates of y, predictor and step. g: what Aeq of the right-hand side has to make up for, or S b. */
 SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
-    static const sp_real none[3] = { 0, 0, 0 };
     sp__capped *o = m->capped;
     sp_real *x = m->x + SP__CAPPED * (size_t)v, *s = x + 3, *z = x + 8, *t = o->t, *change = o->change;
     const sp_real S = m->force_scale * sp__system_scale(w, c), keep = 1 - m->sigma, times = sp__system_multiplicity(w, v);
     g[0] = g[1] = g[2] = 0;
-    sp__capped_rows(w, c);
     if (!sp__capped_scaling(o, s, z)) { m->outside = 1; return; }
     for (int k = 0; k < 3; k++) for (int q = 0; q < 3; q++) u[k][q] *= S;
-    sp__capped_slack(o, none, 1, o->h);
-    memcpy(change, o->h, sizeof o->h);
-    sp__capped_divide(o, change);                                           /* W^-2 h */
-    for (int k = 0; k < 3; k++) t[k] = o->b[k] = 0;
-    sp__capped_gather(o, change, t);
-    sp__capped_change(o, t, 0, o->dx);
-    sp__scale3(-1, o->dx, o->b);
+    sp__capped_column(o);
     if (m->pass == SP__COLUMN) {
-        o->bend -= times * (sp__dot3(o->b, t) + sp__dot(o->h, change, 5));
+        memcpy(change, o->rest, sizeof o->rest);
+        sp__capped_divide(o, change);
+        o->bend -= times * sp__dot(o->rest, change, 5);
         sp__scale3(S, o->b, g);
         return;
     }
@@ -183,13 +197,14 @@ SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c,
     for (int k = 0; k < 5; k++) o->miss[k] -= s[k];
     memcpy(o->resist, u[0], sizeof o->resist);
     sp__capped_gather(o, z, o->resist);
-    sp__capped_aim(m, x, u[1]);
+    if (m->corrected) sp__capped_predicted(o, s, u[1]);
+    sp__capped_aim(m, s, z);
     for (int k = 0; k < 5; k++) change[k] = o->aim[k] - keep * o->miss[k];
     sp__capped_divide(o, change);
     sp__scale3(keep, o->resist, t);
     sp__capped_gather(o, change, t);
     if (m->pass == SP__AIM) {
-        o->offset += times * (sp__dot(o->h, change, 5) + sp__dot3(o->b, t));
+        o->offset += times * (sp__dot(o->rest, change, 5) + keep * sp__dot3(o->b, o->resist));
         sp__capped_change(o, t, -keep * m->tau, g);
         for (int k = 0; k < 3; k++) g[k] = -S * (keep * x[k] + g[k]);
         return;

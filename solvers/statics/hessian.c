@@ -122,15 +122,9 @@ SP__NOINLINE static void sp__vertex_hessian(const sp_real D[6], const sp_real *l
     }
 }
 
-/* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero: the vertex is open */
-static int sp__vertex_law(sp__system *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
+/* D of a vertex for rates u, of both blocks welded or of Newton's forces.     returns 0 when it is zero: the vertex is open */
+static int sp__vertex_slope(const sp__system *w, sp__law law, int32_t c, const sp_real *u, sp_real D[6])
 {
-    if (law == SP__GIVEN) { memcpy(D, w->law.given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
-    sp__system_rate(w, twist, twist + 3, w->pb->local[v], u);
-    if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
-        sp__ipm_derivative(w, c, v, u, D, NULL);
-        return 1;
-    }
     D[0] = D[3] = D[5] = 1;
     D[1] = D[2] = D[4] = 0;
     if (law == SP__ADMISSIBLE) {
@@ -143,6 +137,16 @@ static int sp__vertex_law(sp__system *w, sp__law law, int32_t c, int32_t v, cons
     return 1;
 }
 
+/* D of a vertex, df = D du for rates u = V + W x l; u: room for them.     returns 0 when it is zero */
+static int sp__vertex_law(sp__system *w, sp__law law, int32_t c, int32_t v, const sp_real *twist, sp_real *u, sp_real D[6])
+{
+    if (law == SP__GIVEN) { memcpy(D, w->law.given + 6 * (size_t)v, 6 * sizeof *D); return 1; }
+    sp__system_rate(w, twist, twist + 3, w->pb->local[v], u);
+    if (!SP__WITH_INTERIOR || law != SP__INTERIOR) return sp__vertex_slope(w, law, c, u, D);
+    sp__ipm_derivative(w, c, v, u, D, NULL);
+    return 1;
+}
+
 /* The contact's share H = sum (I, -[l]x)' D (I, -[l]x) of the Hessian in its own frame, into w->scratch->H.
  *     returns 0 when all of it is zero: the contact is open */
 SP__NOINLINE static int sp__system_contact_hessian(sp__system *w, sp__law law, int32_t c, const sp_real *y)
@@ -151,6 +155,7 @@ SP__NOINLINE static int sp__system_contact_hessian(sp__system *w, sp__law law, i
     sp__visit *s = sp__visit_of(w);
     sp_real *h = w->scratch->H, *twist = s->twist[0];
     int carries = 0;
+    if (SP__WITH_INTERIOR && law == SP__INTERIOR && w->inner->capped) sp__capped_rows(w, c);
     sp__system_twist(w, t, y, twist, twist + 3);
     for (int q = 0; q < 27; q++) h[q] = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {

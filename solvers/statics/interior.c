@@ -77,10 +77,9 @@ SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c
 }
 
 /* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__NOINLINE static void sp__ipm_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     g[0] = g[1] = g[2] = 0;
-    if (m->capped) { sp__capped_vertex(w, m, c, v, u, g); return; }
     if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
@@ -102,6 +101,7 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
         const sp_contact *t = &pb->contact[c];
         sp__visit *s = sp__visit_of(w);
         sp_real (*u)[3] = s->u, *g = s->f, *F = s->sum, *M = F + 3;
+        if (m->capped) sp__capped_rows(w, c);
         for (int k = 0; k < 3; k++) {
             F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
             if (counts[k]) sp__system_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
@@ -110,7 +110,8 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
             if (!(sp__system_multiplicity(w, v) > 0)) continue;
             for (int k = 0; k < 3; k++)
                 if (counts[k]) sp__system_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
-            sp__ipm_vertex(w, m, c, v, u, g);
+            if (m->capped) sp__capped_vertex(w, m, c, v, u, g);
+            else sp__ipm_vertex(w, m, c, v, u, g);
             sp__scale3(sp__system_multiplicity(w, v), g, g);
             sp__cross3(pb->local[v], g, s->m);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
@@ -120,21 +121,17 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
     if (gathers) sp__system_release(w, r);
 }
 
-/* Strength by which forces in units, not over S, are projected. */
-static sp__yield sp__yield_times(const sp__yield *k, sp_real S)
+/* g = P_K(f - D u), K = S yield; g may be f. */
+static void sp__ipm_change(const sp__system *w, sp_real S, const sp_real D[6], const sp_real u[3], const sp_real f[3],
+                           sp_real g[3])
 {
-    const sp__yield whole = { k->mu, k->C * S, k->T * S, k->N < SP__HUGE ? k->N * S : SP__HUGE, k->plain };
-    return whole;
-}
-
-/* g = P_K(f - D u); g may be f. */
-static void sp__ipm_change(const sp__system *w, const sp__yield *yield, const sp_real D[6], const sp_real u[3],
-                           const sp_real f[3], sp_real g[3])
-{
+    const sp__yield *yield = w->law.yield;
     const sp_real a = f[0] - (D[0] * u[0] + D[1] * u[1] + D[2] * u[2]), b = f[1] - (D[1] * u[0] + D[3] * u[1] + D[4] * u[2]);
     g[2] = f[2] - (D[2] * u[0] + D[4] * u[1] + D[5] * u[2]);
     g[0] = a; g[1] = b;
+    if (!yield->plain) sp__scale3(1 / S, g, g);
     sp__cone_project(&w->law.cone, yield, g, g);
+    if (!yield->plain) sp__scale3(S, g, g);
 }
 
 /* Forces of the live loads alone: is this a vertex that only others press, W^2 < 1, so x -> 0? What x is left there would have
@@ -159,9 +156,10 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const sp__yield *yield = sp__system_yield(w, c);
-        const sp__yield whole = sp__yield_times(yield, sp__system_scale(w, c));
+        const sp_real S = sp__system_scale(w, c);
         sp__visit *s = sp__visit_of(w);
         sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->sum, *M = F + 3;
+        if (m && m->capped) sp__capped_rows(w, c);
         sp__system_twist(w, t, w->y, twist[0], twist[0] + 3);
         sp__system_twist(w, t, d, twist[1], twist[1] + 3);
         sp__system_twist(w, t, e, twist[2], twist[2] + 3);
@@ -174,14 +172,14 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
             if (m) sp__ipm_derivative(w, c, v, u, D, g);
             else {
                 sp__system_force(w, c, yield, u, g);
-                if (!sp__vertex_law(w, SP__ADMISSIBLE, c, v, twist[0], u, D)) memset(D, 0, 6 * sizeof *D);
+                if (!sp__vertex_slope(w, SP__ADMISSIBLE, c, u, D)) memset(D, 0, 6 * sizeof *D);
             }
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
             sp__system_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
-            sp__ipm_change(w, &whole, D, u, f, f);
+            sp__ipm_change(w, S, D, u, f, f);
             sp__system_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
-            sp__ipm_change(w, &whole, D, u, f, g);
+            sp__ipm_change(w, S, D, u, f, g);
             sp__scale3(times, g, g);
             sp__cross3(pb->local[v], g, u);
             for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }

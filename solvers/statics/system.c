@@ -33,7 +33,7 @@ typedef struct sp__capped {
     sp_real lower, upper;               /* z / s of both ends */
     sp__nt W;
     sp_real D[6], b[3], t[3], dx[3], resist[3];
-    sp_real h[5], change[5], miss[5], aim[5], ds[5], dz[5];
+    sp_real rest[5], change[5], miss[5], aim[5], ds[5], dz[5];
 } sp__capped;
 #define SP__CAPPED 13                   /* numbers of a vertex: x, s, z */
 

@@ -1,4 +1,5 @@
 /* Joints with strength: mortar that sticks, stone that crushes; each at a limit known by hand, both sides of it. */
+#include "../scenes/gen.h"
 #include "../test.h"
 
 #include <math.h>
@@ -271,6 +272,87 @@ TEST(strength_goes_with_an_area_and_statics_only)
     CHECK_INT(sp_scene_points(&points, 0, 1, up, 1, at, &strength, NULL), SP_E_AREA);
 }
 
+#if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_NO_IPM && !defined SP_SMALL
+/* An assembly of weights up to `apart` times apart, whose joints stick, tear and crush, each by its own numbers or not at all. */
+static int random_masonry(double apart, sp_scene *s)
+{
+    static const char *const name[] = { "rubble", "wall", "arch", "flat-arch", "dome", "tower" };
+    const int kind = test_random_int(0, 5);
+    gen_scene g;
+    double weight_of_all = 0;
+    test_arena.used = 0;
+    gen_open(&g, name[kind]);
+    if (kind < 2) {
+        gen_set(&g, "rows", test_random_int(2, 3));
+        gen_set(&g, "bricks", test_random_int(2, 3));
+        gen_set(&g, "jitter", (double)test_random_real(0, kind ? R(0.4) : 1));
+        gen_set(&g, "seed", test_random_int(1, 900));
+    } else if (kind == 4) {
+        gen_set(&g, "rings", 2);
+        gen_set(&g, "segments", 5);
+    } else gen_set(&g, "n", test_random_int(3, 7));
+    if (!CHECK_INT(gen_build(&g, &test_arena, s), SP_OK)) return 0;
+    for (int32_t i = 0; i < s->count.blocks; i++) {
+        s->block[i].mass *= R(pow(apart, (double)test_random_real(R(-0.5), R(0.5))));
+        weight_of_all += 9.80665 * (double)s->block[i].mass;
+    }
+    const sp_real stress = R(weight_of_all / s->count.blocks / 0.05);
+    for (int32_t k = 0; k < s->count.joints; k++) {
+        sp_strength *j = &s->joint[k].strength;
+        if (test_random_int(0, 9) < 7) j->cohesion = stress * test_random_real(0, 2);
+        if (test_random_int(0, 9) < 5) j->tension = stress * test_random_real(0, 1);
+        if (test_random_int(0, 9) < 7) j->crushing = stress * test_random_real(10, 100);
+    }
+    gen_gravity(45, (double)test_random_real(0, 360), s->body);
+    s->body[2] = 0;
+    return 1;
+}
+
+static sp_verdict pushed_by(sp_scene *s, double multiple)
+{
+    s->live = R(multiple);
+    return check(s).verdict;
+}
+
+/* Where it stands and falls is told by evidence, for what `check` says is verified. */
+TEST(cohesion_mixed_with_crushing_is_decided_to_1e_5_of_the_limit)
+{
+    int limits = 0, found = 0;
+    for (int k = 0; k < SOME_OF(200, 24); k++) {
+        sp_scene s;
+        double stands = -1, falls = -1;
+        if (!random_masonry(k % 3 ? 10 : 1e6, &s)) return;
+        for (double push = 0.01; push < 200 && falls < 0; push *= 2) {
+            const sp_verdict got = pushed_by(&s, push);
+            if (!CHECK(got != SP_UNDECIDED)) TEST_PRINT("  scene %d, %g\n", k, push);
+            if (got == SP_STABLE) stands = push;
+            if (got == SP_UNSTABLE) falls = push;
+        }
+        if (stands < 0 || falls < 0) continue;
+        limits++;
+        while (falls - stands > 1e-5 * falls) {
+            const double middle = (stands + falls) / 2;
+            const sp_verdict got = pushed_by(&s, middle);
+            if (got == SP_STABLE || got == SP_UNDECIDED) stands = got ? middle : middle - 4e-6 * falls;
+            if (got == SP_UNSTABLE || got == SP_UNDECIDED) falls = got ? middle : middle + 4e-6 * falls;
+            if (got != SP_UNDECIDED) continue;          /* the limit itself: a little beside it there is an answer */
+            if (!CHECK_INT(pushed_by(&s, stands), SP_STABLE) || !CHECK_INT(pushed_by(&s, falls), SP_UNSTABLE))
+                TEST_PRINT("  scene %d, %.9g\n", k, middle);
+            break;
+        }
+        const size_t used = test_arena.used;
+        sp_limit_result r;
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &r), SP_OK);
+        if (!CHECK(r.lower <= falls && r.upper >= stands && r.lower >= 0 && r.upper - r.lower <= R(1e-5) * r.upper))
+            TEST_PRINT("  scene %d, %.9g .. %.9g in %.9g .. %.9g\n", k, (double)r.lower, (double)r.upper, stands, falls);
+        found += r.kind == SP_LIMIT_FOUND && CHECK_INT(r.dead, pushed_by(&s, 0));
+        test_arena.used = used;
+    }
+    TEST_PRINT("    %d limits closed in, %d of them found\n", limits, found);
+    CHECK(limits >= SOME_OF(100, 12) && 5 * found > 4 * limits);
+}
+#endif
+
 TEST_LIST(strength)
     RUN(mortar_is_pulled_apart_at_its_tensile_strength)
     RUN(tension_counts_up_to_cohesion_over_mu)
@@ -288,4 +370,7 @@ TEST_LIST(strength)
     RUN(no_pyramid_changes_what_tears_or_is_crushed)
     RUN(what_stands_in_a_smaller_cone_stands_in_a_larger_one)
     RUN(strength_goes_with_an_area_and_statics_only)
+#if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_NO_IPM && !defined SP_SMALL
+    RUN(cohesion_mixed_with_crushing_is_decided_to_1e_5_of_the_limit)
+#endif
 TEST_END

@@ -539,11 +539,14 @@ check_cases() {
     SHOW=
 }
 once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494,17,58,128,461,5327,5575,6141,6148
+strong_once=1047,1053,1065
 check_oracle() {
     if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
         SHOW=1
         part "random scenes near their limit, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --quick
         part "scenes that were undecided once" /usr/bin/python3 -B tests/oracle/random.py --seeds $once
+        part "joints with strength that were undecided once" /usr/bin/python3 -B tests/oracle/random.py --kind strength --seeds $strong_once
+        part "limits, against linear programming" /usr/bin/python3 -B tests/oracle/random.py --limits --seed 1 --count 40
         part "linear programmes, against HiGHS" /usr/bin/python3 -B tests/oracle/lp.py
         part "build orders, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py
         part "build orders of the tests, against linear programming" /usr/bin/python3 -B tests/oracle/sequence.py --orders

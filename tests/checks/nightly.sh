@@ -55,6 +55,12 @@ line "all samples, ASan and UBSan, float" sh "$0" long_san gcc address,undefined
 if have clang; then line "all samples, clang's UBSan" sh "$0" long_san clang undefined; else skip "clang's UBSan" clang; fi
 if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
     line "300 random scenes against linear programming" /usr/bin/python3 -B tests/oracle/random.py --seed "$(date +%Y%m%d)"
+    for kind in strength loads supports masses; do
+        line "200 random scenes, $kind, against linear programming" \
+            /usr/bin/python3 -B tests/oracle/random.py --kind $kind --count 200 --seed "$(date +%Y%m%d)"
+    done
+    line "100 limits of joints with strength" \
+        /usr/bin/python3 -B tests/oracle/random.py --kind strength --limits --count 100 --seed "$(date +%Y%m%d)"
 else skip "random scenes against linear programming" "python3-numpy python3-scipy"; fi
 if have g++; then line "battery: 20 samples of random rounding" sh "$0" instrument chance; else skip "random rounding" g++; fi
 if have clang-19; then line "battery: shadows of 113 bits" sh "$0" instrument shadows

@@ -2,7 +2,7 @@
 """random: random scenes a hair on either side of their limit, the program's verdict against linear programming.
 
     random.py [--quick] [--cli build/stonepack] [--seed N] [--count N] [--seeds N,N..] [--jobs N] [--keep FOLDER] [--verbose]
-              [--kind friction | strength | loads | supports | masses]
+              [--kind friction | strength | loads | supports | masses] [--limits]
 
 Each scene is generated, changed at random (weights, friction, lost joints, a turned world; by its kind, joints with cohesion,
 tension and crushing, loads at points, lost supports, masses 1e4 to 1e8 apart), and pushed: gravity g + lambda h in a
@@ -10,7 +10,7 @@ random direction h, where h and g are equally long. oracle.py finds the largest 
 distances 1e-1 .. 1e-6 on either side the program must say stable or unstable. A millionth beyond its limit a scene may miss
 balance by less than 1e-9 of its blocks' forces: where the program says that the limit is nearer than its tol, it is asked again
 at a tenth and a hundredth of that ("finer"). Prints what was compared; the exit status is 1 if a verdict was wrong, of --seeds if
-one was undecided, too. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
+one was undecided, too. --limits: `limit` is asked for lambda instead, and must know it to a millionth. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
 """
 import argparse
 import json
@@ -151,9 +151,30 @@ def judge(cli, scene, problem, cone, gravity, want, distance, label, tols=TOLS[:
                 text=scene.text() if how == "wrong" else None)
 
 
+def judge_limit(cli, scene, cone, h, top, bottom, size, label):
+    """The program's multiplier against that of the programme: right, undecided or wrong."""
+    out = subprocess.run([cli, "limit", "--json", "--cone", cone, "--body=%r,%r,%r" % tuple(map(float, h)), "-"],
+                         input=scene.text(), capture_output=True, text=True)
+    r = json.loads(out.stdout) if out.returncode in (0, 2) else dict(multiplier="status %d" % out.returncode)
+    got, most = r["multiplier"], 1e-6 * size + top.error()
+    if top.high < 0:                                    # dead loads fall, and a push this way makes it worse
+        how = "right" if got is None else "undecided" if got == "undecided" else "wrong"
+    elif got == "undecided":
+        low, high = r.get("lower"), r.get("upper")
+        out_of = (low is not None and low > top.value + most) or (high is not None and high < top.value - most)
+        how = "wrong" if out_of else "undecided"
+    else:
+        how = "right" if isinstance(got, float) and abs(got - top.value) <= most and r["verified"] else "wrong"
+        falls = r.get("falls_under_dead_loads")
+        if bottom.status == "limit" and abs(bottom.value) > 1e-6 * size + bottom.error() and falls is (bottom.value > 0):
+            how = "wrong"
+    return dict(how=how, got=str(got), want=repr(top.value), distance=0, omega=0, least=0, tol=TOLS[0], label=label, cone=cone,
+                text=scene.text() if how == "wrong" else None)
+
+
 def trial(job):
     """One scene, one direction, one cone: all its comparisons, or why there are none."""
-    cli, seed, cone, kind = job
+    cli, seed, cone, kind, limits = job
     rng = np.random.default_rng(seed)
     given = numbers(rng)
     made = subprocess.run([cli, "gen"] + given, capture_output=True, text=True)
@@ -183,6 +204,8 @@ def trial(job):
     width = top.value + bottom.value if bottom.status == "limit" else np.inf
     size = np.linalg.norm(g + top.value * h) / np.linalg.norm(h)
     found, unknown = [], 0
+    if limits:
+        return dict(label=label, found=[judge_limit(cli, scene, cone, h * one, top, bottom, size, label)])
     for d in DISTANCES:                                 # relative to gravity at the limit
         if top.error() > 0.1 * d * size:
             unknown += 1
@@ -197,7 +220,8 @@ def trials(options):
     """Answers in order, until the count or the time is spent."""
     until = time.time() + (22 if options.quick else 1e9)
     seeds = options.seeds or range(options.seed, options.seed + options.count)
-    jobs = ((options.cli, k, "true" if options.kind == "strength" else CONES[k % len(CONES)], options.kind) for k in seeds)
+    jobs = ((options.cli, k, "true" if options.kind == "strength" else CONES[k % len(CONES)], options.kind, options.limits)
+            for k in seeds)
     if options.jobs < 2:
         for j in jobs:
             yield trial(j)
@@ -246,6 +270,7 @@ def main():
     p.add_argument("--quick", action="store_true", help="fewer scenes, at most 25 seconds")
     p.add_argument("--cli", default="build/stonepack")
     p.add_argument("--kind", default="friction", choices=KINDS, help="what the scenes have besides friction")
+    p.add_argument("--limits", action="store_true", help="ask `limit`, not `check`")
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--count", type=int, default=0)
     p.add_argument("--seeds", type=lambda text: [int(k) for k in text.split(",")], help="these scenes only")
