@@ -185,15 +185,14 @@ static const sp__reduction *sp__reduced(const sp__system *w) { return SP__WITH_R
 static sp__visit *sp__visit_of(const sp__system *w) { return &w->scratch->of.visit; }
 
 /* Arrays of the graph and of L's columns from the arena. */
-static void sp__system_carve_graph(sp__system *w, const sp_problem *pb, sp_arena *a)
+static void sp__graph_carve(sp__graph *g, sp__bchol *L, const sp_problem *pb, sp_arena *a)
 {
     const size_t b = (size_t)pb->blocks;
-    w->pb = pb;
-    sp__bchol_carve_pattern(&w->L, pb->blocks, a);
-    w->graph.xadj = sp__take(a, b + 1, sizeof *w->graph.xadj);
-    w->graph.adj = sp__take(a, (size_t)pb->contacts, 2 * sizeof *w->graph.adj);
-    w->graph.parent = sp__take(a, b, sizeof *w->graph.parent);
-    w->graph.mark = sp__take(a, b, sizeof *w->graph.mark);
+    sp__bchol_carve_pattern(L, pb->blocks, a);
+    g->xadj = sp__take(a, b + 1, sizeof *g->xadj);
+    g->adj = sp__take(a, (size_t)pb->contacts, 2 * sizeof *g->adj);
+    g->parent = sp__take(a, b, sizeof *g->parent);
+    g->mark = sp__take(a, b, sizeof *g->mark);
 }
 
 /* All other arrays, for nnz blocks of L below the diagonal. */
@@ -270,7 +269,8 @@ SP__NOINLINE static void sp__system_carve_order(const sp_problem *pb, sp_arena *
 /* Symbolic step in `a`, whose peak then covers it.     returns blocks of L below the diagonal, -1: does not fit */
 SP__NOINLINE static int32_t sp__system_analyse(sp__system *w, const sp_problem *pb, sp_arena *a)
 {
-    sp__system_carve_graph(w, pb, a);
+    w->pb = pb;
+    sp__graph_carve(&w->graph, &w->L, pb, a);
     sp_arena rest = *a;
     sp__system_carve_order(pb, &rest);
     if (sp__failed(a) || sp__failed(&rest)) return -1;
@@ -285,11 +285,12 @@ SP__NOINLINE static int32_t sp__system_analyse(sp__system *w, const sp_problem *
 /* Bytes the symbolic step takes. */
 SP__NOINLINE static size_t sp__system_scratch(const sp_problem *pb)
 {
-    sp__system w;
+    sp__graph graph;
+    sp__bchol L;
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof(sp__reduction));
-    sp__take(&dry, 1, sizeof w);
-    sp__system_carve_graph(&w, pb, &dry);
+    sp__take(&dry, 1, sizeof(sp__system));
+    sp__graph_carve(&graph, &L, pb, &dry);
     sp__system_carve_order(pb, &dry);
     return dry.peak;
 }
@@ -302,7 +303,8 @@ static size_t sp__system_end(sp__system *t, const sp_problem *pb, const sp_setti
     sp_arena dry = sp__arena_dry();
     dry.used = from;
     sp__take(&dry, 1, sizeof *t);
-    sp__system_carve_graph(t, pb, &dry);
+    t->pb = pb;
+    sp__graph_carve(&t->graph, &t->L, pb, &dry);
     sp_arena symbolic = dry;
     sp__system_carve_order(pb, &symbolic);
     sp__system_carve(t, pb, set, form, nnz, &dry);

@@ -599,7 +599,9 @@ TEST(strength_by_counts_is_bounded)
         within(&s, &scene, &set, SP_MEMORY_BYTES(blocks, i, v, 0) + more);
     }
     TEST_PRINT("    %-21s bound / need  %.3f .. %.2f\n", s.what, s.least, s.most);
-    CHECK(s.least > 0 && s.least < 1.5);
+#ifndef SP_NO_IPM
+    CHECK(s.least > 0 && s.least < 1.5);                /* without interior points strength takes nothing */
+#endif
 }
 
 TEST(islands_of_few_stones_with_many_joints_are_bounded)
