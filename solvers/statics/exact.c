@@ -45,7 +45,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
     const int cones = SP__WITH_INTERIOR && !sp__problem_strong(w->pb);  /* with strength K is none */
-    const int inner = cones || (SP__WITH_INTERIOR && w->capped);
+    const int inner = cones || (SP__WITH_INTERIOR && w->capped);        /* its idling is the last word on cones alone */
     const int coarse = n->found && n->best > SP__FINE;  /* within tol, but not to rounding */
     if (sp__newton_unfinished(n) && whole && inner) idle = sp__ipm_run(w, w->inner, n, state) && cones;
     if (sp__newton_unfinished(n) && whole && !idle) {

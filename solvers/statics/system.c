@@ -32,8 +32,11 @@ typedef struct sp__capped {
     sp_real cone, low, high;            /* scales of its rows, 0: there is no such row */
     sp_real lower, upper;               /* z / s of both ends */
     sp__nt W;
-    sp_real D[6], b[3], t[3], dx[3], resist[3];
-    sp_real rest[5], change[5], miss[5], aim[5], ds[5], dz[5];
+    sp_real D[6], b[3], t[3];           /* as in capped.c: x changes by D (du + t) + dtau b */
+    sp_real dx[3], ds[5], dz[5];        /* changes */
+    sp_real rest[5];                    /* G b + h */
+    sp_real miss[5], resist[3];         /* G x + tau h - s; Aeq'y + G'z */
+    sp_real aim[5], change[5];          /* what the corrector asks of s; W^-2 of a row's right-hand side */
 } sp__capped;
 #define SP__CAPPED 13                   /* numbers of a vertex: x, s, z */
 

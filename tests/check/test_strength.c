@@ -333,9 +333,10 @@ TEST(cohesion_mixed_with_crushing_is_decided_to_1e_5_of_the_limit)
         while (falls - stands > 1e-5 * falls) {
             const double middle = (stands + falls) / 2;
             const sp_verdict got = pushed_by(&s, middle);
-            if (got == SP_STABLE || got == SP_UNDECIDED) stands = got ? middle : middle - 4e-6 * falls;
-            if (got == SP_UNSTABLE || got == SP_UNDECIDED) falls = got ? middle : middle + 4e-6 * falls;
-            if (got != SP_UNDECIDED) continue;          /* the limit itself: a little beside it there is an answer */
+            const double beside = got == SP_UNDECIDED ? 4e-6 * falls : 0;       /* of the limit itself there is an answer */
+            if (got != SP_UNSTABLE) stands = middle - beside;
+            if (got != SP_STABLE) falls = middle + beside;
+            if (got != SP_UNDECIDED) continue;
             if (!CHECK_INT(pushed_by(&s, stands), SP_STABLE) || !CHECK_INT(pushed_by(&s, falls), SP_UNSTABLE))
                 TEST_PRINT("  scene %d, %.9g\n", k, middle);
             break;

@@ -5,12 +5,13 @@
               [--kind friction | strength | loads | supports | masses] [--limits]
 
 Each scene is generated, changed at random (weights, friction, lost joints, a turned world; by its kind, joints with cohesion,
-tension and crushing, loads at points, lost supports, masses 1e4 to 1e8 apart), and pushed: gravity g + lambda h in a
-random direction h, where h and g are equally long. oracle.py finds the largest lambda that some forces balance; at relative
+tension and crushing, loads at points, lost supports, masses 1e4 to 1e8 apart), and pushed: gravity g + lambda h in a random
+direction h, where h and g are equally long. oracle.py finds the largest lambda that some forces balance; at relative
 distances 1e-1 .. 1e-6 on either side the program must say stable or unstable. A millionth beyond its limit a scene may miss
 balance by less than 1e-9 of its blocks' forces: where the program says that the limit is nearer than its tol, it is asked again
 at a tenth and a hundredth of that ("finer"). Prints what was compared; the exit status is 1 if a verdict was wrong, of --seeds if
-one was undecided, too. --limits: `limit` is asked for lambda instead, and must know it to a millionth. Forces beyond the library's bound, and limits the oracle itself does not know well enough, are left out.
+one was undecided, too. --limits: `limit` is asked for lambda instead, and must know it to a millionth. Forces beyond the
+library's bound, and limits the oracle itself does not know well enough, are left out.
 """
 import argparse
 import json
@@ -164,7 +165,7 @@ def judge_limit(cli, scene, cone, h, top, bottom, size, label):
         out_of = (low is not None and low > top.value + most) or (high is not None and high < top.value - most)
         how = "wrong" if out_of else "undecided"
     else:
-        how = "right" if isinstance(got, float) and abs(got - top.value) <= most and r["verified"] else "wrong"
+        how = "right" if isinstance(got, (int, float)) and abs(got - top.value) <= most and r["verified"] else "wrong"
         falls = r.get("falls_under_dead_loads")
         if bottom.status == "limit" and abs(bottom.value) > 1e-6 * size + bottom.error() and falls is (bottom.value > 0):
             how = "wrong"
