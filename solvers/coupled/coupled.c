@@ -53,18 +53,25 @@ static int sp__coupled_judge(sp__cra *c, sp_state *state, sp_real *imbalance)
 }
 
 /* The decision found no proof: where it stopped at friction without slip there may be triples beside that point, so they are
- * looked for by the same cases (point.c), with long slips, then with shorter ones. */
+ * looked for by the same cases (point.c), with middling slips, with shorter and with longer ones, ever farther from the
+ * likeliest case. A length whose whole tree was walked is done. */
 SP__NOINLINE static sp_status sp__coupled_by_cases(sp__cra *c, sp_state *state, sp_real *imbalance, sp_arena a)
 {
-    static const sp_real slip[] = { (sp_real)0.1, (sp_real)1e-3, (sp_real)1e-5 };
-    const int64_t judge = 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points;
-    for (int q = 0; q < 3 && slip[q] > 4 * SP__SLIP; q++) {
-        int64_t *flops = &c->out->cost.flops;
-        const int64_t limit = state->left - *flops - judge;
-        const int point = sp__point_find(c->pb, c->set, &c->j, &c->k, slip[q], limit, &c->offer.t, a, flops);
-        if (point < 0) return SP_E_MEMORY;
-        if (point && sp__coupled_judge(c, state, imbalance)) return SP_OK;
-    }
+    static const struct { sp_real slip; int by_friction; } way[] = { { (sp_real)0.1, 1 }, { (sp_real)0.01, 0 }, { 1, 1 } };
+    const int64_t judge = 2 * SP__FLOPS_CERTIFICATE * (int64_t)c->pb->points, before = c->out->cost.flops;
+    sp__branch *s = sp__point_open(c->pb, c->set, &c->j, &c->k, state->left - before - judge, &a);
+    int done = 0;
+    if (!s) return sp__failed(&a) ? SP_E_MEMORY : SP_OK;
+    for (int32_t most = 1; most <= SP__POINT_MOST && done != 7; most *= 2)
+        for (int q = 0; q < 3; q++) {
+            sp__dive g = { s, way[q].slip, way[q].by_friction, 0, most, 0 };
+            if (done >> q & 1 || !(g.slip > 4 * SP__SLIP)) continue;
+            const int point = sp__point_run(&g);
+            c->out->cost.flops = before + s->lp.flops;
+            if (point) sp__point_write(s, &c->offer.t);
+            if (point && sp__coupled_judge(c, state, imbalance)) return SP_OK;
+            if (!g.cut) done |= 1 << q;
+        }
     return SP_OK;
 }
 

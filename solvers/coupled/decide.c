@@ -33,8 +33,9 @@ enum {
     SP__ROWS = 21
 };
 
-/* A node that was split: its vertex, the state before, the child at hand. */
-typedef struct sp__frame { int32_t vertex, state, child; } sp__frame;
+/* A node that was split: its vertex, the state before, how many children are done. Of a search by cases (point.c): the child it
+ * began with, how many were left behind although they led on, and whether the one at hand does. */
+typedef struct sp__frame { int32_t vertex, state; int8_t child, begin, missed, leads; } sp__frame;
 
 typedef struct sp__branch {
     const sp_problem *pb;

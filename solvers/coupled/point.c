@@ -2,6 +2,9 @@
  *
  *     decision       2 engaged, then quarters, then halves; friction without slip belongs to each of them
  *     here           2 engaged, then 3 no friction, or 4..7 a quarter and   m . dt >= slip,   m its middle
+ *
+ * The tree is walked by limited discrepancy [Harvey, Ginsberg 1995, IJCAI]: the likeliest child first, and on the way down to a
+ * leaf at most `most` times another than that; then twice as often. A child whose program has no point does not count.
  */
 #ifndef SP__COUPLED_POINT_C
 #define SP__COUPLED_POINT_C
@@ -10,7 +13,8 @@
 
 #ifndef SP_NO_CRA
 
-#define SP__POINT_FLOPS 400000000       /* work for one length of slip */
+#define SP__POINT_FLOPS 5000000000       /* work for all lengths of slip */
+#define SP__POINT_MOST 32               /* discrepancies */
 #define SP__POINT_DUST ((sp_real)(sizeof(sp_real) == 8 ? 1e-10 : 1e-6))        /* force that is none, gap that is closed */
 #define SP__POINT_SHARP ((sp_real)64)   /* factor on rows that the judge asks to more digits than SP__LP_TOL */
 
@@ -75,49 +79,75 @@ static int32_t sp__point_children(int32_t state, int32_t *first)
     return state == 2 ? 5 : 2;
 }
 
-/* The child to begin with: pressing where the force is larger than the gap, else the sector nearest to slip and -friction. */
-static int32_t sp__point_likely(const sp__branch *s, int32_t v, int32_t state)
+/* A search: the program, the length of slip, whether the likeliest sector is taken by friction alone or by slip as well;
+ * discrepancies of the path at hand, the most, and whether that kept it from any child. */
+typedef struct sp__dive {
+    sp__branch *s;
+    sp_real slip;
+    int by_friction;
+    int32_t missed, most;
+    int cut;
+} sp__dive;
+
+/* Which of the directions of a state's sectors a force and a slip are most opposed along, or the force alone. */
+static int32_t sp__point_sector(const sp_real f[3], const sp_real d[3], int by_friction, int32_t first, int32_t n)
 {
-    const sp_real *f = s->lp.x + 3 * v;
-    sp_real d[3], a[2], m[2], b[2], best = -SP__HUGE;
-    int32_t first, likely = 0;
-    const int32_t n = sp__point_children(state, &first);
-    sp__branch_displacement(s, v, d);
-    if (state == 0) return f[0] > d[0] + s->k.eps;
-    const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), dt = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]), dt = by_friction ? 0 : SP_SQRT(d[1] * d[1] + d[2] * d[2]);
     const sp_real x = sp__ratio(d[1], dt) - sp__ratio(f[1], ft), y = sp__ratio(d[2], dt) - sp__ratio(f[2], ft);
-    for (int32_t k = 0; k < n; k++) {
-        if (first + k < 4) continue;
+    sp_real a[2], m[2], b[2], best = -SP__HUGE;
+    int32_t likely = 0;
+    for (int32_t k = first < 4 ? 4 - first : 0; k < n; k++) {
         sp__sector(first + k, a, m, b);
         if (m[0] * x + m[1] * y > best) { best = m[0] * x + m[1] * y; likely = k; }
     }
     return likely;
 }
 
-/* A node is split at vertex v; frame.child: 8 times how many children are done, and the one it began with. */
-static void sp__point_split(sp__branch *s, int32_t v)
+/* The child to begin with: pressing where the force is larger than the gap, else the sector nearest to -friction. */
+static int32_t sp__point_likely(const sp__dive *g, int32_t v, int32_t state)
 {
+    const sp_real *f = g->s->lp.x + 3 * v;
+    sp_real d[3];
+    int32_t first;
+    const int32_t n = sp__point_children(state, &first);
+    sp__branch_displacement(g->s, v, d);
+    return state == 0 ? f[0] > d[0] + g->s->k.eps : sp__point_sector(f, d, g->by_friction, first, n);
+}
+
+/* A node is split at vertex v. */
+static void sp__point_split(const sp__dive *g, int32_t v)
+{
+    sp__branch *s = g->s;
+    if (s->depth) s->stack[s->depth - 1].leads = 1;
     sp__frame *f = &s->stack[s->depth++];
     int32_t first;
     f->vertex = v;
     f->state = s->state[v];
-    f->child = sp__point_likely(s, v, f->state);
+    f->child = f->missed = f->leads = 0;
+    f->begin = (int8_t)sp__point_likely(g, v, f->state);
     sp__point_children(f->state, &first);
-    s->state[v] = first + f->child;
+    s->state[v] = first + f->begin;
 }
 
-/* On to the next child of the deepest node that has one.     returns 0: there is none */
-static int sp__point_next(sp__branch *s)
+/* On to the next child of the deepest node that has one within the limit.     returns 0: there is none */
+static int sp__point_next(sp__dive *g)
 {
+    sp__branch *s = g->s;
     for (; s->depth; s->depth--) {
         sp__frame *f = &s->stack[s->depth - 1];
         int32_t first;
         const int32_t n = sp__point_children(f->state, &first);
         s->state[f->vertex] = f->state;
-        f->child += 8;
-        if (f->child / 8 == n) continue;
-        s->state[f->vertex] = first + (f->child / 8 + f->child % 8) % n;
-        return 1;
+        if (f->child + 1 < n && g->missed + f->leads <= g->most) {
+            f->missed = (int8_t)(f->missed + f->leads);
+            g->missed += f->leads;
+            f->leads = 0;
+            f->child++;
+            s->state[f->vertex] = first + (f->child + f->begin) % n;
+            return 1;
+        }
+        if (f->child + 1 < n) g->cut = 1;
+        g->missed -= f->missed;
     }
     return 0;
 }
@@ -134,22 +164,25 @@ static int32_t sp__point_pick(const sp__branch *s)
     return pick;
 }
 
-/* Depth first, the likeliest child first.     returns 1 when the program's point is a triple as far as states can tell */
-SP__NOINLINE static int sp__point_run(sp__branch *s, sp_real slip)
+/* Depth first within the limit.     returns 1 when the program's point is a triple as far as states can tell */
+SP__NOINLINE static int sp__point_run(sp__dive *g)
 {
+    sp__branch *s = g->s;
     s->depth = 0;
+    g->missed = g->cut = 0;
+    for (int32_t v = 0; v < s->points; v++) { s->state[v] = 0; s->loaded[v] = -1; }
     for (int32_t node = 0; node < s->nodes; node++) {
         for (int32_t v = 0; v < s->points; v++) {
             if (!sp__lp_affords(&s->lp, SP__ROWS)) return 0;
-            sp__point_set_state(s, v, slip);
+            sp__point_set_state(s, v, g->slip);
         }
         const sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
         if (status == SP__LP_GIVEN_UP && !sp__lp_affords(&s->lp, 4)) return 0;
         const int deeper = status == SP__LP_POINT && s->depth < SP__PROOF_DEPTH * s->points;
         const int32_t v = deeper ? sp__point_pick(s) : -1;
         if (deeper && v < 0) return 1;
-        if (deeper) sp__point_split(s, v);
-        else if (!sp__point_next(s)) return 0;
+        if (deeper) sp__point_split(g, v);
+        else if (!sp__point_next(g)) return 0;
     }
     return 0;
 }
@@ -168,18 +201,23 @@ static void sp__point_write_vertex(const sp__branch *s, int32_t v, const sp__tri
     t->alpha[s->at[v]] = rubs ? sp__in_newtons(s->j->unit / s->k.L, along * s->size[v] / squared) : 0;
 }
 
-/* Looks for a triple whose slips are as long as that, for work up to `limit`.     returns 1: t; 0: none, -1: no memory */
-SP__NOINLINE static int sp__point_find(const sp_problem *pb, const sp_settings *set, const sp__certifier *j,
-                                       const sp__lengths *k, sp_real slip, int64_t limit, const sp__triple *t,
-                                       sp_arena a, int64_t *flops)
+/* The triple at the program's point. */
+static void sp__point_write(const sp__branch *s, const sp__triple *t)
+{
+    sp__branch_point(s, t);
+    for (int32_t v = 0; v < s->points; v++) sp__point_write_vertex(s, v, t);
+}
+
+/* The program of a search, for work up to `limit`.     returns NULL: this many corners are not searched, or no memory */
+SP__NOINLINE static sp__branch *sp__point_open(const sp_problem *pb, const sp_settings *set, const sp__certifier *j,
+                                               const sp__lengths *k, int64_t limit, sp_arena *a)
 {
     int32_t entries;
     const int32_t nodes = sp__branch_proof_room(sp__problem_points(pb), pb->blocks, set->coupled.nodes, &entries);
-    if (!nodes) return 0;
-    sp__branch *s = sp__take(&a, 1, sizeof *s);
-    if (!s) return -1;
-    sp__branch_carve(s, pb, &a);
-    if (sp__failed(&a)) return -1;
+    sp__branch *s = nodes ? sp__take(a, 1, sizeof *s) : NULL;
+    if (!s) return NULL;
+    sp__branch_carve(s, pb, a);
+    if (sp__failed(a)) return NULL;
     s->set = set;
     s->j = j;
     s->k = *k;
@@ -188,11 +226,7 @@ SP__NOINLINE static int sp__point_find(const sp_problem *pb, const sp_settings *
     for (int32_t v = 0; v < s->points; v++)
         sp__branch_motion_row(s, v, sp__branch_row(s, v, SP__ROW_GAP), SP__POINT_SHARP, 0, 0);
     s->lp.limit = limit < SP__POINT_FLOPS ? limit : SP__POINT_FLOPS;
-    const int found = sp__point_run(s, slip);
-    if (found) sp__branch_point(s, t);
-    for (int32_t v = 0; v < s->points && found; v++) sp__point_write_vertex(s, v, t);
-    *flops += s->lp.flops;
-    return found;
+    return s;
 }
 
 #endif /* SP_NO_CRA */

@@ -206,19 +206,23 @@ TEST(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
         }
 }
 
-/* A beam snug between a wall and an upright block that stands free on the ground: nothing squeezes it, and it is too high to jam
- * across its diagonal, but statics let the upright's weight press it. `order`: of the blocks and joints, which side is A. */
-static void snug(double mu, int order, sp_scene *s)
+/* A beam snug between a wall and an upright block that stands free on the ground: nothing squeezes it, and it is too high to
+ * jam across its diagonal, but statics let the upright's weight press it. low, top: of the beam; end: of the upright; `order`:
+ * of the blocks and joints, which side is A. */
+typedef struct snug_beam { double mu, low, top, width, end, beam, post; } snug_beam;
+
+static void snug_of(const snug_beam *q, int order, sp_scene *s)
 {
-    static const double at[4][3] = { { 0, 0, -1 }, { -2, 0, 1 }, { 0, 0, 1.5 }, { 0.75, 0, 1 } };       /* ground wall beam post */
-    static const double mass[4] = { 0, 0, 100, 5000 };
+    const double low = q->low, top = q->top, y = q->width / 2;
+    /* ground wall beam post */
+    const double at[4][3] = { { 0, 0, -1 }, { -2, 0, 1 }, { 0, 0, (low + top) / 2 }, { (0.5 + q->end) / 2, 0, 1 } };
+    const double mass[4] = { 0, 0, q->beam, q->post };
+    const double corner[3][12] = {
+        { -0.5, -y, low, -0.5, y, low, -0.5, y, top, -0.5, -y, top }, { 0.5, -y, low, 0.5, y, low, 0.5, y, top, 0.5, -y, top },
+        { 0.5, -y, 0, q->end, -y, 0, q->end, y, 0, 0.5, y, 0 } };
     static const int pair[3][2] = { { 1, 2 }, { 2, 3 }, { 0, 3 } };
-    static const double corner[3][12] = {
-        { -0.5, -0.5, 1.2, -0.5, 0.5, 1.2, -0.5, 0.5, 1.8, -0.5, -0.5, 1.8 },
-        { 0.5, -0.5, 1.2, 0.5, 0.5, 1.2, 0.5, 0.5, 1.8, 0.5, -0.5, 1.8 },
-        { 0.5, -0.5, 0, 1, -0.5, 0, 1, 0.5, 0, 0.5, 0.5, 0 } };
     const sp_capacity cap = { 4, 0, 0, 0, 3, 12, 0 };
-    const sp_strength strength = sp_strength_friction(R(mu));
+    const sp_strength strength = sp_strength_friction(R(q->mu));
     int32_t id[4];
     test_arena.used = 0;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
@@ -238,6 +242,12 @@ static void snug(double mu, int order, sp_scene *s)
     }
 }
 
+static void snug(double mu, int order, sp_scene *s)
+{
+    const snug_beam q = { mu, 1.2, 1.8, 1, 1, 100, 5000 };
+    snug_of(&q, order, s);
+}
+
 TEST(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numbered)
 {
     for (int order = SOME_OF(0, 1); order < SOME_OF(5, 3); order++) {
@@ -250,6 +260,23 @@ TEST(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numb
         snug(order ? 0.3 : 0.7, order, &s);
         if (sizeof(sp_real) == 8) CHECK_INT(answer(&s, &set, &r), SP_COUPLING_REFUTED);
         else CHECK(answer(&s, &set, &r) != SP_COUPLING_COUPLED);
+    }
+}
+
+/* Half as high as wide and mu = 0.84, less than 2h/w = 1: in its plane it cannot jam. In space it can, by a motion that only
+ * the search by cases finds. */
+TEST(a_snug_beam_that_cannot_jam_in_its_plane_is_coupled_in_space)
+{
+    static const snug_beam q = { 0.84, 0.75, 1.25, 0.5, 1.5, 600, 2400 };
+    const sp_settings set = asked(100, 0);
+    for (int order = 0; order < SOME_OF(3, 1); order++) {
+        sp_scene s;
+        sp_result r;
+        snug_of(&q, order, &s);
+        const sp_coupling found = answer(&s, &set, &r);
+        CHECK(found != SP_COUPLING_REFUTED);
+        if (sizeof(sp_real) == 8) CHECK_INT(found, SP_COUPLING_COUPLED);
+        CHECK(r.coupled.cost.flops < 7000000000);
     }
 }
 
@@ -406,6 +433,7 @@ TEST_LIST(coupled)
     RUN(a_coarse_tol_neither_couples_what_slides_nor_leaves_the_h_model_open)
     RUN(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
     RUN(a_beam_snug_between_a_wall_and_a_free_upright_is_refuted_however_it_is_numbered)
+    RUN(a_snug_beam_that_cannot_jam_in_its_plane_is_coupled_in_space)
     RUN(a_turn_with_gravity_units_order_sides_and_first_corners_leave_the_answer)
     RUN(a_triple_stays_one_where_more_is_allowed_or_all_is_scaled)
     RUN(as_friction_or_eta_grows_the_answer_turns_once)
