@@ -95,7 +95,7 @@ static const char help_sequence[] =
 "status: 0 every step stands, 1 one is unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
 
 static const char help_contacts[] =
-"stonepack contacts [--json] SCENE\n\n"
+"stonepack contacts [--json] [--mu X] SCENE\n\n"
 "What touches what? Finds the contacts of the meshes, whatever contacts the file gives, and blocks inside each other.\n";
 
 static const char help_convert[] =

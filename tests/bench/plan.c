@@ -128,11 +128,12 @@ static void print(const char *group, int first, int last)
 
 int main(int argc, char **argv)
 {
+    const scene_settings as_it_is = scene_settings_default();
     for (int k = 1; k < argc; k++) {
         failure error = { 0, "" };
         host_scene s;
         sp_settings set = sp_settings_default();
-        if (scene_read(argv[k], -1, SCENE_GIVEN, &s, &error) == 0)
+        if (scene_read(argv[k], &as_it_is, &s, &error) == 0)
             for (int cone = 0; cone < 2; cone++, set.faces = 8) check("scenes given", &s.scene, &set, k);
         else fprintf(stderr, "%s\n", error.line);
         scene_free(&s);

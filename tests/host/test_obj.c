@@ -22,10 +22,13 @@ static int parse(const char *text, sp_real mu, scene_contacts contacts, host_sce
 {
     const size_t n = strlen(text);
     char *copy = malloc(n + 1);
+    scene_settings set = scene_settings_default();
     if (!copy) return EXIT_MEMORY;
+    set.mu = mu;
+    set.contacts = contacts;
     memcpy(copy, text, n + 1);
     error.line[0] = 0;
-    return scene_parse("t.obj", copy, n, mu, contacts, s, &error);
+    return scene_parse("t.obj", copy, n, &set, s, &error);
 }
 
 /* A text must be refused with this message. */
@@ -49,6 +52,45 @@ static char *written(const host_scene *s)
     if (text && fread(text, 1, (size_t)n, f) != (size_t)n) text[0] = 0;
     fclose(f);
     return text;
+}
+
+/* What remarks_json writes of r, malloc's. */
+static char *told(const remarks *r)
+{
+    FILE *f = tmpfile();
+    char *text = calloc(1024, 1);
+    json_out j = { f, 0 };
+    if (!f || !text) return text;
+    remarks_json(&j, r);
+    rewind(f);
+    text[fread(text, 1, 1023, f)] = 0;
+    fclose(f);
+    return text;
+}
+
+TEST(a_remark_is_told_once)
+{
+    remarks r = { 0, 0, NULL };
+    for (int k = 0; k < 20; k++) remarks_add(&r, k % 2 ? "--try it" : NULL, "number %d", k / 2 % 2);
+    CHECK_INT(r.count, 2);
+    char *text = told(&r);
+    CHECK_TEXT(text, "\"remarks\": [{\"text\": \"number 0\", \"option\": null}, {\"text\": \"number 1\", \"option\": null}]");
+    free(text);
+    for (int k = 0; k < 100; k++) remarks_add(&r, "--try it", "%d more", k);
+    CHECK_INT(r.count, 102);
+    CHECK_TEXT(r.each[101].option, "--try it");
+    remarks_free(&r);
+}
+
+TEST(a_scene_without_supports_says_so)
+{
+    host_scene s;
+    CHECK_INT(parse(GROUND STONE, -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.remarks.count, 0);
+    scene_free(&s);
+    CHECK_INT(parse(STONE, -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.remarks.count, 1);
+    scene_free(&s);
 }
 
 TEST(a_scene_is_read)
@@ -359,6 +401,8 @@ TEST(help_tells_the_words_that_are_read)
 }
 
 TEST_LIST(obj)
+    RUN(a_remark_is_told_once)
+    RUN(a_scene_without_supports_says_so)
     RUN(a_scene_is_read)
     RUN(defaults_are_those_of_stone_on_earth)
     RUN(mu_of_the_caller_overrides_every_joint)

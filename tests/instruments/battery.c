@@ -213,6 +213,7 @@ static void file(const char *path)
     sp_arena arena;
     sp_result r;
     sp_settings set = sp_settings_default();
+    const scene_settings as_it_is = scene_settings_default();
     host_scene s;
     failure error;
     char name[64];
@@ -220,7 +221,7 @@ static void file(const char *path)
     memset(&r, 0, sizeof r);
     sp_arena_init(&arena, room, sizeof room);
     snprintf(name, sizeof name, "%s", last ? last + 1 : path);
-    int status = scene_read(path, -1, SCENE_GIVEN, &s, &error);
+    int status = scene_read(path, &as_it_is, &s, &error);
     if (tol > 0) set.tol = (sp_real)tol;
     started = clock();
     if (far) { printf("%s|%.3g\n", name, status ? 1 : distance(&s.scene, &set, arena)); scene_free(&s); return; }

@@ -40,7 +40,7 @@ static int check_one(const char *path, const options *o, failure *error)
     r.scene = &s;
     r.options = o;
     show_progress("reading", path);
-    status = scene_read(path, o->mu, SCENE_GIVEN, &s, error);
+    status = scene_read(path, &o->scene, &s, error);
     if (!status) tilt_turn(o->tilt, o->azimuth, s.scene.gravity);
     if (!status && s.scene.count.blocks >= LONG_WORK) show_progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
@@ -77,9 +77,9 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --mu --stages --solver --preset --net --tilt"
-                     " --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done ",
-                     &o, &error)) {
+    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --stages --solver --preset --net --tilt"
+                     " --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
+                     SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }

@@ -18,6 +18,7 @@ static void print_table(const host_scene *s)
     printf("%ld contact%s between %ld block%s, %ld overlap%s\n", (long)s->scene.count.joints,
            s->scene.count.joints == 1 ? "" : "s", (long)s->scene.count.blocks, s->scene.count.blocks == 1 ? "" : "s",
            (long)s->overlaps, s->overlaps == 1 ? "" : "s");
+    remarks_print(stdout, &s->remarks);
 }
 
 static void print_json(const host_scene *s)
@@ -49,6 +50,7 @@ static void print_json(const host_scene *s)
         json_close(&j, '}');
     }
     json_close(&j, ']');
+    remarks_json(&j, &s->remarks);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -59,10 +61,11 @@ int command_contacts(int argc, char **argv)
     host_scene s;
     options o;
 
-    if (options_read(argc, argv, " --json ", &o, &error) == 0 && o.files != 1)
+    if (options_read(argc, argv, " --json" SCENE_OPTIONS, &o, &error) == 0 && o.files != 1)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: contacts needs one scene");
     if (!error.status) {
-        if (scene_read(o.file[0], o.mu, SCENE_FIND, &s, &error) == 0) {
+        o.scene.contacts = SCENE_FIND;
+        if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
             if (o.json) print_json(&s);
             else print_table(&s);
         }

@@ -24,11 +24,12 @@ int command_convert(int argc, char **argv)
     host_scene s;
     options o;
 
-    if (options_read(argc, argv, " --mu ", &o, &error) == 0 && (o.files < 1 || o.files > 2))
+    if (options_read(argc, argv, SCENE_OPTIONS, &o, &error) == 0 && (o.files < 1 || o.files > 2))
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
     if (!error.status) {
-        if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0)
-            write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error);
+        if (scene_read(o.file[0], &o.scene, &s, &error) == 0
+            && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0)
+            remarks_print(stderr, &s.remarks);          /* standard output may be the scene */
         scene_free(&s);
     }
     if (error.status) fprintf(stderr, "%s\n", error.line);

@@ -166,6 +166,7 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
         if (k % COST_TOLS == COST_TOLS - 1) fprintf(out, "%10.3g\n", 1e3 * r->seconds);
     }
     table_words(out, t);
+    remarks_print(out, &s->remarks);
 }
 
 /* ----------------------------------------------------------------------------------------------------------------- JSON */
@@ -202,6 +203,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
         json_close(&j, '}');
     }
     json_close(&j, ']');
+    remarks_json(&j, &s->remarks);
     json_close(&j, '}');
     fputc('\n', out);
 }
@@ -223,11 +225,11 @@ int command_cost(int argc, char **argv)
     host_scene s;
     options o;
     sp_status status = SP_OK;
-    int code = options_read(argc, argv, " --json --svg --mu --tilt --budget ", &o, &error);
+    int code = options_read(argc, argv, " --json --svg --tilt --budget" SCENE_OPTIONS, &o, &error);
 
     memset(&s, 0, sizeof s);
     if (!code && o.files != 1) code = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
-    if (!code) code = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
+    if (!code) code = scene_read(o.file[0], &o.scene, &s, &error);
     if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);

@@ -127,6 +127,7 @@ static void print_json(const report *r)
     json_joints(&j, r->scene, x->dq);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
+    remarks_json(&j, &r->scene->remarks);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -210,6 +211,7 @@ static void print_text(const report *r)
     report_row(stdout, "cost");
     printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
            (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
+    remarks_print(stdout, &r->scene->remarks);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- command */
@@ -260,13 +262,14 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --tol --cone --mu --body --tilt --tilt-margin --budget ", &o, &error);
+    status = options_read(argc, argv, " --json --svg --tol --cone --body --tilt --tilt-margin --budget" SCENE_OPTIONS, &o,
+                          &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
     if (!status) {
         memset(&r, 0, sizeof r);
         r.scene = &s;
         r.options = &o;
-        status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error);
+        status = scene_read(o.file[0], &o.scene, &s, &error);
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");

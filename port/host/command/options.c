@@ -91,7 +91,7 @@ static int take_budget(options *o, const char *name, const char *value, failure 
 
 static int take_mu(options *o, const char *name, const char *value, failure *error)
 {
-    return read_real(value, &o->mu) && o->mu >= 0 ? 0 : usage(error, name, "needs a number, 0 or more");
+    return read_real(value, &o->scene.mu) && o->scene.mu >= 0 ? 0 : usage(error, name, "needs a number, 0 or more");
 }
 
 static int take_eps(options *o, const char *name, const char *value, failure *error)
@@ -318,7 +318,7 @@ static void set_defaults(options *o, char **argv)
 {
     const options none = { 0 };
     *o = none;
-    o->mu = -1;
+    o->scene = scene_settings_default();
     o->solver_name = "admm";
     o->solver = sp_qp_admm();
     o->program = argv[0];

@@ -2,7 +2,7 @@
 #ifndef STONEPACK_HOST_OPTIONS_H
 #define STONEPACK_HOST_OPTIONS_H
 
-#include "../files/failure.h"
+#include "../files/scene.h"
 
 typedef struct options {
     int json, forces;
@@ -15,7 +15,7 @@ typedef struct options {
     int confirm;                /* of settle */
     const char *order, *order_file;     /* of sequence: names a,b,c, or a file of them; NULL */
     int remove, suggest;        /* of sequence */
-    sp_real mu;                 /* overrides every friction; -1: not given */
+    scene_settings scene;       /* of every command that reads one: SCENE_OPTIONS */
     double tilt, azimuth;       /* [degree] gravity is turned by tilt towards azimuth, counted from x to y */
     sp_real eps;                /* of qp; 0: not given */
     int backend;                /* of qp: an sp_qp_backend */
@@ -32,6 +32,9 @@ typedef struct options {
     int files;
     char **file;                /* what is no option, in order */
 } options;
+
+/* Options of whatever reads a scene; `allowed` of such a command has them behind its own. */
+#define SCENE_OPTIONS " --mu "
 
 /* Read argv[2..] for a command; argv is reordered, files keep their order. `allowed`: the command's options, space around
  * each: " --json --mu ".                                                       returns 0 or EXIT_USAGE */

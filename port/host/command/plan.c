@@ -24,6 +24,7 @@ static void print_table(const host_scene *s, const sp_outlook *o)
            (unsigned long long)o->bytes);
     printf("%-15s %12lld %12lld %12llu\n", "all effects", (long long)o->full_unknowns, (long long)o->full_flops,
            (unsigned long long)o->full_bytes);
+    remarks_print(stdout, &s->remarks);
 }
 
 static void json_total(json_out *j, const char *key, int64_t unknowns, int64_t flops, size_t bytes)
@@ -56,6 +57,7 @@ static void print_json(const host_scene *s, const sp_outlook *o)
     json_close(&j, '}');
     json_total(&j, "planned", o->unknowns, o->flops, o->bytes);
     json_total(&j, "full", o->full_unknowns, o->full_flops, o->full_bytes);
+    remarks_json(&j, &s->remarks);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -67,11 +69,11 @@ int command_plan(int argc, char **argv)
     options o;
     sp_outlook outlook;
 
-    if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled ", &o, &error) == 0
+    if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled" SCENE_OPTIONS, &o, &error) == 0
         && o.files != 1)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
-        if (scene_read(o.file[0], o.mu, SCENE_GIVEN, &s, &error) == 0) {
+        if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
             tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
             const sp_status status = run_plan(&s.scene, &o.settings, &outlook);
             if (status) scene_refused(&s, &o.settings, status, &error);

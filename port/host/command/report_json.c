@@ -197,7 +197,7 @@ static void json_forces(json_out *j, const report *r)
     const sp_scene *s = &r->scene->scene;
     json_open(j, "asked", '{');
     json_string(j, "cone", r->options->cone);
-    if (r->options->mu >= 0) json_real(j, "mu", (double)r->options->mu);
+    if (r->options->scene.mu >= 0) json_real(j, "mu", (double)r->options->scene.mu);
     else json_null(j, "mu");
     json_reals(j, "gravity", s->gravity, 3);
     json_close(j, '}');
@@ -256,6 +256,7 @@ void report_json(FILE *out, const report *r)
     json_overlaps(&j, r->scene);
     json_effects(&j, &r->result);
     json_islands(&j, r);
+    remarks_json(&j, &r->scene->remarks);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);

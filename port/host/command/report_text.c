@@ -236,4 +236,5 @@ void report_text(FILE *out, const report *r)
     text_islands(out, r);
     text_overlaps(out, r->scene);
     text_cost(out, r);
+    remarks_print(out, &r->scene->remarks);
 }

@@ -263,6 +263,7 @@ static void print_text(const run *r)
     if (r->first) printf("  to be held     at most %lu at once; ! falls even when all others are held\n", (unsigned long)most);
     printf("  cost           %ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
            1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+    remarks_print(stdout, &r->scene.remarks);
 }
 
 static void json_cost(json_out *j, const char *key, const sp_cost *c)
@@ -333,6 +334,7 @@ static void print_json(const run *r)
     json_cost(&j, "cost", &r->cost);
     json_int(&j, "memory_bytes", (int64_t)(r->bytes + r->scene.bytes));
     json_real(&j, "seconds", r->seconds);
+    remarks_json(&j, &r->scene.remarks);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -401,13 +403,13 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --tol --cone --mu --stages --tilt --budget --order --order-file --remove"
-                          " --suggest ", &o, &error);
+    status = options_read(argc, argv, " --json --svg --tol --cone --stages --tilt --budget --order --order-file --remove"
+                          " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
         if (o.settings.stage[k] == SP_STAGE_ADMM)
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
-    if (!status) status = scene_read(o.file[0], o.mu, SCENE_GIVEN, &r.scene, &error);
+    if (!status) status = scene_read(o.file[0], &o.scene, &r.scene, &error);
     if (!status) tilt_turn(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);
     if (!status) {

@@ -427,6 +427,7 @@ static void print_text(const session *s)
            1e3 * r->penetration / mean_diameter(&s->in.scene));
     printf("  contacts       %ld in %ld points\n", (long)r->contacts, (long)points);
     if (s->o->out) printf("  written        %s\n", s->o->out);
+    remarks_print(stdout, &s->in.remarks);
 }
 
 static void print_json(const session *s, const sp_result *statics, const char *agree)
@@ -450,6 +451,7 @@ static void print_json(const session *s, const sp_result *statics, const char *a
         json_real(&j, "turned", r->turned);
         json_string(&j, "together", agree);
     }
+    remarks_json(&j, &s->in.remarks);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -476,6 +478,7 @@ static int compare_with_statics(session *s, failure *error)
                    s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
             printf("  moved          %.2g block edges, turned %.2g degrees at most; held: up to %g and %g\n", s->result.moved,
                    s->result.turned, s->set.moved, s->set.turned);
+            remarks_print(stdout, &s->in.remarks);
         }
     }
     free(memory);
@@ -484,7 +487,7 @@ static int compare_with_statics(session *s, failure *error)
 
 static int settle_and_tell(session *s, failure *error)
 {
-    int status = scene_read(s->o->file[0], s->o->mu, SCENE_GIVEN, &s->in, error);
+    int status = scene_read(s->o->file[0], &s->o->scene, &s->in, error);
     if (!status) status = simulate(s, error);
     if (!status && s->o->frames) status = write_frames(s, error);
     if (!status && s->o->out) status = write_scene(s, error);
@@ -500,7 +503,7 @@ int command_settle(int argc, char **argv)
     failure error = { 0, "" };
     options o;
     session s;
-    int status = options_read(argc, argv, " -o --frames --set --near --mu --json --confirm ", &o, &error);
+    int status = options_read(argc, argv, " -o --frames --set --near --json --confirm" SCENE_OPTIONS, &o, &error);
 
     memset(&s, 0, sizeof s);
     s.o = &o;

@@ -57,6 +57,7 @@ static void print_json(const report *r, const tilt_margin *m)
     json_open(&j, "angles", '[');
     for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) json_real(&j, NULL, m->angle[k]);
     json_close(&j, ']');
+    remarks_json(&j, &r->scene->remarks);
     json_close(&j, '}');
     putchar('\n');
 }
@@ -66,6 +67,7 @@ static void print_text(const report *r, const tilt_margin *m)
     const char *path = r->scene->path;
     if (!m->stands) {
         printf("%s: %s\n", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
+        remarks_print(stdout, &r->scene->remarks);
         return;
     }
     if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", path);
@@ -80,6 +82,7 @@ static void print_text(const report *r, const tilt_margin *m)
     report_row(stdout, "how");
     printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS,
            m->undecided);
+    remarks_print(stdout, &r->scene->remarks);
 }
 
 int tilt_report(report *r, failure *error)

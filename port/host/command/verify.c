@@ -45,7 +45,7 @@ static int read_asked(const reading *r, options *o, sp_real gravity[3])
     if (!cone || cone->kind != JSON_STRING || !options_cone(cone->as.string, &o->settings)) return fail(r, asked, "bad cone");
     snprintf(o->cone, sizeof o->cone, "%s", cone->as.string);
     if (!mu || (mu->kind != JSON_NULL && (mu->kind != JSON_NUMBER || mu->as.number < 0))) return fail(r, asked, "bad mu");
-    o->mu = mu->kind == JSON_NUMBER ? (sp_real)mu->as.number : -1;
+    o->scene.mu = mu->kind == JSON_NUMBER ? (sp_real)mu->as.number : -1;
     return read_reals(r, json_member(&r->tree, asked, "gravity"), 3, gravity) ? 0 : fail(r, asked, "bad gravity");
 }
 
@@ -262,7 +262,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         if (!status) status = read_coupled(&r, &v->o);
     }
     if (!status) {
-        status = scene_read(scene_path, v->o.mu, SCENE_GIVEN, &s, error);
+        status = scene_read(scene_path, &v->o.scene, &s, error);
         read = 1;
     }
     if (!status) {
@@ -272,6 +272,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
+    if (!status) remarks_print(stderr, &s.remarks);     /* after the line of the verdict */
     if (read) scene_free(&s);
     return status;
 }
@@ -282,8 +283,9 @@ static void print_other_question(const verified *v)
     const options *o = &v->o, *t = &v->told;
     if (strcmp(o->cone, t->cone)) printf(", the result's cone is %s", t->cone);
     if (v->tol > o->settings.tol) printf(", the result's tol is %.2g", (double)v->tol);
-    if (t->mu >= 0 && (o->mu < t->mu || o->mu > t->mu)) printf(", the result's friction is %g", (double)t->mu);
-    if (t->mu < 0 && o->mu >= 0) printf(", the result's friction is the scene's");
+    const sp_real mu = o->scene.mu, told = t->scene.mu;
+    if (told >= 0 && (mu < told || mu > told)) printf(", the result's friction is %g", (double)told);
+    if (told < 0 && mu >= 0) printf(", the result's friction is the scene's");
     if (memcmp(v->turned, v->gravity, sizeof v->turned))
         printf(", the result's gravity is %g %g %g", (double)v->gravity[0], (double)v->gravity[1], (double)v->gravity[2]);
 }
@@ -294,7 +296,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     const options *o = &v->o;
     char imbalance[32], least[32];
     printf("%s: %s by %s, cone %s, tol %.2g", scene_path, sp_verdict_text(e->verdict), path, o->cone, (double)o->settings.tol);
-    if (o->mu >= 0) printf(", friction %g", (double)o->mu);
+    if (o->scene.mu >= 0) printf(", friction %g", (double)o->scene.mu);
     if (o->tilt > 0) printf(", tilted by %g degrees", o->tilt);
     print_other_question(v);
     printf(": ");
@@ -317,7 +319,7 @@ int command_verify(int argc, char **argv)
     sp_evidence *e = &v.evidence;
 
     memset(&v, 0, sizeof v);
-    if (options_read(argc, argv, " --tol --cone --mu --tilt ", &v.o, &error) == 0 && v.o.files != 2)
+    if (options_read(argc, argv, " --tol --cone --tilt" SCENE_OPTIONS, &v.o, &error) == 0 && v.o.files != 2)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
         fprintf(stderr, "%s\n", error.line);

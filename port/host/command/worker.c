@@ -12,13 +12,14 @@
 static int round_trip(const char *path)
 {
     const sp_settings settings = sp_settings_default();
+    const scene_settings as_it_is = scene_settings_default();
     failure error = { 0, "" };
     blob b = { NULL, 0, 0, 0 };
     void *memory = NULL;
     host_scene s;
     sp_scene again;
     sp_settings set;
-    int exit_status = scene_read(path, -1, SCENE_GIVEN, &s, &error);
+    int exit_status = scene_read(path, &as_it_is, &s, &error);
 
     if (!exit_status) {
         sp_status status = blob_write_request(&b, &s.scene, &settings);

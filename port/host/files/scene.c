@@ -298,9 +298,10 @@ static int keep_names(const obj_file *f, host_scene *s, failure *error)
     return 0;
 }
 
-static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
+static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set, host_scene *s, failure *error)
 {
-    const int given = contacts == SCENE_GIVEN && f->contacts > 0;
+    const sp_real mu = set->mu;
+    const int given = set->contacts == SCENE_GIVEN && f->contacts > 0;
     sp_capacity cap = { 0, 0, 0, 0, 0, 0, 0 };
     int status = keep_names(f, s, error);
 
@@ -318,8 +319,14 @@ static int from_file(const obj_file *f, mesh_room *m, sp_real mu, scene_contacts
     return status;
 }
 
+static void remark_supports(host_scene *s)
+{
+    for (int32_t b = 0; b < s->scene.count.blocks; b++) if (s->scene.block[b].fixed) return;
+    remarks_add(&s->remarks, NULL, "no block is a support: write `#@ fixed` after the o line of those that are");
+}
+
 /* The file's tables are let go as soon as the scene is built. */
-static int build_from(obj_file *f, int status, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
+static int build_from(obj_file *f, int status, const scene_settings *set, host_scene *s, failure *error)
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
     if (!status) {
@@ -328,28 +335,34 @@ static int build_from(obj_file *f, int status, sp_real mu, scene_contacts contac
     }
     if (!status) {
         strcpy(s->path, f->path);
-        status = from_file(f, &m, mu, contacts, s, error);
+        status = from_file(f, &m, set, s, error);
     }
+    if (!status) remark_supports(s);
     free_room(&m);
     obj_free(f);
     return status;
 }
 
-int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, failure *error)
+scene_settings scene_settings_default(void)
 {
-    const host_scene empty = { 0 };
-    obj_file f;
-    *s = empty;
-    return build_from(&f, obj_read(path, &f, error), mu, contacts, s, error);
+    const scene_settings set = { -1, SCENE_GIVEN };
+    return set;
 }
 
-int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
-                failure *error)
+int scene_read(const char *path, const scene_settings *set, host_scene *s, failure *error)
 {
     const host_scene empty = { 0 };
     obj_file f;
     *s = empty;
-    return build_from(&f, obj_parse(path, text, length, &f, error), mu, contacts, s, error);
+    return build_from(&f, obj_read(path, &f, error), set, s, error);
+}
+
+int scene_parse(const char *path, char *text, size_t length, const scene_settings *set, host_scene *s, failure *error)
+{
+    const host_scene empty = { 0 };
+    obj_file f;
+    *s = empty;
+    return build_from(&f, obj_parse(path, text, length, &f, error), set, s, error);
 }
 
 /* ------------------------------------------------------------------------------------------------- what the library refuses */
@@ -432,4 +445,5 @@ void scene_free(host_scene *s)
     free(s->name);
     free(s->names);
     free(s->overlap);
+    remarks_free(&s->remarks);
 }

@@ -3,6 +3,7 @@
 #define STONEPACK_HOST_SCENE_H
 
 #include "failure.h"
+#include "remarks.h"
 
 typedef struct host_scene {
     char *path;                 /* as given, "-": standard input */
@@ -18,18 +19,26 @@ typedef struct host_scene {
     int32_t *line;              /* of the file: of each block, of each contact given, of each load */
     int32_t given;              /* contacts given */
     int32_t gravity_line, strength_line;        /* where they are told first, 0: nowhere */
+    remarks remarks;            /* what to know of it beside the answer */
 } host_scene;
 
 typedef enum scene_contacts { SCENE_GIVEN, SCENE_FIND } scene_contacts;
 
-/* Read a scene and build it. mu >= 0 overrides every friction of the file, -1: nothing.
- *   contacts   SCENE_GIVEN: the file's, found if it has none; SCENE_FIND: the file's are left out and contacts are found
+/* What is asked beside the file: the options that every command with a scene has. */
+typedef struct scene_settings {
+    sp_real mu;                 /* overrides every friction of the file; below 0: nothing */
+    scene_contacts contacts;    /* SCENE_GIVEN: the file's, found if it has none; SCENE_FIND: found, the file's are left out */
+} scene_settings;
+
+/* The file as it is. */
+scene_settings scene_settings_default(void);
+
+/* Read a scene and build it.
  *   returns    0 or an exit status; free the scene with scene_free in every case */
-int scene_read(const char *path, sp_real mu, scene_contacts contacts, host_scene *s, failure *error);
+int scene_read(const char *path, const scene_settings *set, host_scene *s, failure *error);
 
 /* The same from text in memory (malloc's; the scene frees it). */
-int scene_parse(const char *path, char *text, size_t length, sp_real mu, scene_contacts contacts, host_scene *s,
-                failure *error);
+int scene_parse(const char *path, char *text, size_t length, const scene_settings *set, host_scene *s, failure *error);
 
 /* What the library refuses of a scene that was read, with the line that is to blame: the load, gravity, block or contact whose
  * numbers are too large, the strength that a coupled check does not know.     returns an exit status, never 0 */
