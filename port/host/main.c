@@ -9,8 +9,8 @@
 /* Below the help of each command with a scene. */
 static const char help_scene[] =
 "\nThe model:\n"
-"  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that lie lowest, ground: a slab\n"
-"                     laid under the model; may be told several times; those the file tells stay\n"
+"  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that lie lowest, ground: a\n"
+"                     slab laid under the model; may be told several times; those the file tells stay\n"
 "  --up AXIS          x, y, z, -x, -y or -z is up: gravity as strong as in the file, down along it    z\n"
 "  --gravity X,Y,Z    instead: this gravity [m/s^2]                                0,0,-9.80665\n"
 "  --unit NAME        of all coordinates: mm, cm, m or in; forces stay N, densities kg/m^3             m\n"

@@ -128,7 +128,8 @@ static int make_room(obj_file *f)
  * right-handed triple, so its faces look outwards. */
 static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
 {
-    static const int side[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+    static const int side[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
+                                    { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
     const reach a = reach_of_all(f, t->a), b = reach_of_all(f, t->b);
     const double top = reach_of_all(f, t->down).high, wide = fmax(a.high - a.low, b.high - b.low);
     const obj_block slab = { { "ground", 6 }, line, f->faces, 0, SP_FIXED };
@@ -159,9 +160,10 @@ static int is_named(const obj_file *f, text_word w)
 static const char *first_names(const obj_file *f, char text[200])
 {
     size_t n = 0;
-    for (int32_t b = 0; b < f->blocks && b < 4; b++)
-        n += (size_t)snprintf(text + n, 200 - n, "%s%.*s", b ? ", " : "", (int)(f->block[b].name.n < 40 ? f->block[b].name.n : 40),
-                              f->block[b].name.s);
+    for (int32_t b = 0; b < f->blocks && b < 4; b++) {
+        const text_word w = f->block[b].name;
+        n += (size_t)snprintf(text + n, 200 - n, "%s%.*s", b ? ", " : "", (int)(w.n < 40 ? w.n : 40), w.s);
+    }
     if (f->blocks > 4) snprintf(text + n, 200 - n, ", ...");
     return text;
 }
@@ -180,8 +182,8 @@ static int refuse_name(const obj_file *f, text_word w, int32_t line, failure *er
 
 static int refuse_level(const obj_file *f, text_word w, int32_t line, const char *why, failure *error)
 {
-    return fail_with(error, line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, line), "%s %.*s: %s", line ? "supports" : "--fixed", (int)w.n,
-                     w.s, why);
+    const char *option = line ? "supports" : "--fixed";
+    return fail_with(error, line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, line), "%s %.*s: %s", option, (int)w.n, w.s, why);
 }
 
 /* One entry of a list. A block that has this very name comes first, whatever the name. */

@@ -17,7 +17,8 @@ typedef struct amendments {
     units_length unit;          /* over is 0: not told */
 } amendments;
 
-/* Bring a file into metres, with gravity and supports as told. `given`: its own contacts count, so a ground would touch nothing.
+/* Bring a file into metres, with gravity and supports as told. `given`: its own contacts count, so a ground would touch
+ * nothing.
  *   returns    0 or an exit status: 64 where an option names no block, 65 where the file does */
 int amend_file(obj_file *f, const amendments *a, int given, failure *error);
 

@@ -81,8 +81,8 @@ int obj_read(const char *path, obj_file *file, failure *error);
 /* The same from text in memory, which the file then owns (malloc's, or NULL with length 0); path is for messages. */
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error);
 
-/* Read what stands beside a model in PATH.stonepack, if that is there: `#@` lines; `o PATTERN` says which blocks of the model the
- * `density` and `fixed` after it are of.                   returns 0 or an exit status */
+/* Read what stands beside a model in PATH.stonepack, if that is there: `#@` lines; `o PATTERN` says which blocks of the
+ * model the `density` and `fixed` after it are of.         returns 0 or an exit status */
 int obj_read_beside(obj_file *file, failure *error);
 
 /* Gravity as strong as it is, down along -up. */

@@ -1,6 +1,6 @@
 /* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
 #include "file.h"
-#include "obj.h"
+#include "obj_names.h"
 
 #include <errno.h>
 #include <math.h>
@@ -15,7 +15,7 @@ const char *const obj_format =
     "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
     "  #@ up y                            gravity as strong, along -y; also -x, z, ...\n"
     "  #@ unit mm                         of all coordinates: mm, cm, m, in; forces stay N, densities kg/m^3\n"
-    "  #@ supports b1,foot*               blocks that are supports, by name or pattern; lowest: those lowest; ground: adds one\n"
+    "  #@ supports b1,foot*               blocks that are supports, by name or pattern; or lowest; or ground, which is added\n"
     "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these "
     "directions\n"
     "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
@@ -44,10 +44,6 @@ typedef struct reader {
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------ messages */
-
-/* Name of a word for a message: at most 60 bytes. */
-#define WORD(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
-#define WORD_FORMAT "'%.*s%s'"
 
 /* " in block 'X'" or " of 'A' and 'B'", or nothing: what the line being read is about. */
 static const char *describe_place(const reader *r, char text[160])
@@ -496,94 +492,6 @@ static int check_corners(reader *r)
     return 0;
 }
 
-/* --------------------------------------------------------------------------------------------------------------- names */
-
-static int compare(text_word a, text_word b)
-{
-    const size_t n = a.n < b.n ? a.n : b.n;
-    const int c = memcmp(a.s, b.s, n);
-    return c ? c : (a.n > b.n) - (a.n < b.n);
-}
-
-typedef struct named { text_word name; int32_t block; } named;
-
-static int compare_named(const void *pa, const void *pb)
-{
-    const named *a = pa, *b = pb;
-    const int c = compare(a->name, b->name);
-    return c ? c : (a->block > b->block) - (a->block < b->block);
-}
-
-static int sort_names(reader *r)
-{
-    obj_file *f = r->f;
-    const size_t n = (size_t)f->blocks;
-    named *sorted = malloc((n + 1) * sizeof *sorted);
-    int32_t twin = -1, first = -1;
-
-    f->by_name = malloc((n + 1) * sizeof *f->by_name);
-    if (!sorted || !f->by_name) {
-        free(sorted);
-        return out_of_memory(r);
-    }
-    for (int32_t b = 0; b < f->blocks; b++) {
-        sorted[b].name = f->block[b].name;
-        sorted[b].block = b;
-    }
-    qsort(sorted, n, sizeof *sorted, compare_named);
-    for (int32_t i = 0; i < f->blocks; i++) {
-        f->by_name[i] = sorted[i].block;
-        if (i > 0 && compare(sorted[i].name, sorted[i - 1].name) == 0 && (twin < 0 || sorted[i].block < twin)) {
-            twin = sorted[i].block;                     /* the earliest repetition in the file */
-            first = sorted[i - 1].block;
-        }
-    }
-    free(sorted);
-    if (twin < 0) return 0;
-    return fail_with(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in "
-                     "line %ld", WORD(f->block[twin].name), (long)f->block[first].line);
-}
-
-static int32_t find_name(const obj_file *f, text_word name)
-{
-    int32_t low = 0, high = f->blocks;
-    while (low < high) {
-        const int32_t middle = low + (high - low) / 2;
-        const int c = compare(f->block[f->by_name[middle]].name, name);
-        if (c == 0) return f->by_name[middle];
-        if (c < 0) low = middle + 1;
-        else high = middle;
-    }
-    return -1;
-}
-
-static int find_contact_blocks(reader *r)
-{
-    for (int32_t i = 0; i < r->f->contacts; i++) {
-        obj_contact *c = &r->f->contact[i];
-        for (int side = 0; side < 2; side++) {
-            const int32_t b = find_name(r->f, c->name[side]);
-            if (b < 0)
-                return fail_with(r->error, EXIT_SCENE, r->f->path, c->line, "contact with block " WORD_FORMAT
-                                 ", which does not exist", WORD(c->name[side]));
-            *(side ? &c->b : &c->a) = b;
-        }
-    }
-    return 0;
-}
-
-static int find_load_blocks(reader *r)
-{
-    for (int32_t i = 0; i < r->f->loads; i++) {
-        obj_load *load = &r->f->load[i];
-        load->block = find_name(r->f, load->name);
-        if (load->block < 0)
-            return fail_with(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT
-                             ", which does not exist", WORD(load->name));
-    }
-    return 0;
-}
-
 static int read_lines(reader *r)
 {
     int status, more;
@@ -614,9 +522,8 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, failu
     if (file->blocks == 0)
         return fail_with(error, EXIT_SCENE, path, file->lines, "%s", sp_status_text(SP_E_EMPTY));
     status = check_corners(&r);
-    if (!status) status = sort_names(&r);
-    if (!status) status = find_contact_blocks(&r);
-    if (!status) status = find_load_blocks(&r);
+    if (!status) status = obj_names_sort(file, error);
+    if (!status) status = obj_names_resolve(file, error);
     return status;
 }
 
@@ -656,8 +563,7 @@ static int parse_beside(obj_file *file, size_t length, failure *error)
     file->gravity_line = 0;
     memset(file->strength_line, 0, sizeof file->strength_line);
     status = read_lines(&r);
-    if (!status) status = find_contact_blocks(&r);
-    if (!status) status = find_load_blocks(&r);
+    if (!status) status = obj_names_resolve(file, error);
     file->path = was.path;
     turn_lines(file, &was);
     return status;

@@ -134,8 +134,8 @@ static int refuse_vain_tension(const obj_file *f, const sp_strength *j, const ob
     char what[192] = "contacts";
     if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
     if (c) name_contact(c, what);
-    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
-                     what);
+    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "%s: tension counts up to cohesion / mu: without cohesion it "
+                     "is nothing", what);
 }
 
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, failure *error)
