@@ -43,14 +43,40 @@ beside_refused() {                                      # beside_refused TEXT LI
     return $status
 }
 
+remarks() {                                             # remarks TEXT ARGUMENT...: in words and in JSON, once
+    text=$1
+    shift
+    "$cli" check "$@" | grep '^  remark' > out
+    cat out
+    [ "$(grep -c -e "$text" out)" -eq 1 ] && "$cli" check --json "$@" | grep -q "\"remarks\": *\[{\"text\": *\"[^\"]*${text%%:*}"
+}
+quiet() { "$cli" check "$@" > out; ! grep remark out; }
+
 "$cli" gen arch n=15 > whole.obj
 bare < whole.obj > arch.obj
 y_up_in_mm < whole.obj > arch-y.obj
+scaled() { awk -v by="$1" '/^v / { print $1, by * $2, by * $3, by * $4; next } { print }' arch.obj; }
+scaled 100 > arch-cm.obj
+scaled 0.5 > arch-small.obj
+{ echo '#@ density 2.4'; cat arch.obj; } > arch-light.obj
+{ cat arch.obj; echo 'o far'; awk '/^v / { print $1, $2 + 50, $3, $4 } /^f / { print } /^o b1$/ { exit }' arch.obj |
+    awk '/^v / { print } /^f / { print "f", $2 - 9, $3 - 9, $4 - 9, $5 - 9 }'; } > arch-far.obj
+"$cli" gen h-model | sed '/^#@ gravity/d' > h-model.obj
 "$cli" gen wall rows=3 bricks=3 > wall-whole.obj
 awk '/^o /{ n++ } n != 1 || /^v /' wall-whole.obj | bare > wall.obj
 y_up_in_mm < wall-whole.obj > wall-y.obj
 
 part "nothing fixed: what to do about it"   sh -c "'$cli' check arch.obj | grep -q '^  remark .*no block is a support.*--fixed lowest'"
+part "remark: y is up"                      remarks 'as if y were up: --up y' --fixed b0,b16 --unit mm arch-y.obj
+part "remark: all are supports"              remarks 'every block is a support' --fixed lowest --unit mm arch-y.obj
+part "remark: mm taken for m"               remarks '15 blocks are larger than 100 m.*: --unit mm' --fixed lowest --up y arch-y.obj
+part "remark: cm taken for m"               remarks 'weighs .* t, more than any stone.*: --unit cm or mm' --fixed lowest arch-cm.obj
+part "remark: m taken for mm"               remarks 'smaller than 1 mm.*: another --unit' --fixed lowest --unit mm arch-small.obj
+part "remark: g/cm^3 taken for kg/m^3"      remarks 'density of 2.4 kg/m^3, less than any foam' --fixed lowest arch-light.obj
+part "remark: a support far away"           remarks 'no support touches a block' --fixed far arch-far.obj
+part "remark: down was told"                quiet --fixed lowest --unit mm --gravity 0,0,-9.8 arch-y.obj
+part "remark: nothing of a sound model"     quiet whole.obj
+part "remark: a beam held by friction"      quiet h-model.obj
 part "fixed: names"                         same "$(first check --fixed b0,b16 arch.obj)" "arch.obj: STABLE"
 part "fixed: patterns"                      same "$(first check --fixed 'b?' --fixed 'b1*' arch.obj)" "arch.obj: STABLE"
 part "fixed: the lowest"                    same "$(forces --fixed lowest arch.obj)" "$(forces whole.obj)"

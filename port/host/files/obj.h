@@ -62,6 +62,7 @@ typedef struct obj_file {
     sp_real mu, strength[3], density, gravity[3];
     units_length unit;          /* of vertices and points, until amend_file has made them metres; over 0: metres */
     int32_t strength_line[3], gravity_line;             /* 0: not told */
+    int down_told;              /* by gravity or up */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;

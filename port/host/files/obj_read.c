@@ -270,6 +270,7 @@ static int read_gravity(reader *r)
 {
     int status = read_reals(r, 3, r->f->gravity, "gravity needs three numbers");
     r->f->gravity_line = r->at.line;
+    r->f->down_told = 1;
     return status ? status : line_is_over(r);
 }
 
@@ -328,6 +329,7 @@ static int read_up(reader *r)
     if (!text_next_word(&r->at, &w)) return fail(r, "up needs x, y or z, with - in front of it where that is down");
     if (!units_read_axis(w, up)) return fail_word(r, "up is x, y, z, -x, -y or -z, not", w);
     obj_set_up(r->f, up);
+    r->f->down_told = 1;
     return line_is_over(r);
 }
 

@@ -1,6 +1,7 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
 #include "../run.h"
 #include "scene.h"
+#include "suspects.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -318,13 +319,11 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
     return status;
 }
 
-static void make_remarks(host_scene *s)
+static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
 {
-    int32_t b = 0;
-    if (s->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", s->beside);
-    while (b < s->scene.count.blocks && !s->scene.block[b].fixed) b++;
-    if (b == s->scene.count.blocks)
-        remarks_add(&s->remarks, "--fixed NAME,..., --fixed lowest or --fixed ground", "no block is a support; tell which are");
+    const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
+    if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
+    suspects_find(&s->scene, s->name, known, &s->remarks);
 }
 
 /* The file's tables are let go as soon as the scene is built. */
@@ -339,10 +338,10 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
     if (!status) {
         strcpy(s->path, f->path);
         status = from_file(f, &m, set, s, error);
+        if (!status) make_remarks(f, &set->amend, s);
         s->beside = f->beside;
         f->beside = NULL;
     }
-    if (!status) make_remarks(s);
     free_room(&m);
     obj_free(f);
     return status;
