@@ -51,17 +51,19 @@ static const char *smaller_unit(suspects_known known, double size)
 static void suspect_sizes(const sp_scene *s, const char *const *name, suspects_known known, remarks *r)
 {
     const extremes x = find_extremes(s);
+    const double large = x.large < 0 ? 0 : (double)s->block[x.large].diameter;
+    const double small = x.small < 0 ? 0 : (double)s->block[x.small].diameter;
+    const double heavy = x.heavy < 0 ? 0 : (double)s->block[x.heavy].mass;
     if (x.sizes_large)
-        remarks_add(r, smaller_unit(known, (double)s->block[x.large].diameter), "%ld block%s larger than 100 m, the largest, "
-                    "'%.60s', measures %.3g m", (long)x.sizes_large, x.sizes_large == 1 ? " is" : "s are", name[x.large],
-                    (double)s->block[x.large].diameter);
-    else if (x.heavy >= 0 && (double)s->block[x.heavy].mass > HEAVIEST)
-        remarks_add(r, smaller_unit(known, (double)s->block[x.heavy].diameter), "block '%.60s' weighs %.3g t, more than any stone "
-                    "that was ever moved", name[x.heavy], 1e-3 * (double)s->block[x.heavy].mass);
+        remarks_add(r, smaller_unit(known, large), "%ld block%s larger than 100 m, the largest, '%.60s', measures %.3g m",
+                    (long)x.sizes_large, x.sizes_large == 1 ? " is" : "s are", name[x.large], large);
+    else if (heavy > HEAVIEST)
+        remarks_add(r, smaller_unit(known, large), "block '%.60s' weighs %.3g t, more than any stone that was ever moved",
+                    name[x.heavy], 1e-3 * heavy);
     if (x.sizes_small)
-        remarks_add(r, known.unit.over ? "another --unit" : NULL, "%ld block%s smaller than 1 mm, the "
-                    "smallest, '%.60s', measures %.3g mm; lengths are metres", (long)x.sizes_small, x.sizes_small == 1 ? " is" : "s are", name[x.small],
-                    1e3 * (double)s->block[x.small].diameter);
+        remarks_add(r, known.unit.over ? "another --unit" : NULL,
+                    "%ld block%s smaller than 1 mm, the smallest, '%.60s', measures %.3g mm; lengths are metres",
+                    (long)x.sizes_small, x.sizes_small == 1 ? " is" : "s are", name[x.small], 1e3 * small);
 }
 
 /* The first block whose density no matter has. */
