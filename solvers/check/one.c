@@ -15,7 +15,7 @@ SP__NOINLINE static sp_status sp__find_help(const sp_problem *pb, const sp_setti
     memset(&state->cost, 0, sizeof state->cost);
     state->left = sp__budget_left(set, r);
     sp_arena room = sp__work_open(set, a);
-    const sp_status status = sp__penalty_run(pb, set, state, &room, r->demand);
+    const sp_status status = sp__penalty_run(pb, set, r->least_imbalance, state, &room, r->demand);
     sp__cost_add(&r->spent.total, &state->cost);
     sp__work_close(set, a, &room);
     return status;

@@ -22,6 +22,7 @@
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
 #define SP__PLAY_IDLE ((sp_real)0.1)    /* SP__PLAY where rounding has ended the search */
+#define SP__HELP ((sp_real)1e-3)        /* imbalance of the penalty form that will do to see where help is wanted, at most */
 #define SP__IPM_MOST 120                /* interior-point iterations */
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */

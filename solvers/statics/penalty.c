@@ -37,13 +37,49 @@ SP__NOINLINE static void sp__penalty_demand(sp__system *w, sp_demand *demand)
     }
 }
 
-/* Newton on the penalty form, reduced where the scene lets it; demand is left alone where not even tension helps. */
-SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_state *state, sp_arena *arena,
-                                           sp_demand *demand)
+/* Sizes, metric and potential of the bilateral force, from y0 where a stage left it: then one factorisation less. */
+SP__NOINLINE static void sp__penalty_begin(sp__system *w, const sp_state *state)
+{
+    const size_t n = 6 * (size_t)w->pb->blocks;
+    if (state->has_y0 && !sp__reduced(w)) {
+        sp__system_weights(w);
+        sp__system_load(w, w->r);
+        w->measure.load = sp__system_norm(w, w->r);
+        for (size_t k = 0; k < n; k++) {
+            const sp_real unit = w->measure.unit * w->measure.weight[k / 3];
+            w->y[k] = sp__in_units(unit, state->y0[k]);
+            w->d[k] = -sp__in_units(unit, state->y0[n + k]);
+        }
+    } else sp__system_bilateral(w);
+    if (w->budget.spent) return;
+    sp__system_sizes(w, w->y);
+    if (sp__system_metric(w)) sp__system_bilateral(w);
+}
+
+/* Newton along prices of tension that rise tenfold, one step each: from the bilateral force, where tension has price 1, joints
+ * that open show step by step. The last price takes as many steps as it needs. */
+SP__NOINLINE static void sp__penalty_descend(sp__system *w, sp__newton *n, sp_state *state)
+{
+    const sp_real soft = w->law.soft;
+    n->shift = SP__SHIFT;
+    for (w->law.soft = (sp_real)0.1; w->law.soft > 3 * soft && soft > 0; w->law.soft /= 10) {
+        sp__newton_measure(w, n, state);
+        if (sp__newton_work_left(w, n) && n->imbalance > (sp_real)0.01) sp__newton_step(w, n, state);
+    }
+    w->law.soft = soft;
+    sp__newton_measure(w, n, state);
+    while (sp__newton_work_left(w, n) && n->imbalance > n->goal) sp__newton_step(w, n, state);
+}
+
+/* The penalty form, reduced where the scene lets it. It is solved as far as `least`, the imbalance that no admissible forces
+ * avoid, so that what is left is small beside the help; demand is left alone where not even tension helps. */
+SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_real least, sp_state *state,
+                                              sp_arena *arena, sp_demand *demand)
 {
     sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 0, 40, 1, 0, 0, 0 }; /* proved = 1: seeks none */
     sp__system *w = NULL;
     const size_t start = arena->used;
+    n.goal = sp__max(n.goal, least < SP__HELP ? least : SP__HELP);
     sp__reduction *reduction = sp__take(arena, 1, sizeof *reduction);
     if (!reduction) return SP_E_MEMORY;
     if (sp__reduction_choose(pb, set, reduction)) {
@@ -54,13 +90,9 @@ SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_set
     if (!w) w = sp__system_make_full(pb, set, SP__PENALTY, &state->cost, arena);
     if (!w) return SP_E_MEMORY;
     w->budget.limit = state->left;
-    sp__system_bilateral(w);
+    sp__penalty_begin(w, state);
     if (w->budget.spent) return SP_OK;
-    sp__system_sizes(w, w->y);
-    if (sp__system_metric(w)) sp__system_bilateral(w);
-    sp__newton_measure(w, &n, state);
-    n.shift = SP__SHIFT;
-    while (sp__newton_work_left(w, &n) && n.imbalance > n.goal) sp__newton_step(w, &n, state);
+    sp__penalty_descend(w, &n, state);
     if (n.imbalance <= n.goal) sp__penalty_demand(w, demand);   /* else not even tension helps: a stone that touches nothing */
     return SP_OK;
 }
