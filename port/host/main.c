@@ -6,6 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Below the help of each command with a scene. */
+static const char help_scene[] =
+"\nThe model:\n"
+"  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that lie lowest, ground: a\n"
+"                     slab laid under the model; may be told several times; those the file tells stay\n"
+"  --up AXIS          x, y, z, -x, -y or -z is up: gravity as strong as in the file, down along it    z\n"
+"  --gravity X,Y,Z    instead: this gravity [m/s^2]                                0,0,-9.80665\n"
+"  --unit NAME        of all coordinates: mm, cm, m or in; forces stay N, densities kg/m^3             m\n"
+"  --mu X             friction of every joint, whatever the scene says             0.84 where it says nothing\n"
+"A file beside a model, MODEL.obj.stonepack, may hold what the model can't: lines as in a scene, and `o NAME` or a pattern\n"
+"for the blocks that the `#@ density` and `#@ fixed` after it are of. Options come before it, and it before the model.\n";
+
 static const char help_check[] =
 "stonepack check [options] SCENE...\n\n"
 "Does it stand? Tells the verdict, how sure it is, the weakest joint and what falls.\n\n"
@@ -15,7 +27,6 @@ static const char help_check[] =
 "  --tol X            largest imbalance of a block relative to its forces          1e-9\n"
 "  --budget FLOPS     stops before it would do more work, with the best found      no limit\n"
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
-"  --mu X             friction of every joint, whatever the scene says\n"
 "  --stages LIST      of gates,least-squares,dense,polish,exact,admm               gates,exact\n"
 "  --preset NAME      quick, standard, precise: --tol 1e-3, 1e-6, 1e-9;\n"
 "                     seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
@@ -52,7 +63,6 @@ static const char help_limit[] =
 "  --svg FILE         draws the mechanism with its hinges and sliding joints; with --tilt-margin a polar plot\n"
 "  --tol X            accuracy of both ends, as that of check                      1e-9\n"
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
-"  --mu X             friction of every joint, whatever the scene says\n"
 "  --tilt DEG[,AZ]    turns gravity first\n"
 "  --budget FLOPS     work that is never exceeded\n\n"
 "Exit status: 0, also where no multiple or any works; 2 undecided; of --tilt-margin 1 where it does not stand level.\n";
@@ -63,7 +73,7 @@ static const char help_plan[] =
 "  --json             one JSON object\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), where NAME is one of friction, depth,\n"
 "                     together, coupled (as --coupled)\n"
-"  --tol, --cone, --mu, --stages, --tilt, --coupled as in check\n\n"
+"  --tol, --cone, --stages, --tilt, --coupled as in check\n\n"
 "Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 
 static const char help_verify[] =
@@ -73,7 +83,6 @@ static const char help_verify[] =
 "the result either but from these options, as they were given to check; where the result's was another, the line says so:\n\n"
 "  --tol X            1e-9; the bound on forces follows from it\n"
 "  --cone KIND        true\n"
-"  --mu X             the scene's\n"
 "  --tilt DEG[,AZ]    0\n\n"
 "Of a coupled check the lengths eps and eta are the result's, and printed. Exit status by the verdict proved.\n";
 
@@ -89,17 +98,18 @@ static const char help_sequence[] =
 "  --budget N         flops after which the search for what to hold, or what comes next, ends; also of each check   none\n"
 "  --svg FILE         a strip of steps: those that fail, what moves, what must be held\n"
 "  --json             one JSON object\n"
-"  --tol --cone --mu --stages --tilt as in check\n\n"
+"  --tol --cone --stages --tilt as in check\n\n"
 "hold a, b! (proof): with a and b held it stands; ! falls even when all others are held; minimal: no smaller set does,\n"
 "irreducible: none of them can be let go, enough: fewer might do, the budget or an undecided check ended the search. Exit\n"
 "status: 0 every step stands, 1 one is unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
 
 static const char help_contacts[] =
-"stonepack contacts [--json] [--mu X] SCENE\n\n"
-"What touches what? Finds the contacts of the meshes, whatever contacts the file gives, and blocks inside each other.\n";
+"stonepack contacts [options] SCENE\n\n"
+"What touches what? Finds the contacts of the meshes, whatever contacts the file gives, and blocks inside each other.\n\n"
+"  --json             one JSON object\n";
 
 static const char help_convert[] =
-"stonepack convert [--mu X] SCENE [OUT]\n\n"
+"stonepack convert [options] SCENE [OUT]\n\n"
 "Reads a scene and writes it (OUT or standard output) with its contacts, found if it has none.\n";
 
 static const char help_cost[] =
@@ -110,7 +120,7 @@ static const char help_cost[] =
 "  --json             one JSON object, with times\n"
 "  --svg FILE         draws imbalance over work and over time\n"
 "  --budget FLOPS     no check does more than that      a hundred times the exact stage, at least 1e8\n"
-"  --mu X, --tilt DEG[,AZ]   as check\n\n"
+"  --tilt DEG[,AZ]    as check\n\n"
 "Exit status as check, by the exact stage with the true cone.\n";
 
 static const char help_qp[] =
@@ -131,7 +141,6 @@ static const char help_settle[] =
 "  -o FILE            writes the scene as it came to rest\n"
 "  --near X           contacts written are faces nearer than X m, not Bullet's points\n"
 "  --frames FILE      draws the fall in nine pictures (SVG)\n"
-"  --mu X             friction of every contact, whatever the scene says\n"
 "  --set LIST         settings NAME=VALUE,...; names and defaults: stonepack settle --set help\n"
 "  --json             one JSON object\n\n"
 "Exit status: 0 all settled, 1 some fell out; of --confirm 0 both say it stands, 1 both say it falls, 2 they differ or\n"
@@ -151,19 +160,20 @@ static const char help_gen[] =
 static const struct {
     const char *name, *summary, *help;
     int (*run)(int argc, char **argv);
+    int scene;                  /* reads a scene, so it has the options of help_scene */
 } command[] = {
-    { "check",    "does it stand?",                        help_check,    command_check },
-    { "limit",    "how much load until it falls?",        help_limit,    command_limit },
-    { "verify",   "what does a stored result prove?",      help_verify,   command_verify },
-    { "plan",     "which effects does a scene call for?",  help_plan,     command_plan },
-    { "sequence", "does it stand while it is built?",      help_sequence, command_sequence },
-    { "contacts", "what touches what?",                    help_contacts, command_contacts },
-    { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert },
-    { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost },
-    { "qp",       "solve a quadratic program",             help_qp,       command_qp },
-    { "settle",   "where do stones come to rest?",         help_settle,   command_settle },
-    { "worker",   "answers checks of other programs",      help_worker,   command_worker },
-    { "gen",      "write a scene made by formula",         help_gen,      command_gen },
+    { "check",    "does it stand?",                        help_check,    command_check, 1 },
+    { "limit",    "how much load until it falls?",        help_limit,    command_limit, 1 },
+    { "verify",   "what does a stored result prove?",      help_verify,   command_verify, 1 },
+    { "plan",     "which effects does a scene call for?",  help_plan,     command_plan, 1 },
+    { "sequence", "does it stand while it is built?",      help_sequence, command_sequence, 1 },
+    { "contacts", "what touches what?",                    help_contacts, command_contacts, 1 },
+    { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert, 1 },
+    { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost, 1 },
+    { "qp",       "solve a quadratic program",             help_qp,       command_qp, 0 },
+    { "settle",   "where do stones come to rest?",         help_settle,   command_settle, 1 },
+    { "worker",   "answers checks of other programs",      help_worker,   command_worker, 0 },
+    { "gen",      "write a scene made by formula",         help_gen,      command_gen, 0 },
 };
 
 enum { COMMANDS = sizeof command / sizeof *command };
@@ -208,6 +218,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[1], command[k].name)) continue;
         if (!wants_help(argc, argv)) return flush_output(command[k].run(argc, argv));
         fputs(command[k].help, stdout);
+        if (command[k].scene) fputs(help_scene, stdout);
         return flush_output(0);
     }
     if (argc > 1) fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", argv[1]);

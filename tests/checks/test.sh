@@ -37,6 +37,7 @@ begin floors sh tests/checks/floors.sh
 begin windows sh tests/checks/windows.sh
 begin header sh tests/checks/header.sh
 begin bad sh tests/checks/bad.sh build/stonepack
+begin models sh tests/checks/models.sh build/stonepack
 begin readme sh tests/checks/readme.sh build/stonepack
 
 count "tests, double" end double
@@ -47,6 +48,7 @@ count "after windows.h" end windows
 count "header" end header
 count "bad scenes" end bad
 count "program" end program
+count "models of others" end models
 if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
 part "floors of the program" sh tests/checks/host_floors.sh

@@ -82,6 +82,37 @@ TEST(a_remark_is_told_once)
     remarks_free(&r);
 }
 
+static int matches(const char *word, const char *pattern)
+{
+    const text_word w = { word, strlen(word) }, p = { pattern, strlen(pattern) };
+    return text_matches(w, p);
+}
+
+TEST(patterns_have_stars_and_question_marks)
+{
+    CHECK(matches("support.001", "support*") && matches("support", "support*") && !matches("a support", "support*"));
+    CHECK(matches("aXbXc", "*X*c") && matches("abab", "*ab") && !matches("aba", "*ab") && matches("", "*") && !matches("", "?"));
+    CHECK(matches("b12", "b??") && !matches("b1", "b??") && matches("b1", "b1") && !matches("b1", "b") && !matches("b", "b1"));
+    CHECK(matches("aaaaaaaaaaaaaaaaaaaaaaaaaaaa", "*a*a*a*a*") && !matches("aaaaaaaaaaaaaaaaaaaaaaaaaaaa", "*a*a*a*a*b"));
+}
+
+/* Gravity askew: the slab's top touches the stone's lowest corner line, and the library takes the slab as closed and outward. */
+TEST(a_ground_is_level_under_any_gravity)
+{
+    static const char *const gravity[] = { "0 0 -9", "0 0 9", "-9 0 0", "9 0 0", "0 9 0", "1 2 3", "-1 -2 0.5", "1e-200 0 0" };
+    for (int k = 0; k < 8; k++) {
+        char text[1024];
+        host_scene s;
+        snprintf(text, sizeof text, "#@ gravity %s\n#@ supports ground\n" STONE, sizeof(sp_real) == 4 && k == 7 ? "1e-30 0 0" : gravity[k]);
+        CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
+        CHECK_INT(s.scene.count.blocks, 2);
+        CHECK(s.scene.block[1].fixed == SP_FIXED && s.scene.block[1].mass > 0);
+        CHECK_INT(s.scene.count.joints, k < 5 || k == 7);
+        for (int i = 0; i < s.scene.count.joints; i++) CHECK_NEAR(s.scene.joint[i].area, 1, 1e-6);
+        scene_free(&s);
+    }
+}
+
 TEST(a_scene_without_supports_says_so)
 {
     host_scene s;
@@ -381,7 +412,7 @@ TEST(json_is_read_strictly)
 TEST(help_tells_the_words_that_are_read)
 {
     static const char *const word[] = { "mu", "gravity", "density", "fixed", "interface", "points", "load", "live", "mass", "pressure",
-                                        "cohesion", "tension", "crushing" };
+                                        "cohesion", "tension", "crushing", "up", "unit", "supports" };
     const size_t words = sizeof word / sizeof *word;
     for (size_t k = 0; k < words; k++) {
         host_scene s;
@@ -402,6 +433,8 @@ TEST(help_tells_the_words_that_are_read)
 
 TEST_LIST(obj)
     RUN(a_remark_is_told_once)
+    RUN(patterns_have_stars_and_question_marks)
+    RUN(a_ground_is_level_under_any_gravity)
     RUN(a_scene_without_supports_says_so)
     RUN(a_scene_is_read)
     RUN(defaults_are_those_of_stone_on_earth)

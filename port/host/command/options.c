@@ -94,6 +94,40 @@ static int take_mu(options *o, const char *name, const char *value, failure *err
     return read_real(value, &o->scene.mu) && o->scene.mu >= 0 ? 0 : usage(error, name, "needs a number, 0 or more");
 }
 
+static int take_fixed(options *o, const char *name, const char *value, failure *error)
+{
+    amendments *a = &o->scene.amend;
+    if (!*value) return usage(error, name, "needs names or patterns of blocks, lowest or ground");
+    if (a->lists == AMEND_LISTS) return usage(error, name, "is given too often: put the names into one list");
+    a->fixed[a->lists++] = value;
+    return 0;
+}
+
+static int take_gravity(options *o, const char *name, const char *value, failure *error)
+{
+    amendments *a = &o->scene.amend;
+    double g[3];
+    if (!read_three(value, g)) return usage(error, name, "needs X,Y,Z [m/s^2], not all 0");
+    for (int k = 0; k < 3; k++) a->gravity[k] = (sp_real)g[k];
+    a->pull = 1;
+    return a->turn ? usage(error, name, "and --up exclude each other") : 0;
+}
+
+static int take_up(options *o, const char *name, const char *value, failure *error)
+{
+    const text_word w = { value, strlen(value) };
+    amendments *a = &o->scene.amend;
+    if (!units_read_axis(w, a->up)) return usage(error, name, "needs x, y, z, -x, -y or -z");
+    a->turn = 1;
+    return a->pull ? usage(error, name, "and --gravity exclude each other") : 0;
+}
+
+static int take_unit(options *o, const char *name, const char *value, failure *error)
+{
+    const text_word w = { value, strlen(value) };
+    return units_read_length(w, &o->scene.amend.unit) ? 0 : usage(error, name, "needs mm, cm, m or in");
+}
+
 static int take_eps(options *o, const char *name, const char *value, failure *error)
 {
     return read_real(value, &o->eps) && o->eps > 0 ? 0 : usage(error, name, "needs a number above 0");
@@ -237,7 +271,8 @@ static const struct {
     const char *name;
     int (*take)(options *o, const char *name, const char *value, failure *error);
 } with_value[] = {
-    { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--eps", take_eps }, { "--near", take_near },
+    { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--fixed", take_fixed },
+    { "--gravity", take_gravity }, { "--up", take_up }, { "--unit", take_unit }, { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
     { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },

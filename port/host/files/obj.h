@@ -7,7 +7,7 @@
 #define STONEPACK_HOST_OBJ_H
 
 #include "failure.h"
-#include "text.h"
+#include "units.h"
 
 /* The lines that a scene file may hold, one a line, as `stonepack --help` prints them. */
 extern const char *const obj_format;
@@ -44,14 +44,26 @@ typedef struct obj_load {
     sp_real f[3], x[3];         /* force, or f[0]: mass or pressure; point, or moment where the force acts at the centroid */
 } obj_load;
 
+/* Blocks that are supports, by a list of names and patterns. */
+typedef struct obj_support {
+    text_word list;
+    int32_t line;
+} obj_support;
+
+#define OBJ_BESIDE ".stonepack"          /* behind the path of a model: the file beside it */
+
+/* Lines of the file beside a model are counted below 0. */
 typedef struct obj_file {
     const char *path;
-    char *text;                 /* names point into it */
+    char *beside;               /* path of the file beside it; NULL: there is none */
+    char *text, *text_beside;   /* names point into them */
     size_t length;
     int32_t lines;
     sp_real mu, strength[3], density, gravity[3];
+    units_length unit;          /* of vertices and points, until amend_file has made them metres; over 0: metres */
     int32_t strength_line[3], gravity_line;             /* 0: not told */
-    int32_t blocks, faces, corners, vertices, contacts, points, loads;
+    int down_told;              /* by gravity or up */
+    int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;
     int32_t *corner;            /* vertex numbers, 0-based */
@@ -59,8 +71,9 @@ typedef struct obj_file {
     obj_contact *contact;
     sp_real (*point)[3];        /* [m] */
     obj_load *load;
+    obj_support *support;
     int32_t *by_name;           /* blocks in the order of their names */
-    struct { int32_t block, face, corner, vertex, contact, point, load; } room;
+    struct { int32_t block, face, corner, vertex, contact, point, load, support; } room;
 } obj_file;
 
 /* Read a scene file ("-": standard input). Free it with obj_free, also after an error.     returns 0 or an exit status */
@@ -68,6 +81,16 @@ int obj_read(const char *path, obj_file *file, failure *error);
 
 /* The same from text in memory, which the file then owns (malloc's, or NULL with length 0); path is for messages. */
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error);
+
+/* Read what stands beside a model in PATH.stonepack, if that is there: `#@` lines; `o PATTERN` says which blocks of the
+ * model the `density` and `fixed` after it are of.         returns 0 or an exit status */
+int obj_read_beside(obj_file *file, failure *error);
+
+/* Gravity as strong as it is, down along -up. */
+void obj_set_up(obj_file *file, const sp_real up[3]);
+
+/* Path and line for fail_with. */
+#define OBJ_AT(f, n) (n) < 0 ? (f)->beside : (f)->path, (n) < 0 ? -(n) : (n)
 
 void obj_free(obj_file *file);
 

@@ -1,7 +1,9 @@
 /* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
 #include "file.h"
-#include "obj.h"
+#include "obj_names.h"
 
+#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +13,9 @@ const char *const obj_format =
     "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
     "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
     "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
+    "  #@ up y                            gravity as strong, along -y; also -x, z, ...\n"
+    "  #@ unit mm                         of all coordinates: mm, cm, m, in; forces stay N, densities kg/m^3\n"
+    "  #@ supports b1,foot*               blocks that are supports, by name or pattern; or lowest; or ground, which is added\n"
     "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these "
     "directions\n"
     "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
@@ -33,13 +38,12 @@ typedef struct reader {
     int in_block;               /* the line is about the block it stands in */
     int in_contact;             /* or about a contact of these two */
     text_word pair[2];
+    int beside;                 /* reading what stands beside a model: `chosen` are its blocks that lines are about */
+    text_word chosen;
+    int32_t first_contact;      /* of the file being read */
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------ messages */
-
-/* Name of a word for a message: at most 60 bytes. */
-#define WORD(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
-#define WORD_FORMAT "'%.*s%s'"
 
 /* " in block 'X'" or " of 'A' and 'B'", or nothing: what the line being read is about. */
 static const char *describe_place(const reader *r, char text[160])
@@ -47,8 +51,10 @@ static const char *describe_place(const reader *r, char text[160])
     text[0] = 0;
     if (r->in_contact)
         snprintf(text, 160, " (contact of " WORD_FORMAT " and " WORD_FORMAT ")", WORD(r->pair[0]), WORD(r->pair[1]));
-    else if (r->in_block && r->f->blocks > 0)
-        snprintf(text, 160, " in block " WORD_FORMAT, WORD(r->f->block[r->f->blocks - 1].name));
+    else if (r->in_block && r->f->blocks > 0) {
+        const text_word name = r->beside ? r->chosen : r->f->block[r->f->blocks - 1].name;
+        if (name.n) snprintf(text, 160, " in block " WORD_FORMAT, WORD(name));
+    }
     return text;
 }
 
@@ -202,12 +208,21 @@ static int read_face(reader *r)
     return 0;
 }
 
+/* Lines beside a model are about its blocks of this name or pattern. */
+static int choose_blocks(reader *r, text_word name)
+{
+    r->chosen = name;
+    for (int32_t b = 0; b < r->f->blocks; b++) if (text_matches(r->f->block[b].name, name)) return line_is_over(r);
+    return fail_word(r, "no block has such a name:", name);
+}
+
 static int read_block(reader *r)
 {
     obj_block block = { { NULL, 0 }, r->at.line, r->f->faces, 0, 0 };
     text_word more;
 
     if (!text_next_word(&r->at, &block.name)) return fail(r, "a block without a name");
+    if (r->beside) return choose_blocks(r, block.name);
     if (text_next_word(&r->at, &more) && more.s[0] != '#')
         return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "the name of block " WORD_FORMAT " goes on with "
                          WORD_FORMAT ": names have no spaces", WORD(block.name), WORD(more));
@@ -224,7 +239,7 @@ static int read_mu(reader *r)
     int status = read_reals(r, 1, &mu, "mu needs a number");
     if (status) return status;
     if (mu < 0) return fail(r, "mu must not be negative");
-    if (r->f->contacts > 0) r->f->contact[r->f->contacts - 1].mu = mu;
+    if (r->f->contacts > r->first_contact) r->f->contact[r->f->contacts - 1].mu = mu;
     else r->f->mu = mu;
     return line_is_over(r);
 }
@@ -245,7 +260,7 @@ static int read_strength(reader *r, int k, text_word w)
     int status = read_reals(r, 1, &x, "strength of a joint needs a number");
     if (status) return status;
     if (x < 0) return fail_word(r, "must not be negative:", w);
-    obj_contact *c = r->f->contacts > 0 ? &r->f->contact[r->f->contacts - 1] : NULL;
+    obj_contact *c = r->f->contacts > r->first_contact ? &r->f->contact[r->f->contacts - 1] : NULL;
     *(c ? &c->strength[k] : &r->f->strength[k]) = x;
     *(c ? &c->strength_line[k] : &r->f->strength_line[k]) = r->at.line;
     return line_is_over(r);
@@ -255,7 +270,14 @@ static int read_gravity(reader *r)
 {
     int status = read_reals(r, 3, r->f->gravity, "gravity needs three numbers");
     r->f->gravity_line = r->at.line;
+    r->f->down_told = 1;
     return status ? status : line_is_over(r);
+}
+
+/* Is the line about this block? */
+static int is_meant(const reader *r, int32_t b)
+{
+    return r->beside ? r->chosen.n && text_matches(r->f->block[b].name, r->chosen) : b == r->f->blocks - 1;
 }
 
 /* Of the whole scene, or of the block it stands in. */
@@ -268,8 +290,8 @@ static int read_density(reader *r)
     status = read_reals(r, 1, &density, "density needs a number");
     if (status) return status;
     if (!(density > 0)) return fail_in_line(r, "density must be positive");
-    if (r->f->blocks > 0) r->f->block[r->f->blocks - 1].density = density;
-    else r->f->density = density;
+    if (r->beside ? !r->chosen.n : !r->f->blocks) r->f->density = density;
+    for (int32_t b = 0; b < r->f->blocks; b++) if (is_meant(r, b)) r->f->block[b].density = density;
     return line_is_over(r);
 }
 
@@ -281,15 +303,54 @@ static int read_fixed(reader *r)
     text_word w;
 
     r->in_block = 1;
-    if (r->f->blocks == 0) return fail(r, "'fixed' before the first block");
+    if (r->beside ? !r->chosen.n : !r->f->blocks) return fail(r, "'fixed' before the first block");
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
         int k = 0;
         while (k < 6 && !text_is(w, name[k])) k++;
         if (k == 6) return fail_word(r, "fixed knows x y z rx ry rz, not", w);
         held |= 1u << k;
     }
-    r->f->block[r->f->blocks - 1].fixed = held ? held : SP_FIXED;
+    for (int32_t b = 0; b < r->f->blocks; b++) if (is_meant(r, b)) r->f->block[b].fixed = held ? held : SP_FIXED;
     return 0;
+}
+
+void obj_set_up(obj_file *file, const sp_real up[3])
+{
+    double most = 0, sum = 0;
+    for (int k = 0; k < 3; k++) most = fmax(most, fabs((double)file->gravity[k]));
+    for (int k = 0; k < 3 && most > 0; k++) sum += (double)file->gravity[k] / most * ((double)file->gravity[k] / most);
+    for (int k = 0; k < 3; k++) file->gravity[k] = (sp_real)(0 - most * sqrt(sum) * (double)up[k]);
+}
+
+static int read_up(reader *r)
+{
+    sp_real up[3];
+    text_word w;
+    if (!text_next_word(&r->at, &w)) return fail(r, "up needs x, y or z, with - in front of it where that is down");
+    if (!units_read_axis(w, up)) return fail_word(r, "up is x, y, z, -x, -y or -z, not", w);
+    obj_set_up(r->f, up);
+    r->f->down_told = 1;
+    return line_is_over(r);
+}
+
+static int read_unit(reader *r)
+{
+    text_word w;
+    if (!text_next_word(&r->at, &w)) return fail(r, "unit needs mm, cm, m or in");
+    if (!units_read_length(w, &r->f->unit)) return fail_word(r, "unit is mm, cm, m or in, not", w);
+    return line_is_over(r);
+}
+
+/* Lists of names and patterns; which blocks they are is looked for when all blocks are there. */
+static int read_supports(reader *r)
+{
+    obj_support support = { { NULL, 0 }, r->at.line };
+    int32_t n = 0;
+    while (text_next_word(&r->at, &support.list) && support.list.s[0] != '#') {
+        APPEND(r, support, supports, room.support, support);
+        n++;
+    }
+    return n ? 0 : fail(r, "supports needs names, lowest or ground");
 }
 
 /* NAME, then a force and its point; or a force at the centroid, a moment, and `couple`. live: it counts scene.live times. */
@@ -380,6 +441,9 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "mu")) return read_mu(r);
     if (strength_word(w) >= 0) return read_strength(r, strength_word(w), w);
     if (text_is(w, "gravity")) return read_gravity(r);
+    if (text_is(w, "up")) return read_up(r);
+    if (text_is(w, "unit")) return read_unit(r);
+    if (text_is(w, "supports")) return read_supports(r);
     if (text_is(w, "density")) return read_density(r);
     if (text_is(w, "fixed")) return read_fixed(r);
     if (text_is(w, "interface")) return read_contact(r, 1);
@@ -405,6 +469,7 @@ static int read_line(reader *r)
         const text_word rest = { w.s + 2, w.n - 2 };
         return w.n > 1 && w.s[1] == '@' ? read_word(r, rest) : 0;
     }
+    if (r->beside && (text_is(w, "v") || text_is(w, "f"))) return fail_word(r, "the model has the geometry; unexpected", w);
     if (text_is(w, "v")) return read_vertex(r);
     if (text_is(w, "f")) return read_face(r);
     if (text_is(w, "o")) return read_block(r);
@@ -429,99 +494,21 @@ static int check_corners(reader *r)
     return 0;
 }
 
-/* --------------------------------------------------------------------------------------------------------------- names */
-
-static int compare(text_word a, text_word b)
+static int read_lines(reader *r)
 {
-    const size_t n = a.n < b.n ? a.n : b.n;
-    const int c = memcmp(a.s, b.s, n);
-    return c ? c : (a.n > b.n) - (a.n < b.n);
-}
-
-typedef struct named { text_word name; int32_t block; } named;
-
-static int compare_named(const void *pa, const void *pb)
-{
-    const named *a = pa, *b = pb;
-    const int c = compare(a->name, b->name);
-    return c ? c : (a->block > b->block) - (a->block < b->block);
-}
-
-static int sort_names(reader *r)
-{
-    obj_file *f = r->f;
-    const size_t n = (size_t)f->blocks;
-    named *sorted = malloc((n + 1) * sizeof *sorted);
-    int32_t twin = -1, first = -1;
-
-    f->by_name = malloc((n + 1) * sizeof *f->by_name);
-    if (!sorted || !f->by_name) {
-        free(sorted);
-        return out_of_memory(r);
-    }
-    for (int32_t b = 0; b < f->blocks; b++) {
-        sorted[b].name = f->block[b].name;
-        sorted[b].block = b;
-    }
-    qsort(sorted, n, sizeof *sorted, compare_named);
-    for (int32_t i = 0; i < f->blocks; i++) {
-        f->by_name[i] = sorted[i].block;
-        if (i > 0 && compare(sorted[i].name, sorted[i - 1].name) == 0 && (twin < 0 || sorted[i].block < twin)) {
-            twin = sorted[i].block;                     /* the earliest repetition in the file */
-            first = sorted[i - 1].block;
-        }
-    }
-    free(sorted);
-    if (twin < 0) return 0;
-    return fail_with(r->error, EXIT_SCENE, f->path, f->block[twin].line, "block " WORD_FORMAT " has the name of the one in "
-                     "line %ld", WORD(f->block[twin].name), (long)f->block[first].line);
-}
-
-static int32_t find_name(const obj_file *f, text_word name)
-{
-    int32_t low = 0, high = f->blocks;
-    while (low < high) {
-        const int32_t middle = low + (high - low) / 2;
-        const int c = compare(f->block[f->by_name[middle]].name, name);
-        if (c == 0) return f->by_name[middle];
-        if (c < 0) low = middle + 1;
-        else high = middle;
-    }
-    return -1;
-}
-
-static int find_contact_blocks(reader *r)
-{
-    for (int32_t i = 0; i < r->f->contacts; i++) {
-        obj_contact *c = &r->f->contact[i];
-        for (int side = 0; side < 2; side++) {
-            const int32_t b = find_name(r->f, c->name[side]);
-            if (b < 0)
-                return fail_with(r->error, EXIT_SCENE, r->f->path, c->line, "contact with block " WORD_FORMAT
-                                 ", which does not exist", WORD(c->name[side]));
-            *(side ? &c->b : &c->a) = b;
-        }
-    }
-    return 0;
-}
-
-static int find_load_blocks(reader *r)
-{
-    for (int32_t i = 0; i < r->f->loads; i++) {
-        obj_load *load = &r->f->load[i];
-        load->block = find_name(r->f, load->name);
-        if (load->block < 0)
-            return fail_with(r->error, EXIT_SCENE, r->f->path, load->line, "load on block " WORD_FORMAT
-                             ", which does not exist", WORD(load->name));
-    }
-    return 0;
+    int status, more;
+    do {
+        status = read_line(r);
+        more = !status && text_next_line(&r->at);
+    } while (more);
+    return status;
 }
 
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error)
 {
     const obj_file empty = { 0 };
-    reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } } };
-    int status, more;
+    reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 0, { NULL, 0 }, 0 };
+    int status;
 
     *file = empty;
     file->path = path;
@@ -531,18 +518,14 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, failu
     file->density = DEFAULT_DENSITY;
     file->gravity[2] = DEFAULT_GRAVITY;
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at.p += 3;     /* byte order mark of UTF-8 */
-    do {
-        status = read_line(&r);
-        if (status) return status;
-        file->lines = r.at.line;
-        more = text_next_line(&r.at);
-    } while (more);
+    status = read_lines(&r);
+    if (status) return status;
+    file->lines = r.at.line;
     if (file->blocks == 0)
         return fail_with(error, EXIT_SCENE, path, file->lines, "%s", sp_status_text(SP_E_EMPTY));
     status = check_corners(&r);
-    if (!status) status = sort_names(&r);
-    if (!status) status = find_contact_blocks(&r);
-    if (!status) status = find_load_blocks(&r);
+    if (!status) status = obj_names_sort(file, error);
+    if (!status) status = obj_names_resolve(file, error);
     return status;
 }
 
@@ -557,9 +540,66 @@ int obj_read(const char *path, obj_file *file, failure *error)
     return status ? status : obj_parse(path, text, length, file, error);
 }
 
+/* What is new lies beside the model: its lines are counted below 0. `was`: the file without it. */
+static void turn_lines(obj_file *f, const obj_file *was)
+{
+    for (int32_t i = was->contacts; i < f->contacts; i++) {
+        f->contact[i].line *= -1;
+        for (int k = 0; k < 3; k++) f->contact[i].strength_line[k] *= -1;
+    }
+    for (int32_t i = was->loads; i < f->loads; i++) f->load[i].line *= -1;
+    for (int32_t i = was->supports; i < f->supports; i++) f->support[i].line *= -1;
+    f->gravity_line = f->gravity_line ? -f->gravity_line : was->gravity_line;
+    for (int k = 0; k < 3; k++)
+        f->strength_line[k] = f->strength_line[k] ? -f->strength_line[k] : was->strength_line[k];
+}
+
+static int parse_beside(obj_file *file, size_t length, failure *error)
+{
+    const text_cursor start = { file->text_beside, file->text_beside + length, 1 };
+    reader r = { file, start, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 1, { NULL, 0 }, file->contacts };
+    const obj_file was = *file;
+    int status;
+
+    file->path = file->beside;                          /* of messages */
+    file->gravity_line = 0;
+    memset(file->strength_line, 0, sizeof file->strength_line);
+    status = read_lines(&r);
+    if (!status) status = obj_names_resolve(file, error);
+    file->path = was.path;
+    turn_lines(file, &was);
+    return status;
+}
+
+int obj_read_beside(obj_file *file, failure *error)
+{
+    const size_t n = strlen(file->path);
+    size_t length;
+    FILE *there;
+    int status;
+
+    if (strcmp(file->path, "-") == 0) return 0;
+    file->beside = malloc(n + sizeof OBJ_BESIDE);
+    if (!file->beside) return fail_with(error, EXIT_MEMORY, file->path, 0, "out of memory while reading");
+    memcpy(file->beside, file->path, n);
+    memcpy(file->beside + n, OBJ_BESIDE, sizeof OBJ_BESIDE);
+    there = fopen(file->beside, "rb");
+    if (!there && errno == ENOENT) {
+        free(file->beside);
+        file->beside = NULL;
+        return 0;
+    }
+    if (there) fclose(there);
+    status = file_read(file->beside, &file->text_beside, &length, error);
+    return status ? status : parse_beside(file, length, error);
+}
+
 void obj_free(obj_file *file)
 {
     free(file->text);
+    free(file->text_beside);
+    free(file->beside);
+    free(file->support);
     free(file->block);
     free(file->face);
     free(file->corner);

@@ -1,7 +1,7 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
 #include "../run.h"
 #include "scene.h"
-#include "obj.h"
+#include "suspects.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -109,8 +109,8 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
 
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "block '%.*s%s'", NAME(block->name));
-    if (mesh.faces == 0) return fail_with(error, EXIT_SCENE, f->path, block->line, "%s has no faces", what);
-    return fail_status(error, status, f->path, block->line, what);
+    if (mesh.faces == 0) return fail_with(error, EXIT_SCENE, OBJ_AT(f, block->line), "%s has no faces", what);
+    return fail_status(error, status, OBJ_AT(f, block->line), what);
 }
 
 static void name_contact(const obj_contact *c, char what[192])
@@ -135,8 +135,8 @@ static int refuse_vain_tension(const obj_file *f, const sp_strength *j, const ob
     char what[192] = "contacts";
     if (!(j->tension > 0) || j->cohesion > 0 || !(j->mu > 0)) return 0;
     if (c) name_contact(c, what);
-    return fail_with(error, EXIT_SCENE, f->path, line, "%s: tension counts up to cohesion / mu: without cohesion it is nothing",
-                     what);
+    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "%s: tension counts up to cohesion / mu: without cohesion it "
+                     "is nothing", what);
 }
 
 static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene, failure *error)
@@ -151,7 +151,7 @@ static int add_contact(const obj_file *f, int32_t i, sp_real mu, sp_scene *scene
 
     if (status == SP_OK) return 0;
     name_contact(c, what);
-    return fail_status(error, status, f->path, c->line, what);
+    return fail_status(error, status, OBJ_AT(f, c->line), what);
 }
 
 static int add_load(const obj_file *f, int32_t i, sp_scene *scene, failure *error)
@@ -172,8 +172,8 @@ static int add_load(const obj_file *f, int32_t i, sp_scene *scene, failure *erro
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "load on '%.*s%s'", NAME(l->name));
     if (status == SP_E_INDEX)
-        return fail_with(error, EXIT_SCENE, f->path, l->line, "%s: it has no face %ld", what, (long)l->face + 1);
-    return fail_status(error, status, f->path, l->line, what);
+        return fail_with(error, EXIT_SCENE, OBJ_AT(f, l->line), "%s: it has no face %ld", what, (long)l->face + 1);
+    return fail_status(error, status, OBJ_AT(f, l->line), what);
 }
 
 /* --------------------------------------------------------------------------------------------------------- whole scene */
@@ -260,7 +260,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
 /* *line: the first where something above 0 is told. */
 static void keep_first_line(sp_real x, int32_t told, int32_t *line)
 {
-    if (x > 0 && told && (!*line || told < *line)) *line = told;
+    if (x > 0 && told && (!*line || labs(told) < labs(*line))) *line = told;
 }
 
 /* Where what stands in the file, for messages after the file is let go. */
@@ -319,16 +319,18 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
     return status;
 }
 
-static void remark_supports(host_scene *s)
+static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
 {
-    for (int32_t b = 0; b < s->scene.count.blocks; b++) if (s->scene.block[b].fixed) return;
-    remarks_add(&s->remarks, NULL, "no block is a support: write `#@ fixed` after the o line of those that are");
+    const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
+    if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
+    suspects_find(&s->scene, s->name, known, &s->remarks);
 }
 
 /* The file's tables are let go as soon as the scene is built. */
 static int build_from(obj_file *f, int status, const scene_settings *set, host_scene *s, failure *error)
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
+    if (!status) status = amend_file(f, &set->amend, set->contacts == SCENE_GIVEN && f->contacts > 0, error);
     if (!status) {
         s->path = malloc(strlen(f->path) + 1);
         status = s->path ? 0 : out_of_memory(f, error);
@@ -336,8 +338,10 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
     if (!status) {
         strcpy(s->path, f->path);
         status = from_file(f, &m, set, s, error);
+        if (!status) make_remarks(f, &set->amend, s);
+        s->beside = f->beside;
+        f->beside = NULL;
     }
-    if (!status) remark_supports(s);
     free_room(&m);
     obj_free(f);
     return status;
@@ -345,7 +349,8 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
 
 scene_settings scene_settings_default(void)
 {
-    const scene_settings set = { -1, SCENE_GIVEN };
+    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 } };
+    const scene_settings set = { -1, SCENE_GIVEN, none };
     return set;
 }
 
@@ -353,8 +358,10 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
 {
     const host_scene empty = { 0 };
     obj_file f;
+    int status = obj_read(path, &f, error);
     *s = empty;
-    return build_from(&f, obj_read(path, &f, error), set, s, error);
+    if (!status) status = obj_read_beside(&f, error);
+    return build_from(&f, status, set, s, error);
 }
 
 int scene_parse(const char *path, char *text, size_t length, const scene_settings *set, host_scene *s, failure *error)
@@ -413,18 +420,18 @@ static int blame_too_large(const host_scene *s, failure *error)
         const int32_t b = find_too_heavy(&part);
         if (b < 0) return fail_with(error, EXIT_SCENE, s->path, 0, "live loads of a block: %s", why);
         const int32_t line = s->gravity_line ? s->gravity_line : s->line[b];
-        return fail_with(error, EXIT_SCENE, s->path, line, "weight of block '%.60s': %s", s->name[b], why);
+        return fail_with(error, EXIT_SCENE, OBJ_AT(s, line), "weight of block '%.60s': %s", s->name[b], why);
     }
     part.count.loads = loads;
     if (is_too_large(&part)) {
         const int32_t k = find_culprit(&part, &part.count.loads);
-        return fail_with(error, EXIT_SCENE, s->path, s->line[blocks + s->given + k], "loads on '%.60s': %s",
+        return fail_with(error, EXIT_SCENE, OBJ_AT(s, s->line[blocks + s->given + k]), "loads on '%.60s': %s",
                          s->name[s->scene.load[k].block], why);
     }
     part.count.joints = s->scene.count.joints;
     const int32_t i = find_culprit(&part, &part.count.joints);
     const sp_joint *f = &s->scene.joint[i];
-    return fail_with(error, EXIT_SCENE, s->path, s->line[i < s->given ? blocks + i : f->b], "contact '%.60s' '%.60s': %s",
+    return fail_with(error, EXIT_SCENE, OBJ_AT(s, s->line[i < s->given ? blocks + i : f->b]), "contact '%.60s' '%.60s': %s",
                      s->name[f->a], s->name[f->b], why);
 }
 
@@ -432,7 +439,7 @@ int scene_refused(const host_scene *s, const sp_settings *settings, sp_status wh
 {
     if (why == SP_E_NOT_FINITE && is_too_large(&s->scene)) return blame_too_large(s, error);
     if (why == SP_E_UNSUPPORTED && settings->coupled.asked && s->strength_line)
-        return fail_with(error, EXIT_SCENE, s->path, s->strength_line, "strength of joints (cohesion, tension, crushing): a "
+        return fail_with(error, EXIT_SCENE, OBJ_AT(s, s->strength_line), "strength of joints (cohesion, tension, crushing): a "
                          "coupled check knows friction alone");
     return fail_status(error, why, s->path, 0, "");
 }
@@ -441,6 +448,7 @@ void scene_free(host_scene *s)
 {
     free(s->line);
     free(s->path);
+    free(s->beside);
     free(s->memory);
     free(s->name);
     free(s->names);

@@ -2,11 +2,12 @@
 #ifndef STONEPACK_HOST_SCENE_H
 #define STONEPACK_HOST_SCENE_H
 
-#include "failure.h"
+#include "amend.h"
 #include "remarks.h"
 
 typedef struct host_scene {
     char *path;                 /* as given, "-": standard input */
+    char *beside;               /* of the file beside it, NULL: there is none; its lines are counted below 0 */
     sp_scene scene;             /* its arrays lie in memory */
     void *memory;
     size_t bytes;               /* sp_scene_memory of what the scene holds */
@@ -28,6 +29,7 @@ typedef enum scene_contacts { SCENE_GIVEN, SCENE_FIND } scene_contacts;
 typedef struct scene_settings {
     sp_real mu;                 /* overrides every friction of the file; below 0: nothing */
     scene_contacts contacts;    /* SCENE_GIVEN: the file's, found if it has none; SCENE_FIND: found, the file's are left out */
+    amendments amend;
 } scene_settings;
 
 /* The file as it is. */

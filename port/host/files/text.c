@@ -52,6 +52,26 @@ int text_is(text_word word, const char *s)
     return strlen(s) == word.n && memcmp(word.s, s, word.n) == 0;
 }
 
+int text_same(text_word a, text_word b) { return a.n == b.n && memcmp(a.s, b.s, a.n) == 0; }
+
+/* The last * takes ever more of the word until what follows it fits. */
+int text_matches(text_word word, text_word pattern)
+{
+    size_t i = 0, k = 0, star = SIZE_MAX, from = 0;
+    while (i < word.n) {
+        if (k < pattern.n && pattern.s[k] == '*') {
+            star = k++;
+            from = i;
+        } else if (k < pattern.n && (pattern.s[k] == '?' || pattern.s[k] == word.s[i])) i++, k++;
+        else if (star != SIZE_MAX) {
+            k = star + 1;
+            i = ++from;
+        } else return 0;
+    }
+    while (k < pattern.n && pattern.s[k] == '*') k++;
+    return k == pattern.n;
+}
+
 /* ------------------------------------------------------------------------------------------------------------- numbers */
 
 /* Does all of the word follow [+-] digits [. digits] [e [+-] digits], with a digit before the e? */

@@ -25,6 +25,10 @@ int text_next_word(text_cursor *c, text_word *word);
 int text_next_line(text_cursor *c);
 
 int text_is(text_word word, const char *s);
+int text_same(text_word a, text_word b);
+
+/* Does the word follow a pattern, in which * is anything, also nothing, and ? one byte? */
+int text_matches(text_word word, text_word pattern);
 
 typedef enum text_number { TEXT_NUMBER = 0, TEXT_NO_NUMBER, TEXT_TOO_LARGE } text_number;
 

@@ -1,0 +1,105 @@
+#include "suspects.h"
+
+#include <math.h>
+
+#define LARGE     100.0                 /* [m] no stone is that long */
+#define SMALL     1e-3                  /* [m] and a model of parts below this is in other units */
+#define HEAVIEST  2e6                   /* [kg] the heaviest stone ever quarried in one piece: some 1650 t, at Baalbek */
+#define DENSEST   23000.0               /* [kg/m^3] osmium has 22590 */
+#define LIGHTEST  5.0                   /* [kg/m^3] foams begin at some 10: g/cm^3 are below */
+#define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries nothing by pressure */
+#define SOME      0.1                   /* share of all area */
+
+static void suspect_supports(const sp_scene *s, remarks *r)
+{
+    int32_t supports = 0, touching = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) supports += s->block[b].fixed != 0;
+    for (int32_t i = 0; i < s->count.joints; i++)
+        touching += s->block[s->joint[i].a].fixed != 0 || s->block[s->joint[i].b].fixed != 0;
+    if (!supports)
+        remarks_add(r, "--fixed NAME,..., --fixed lowest or --fixed ground", "no block is a support; tell which are");
+    else if (supports == s->count.blocks) remarks_add(r, NULL, "every block is a support: there is nothing that could fall");
+    else if (!touching) remarks_add(r, NULL, "no support touches a block");
+}
+
+/* The largest and the smallest free block, and the heaviest. -1: there is none. */
+typedef struct extremes { int32_t large, small, heavy, sizes_large, sizes_small; } extremes;
+
+static extremes find_extremes(const sp_scene *s)
+{
+    extremes x = { -1, -1, -1, 0, 0 };
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        const sp_block *k = &s->block[b];
+        if (k->fixed) continue;
+        if (x.heavy < 0 || k->mass > s->block[x.heavy].mass) x.heavy = b;
+        if (!(k->diameter > 0)) continue;
+        if (x.large < 0 || k->diameter > s->block[x.large].diameter) x.large = b;
+        if (x.small < 0 || k->diameter < s->block[x.small].diameter) x.small = b;
+        x.sizes_large += (double)k->diameter > LARGE;
+        x.sizes_small += (double)k->diameter < SMALL;
+    }
+    return x;
+}
+
+/* What helps a model that is so many times too large: the unit that exports often have. */
+static const char *smaller_unit(suspects_known known, double size)
+{
+    if (known.unit.over) return "another --unit";
+    return size > LARGE ? "--unit mm, cm or in" : "--unit cm or mm";
+}
+
+static void suspect_sizes(const sp_scene *s, const char *const *name, suspects_known known, remarks *r)
+{
+    const extremes x = find_extremes(s);
+    const double large = x.large < 0 ? 0 : (double)s->block[x.large].diameter;
+    const double small = x.small < 0 ? 0 : (double)s->block[x.small].diameter;
+    const double heavy = x.heavy < 0 ? 0 : (double)s->block[x.heavy].mass;
+    if (x.sizes_large)
+        remarks_add(r, smaller_unit(known, large), "%ld block%s larger than 100 m, the largest, '%.60s', measures %.3g m",
+                    (long)x.sizes_large, x.sizes_large == 1 ? " is" : "s are", name[x.large], large);
+    else if (heavy > HEAVIEST)
+        remarks_add(r, smaller_unit(known, large), "block '%.60s' weighs %.3g t, more than any stone that was ever moved",
+                    name[x.heavy], 1e-3 * heavy);
+    if (x.sizes_small)
+        remarks_add(r, known.unit.over ? "another --unit" : NULL,
+                    "%ld block%s smaller than 1 mm, the smallest, '%.60s', measures %.3g mm; lengths are metres",
+                    (long)x.sizes_small, x.sizes_small == 1 ? " is" : "s are", name[x.small], 1e3 * small);
+}
+
+/* The first block whose density no matter has. */
+static void suspect_densities(const sp_scene *s, const char *const *name, remarks *r)
+{
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        const double density = (double)s->block[b].density;
+        if (s->block[b].fixed || !(density > DENSEST || (density > 0 && density < LIGHTEST))) continue;
+        remarks_add(r, NULL, "block '%.60s' has a density of %.3g kg/m^3, %s", name[b], density,
+                    density > DENSEST ? "more than any metal" : "less than any foam; stone has some 2400");
+        return;
+    }
+}
+
+/* Share of the area of joints whose normal is along this axis, more or less. */
+static double share_along(const sp_scene *s, int axis)
+{
+    double area = 0, all = 0;
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        all += (double)s->joint[i].area;
+        if (fabs((double)s->joint[i].n[axis]) > LEVEL) area += (double)s->joint[i].area;
+    }
+    return all > 0 ? area / all : 0;
+}
+
+/* Y up, taken for z up, as gravity is unless a file tells another: no block rests on another, but would if y were up. */
+static void suspect_direction(const sp_scene *s, remarks *r)
+{
+    if (s->count.joints == 0 || share_along(s, 2) > 0 || share_along(s, 1) < SOME) return;
+    remarks_add(r, "--up y", "no block rests on another: every face that touches stands upright, as if y were up");
+}
+
+void suspects_find(const sp_scene *scene, const char *const *name, suspects_known known, remarks *r)
+{
+    suspect_supports(scene, r);
+    if (!known.down) suspect_direction(scene, r);
+    suspect_sizes(scene, name, known, r);
+    suspect_densities(scene, name, r);
+}
