@@ -15,7 +15,7 @@ PARTS    = stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 GEN      = tests/scenes/gen.c
 GEN_H    = $(wildcard tests/scenes/gen*.h)
 # The program, bottom-up: run.c and its neighbours, files/, picture/, worker/, command/, main.c; tests/checks/host_floors.sh holds it.
-READ     = $(addprefix port/host/,run.c clock.c $(addprefix files/,scene.c obj_read.c text.c file.c failure.c))
+READ     = $(addprefix port/host/,run.c clock.c) $(wildcard port/host/files/*.c)
 MAIN     = port/host/main.c
 HOST     = $(filter-out $(MAIN),$(wildcard port/host/*.c port/host/*/*.c)) $(GEN)
 HOST_H   = stonepack.h $(wildcard port/*/*.h port/host/*/*.h settle/*.h) $(GEN_H)

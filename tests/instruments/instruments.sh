@@ -26,7 +26,7 @@ cc=${CC:-gcc}
 out=build/instruments
 own=tests/instruments
 flags="-ffp-contract=off -fno-math-errno -Ibuild -w"
-battery="$own/battery.c port/host/run.c port/host/clock.c port/host/files/scene.c port/host/files/obj_read.c port/host/files/text.c port/host/files/file.c port/host/files/failure.c"
+battery="$own/battery.c port/host/run.c port/host/clock.c $(echo port/host/files/*.c)"
 mkdir -p $out
 [ -f build/scenes.h ] || { awk -f tests/corpus/scenes.awk tests/scenes/*.obj > build/scenes.h.new && mv build/scenes.h.new build/scenes.h; }
 
