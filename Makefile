@@ -64,7 +64,7 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package install bench figures bench-coupled check nightly help clean
+.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -83,7 +83,8 @@ help:
 	@echo "make deps      installs what check can use (Debian, needs root)"
 	@echo "make pair      the library as two files, in build/pair/"
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
-	@echo "make install   library, header, program into PREFIX (/usr/local), under DESTDIR"
+	@echo "make docs      manual page, completions for bash and zsh, in build/doc/"
+	@echo "make install   library, header, program, manual and completions into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
 	@echo "make bench-plan  what leaving out effects saves, as CSV; SCENES='FILE ...' of these"
 	@echo "make figures   the pictures of the pages"
@@ -232,9 +233,19 @@ package:
 # Library, header, program, and what pkg-config and CMake look for.
 PREFIX ?= /usr/local
 TO      = $(DESTDIR)$(PREFIX)
+SHARE   = man/man1 bash-completion/completions zsh/site-functions
 
-install: build/libstonepack.a build/stonepack
-	install -d $(TO)/bin $(TO)/include $(TO)/lib/pkgconfig $(TO)/lib/cmake/stonepack
+# Manual page and completions, from the texts of --help.
+docs: build/doc/stonepack.1 build/doc/stonepack.bash build/doc/_stonepack
+build/doc/stonepack.1 build/doc/stonepack.bash build/doc/_stonepack: build/stonepack
+	@mkdir -p build/doc
+	build/stonepack help $(if $(filter %.1,$@),man,$(if $(filter %.bash,$@),bash,zsh)) > $@.new && mv $@.new $@
+
+install: build/libstonepack.a build/stonepack docs
+	install -d $(TO)/bin $(TO)/include $(TO)/lib/pkgconfig $(TO)/lib/cmake/stonepack $(addprefix $(TO)/share/,$(SHARE))
+	install -m 644 build/doc/stonepack.1 $(TO)/share/man/man1/
+	install -m 644 build/doc/stonepack.bash $(TO)/share/bash-completion/completions/stonepack
+	install -m 644 build/doc/_stonepack $(TO)/share/zsh/site-functions/
 	install build/stonepack $(TO)/bin/
 	install -m 644 stonepack.h $(TO)/include/
 	install -m 644 build/libstonepack.a $(TO)/lib/

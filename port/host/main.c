@@ -1,5 +1,6 @@
 /* stonepack: the program. */
 #include "command/commands.h"
+#include "command/manual.h"
 #include "files/obj.h"
 #include "files/failure.h"
 
@@ -15,6 +16,7 @@ static const char help_scene[] =
 "  --gravity X,Y,Z    instead: this gravity [m/s^2]                                0,0,-9.80665\n"
 "  --unit NAME        of all coordinates: mm, cm, m or in; forces stay N, densities kg/m^3             m\n"
 "  --mu X             friction of every joint, whatever the scene says             0.84 where it says nothing\n"
+"  --quiet            the line of the verdict alone: no details, no remarks, no progress\n\n"
 "A file beside a model, MODEL.obj.stonepack, may hold what the model can't: lines as in a scene, and `o NAME` or a pattern\n"
 "for the blocks that the `#@ density` and `#@ fixed` after it are of. Options come before it, and it before the model.\n";
 
@@ -73,7 +75,7 @@ static const char help_plan[] =
 "  --json             one JSON object\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), where NAME is one of friction, depth,\n"
 "                     together, coupled (as --coupled)\n"
-"  --tol, --cone, --stages, --tilt, --coupled as in check\n\n"
+"  --tol, --cone, --stages, --tilt, --coupled    as in check\n\n"
 "Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
 
 static const char help_verify[] =
@@ -98,7 +100,7 @@ static const char help_sequence[] =
 "  --budget N         flops after which the search for what to hold, or what comes next, ends; also of each check   none\n"
 "  --svg FILE         a strip of steps: those that fail, what moves, what must be held\n"
 "  --json             one JSON object\n"
-"  --tol --cone --stages --tilt as in check\n\n"
+"  --tol, --cone, --stages, --tilt               as in check\n\n"
 "hold a, b! (proof): with a and b held it stands; ! falls even when all others are held; minimal: no smaller set does,\n"
 "irreducible: none of them can be let go, enough: fewer might do, the budget or an undecided check ended the search. Exit\n"
 "status: 0 every step stands, 1 one is unstable, 2 one is undecided, 65 a bad scene or order file, 64 usage.\n";
@@ -138,6 +140,7 @@ static const char help_settle[] =
 "stonepack settle --confirm [options] SCENE\n\n"
 "Where do the stones come to rest? They fall under gravity, are tamped, and are written with the points they touch in, for\n"
 "`check` to decide. --confirm instead asks whether the scene keeps still, and whether statics says the same. Needs Bullet.\n\n"
+"  --confirm          does it keep still, and do statics say so?\n"
 "  -o FILE            writes the scene as it came to rest\n"
 "  --near X           contacts written are faces nearer than X m, not Bullet's points\n"
 "  --frames FILE      draws the fall in nine pictures (SVG)\n"
@@ -157,41 +160,45 @@ static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"
 "stonepack gen NAME [NUMBER=VALUE ...]      writes a scene made by formula to standard output, e.g. gen arch n=15 t=0.1\n";
 
-static const struct {
-    const char *name, *summary, *help;
-    int (*run)(int argc, char **argv);
-    int scene;                  /* reads a scene, so it has the options of help_scene */
-} command[] = {
-    { "check",    "does it stand?",                        help_check,    command_check, 1 },
-    { "limit",    "how much load until it falls?",        help_limit,    command_limit, 1 },
-    { "verify",   "what does a stored result prove?",      help_verify,   command_verify, 1 },
-    { "plan",     "which effects does a scene call for?",  help_plan,     command_plan, 1 },
-    { "sequence", "does it stand while it is built?",      help_sequence, command_sequence, 1 },
-    { "contacts", "what touches what?",                    help_contacts, command_contacts, 1 },
-    { "convert",  "read a scene, write it with contacts",  help_convert,  command_convert, 1 },
-    { "cost",     "what does accuracy cost on it?",        help_cost,     command_cost, 1 },
-    { "qp",       "solve a quadratic program",             help_qp,       command_qp, 0 },
-    { "settle",   "where do stones come to rest?",         help_settle,   command_settle, 1 },
-    { "worker",   "answers checks of other programs",      help_worker,   command_worker, 0 },
-    { "gen",      "write a scene made by formula",         help_gen,      command_gen, 0 },
+/* What each command tells of itself, and below it the commands in the same order. */
+static const manual_entry entry[] = {
+    { "check",    "does it stand?",                        help_check, help_scene },
+    { "limit",    "how much load until it falls?",        help_limit, help_scene },
+    { "verify",   "what does a stored result prove?",      help_verify, help_scene },
+    { "plan",     "which effects does a scene call for?",  help_plan, help_scene },
+    { "sequence", "does it stand while it is built?",      help_sequence, help_scene },
+    { "contacts", "what touches what?",                    help_contacts, help_scene },
+    { "convert",  "read a scene, write it with contacts",  help_convert, help_scene },
+    { "cost",     "what does accuracy cost on it?",        help_cost, help_scene },
+    { "qp",       "solve a quadratic program",             help_qp, NULL },
+    { "settle",   "where do stones come to rest?",         help_settle, help_scene },
+    { "worker",   "answers checks of other programs",      help_worker, NULL },
+    { "gen",      "write a scene made by formula",         help_gen, NULL },
 };
 
-enum { COMMANDS = sizeof command / sizeof *command };
+enum { COMMANDS = sizeof entry / sizeof *entry };
+
+static int (*const run[COMMANDS])(int argc, char **argv) = {
+    command_check, command_limit, command_verify, command_plan, command_sequence, command_contacts, command_convert,
+    command_cost, command_qp, command_settle, command_worker, command_gen,
+};
 
 static void print_help(void)
 {
     puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
-    for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", command[k].name, command[k].summary);
-    puts("\nstonepack COMMAND --help tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may "
+    for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", entry[k].name, entry[k].summary);
+    puts("\nstonepack COMMAND --help, or -h, tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may "
          "hold:\n");
     fputs(obj_format, stdout);
     puts("\nWithout interface and points lines contacts are found.");
 }
 
+static int is_help(const char *word) { return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0; }
+
 static int wants_help(int argc, char **argv)
 {
-    for (int i = 2; i < argc; i++)
-        if (strcmp(argv[i], "--help") == 0) return 1;
+    for (int i = 2; i < argc && strcmp(argv[i], "--"); i++)
+        if (is_help(argv[i])) return 1;
     return 0;
 }
 
@@ -203,25 +210,46 @@ static int flush_output(int status)
     return EXIT_INTERNAL;
 }
 
+/* Which command has this name, COMMANDS: none. */
+static int find_command(const char *name)
+{
+    int k = 0;
+    while (k < COMMANDS && strcmp(entry[k].name, name)) k++;
+    return k;
+}
+
+static int unknown_command(const char *name)
+{
+    fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", name);
+    return EXIT_USAGE;
+}
+
+/* Of a command, or as a manual page or completions; NULL: of all in short.     returns the exit status */
+static int help_on(const char *what)
+{
+    const int k = what ? find_command(what) : 0;
+    if (!what) print_help();
+    else if (k < COMMANDS) {
+        fputs(entry[k].help, stdout);
+        if (entry[k].more) fputs(entry[k].more, stdout);
+    } else if (!manual_write(stdout, what, entry, COMMANDS, obj_format)) return unknown_command(what);
+    return flush_output(0);
+}
+
 int main(int argc, char **argv)
 {
-    if (argc > 1 && strcmp(argv[1], "--version") == 0) {
+    if (argc < 2) {
+        fputs("stonepack: a command is missing, see stonepack --help\n", stderr);
+        return EXIT_USAGE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
         printf("stonepack %d.%d.%d%s\n", SP_VERSION_MAJOR, SP_VERSION_MINOR, SP_VERSION_PATCH,
                sizeof(sp_real) == 4 ? " float" : "");
         return flush_output(0);
     }
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "help") == 0)) {
-        print_help();
-        return flush_output(0);
-    }
-    for (int k = 0; argc > 1 && k < COMMANDS; k++) {
-        if (strcmp(argv[1], command[k].name)) continue;
-        if (!wants_help(argc, argv)) return flush_output(command[k].run(argc, argv));
-        fputs(command[k].help, stdout);
-        if (command[k].scene) fputs(help_scene, stdout);
-        return flush_output(0);
-    }
-    if (argc > 1) fprintf(stderr, "stonepack: unknown command '%.60s', see stonepack --help\n", argv[1]);
-    else fputs("stonepack: a command is missing, see stonepack --help\n", stderr);
-    return EXIT_USAGE;
+    if (is_help(argv[1])) return help_on(NULL);
+    if (strcmp(argv[1], "help") == 0) return help_on(argc > 2 ? argv[2] : NULL);
+    const int k = find_command(argv[1]);
+    if (k == COMMANDS) return unknown_command(argv[1]);
+    return wants_help(argc, argv) ? help_on(argv[1]) : flush_output(run[k](argc, argv));
 }

@@ -33,6 +33,44 @@ margin_is_tilt() {          # "x y z" ORDER MU: of this gravity, axes in this or
         return 1
     done < "$tmp/margins"
 }
+short_help() {
+    "$cli" --help > "$tmp/a" && "$cli" -h | cmp - "$tmp/a" && for c in $(commands); do
+        "$cli" "$c" --help > "$tmp/a" && "$cli" help "$c" | cmp - "$tmp/a" && "$cli" "$c" no-such-file -h | cmp - "$tmp/a" || return 1
+    done
+}
+commands() { "$cli" --help | awk 'NF == 0 { if (n++) exit; next } n { print $1 }'; }
+told() { "$cli" help bash | sed -n "s/^ *$1) list=' *\(.*\) --help' ;;/\1/p"; }
+options_told() {                                        # the lists in the sources, and the help
+    for c in $(commands); do
+        for o in $(told "$c"); do
+            "$cli" "$c" "$o=1" 2>&1 | grep 'unknown option' && return 1
+        done
+    done
+    for c in check limit verify plan sequence contacts convert cost qp settle; do
+        tr '\n' ' ' < "$here/../../port/host/command/$c.c" | sed 's/" *"//g' | grep -o 'options_read(argc, argv, [^;]*;' > "$tmp/a"
+        grep -q SCENE_OPTIONS "$tmp/a" && sed -n 's/^#define SCENE_OPTIONS//p' "$here/../../port/host/command/options.h" >> "$tmp/a"
+        for o in $(grep -oe ' --*[a-z][a-z-]*' "$tmp/a"); do
+            case " $(told "$c") " in *" $o "*) ;; *) echo "$c: $o is not told"; return 1;; esac
+        done
+    done
+}
+manual() {
+    "$cli" help man > "$tmp/man" && for c in $(commands); do grep -q "^.SS $c:" "$tmp/man" || { echo "no $c"; return 1; }; done
+    ! command -v groff > /dev/null || [ -z "$(groff -man -Tascii -ww "$tmp/man" 2>&1 > "$tmp/page")" ]
+}
+completes() {
+    command -v bash > /dev/null || return 0
+    "$cli" help bash > "$tmp/completion" && bash -c '. "$1"; COMP_WORDS=(stonepack check --fa); COMP_CWORD=2; _stonepack; echo "${COMPREPLY[@]}"
+        COMP_WORDS=(stonepack se); COMP_CWORD=1; _stonepack; echo "${COMPREPLY[@]}"' - "$tmp/completion" > "$tmp/said" &&
+    printf -- '--fallback\nsequence settle\n' | cmp - "$tmp/said"
+}
+quiet() {
+    gen arch && for c in check 'limit --body 1,0,0' sequence contacts plan 'limit --tilt-margin' "check --coupled --tol 1e-4"; do
+        # shellcheck disable=SC2086
+        "$cli" $c --quiet "$tmp/scene.obj" > "$tmp/said"
+        [ "$(wc -l < "$tmp/said")" -eq 1 ] || { echo "$c:"; cat "$tmp/said"; return 1; }
+    done
+}
 round_trip() {                                          # scene -> convert -> the same verdict and numbers
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/again.obj" &&
     "$cli" check --json - < "$tmp/scene.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/a" &&
@@ -204,6 +242,11 @@ ambiguous() {                                           # what programs read in 
 }
 
 part "version"                      exits 0 "$cli" --version
+part "-h as --help, everywhere"     short_help
+part "every option that is told is known, and every one known is told" options_told
+part "manual page"                  manual
+part "completion of bash"           completes
+part "quiet: one line"              quiet
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
 part "unknown command"              exits 64 "$cli" stand

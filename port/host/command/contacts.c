@@ -4,21 +4,21 @@
 #include "options.h"
 #include "../files/scene.h"
 
-static void print_table(const host_scene *s)
+static void print_table(const host_scene *s, int quiet)
 {
-    printf("%-16s %-16s %13s %7s   %s\n", "a", "b", "area [m^2]", "corners", "normal from a into b");
-    for (int32_t i = 0; i < s->scene.count.joints; i++) {
+    if (!quiet) printf("%-16s %-16s %13s %7s   %s\n", "a", "b", "area [m^2]", "corners", "normal from a into b");
+    for (int32_t i = 0; !quiet && i < s->scene.count.joints; i++) {
         const sp_joint *c = &s->scene.joint[i];
         printf("%-16s %-16s %13.6g %7ld   %9.6f %9.6f %9.6f\n", s->name[c->a], s->name[c->b], (double)c->area, (long)c->points,
                (double)c->n[0], (double)c->n[1], (double)c->n[2]);
     }
-    for (int32_t i = 0; i < s->overlaps; i++)
+    for (int32_t i = 0; !quiet && i < s->overlaps; i++)
         printf("overlap: %s and %s are %.6g m inside each other\n", s->name[s->overlap[i].a], s->name[s->overlap[i].b],
                (double)s->overlap[i].depth);
     printf("%ld contact%s between %ld block%s, %ld overlap%s\n", (long)s->scene.count.joints,
            s->scene.count.joints == 1 ? "" : "s", (long)s->scene.count.blocks, s->scene.count.blocks == 1 ? "" : "s",
            (long)s->overlaps, s->overlaps == 1 ? "" : "s");
-    remarks_print(stdout, &s->remarks);
+    if (!quiet) remarks_print(stdout, &s->remarks);
 }
 
 static void print_json(const host_scene *s)
@@ -67,7 +67,7 @@ int command_contacts(int argc, char **argv)
         o.scene.contacts = SCENE_FIND;
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
             if (o.json) print_json(&s);
-            else print_table(&s);
+            else print_table(&s, o.quiet);
         }
         scene_free(&s);
     }

@@ -28,7 +28,7 @@ int command_convert(int argc, char **argv)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
     if (!error.status) {
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0
-            && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0)
+            && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0 && !o.quiet)
             remarks_print(stderr, &s.remarks);          /* standard output may be the scene */
         scene_free(&s);
     }

@@ -148,11 +148,12 @@ static void table_words(FILE *out, const cost_table *t)
     }
 }
 
-static void cost_text(FILE *out, const host_scene *s, const cost_table *t)
+static void cost_text(FILE *out, const host_scene *s, const cost_table *t, int quiet)
 {
     char flops[16];
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points\n", s->path,
             sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, (long)s->scene.count.points);
+    if (quiet) return;
     fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, imbalance; no check above %s flop; "
             "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));
     fprintf(out, "%-18s", "stage, cone   tol:");
@@ -236,7 +237,7 @@ int command_cost(int argc, char **argv)
     if (!code && o.svg) code = draw_table(o.svg, &s, &table, &error);
     if (!code) {
         if (o.json) cost_json(stdout, &s, &table);
-        else cost_text(stdout, &s, &table);
+        else cost_text(stdout, &s, &table, o.quiet);
         code = report_exit(table.truth);
     } else fprintf(stderr, "%s\n", error.line);
     scene_free(&s);

@@ -160,6 +160,7 @@ static void print_multiplier(const report *r)
     default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
                                                                                     : "the two bounds do not meet at this tol");
     }
+    if (r->options->quiet) return;
     report_row(stdout, "how sure");
     if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);
     if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
@@ -196,6 +197,7 @@ static void print_text(const report *r)
     const sp_capacity *n = &r->scene->scene.count;
     int32_t moving = 0;
     print_multiplier(r);
+    if (r->options->quiet) return;
     print_reservations(r);
     for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {

@@ -327,6 +327,7 @@ static int set_preset(const char *value, options *o)
 static int set_flag(options *o, const char *name)
 {
     if (strcmp(name, "--json") == 0) return o->json = 1;
+    if (strcmp(name, "--quiet") == 0) return o->quiet = 1;
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;

@@ -6,6 +6,7 @@
 
 typedef struct options {
     int json, forces;
+    int quiet;                  /* the first line alone: no remarks, no progress */
     const char *svg;            /* file, or NULL */
     const char *out, *frames;   /* of settle: files, or NULL */
     const char *set;            /* of settle: NAME=VALUE,... or NULL */
@@ -34,7 +35,7 @@ typedef struct options {
 } options;
 
 /* Options of whatever reads a scene; `allowed` of such a command has them behind its own. */
-#define SCENE_OPTIONS " --mu --fixed --gravity --up --unit "
+#define SCENE_OPTIONS " --mu --fixed --gravity --up --unit --quiet "
 
 /* Read argv[2..] for a command; argv is reordered, files keep their order. `allowed`: the command's options, space around
  * each: " --json --mu ".                                                       returns 0 or EXIT_USAGE */

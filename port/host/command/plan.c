@@ -6,11 +6,12 @@
 #include "../files/scene.h"
 #include "../tilt.h"
 
-static void print_table(const host_scene *s, const sp_outlook *o)
+static void print_table(const host_scene *s, const sp_outlook *o, int quiet)
 {
-    printf("%s: %ld blocks, %ld joints, %ld island%s\n\n", s->path, (long)s->scene.count.blocks,
+    printf("%s: %ld blocks, %ld joints, %ld island%s\n", s->path, (long)s->scene.count.blocks,
            (long)s->scene.count.joints, (long)o->islands, o->islands == 1 ? "" : "s");
-    printf("%-10s %-4s %12s %12s %12s   %s\n", "effect", "", "unknowns", "flops", "bytes saved", "why");
+    if (quiet) return;
+    printf("\n%-10s %-4s %12s %12s %12s   %s\n", "effect", "", "unknowns", "flops", "bytes saved", "why");
     for (int k = 0; k < SP_EFFECTS; k++) {
         const sp_planned *p = &o->effect[k];
         printf("%-10s %-4s ", sp_effect_text((sp_effect)k), sp_effect_on(p->why) ? "on" : "off");
@@ -78,7 +79,7 @@ int command_plan(int argc, char **argv)
             const sp_status status = run_plan(&s.scene, &o.settings, &outlook);
             if (status) scene_refused(&s, &o.settings, status, &error);
             else if (o.json) print_json(&s, &outlook);
-            else print_table(&s, &outlook);
+            else print_table(&s, &outlook, o.quiet);
         }
         scene_free(&s);
     }

@@ -221,6 +221,7 @@ static void text_cost(FILE *out, const report *r)
 void report_text(FILE *out, const report *r)
 {
     fprintf(out, "%s: %s\n", r->scene->path, capitals(r->result.verdict));
+    if (r->options->quiet) return;
     report_row(out, "why");
     if (r->result.verdict != SP_STABLE && !report_supported(r)) fputs("nothing is fixed, so nothing holds these blocks: ", out);
     fprintf(out, "%s\n", text_of_reason(r->result.reason));

@@ -250,7 +250,7 @@ static void print_text(const run *r)
     if (!r->first) printf("every one stands\n");
     else printf("step %ld is the first that %s (%s)\n", (long)r->first,
                 r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
-    for (int32_t k = 0; k < r->steps; k++) {
+    for (int32_t k = 0; !o->quiet && k < r->steps; k++) {
         const outcome *t = &r->outcome[k];
         static const char *const word[] = { "undecided", "stable", "UNSTABLE" };
         const int more = t->step.verdict != SP_STABLE || o->suggest;
@@ -260,6 +260,7 @@ static void print_text(const run *r)
         if (o->suggest) printf("  next %s", name_of(r, t->next.block));
         putchar('\n');
     }
+    if (o->quiet) return;
     if (r->first) printf("  to be held     at most %lu at once; ! falls even when all others are held\n", (unsigned long)most);
     printf("  cost           %ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
            1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);

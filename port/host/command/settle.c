@@ -421,6 +421,7 @@ static void print_text(const session *s)
     for (int32_t k = 0; k < r->contacts; k++) points += r->contact[k].points;
     printf("%s: %ld of %ld stones settled in %ld steps\n", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
            (long)r->steps);
+    if (s->o->quiet) return;
     printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
            1e3 * r->drift);
     printf("  penetration    %.2g mm, %.2g mm per m of stone\n", 1e3 * r->penetration,
@@ -456,6 +457,13 @@ static void print_json(const session *s, const sp_result *statics, const char *a
     fputc('\n', stdout);
 }
 
+static void print_motion(const session *s)
+{
+    printf("  moved          %.2g block edges, turned %.2g degrees at most; held: up to %g and %g\n", s->result.moved,
+           s->result.turned, s->set.moved, s->set.turned);
+    remarks_print(stdout, &s->in.remarks);
+}
+
 /* The static verdict beside what the simulation did. */
 static int compare_with_statics(session *s, failure *error)
 {
@@ -476,9 +484,7 @@ static int compare_with_statics(session *s, failure *error)
         else {
             printf("%s: statics says %s, settle %s: they %s\n", s->in.path, sp_verdict_text(r.result.verdict),
                    s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
-            printf("  moved          %.2g block edges, turned %.2g degrees at most; held: up to %g and %g\n", s->result.moved,
-                   s->result.turned, s->set.moved, s->set.turned);
-            remarks_print(stdout, &s->in.remarks);
+            if (!s->o->quiet) print_motion(s);
         }
     }
     free(memory);

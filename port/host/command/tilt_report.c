@@ -67,12 +67,13 @@ static void print_text(const report *r, const tilt_margin *m)
     const char *path = r->scene->path;
     if (!m->stands) {
         printf("%s: %s\n", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
-        remarks_print(stdout, &r->scene->remarks);
+        if (!r->options->quiet) remarks_print(stdout, &r->scene->remarks);
         return;
     }
     if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", path);
     else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", path, tilt_at_least(m) ? "at least " : "",
                 m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
+    if (r->options->quiet) return;
     if (m->least < 90 && m->within > 1e-3 * m->least) {
         report_row(stdout, "how near");
         printf("known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n",

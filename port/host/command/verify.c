@@ -272,7 +272,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
-    if (!status) remarks_print(stderr, &s.remarks);     /* after the line of the verdict */
+    if (!status && !v->o.quiet) remarks_print(stderr, &s.remarks);     /* after the line of the verdict */
     if (read) scene_free(&s);
     return status;
 }
