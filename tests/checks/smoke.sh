@@ -97,7 +97,8 @@ another() {                                             # a result says what it 
 }
 costs() {                                               # the table, its picture, its JSON: 9 cones, 4 stages, 6 tolerances
     gen "$@" && says 'pyramids against the true cone' "$cli" cost --svg "$tmp/cost.svg" "$tmp/scene.obj" &&
-    grep -q 'What accuracy costs' "$tmp/cost.svg" &&
+    grep -q 'What accuracy costs' "$tmp/cost.svg" && grep -q 'class="square"' "$tmp/cost.svg" &&
+    grep -q 'class="triangle"' "$tmp/cost.svg" &&
     "$cli" cost --json "$tmp/scene.obj" > "$tmp/cost.json" && [ "$(grep -o '"omega"' "$tmp/cost.json" | wc -l)" -eq 216 ]
 }
 on_a_budget() {                                         # undecided by name, and decided with more
@@ -279,6 +280,11 @@ part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" 
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
+part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg' --view front '$tmp/scene.obj' && '$cli' check --svg '$tmp/zero.svg' \
+    --view 0,0 '$tmp/scene.obj' && cmp '$tmp/front.svg' '$tmp/zero.svg' && ! cmp -s '$tmp/front.svg' '$tmp/scene.svg'"
+part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
+part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
+    test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
@@ -318,6 +324,8 @@ part "sequence: the last one closes it" says '^ *20 + b20  *stable' "$cli" seque
 part "sequence: taken down by half" says '^ *2 - b19  *UNSTABLE' "$cli" sequence --remove --order b20,b19 "$tmp/scene.obj"
 part "sequence: a strip"            exits 1 "$cli" sequence --svg "$tmp/strip.svg" "$tmp/scene.obj"
 part "sequence: the strip has an end" sh -c "grep -q 'to be held' '$tmp/strip.svg' && tail -1 '$tmp/strip.svg' | grep -q '</svg>'"
+part "sequence: how many steps it shows" sh -c "'$cli' gen arch n=40 | '$cli' sequence --svg '$tmp/long.svg' - > '$tmp/out'; \
+    grep -q '40 steps (24 shown), step' '$tmp/long.svg' && ! grep -q ' shown)' '$tmp/strip.svg'"
 part "sequence: nothing half written" half "$cli" sequence --svg "$tmp/half" "$tmp/scene.obj"
 part "sequence: unknown name: 64"   exits 64 "$cli" sequence --order b1,none "$tmp/scene.obj"
 part "sequence: two orders: 64"     exits 64 "$cli" sequence --order b1 --order-file x "$tmp/scene.obj"

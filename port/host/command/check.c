@@ -77,8 +77,8 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --tol --budget --cone --stages --solver --preset --net --tilt"
-                     " --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
+    if (options_read(argc, argv, " --json --forces --svg --view --names --tol --budget --cone --stages --solver --preset --net"
+                     " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;

@@ -264,7 +264,8 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --tol --cone --body --tilt --tilt-margin --budget" SCENE_OPTIONS, &o,
+    status = options_read(argc, argv, " --json --svg --view --names --tol --cone --body --tilt --tilt-margin --budget"
+                          SCENE_OPTIONS, &o,
                           &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
     if (!status) {

@@ -185,6 +185,24 @@ static int take_worker(options *o, const char *name, const char *value, failure 
     return good ? 0 : usage(error, name, "needs SECONDS or SECONDS,MEGABYTES, above 0");
 }
 
+/* From where a picture is drawn: AZIMUTH,ELEVATION in degrees, or by name. */
+static int take_view(options *o, const char *name, const char *value, failure *error)
+{
+    static const struct { const char *name; double azimuth, rise; } known[] = {
+        { "front", 0, 0 }, { "side", 90, 0 }, { "top", 0, 90 } };
+    view_wish *v = &o->view;
+    v->given = 1;
+    for (int k = 0; k < 3; k++)
+        if (strcmp(value, known[k].name) == 0) {
+            v->azimuth = known[k].azimuth;
+            v->rise = known[k].rise;
+            return 0;
+        }
+    if (strchr(value, ',') && read_one_or_two(value, &v->azimuth, &v->rise) && fabs(v->azimuth) <= 360 && fabs(v->rise) <= 90)
+        return 0;
+    return usage(error, name, "needs front, side, top or AZIMUTH,ELEVATION, degrees within -360..360 and -90..90");
+}
+
 static int take_backend(options *o, const char *name, const char *value, failure *error)
 {
     static const char *const backend[] = { "sparse", "dense", "cg" };           /* as sp_qp_backend */
@@ -276,7 +294,7 @@ static const struct {
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
     { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },
-    { "--preset", take_preset },
+    { "--preset", take_preset }, { "--view", take_view },
 };
 
 /* Where an option goes whose value is taken as it is; NULL: another. */
@@ -336,6 +354,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--confirm") == 0) return o->confirm = 1;
     if (strcmp(name, "--remove") == 0) return o->remove = 1;
     if (strcmp(name, "--suggest") == 0) return o->suggest = 1;
+    if (strcmp(name, "--names") == 0) return o->names = 1;
     if (strcmp(name, "--tilt-margin") == 0) return o->tilt_margin = 1;
     return 0;
 }

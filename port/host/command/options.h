@@ -3,11 +3,14 @@
 #define STONEPACK_HOST_OPTIONS_H
 
 #include "../files/scene.h"
+#include "../picture/view.h"
 
 typedef struct options {
     int json, forces;
     int quiet;                  /* the first line alone: no remarks, no progress */
     const char *svg;            /* file, or NULL */
+    view_wish view;             /* of it */
+    int names;                  /* on its blocks */
     const char *out, *frames;   /* of settle: files, or NULL */
     const char *set;            /* of settle: NAME=VALUE,... or NULL */
     int tilt_margin;            /* of limit */

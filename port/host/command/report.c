@@ -76,7 +76,7 @@ int report_supported(const report *r)
 int report_draw(const report *r, failure *error)
 {
     const char *path = r->options->svg;
-    const subject of = { r->scene, &r->result, r->limit };
+    const subject of = { r->scene, &r->result, r->limit, r->options->view, r->options->names };
     FILE *out = file_create(path, error);
     int status = 0;
     if (!out) return error->status;

@@ -1,4 +1,5 @@
 #include "../motion.h"
+#include "../weakest.h"
 #include "report.h"
 
 #include <math.h>
@@ -95,8 +96,6 @@ static void text_published(FILE *out, const solvers_published *p)
             a->seconds, a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
 }
 
-#define NEAR_LIMIT 0.01                 /* share of its friction from which a joint is worth a name: below it is rounding */
-
 static void text_weakest(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
@@ -105,7 +104,7 @@ static void text_weakest(FILE *out, const report *r)
     if (x->extremes.weakest < 0 || sp_joint_resultant(s, x, x->extremes.weakest, &f) != SP_OK) return;
     const sp_demand *help = &x->demand[x->extremes.weakest];
     report_row(out, "weakest joint");
-    if (!(help->friction > 0 || help->tension > 0 || (double)f.utilisation >= NEAR_LIMIT)) {
+    if (weakest_told(s, x) < 0) {
         fputs("none is near its limit\n", out);
         return;
     }

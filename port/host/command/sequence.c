@@ -367,7 +367,7 @@ static int draw_strip(const run *r, failure *error)
     FILE *out = file_create(path, error);
     sheet_frame frame[STRIP];
     int32_t step[STRIP];
-    char title[96];
+    char title[96], some[24] = "";
     const int n = choose_steps(r, step);
     if (!out) return error->status;
     for (int i = 0; i < n; i++) {
@@ -377,9 +377,11 @@ static int draw_strip(const run *r, failure *error)
         frame[i].bad = t->step.verdict != SP_STABLE;
         write_caption(r, t, step[i], frame[i].caption);
     }
-    if (r->first) snprintf(title, sizeof title, "%ld steps, step %ld is the first that fails", (long)r->steps, (long)r->first);
-    else snprintf(title, sizeof title, "%ld steps, every one stands", (long)r->steps);
-    const int drawn = sheet_write(out, &r->scene.scene, n, frame, title);
+    if (n < r->steps) snprintf(some, sizeof some, " (%d shown)", n);
+    if (r->first)
+        snprintf(title, sizeof title, "%ld steps%s, step %ld is the first that fails", (long)r->steps, some, (long)r->first);
+    else snprintf(title, sizeof title, "%ld steps%s, every one stands", (long)r->steps, some);
+    const int drawn = sheet_write(out, &r->scene.scene, n, frame, &r->options->view, title);
     return file_finish(out, path, drawn ? 0 : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
 }
 
@@ -404,7 +406,7 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --tol --cone --stages --tilt --budget --order --order-file --remove"
+    status = options_read(argc, argv, " --json --svg --view --tol --cone --stages --tilt --budget --order --order-file --remove"
                           " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)

@@ -395,7 +395,7 @@ static int write_frames(session *s, failure *error)
              s->result.energy);
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
              (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
-    if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, title))
+    if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, &s->o->view, title))
         status = fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     free(last->vertex);
     return file_finish(file, s->o->frames, status, error);
@@ -509,7 +509,7 @@ int command_settle(int argc, char **argv)
     failure error = { 0, "" };
     options o;
     session s;
-    int status = options_read(argc, argv, " -o --frames --set --near --json --confirm" SCENE_OPTIONS, &o, &error);
+    int status = options_read(argc, argv, " -o --frames --view --set --near --json --confirm" SCENE_OPTIONS, &o, &error);
 
     memset(&s, 0, sizeof s);
     s.o = &o;

@@ -1,5 +1,5 @@
-/* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape the kind
- * of cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
+/* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape
+ * the kind of cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
 #include "cost_svg.h"
 #include "page.h"
 
@@ -51,19 +51,27 @@ static void draw_grid(FILE *out, const axes *a)
             a->time ? "time of a check [ms]" : "work of a check [flop]");
 }
 
-/* True cone: a disc; inscribed: a square; circumscribed: a diamond. */
-static void draw_mark(FILE *out, double x, double y, const cost_row *r, const char *ink, int wrong)
+/* Kind of a cone: 0 true, 1 inscribed, 2 circumscribed. */
+static int kind_of(const char *cone)
 {
-    const char kind = r->cone[strlen(r->cone) - 1];
-    const char *fill = r->verdict ? ink : "none";
-    if (wrong)
-        fprintf(out, "<path d=\"M%.1f %.1fl8.0 8.0m0 -8.0l-8.0 8.0\" stroke=\"#b2182b\" stroke-width=\"2\"/>\n", x - 4, y - 4);
-    else if (kind == 'i')
-        fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"6\" height=\"6\" fill=\"%s\" stroke=\"%s\"/>\n", x - 3, y - 3, fill,
-                ink);
-    else if (kind == 'c')
-        fprintf(out, "<path d=\"M%.1f %.1fl4 4l-4 4l-4 -4z\" fill=\"%s\" stroke=\"%s\"/>\n", x, y - 4, fill, ink);
-    else fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\" stroke=\"%s\"/>\n", x, y, fill, ink);
+    const char last = cone[strlen(cone) - 1];
+    return last == 'i' ? 1 : last == 'c' ? 2 : 0;
+}
+
+/* True cone: a disc; inscribed: a square; circumscribed: a triangle. Hollow: undecided. */
+static void draw_shape(FILE *out, double x, double y, int kind, const char *ink, int decided)
+{
+    fprintf(out, "<g class=\"%s\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-width=\"1.3\">",
+            kind == 1 ? "square" : kind == 2 ? "triangle" : "disc", decided ? ink : "#fff", decided ? "0.75" : "0.6", ink);
+    if (kind == 1) fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"7\" height=\"7\"/>", x - 3.5, y - 3.5);
+    else if (kind == 2) fprintf(out, "<path d=\"M%.1f %.1fl5 8.6h-10z\"/>", x, y - 5.4);
+    else fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"/>", x, y);
+    fputs("</g>\n", out);
+}
+
+static void draw_cross(FILE *out, double x, double y)
+{
+    fprintf(out, "<path d=\"M%.1f %.1fl9 9m0 -9l-9 9\" stroke=\"#b2182b\" stroke-width=\"2.4\"/>\n", x - 4.5, y - 4.5);
 }
 
 static void draw_panel(FILE *out, const cost_table *t, double left, int time)
@@ -73,26 +81,44 @@ static void draw_panel(FILE *out, const cost_table *t, double left, int time)
     for (int k = 0; k < COST_ROWS; k++) {
         const cost_row *r = &t->row[k];
         const int wrong = r->verdict && t->truth && r->verdict != t->truth;
-        draw_mark(out, px(&a, log_work(r, time)), py(&a, log_imbalance(r)), r, color[k / COST_TOLS / COST_CONES], wrong);
+        const double x = px(&a, log_work(r, time)), y = py(&a, log_imbalance(r));
+        if (wrong) draw_cross(out, x, y);
+        else draw_shape(out, x, y, kind_of(r->cone), color[k / COST_TOLS / COST_CONES], r->verdict != SP_UNDECIDED);
     }
+}
+
+/* Colours in one line, shapes in the next. */
+static void draw_legend(FILE *out, double y)
+{
+    static const char *const shape[] = { "true cone", "pyramid inside it", "pyramid around it" };
+    for (int k = 0; k < COST_STAGES; k++)
+        fprintf(out, "<rect x=\"%d\" y=\"%.0f\" width=\"14\" height=\"10\" fill=\"%s\"/>"
+                "<text x=\"%d\" y=\"%.0f\">%s</text>\n", 60 + 130 * k, y - 5, color[k], 80 + 130 * k, y + 4, word[k]);
+    y += 24;
+    for (int k = 0; k < 3; k++) {
+        draw_shape(out, 66 + 130 * k, y, k, "#444", 1);
+        fprintf(out, "<text x=\"%d\" y=\"%.0f\">%s</text>\n", 80 + 130 * k, y + 4, shape[k]);
+    }
+    draw_shape(out, 66 + 130 * 3, y, 0, "#444", 0);
+    fprintf(out, "<text x=\"%d\" y=\"%.0f\">hollow: undecided</text>\n", 80 + 130 * 3, y + 4);
+    draw_cross(out, 66 + 130 * 4, y);
+    fprintf(out, "<text x=\"%d\" y=\"%.0f\">another verdict</text>\n", 80 + 130 * 4, y + 4);
 }
 
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
 {
+    const char *slash = strrchr(s->path, '/');
     const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96;
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
             "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
-    page_text(out, s->path, SIZE_MAX);
+    page_text(out, slash ? slash + 1 : s->path, 60);
     fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance left by a check, %s; the exact stage "
-            "says %s</text>\n", COST_REAL, sp_verdict_text(t->truth));
+            "says %s; pyramids of 4, 8, 16, 32 faces, tol %s</text>\n", COST_REAL, sp_verdict_text(t->truth),
+            sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
     draw_panel(out, t, 60, 0);
     draw_panel(out, t, PANEL_W + 150, 1);
-    for (int k = 0; k < COST_STAGES; k++)
-        fprintf(out, "<circle cx=\"%d\" cy=\"%.0f\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%.0f\">%s</text>\n", 66 + 110 * k,
-                height - 42, color[k], 76 + 110 * k, height - 38, word[k]);
-    fprintf(out, "<text x=\"60\" y=\"%.0f\">disc: true cone, square: pyramid inside it, diamond: around it (4, 8, 16, 32 "
-            "faces, tol %s); hollow: undecided; red cross: another verdict</text>\n</svg>\n", height - 16,
-            sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
+    draw_legend(out, height - 44);
+    fputs("</svg>\n", out);
 }

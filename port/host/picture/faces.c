@@ -143,6 +143,16 @@ static void put_creases(const faces *f, const drawing *d, int32_t face)
     }
 }
 
+void faces_outline(const faces *f, const drawing *d, int32_t block)
+{
+    const sp_block *of = &d->s->block[block];
+    for (int32_t i = of->face; i < of->face + of->faces; i++) {
+        double n[3];
+        view_normal(d->s, i, n);
+        if (dot(n, d->v.toward) > 0) put_creases(f, d, i);
+    }
+}
+
 static int has_crease(const faces *f, const sp_scene *s, int32_t face)
 {
     for (int32_t k = 0; k < s->face[face].corners; k++)

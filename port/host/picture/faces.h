@@ -26,6 +26,9 @@ int faces_draw(const faces *f, const drawing *d, const unsigned char *mark);
 /* The other face at the edge that follows corner k of this face, -1: none, or more than one. */
 int32_t faces_across(const faces *f, const sp_scene *s, int32_t face, int32_t k);
 
+/* The drawn edges of a block, as the data of a path. */
+void faces_outline(const faces *f, const drawing *d, int32_t block);
+
 /* The fill of a block with this mark, in full light. */
 void faces_color(block_mark mark, int rgb[3]);
 

@@ -65,7 +65,7 @@ static int32_t gather_arrows(const forces *f, const drawing *d, arrow *drawn)
 
 int forces_draw(const forces *f, const drawing *d, int fade)
 {
-    const int many = d->s->count.joints > 400;
+    const int many = d->s->count.joints > 400, dense = d->s->count.joints > 4000;
     arrow *drawn = malloc(((size_t)d->s->count.joints + 1) * sizeof *drawn);
     int32_t n;
     double range;
@@ -77,7 +77,7 @@ int forces_draw(const forces *f, const drawing *d, int fade)
         const arrow *a = &drawn[i];
         const double far = fade && range > 0 ? (drawn[n - 1].depth - a->depth) / range : 0;
         fprintf(d->out, "<g opacity=\"%.2f\">", 1 - 0.85 * far);
-        page_arrow(d->out, a->a, a->b, INK_FORCE, many ? 1.0 : 1.7, many ? 5 : 8);
+        page_arrow(d->out, a->a, a->b, INK_FORCE, dense ? 0.6 : many ? 1.0 : 1.7, dense ? 3 : many ? 5 : 8);
         if (!many) fprintf(d->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.8\" fill=\"%s\"/>", a->a[0], a->a[1], INK_FORCE);
         fputs("</g>\n", d->out);
     }

@@ -1,6 +1,8 @@
 #include "joints.h"
 #include "page.h"
 
+#include <math.h>
+
 static void put_polygon(const drawing *d, const sp_joint *c)
 {
     for (int32_t k = 0; k < c->points; k++) {
@@ -11,6 +13,24 @@ static void put_polygon(const drawing *d, const sp_joint *c)
     fputs(c->points > 2 ? "Z\"/>\n" : "\"/>\n", d->out);
 }
 
+/* A ring around a joint that is small on paper. */
+static void draw_ring(const drawing *d, const sp_joint *c)
+{
+    double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL }, at[2];
+    for (int32_t k = 0; k < c->points; k++) {
+        drawing_point(d, d->s->point[c->point + k], at);
+        for (int i = 0; i < 2; i++) {
+            low[i] = fmin(low[i], at[i]);
+            high[i] = fmax(high[i], at[i]);
+        }
+    }
+    if (!(high[0] - low[0] + high[1] - low[1] < 40)) return;
+    for (int halo = 1; halo >= 0; halo--)
+        fprintf(d->out, "<circle class=\"ring\" cx=\"%.1f\" cy=\"%.1f\" r=\"17\" fill=\"none\" stroke=\"%s\" "
+                "stroke-width=\"%s\"/>\n",
+                (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, halo ? "#fff" : INK_WEAK, halo ? "6" : "3");
+}
+
 void joints_draw_weakest(const drawing *d, int32_t weakest)
 {
     const sp_joint *c;
@@ -18,6 +38,7 @@ void joints_draw_weakest(const drawing *d, int32_t weakest)
 
     if (weakest < 0) return;
     c = &d->s->joint[weakest];
+    draw_ring(d, c);
     fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\" d=\"",
             INK_WEAK, INK_WEAK);
     put_polygon(d, c);

@@ -3,6 +3,7 @@
 #include "page.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -24,57 +25,6 @@ static void move_point(const mechanism *m, const sp_scene *s, int32_t b, const s
     }
 }
 
-/* Does this face look towards the viewer after it moved? Tells by its area on paper. */
-static int is_seen_moved(const mechanism *m, const drawing *d, int32_t b, int32_t face)
-{
-    const sp_face *f = &d->s->face[face];
-    double area = 0, first[2] = { 0, 0 }, before[2] = { 0, 0 };
-    for (int32_t k = 0; k < f->corners; k++) {
-        sp_real x[3];
-        double at[2];
-        move_point(m, d->s, b, d->s->vertex[d->s->corner[f->corner + k]], m->shift, x);
-        view_point(&d->v, x, at);
-        if (k == 0) { first[0] = at[0]; first[1] = at[1]; }
-        if (k > 1) area += (before[0] - first[0]) * (at[1] - first[1]) - (before[1] - first[1]) * (at[0] - first[0]);
-        before[0] = at[0];
-        before[1] = at[1];
-    }
-    return area > 0;
-}
-
-/* The outline of a moved face; an edge between two seen faces is drawn with the first of them only. */
-static void put_moved_outline(const mechanism *m, const drawing *d, const faces *f, int32_t b, int32_t face)
-{
-    const sp_face *of = &d->s->face[face];
-    for (int32_t k = 0; k < of->corners; k++) {
-        const int32_t other = faces_across(f, d->s, face, k);
-        sp_real x[3], y[3];
-        double from[2], to[2];
-        if (other >= 0 && is_seen_moved(m, d, b, other) && (other < face || !f->bend[of->corner + k])) continue;
-        move_point(m, d->s, b, d->s->vertex[d->s->corner[of->corner + k]], m->shift, x);
-        move_point(m, d->s, b, d->s->vertex[d->s->corner[of->corner + (k + 1) % of->corners]], m->shift, y);
-        drawing_point(d, x, from);
-        drawing_point(d, y, to);
-        fprintf(d->out, "M%.1f %.1fL%.1f %.1f", from[0], from[1], to[0], to[1]);
-    }
-}
-
-void mechanism_draw(const mechanism *m, const drawing *d, const faces *f)
-{
-    if (!(m->shift > 0)) return;
-    fprintf(d->out, "<g fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\" stroke-linejoin=\"round\">\n",
-            INK_MOTION);
-    for (int32_t b = 0; b < d->s->count.blocks; b++) {
-        const int32_t end = d->s->block[b].face + d->s->block[b].faces;
-        if (!(motion_speed(d->s, m->result, b) > 1e-3)) continue;
-        fputs("<path d=\"", d->out);
-        for (int32_t i = d->s->block[b].face; i < end; i++)
-            if (is_seen_moved(m, d, b, i)) put_moved_outline(m, d, f, b, i);
-        fputs("\"/>\n", d->out);
-    }
-    fputs("</g>\n", d->out);
-}
-
 /* How far its fastest corner goes. */
 static double farthest(const mechanism *m, const sp_scene *s, double shift)
 {
@@ -88,6 +38,62 @@ static double farthest(const mechanism *m, const sp_scene *s, double shift)
             most = fmax(most, view_length(d));
         }
     return most;
+}
+
+void mechanism_marks(const mechanism *m, const sp_scene *s, unsigned char *mark)
+{
+    for (int32_t b = 0; b < s->count.blocks; b++)
+        mark[b] = m->shift > 0 && motion_speed(s, m->result, b) > MOTION_STILL ? MARK_FALLS : MARK_PLAIN;
+}
+
+/* Where few blocks move their outlines show through those before them; where many do, some are in front. */
+static void draw_through(const drawing *d, const faces *f, const unsigned char *mark)
+{
+    enum { FEW = 8 };
+    int32_t moving = 0;
+    for (int32_t b = 0; b < d->s->count.blocks; b++) moving += mark[b] == MARK_FALLS;
+    if (moving > FEW) return;
+    fprintf(d->out, "<g class=\"through\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\">\n",
+            INK_MOTION);
+    for (int32_t b = 0; b < d->s->count.blocks; b++) {
+        if (mark[b] != MARK_FALLS) continue;
+        fputs("<path d=\"", d->out);
+        faces_outline(f, d, b);
+        fputs("\"/>\n", d->out);
+    }
+    fputs("</g>\n", d->out);
+}
+
+int mechanism_move(const mechanism *m, const sp_scene *s, sp_scene *moved)
+{
+    *moved = *s;
+    moved->vertex = malloc(((size_t)s->count.vertices + 1) * sizeof *s->vertex);
+    moved->block = malloc(((size_t)s->count.blocks + 1) * sizeof *s->block);
+    if (!moved->vertex || !moved->block) return 0;
+    memcpy(moved->vertex, s->vertex, (size_t)s->count.vertices * sizeof *s->vertex);
+    memcpy(moved->block, s->block, (size_t)s->count.blocks * sizeof *s->block);
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        if (!(motion_speed(s, m->result, b) > 0)) continue;
+        for (int32_t k = s->block[b].vertex; k < s->block[b].vertex + s->block[b].vertices; k++)
+            move_point(m, s, b, s->vertex[k], m->shift, moved->vertex[k]);
+        move_point(m, s, b, s->block[b].centroid, m->shift, moved->block[b].centroid);
+    }
+    return 1;
+}
+
+void mechanism_free(sp_scene *moved)
+{
+    free(moved->vertex);
+    free(moved->block);
+}
+
+int mechanism_draw(const drawing *moved, const unsigned char *mark)
+{
+    faces seen;
+    const int good = faces_find(&seen, moved) && faces_draw(&seen, moved, mark);
+    if (good) draw_through(moved, &seen, mark);
+    faces_free(&seen);
+    return good;
 }
 
 void mechanism_scale(mechanism *m, drawing *d, const sp_result *result, double size, double length)

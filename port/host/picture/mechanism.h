@@ -1,4 +1,4 @@
-/* How the blocks move: the outlines of all that move, a little way on. */
+/* How the blocks move: all of them a little way on, those that move in a colour of their own. */
 #ifndef STONEPACK_HOST_MECHANISM_H
 #define STONEPACK_HOST_MECHANISM_H
 
@@ -15,6 +15,15 @@ typedef struct mechanism {
  * of this size [m]. */
 void mechanism_scale(mechanism *m, drawing *d, const sp_result *result, double size, double length);
 
-void mechanism_draw(const mechanism *m, const drawing *d, const faces *f);
+/* A block_mark of each block: does it move? */
+void mechanism_marks(const mechanism *m, const sp_scene *s, unsigned char *mark);
+
+/* The scene with its blocks moved: vertices and centroids; freed with mechanism_free in every case.
+ *   returns 0: out of memory */
+int mechanism_move(const mechanism *m, const sp_scene *s, sp_scene *moved);
+void mechanism_free(sp_scene *moved);
+
+/* A moved scene, shaded; where few blocks move, their outlines through what is before them.    returns 0: out of memory */
+int mechanism_draw(const drawing *moved, const unsigned char *mark);
 
 #endif

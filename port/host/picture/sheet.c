@@ -15,20 +15,30 @@ typedef struct sheet {
     const sp_scene *all;
     sp_scene s;                         /* its blocks that are there, at one moment: arrays of its own for blocks and faces */
     drawing d;
+    view_axes axes;
     int frames;
     const sheet_frame *frame;
+    const view_wish *wish;
     double width, height[ROWS];         /* of a picture; of the pictures in a row [px] */
     double lowest;                      /* height of the lowest vertex at the first moment [m] */
 } sheet;
 
-/* Paper for some moments, without what fell below where everything began. */
+/* A block that is there, without what fell below where everything began. */
+static void cover_block(sheet *t, const sheet_frame *f, int32_t b)
+{
+    const sp_block *of = &t->all->block[b];
+    if (f->mark && f->mark[b] == MARK_ABSENT) return;
+    for (int32_t k = of->vertex; k < of->vertex + of->vertices; k++)
+        if (view_height(&t->axes, f->vertex[k]) >= t->lowest) drawing_cover(&t->d, f->vertex[k]);
+}
+
+/* Paper for some moments. */
 static void cover_moments(sheet *t, int first, int count)
 {
     drawing *d = &t->d;
     drawing_clear(d);
     for (int i = first; i < first + count; i++)
-        for (int32_t k = 0; k < t->all->count.vertices; k++)
-            if ((double)t->frame[i].vertex[k][2] >= t->lowest) drawing_cover(d, t->frame[i].vertex[k]);
+        for (int32_t b = 0; b < t->all->count.blocks; b++) cover_block(t, &t->frame[i], b);
     for (int c = 0; c < 2 && !(d->high[0] >= d->low[0]); c++) d->low[c] = d->high[c] = 0;
 }
 
@@ -124,11 +134,14 @@ static int draw_page(sheet *t, FILE *out, const char *title)
     t->s.vertex = t->frame[t->frames - 1].vertex;
     t->d.out = out;
     t->d.s = &t->s;
-    t->d.v = view_choose(&t->s);
+    t->d.v = view_choose(&t->s, t->wish);
+    t->axes = view_level(&t->s);
     t->lowest = HUGE_VAL;
-    for (int32_t k = 0; k < t->all->count.vertices; k++) t->lowest = fmin(t->lowest, (double)t->frame[0].vertex[k][2]);
+    for (int32_t k = 0; k < t->all->count.vertices; k++)
+        t->lowest = fmin(t->lowest, view_height(&t->axes, t->frame[0].vertex[k]));
     page_begin(out, lay_out(t));
-    fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN);
+    fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"%d\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN,
+            strlen(title) > 48 ? 17 : 20);
     page_text(out, title, 90);
     fputs("</text>\n", out);
     if (t->frame[0].mark) draw_legend(out);
@@ -137,7 +150,8 @@ static int draw_page(sheet *t, FILE *out, const char *title)
     return good;
 }
 
-int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const char *title)
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const view_wish *wish,
+                const char *title)
 {
     sheet t;
     int good = 0;
@@ -147,6 +161,7 @@ int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame 
     t.s = *scene;
     t.frames = frames;
     t.frame = frame;
+    t.wish = wish;
     t.s.block = malloc(((size_t)scene->count.blocks + 1) * sizeof *t.s.block);
     t.s.face = malloc(((size_t)scene->count.faces + 1) * sizeof *t.s.face);
     if (t.s.block && t.s.face) good = draw_page(&t, out, title);

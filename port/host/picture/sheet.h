@@ -14,8 +14,9 @@ typedef struct sheet_frame {
     char caption[SHEET_CAPTION];
 } sheet_frame;
 
-/* Draw a scene at several moments, three in a row, up to 60, all in the view that suits the last and in one scale.
- *   returns 1, 0: out of memory */
-int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const char *title);
+/* Draw a scene at several moments, three in a row, up to 60, all in one scale and one view, the one wished or
+ * (NULL) the one that suits the last.      returns 1, 0: out of memory */
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const view_wish *wish,
+                const char *title);
 
 #endif

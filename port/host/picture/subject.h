@@ -3,11 +3,14 @@
 #define STONEPACK_HOST_SUBJECT_H
 
 #include "../files/scene.h"
+#include "view.h"
 
 typedef struct subject {
     const host_scene *scene;
     const sp_result *result;
     const sp_limit_result *limit;       /* of a limit: result has its forces and motion only; NULL: of a check */
+    view_wish view;
+    int names;                          /* names on all blocks that have room for one */
 } subject;
 
 #endif

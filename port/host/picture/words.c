@@ -104,7 +104,7 @@ static void legend_forces(const words *w, double x, double y)
 
 static void legend_weakest(const words *w, double x, double y)
 {
-    const int32_t i = w->of->result->extremes.weakest;
+    const int32_t i = w->weakest;
     const sp_demand *help = &w->of->result->demand[i];
     sp_joint_force f;
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
@@ -123,16 +123,35 @@ static void legend_weakest(const words *w, double x, double y)
     fputs("</text>\n", w->out);
 }
 
-static void legend_motion(const words *w, double x, double y)
+void words_motion(const words *w, double x, double y)
 {
-    fprintf(w->out, "<path d=\"M%.1f %.1fh26v13h-26z\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" "
-            "stroke-dasharray=\"5 3\"/>\n", x, y - 11, INK_MOTION);
-    page_label(w->out, x + 36, y);
-    fputs(!motion_is_virtual(w->of->result) ? "how it starts to move" : w->of->result->level == SP_COUPLED
-          ? "virtual motion that explains the forces" : "virtual motion that would, with such help, explain forces", w->out);
+    const char *const virtual = w->of->result->level == SP_COUPLED
+                              ? "A virtual motion that explains the forces"
+                              : "A virtual motion that would, with such help, explain forces";
+    page_label(w->out, x, y);
+    fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move", w->out);
     fputs(", drawn to ", w->out);
     page_quantity(w->out, w->motion->largest, "m");
     fputs(" at most</text>\n", w->out);
+}
+
+static void legend_motion(const words *w, double x, double y)
+{
+    int c[3];
+    faces_color(MARK_FALLS, c);
+    fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"#%02x%02x%02x\" stroke=\"#555\"/>\n",
+            x, y - 11, c[0], c[1], c[2]);
+    page_label(w->out, x + 36, y);
+    fputs("moves</text>\n", w->out);
+}
+
+/* Where names were asked for: how many had room. */
+static void legend_names(const words *w, double x, double y)
+{
+    if (!w->of->names) return;
+    page_label(w->out, x, y);
+    fprintf(w->out, "names on %ld of %ld, where there is room</text>\n", (long)w->named[0],
+            (long)w->d->s->count.blocks);
 }
 
 static void legend_support(const words *w, double x, double y)
@@ -157,16 +176,15 @@ static void legend_length(const words *w, double x, double y)
 /* Gravity where it is not straight down. */
 static void legend_gravity(const words *w)
 {
-    const sp_real origin[3] = { 0, 0, 0 };
+    const view_axes axes = view_level(w->d->s);
     const double size = view_length(w->d->s->gravity);
-    double o[2], g[2], a[2] = { PAGE_WIDTH - 70, 26 }, b[2];
-    if (!(size > 0) || (double)w->d->s->gravity[2] < -size * (1 - 1e-12)) return;
-    view_point(&w->d->v, origin, o);
+    double g[2], a[2] = { PAGE_WIDTH - 76, 32 }, b[2];
+    if (!(size > 0) || -view_height(&axes, w->d->s->gravity) > size * (1 - 1e-12)) return;
     view_point(&w->d->v, w->d->s->gravity, g);
-    b[0] = a[0] + 44 * (g[0] - o[0]) / size;
-    b[1] = a[1] - 44 * (g[1] - o[1]) / size;
+    b[0] = a[0] + 44 * g[0] / size;
+    b[1] = a[1] - 44 * g[1] / size;
     page_arrow(w->out, a, b, "#333333", 1.7, 8);
-    page_label(w->out, a[0] + 12, a[1] + 6);
+    page_label(w->out, a[0] - 22, a[1] - 8);
     fputs("gravity</text>\n", w->out);
 }
 
@@ -194,8 +212,9 @@ void words_legend(const words *w, double y)
     legend_support(w, PAGE_MARGIN, y);
     legend_length(w, PAGE_MARGIN + 110, y);
     if (w->forces->largest > 0) legend_forces(w, second, y);
-    if (w->of->result->extremes.weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
+    if (w->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
     legend_joints(w, PAGE_MARGIN, y + 26);
-    if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y + 52);
+    if (w->motion->shift > 0) legend_motion(w, second + 60, y + 26);
+    legend_names(w, second + 160, y + 26);
     legend_gravity(w);
 }
