@@ -179,6 +179,20 @@ resumed() {                                             # a run that was stopped
     printf %s "$(cat "$tmp/all")" > "$tmp/results.jsonl"                       # whole, but for its last newline
     exits 1 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj > "$tmp/more" && test -z "$(cat "$tmp/more")"
 }
+# tables COMMAND SCENE [OPTIONS] TABLE LINES ...: each table of --csv has so many lines, all with as many values as its first.
+tables() {
+    command=$1; scene=$2; shift 2
+    set -- "$@" end
+    options=
+    while case $1 in -*) ;; *) false ;; esac; do options="$options $1 $2"; shift 2; done
+    "$cli" "$command" --csv "$tmp/t" $options "$scene" > "$tmp/out" 2> "$tmp/err" || [ $? -le 2 ] || return 1
+    while [ "$1" != end ]; do
+        awk -F, -v lines="$2" 'NR == 1 { n = NF } NF != n { bad = 1 } END { exit bad || n < 10 || NR != lines }' "$tmp/t-$1.csv" ||
+            return 1
+        shift 2
+    done
+}
+
 half() {                                                # half COMMAND...: no room for what it writes, nothing of it stays
     (trap '' XFSZ; ulimit -f 1; exits 70 "$@") && test ! -e "$tmp/half"
 }
@@ -285,6 +299,13 @@ part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg'
 part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
 part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
     test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
+part "csv: every line has all columns" tables check "$tmp/scene.obj" joints 22 blocks 23
+part "csv: of a limit"                tables limit "$tmp/scene.obj" --body 1,0,0 joints 22 blocks 23
+part "csv: of a sequence"             tables sequence "$tmp/scene.obj" steps 21
+part "csv: one scene: 64"             exits 64 "$cli" check --csv "$tmp/t" "$tmp/scene.obj" "$tmp/scene.obj"
+part "csv: not of a tilt margin: 64"  exits 64 "$cli" limit --tilt-margin --csv "$tmp/t" "$tmp/scene.obj"
+part "csv: nothing half written"      sh -c "mkdir -p '$tmp/dir/t-blocks.csv'; ! '$cli' check --csv '$tmp/dir/t' '$tmp/scene.obj' 2> '$tmp/out' &&
+    test \$(wc -l < '$tmp/out') = 1"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"

@@ -4,6 +4,7 @@
 #include "../tilt.h"
 #include "commands.h"
 #include "report.h"
+#include "report_csv.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -46,6 +47,7 @@ static int check_one(const char *path, const options *o, failure *error)
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status && o->svg) status = report_draw(&r, error);
+    if (!status && o->csv) status = report_csv(&r, error);
     show_progress("", "");
     if (!status) {
         if (o->json) report_json(stdout, &r);
@@ -77,14 +79,16 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --view --names --tol --budget --cone --stages --solver --preset --net"
+    if (options_read(argc, argv, " --json --forces --svg --csv --view --names"
+                     " --tol --budget --cone --stages --solver --preset --net"
                      " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
-    if (o.files == 0 || (o.svg && o.files > 1)) {
-        fputs(o.files == 0 ? "stonepack: check needs a scene\n" : "stonepack: --svg draws one scene\n", stderr);
+    if (o.files == 0 || ((o.svg || o.csv) && o.files > 1)) {
+        fputs(o.files == 0 ? "stonepack: check needs a scene\n" : o.svg ? "stonepack: --svg draws one scene\n"
+              : "stonepack: --csv tells of one scene\n", stderr);
         return EXIT_USAGE;
     }
     if (o.done && done_read(o.done, &done, &error)) {

@@ -1,6 +1,7 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
 #define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../clock.h"
+#include "../files/csv_out.h"
 #include "../files/file.h"
 #include "../files/text.h"
 #include "../run.h"
@@ -8,6 +9,7 @@
 #include "../files/json_out.h"
 #include "options.h"
 #include "report.h"
+#include "report_csv.h"
 #include "../files/scene.h"
 #include "../picture/sheet.h"
 #include "../tilt.h"
@@ -340,6 +342,33 @@ static void print_json(const run *r)
     fputc('\n', stdout);
 }
 
+/* One line a step; blocks to be held have ; between them. */
+static int write_csv(const run *r, failure *error)
+{
+    char path[REPORT_CSV_PATH];
+    FILE *out = report_csv_create(r->options, "steps", path, error);
+    csv_out c = { out, 0 };
+    if (!out) return error->status;
+    csv_header(&c, "step,block,verdict,reason,final,falls,hold,hold_blocks,hold_proof,blocks,checked,flops");
+    for (int32_t k = 0; k < r->steps; k++) {
+        const outcome *t = &r->outcome[k];
+        csv_int(&c, k + 1);
+        csv_text(&c, name_of(r, t->block));
+        csv_text(&c, sp_verdict_text(t->step.verdict));
+        csv_text(&c, sp_reason_text(t->step.reason));
+        csv_int(&c, t->step.final);
+        csv_text(&c, t->step.block < 0 ? "" : name_of(r, t->step.block));
+        csv_int(&c, t->held.count);
+        csv_names(&c, r->scene.name, t->held.block, t->held.count);
+        csv_text(&c, t->held.count ? sp_held_proof_text(t->held.proof) : "");
+        csv_int(&c, t->step.blocks);
+        csv_int(&c, t->step.checked);
+        csv_int(&c, t->step.cost.flops);
+        csv_end(&c);
+    }
+    return file_finish(out, path, 0, error);
+}
+
 /* Which steps the strip shows: all, or some evenly between the first and the last, and the first that fails. */
 static int choose_steps(const run *r, int32_t step[STRIP])
 {
@@ -406,7 +435,8 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --view --tol --cone --stages --tilt --budget --order --order-file --remove"
+    status = options_read(argc, argv, " --json --svg --csv --view"
+                          " --tol --cone --stages --tilt --budget --order --order-file --remove"
                           " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
@@ -420,6 +450,7 @@ int command_sequence(int argc, char **argv)
         if (s) status = scene_refused(&r.scene, &o.settings, s, &error);
     }
     if (!status && o.svg && r.steps) status = draw_strip(&r, &error);
+    if (!status && o.csv) status = write_csv(&r, &error);
     if (!status) {
         if (o.json) print_json(&r);
         else print_text(&r);
