@@ -40,6 +40,7 @@ SP__NOINLINE static void sp__cra_help(sp__cra *c, sp_demand *demand)
     const int32_t rounds = c->out->rounds;
     c->held.least = SP__HUGE;
     for (int k = 0; k < 8 && (k < 2 || !(c->held.least < SP__HUGE)) && !c->w->budget.spent; k++) {
+        c->spring.stiff = SP__STIFF;
         c->spring.soft = part[k % 4] / (SP__STIFF * c->k.eta);             /* a joint that carries sbar opens by eta / part */
         sp__cra_set_start(c, SP__START_FREE, 0);
         memset(c->w->y, 0, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);

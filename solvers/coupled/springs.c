@@ -26,6 +26,7 @@
 typedef struct sp__springs {
     sp_real *f, *d, *D;                 /* 3, 3, 6 x points: forces, dd / L, their derivative */
     sp_real *lam;                       /* points: multiplier of the normal */
+    sp_real stiff;                      /* kn */
     sp_real soft;                       /* of joints that stick: their stiffness when pulled / when pressed; else 0 */
 } sp__springs;
 
@@ -33,6 +34,7 @@ typedef struct sp__springs {
 typedef struct sp__drag {
     sp_real size;                       /* of slip, in sbar / L */
     sp_real *bound;                     /* points: bound of the friction; viscous: a factor on the drag */
+    sp_real *share, *miss;              /* points: by how much of the miss the bound moves; the last miss, 0: none yet */
     int viscous;                        /* friction beyond its cone is lessened by its drag; else cut */
     sp_real grow;                       /* how fast a drag that was lessened may grow again */
 } sp__drag;
@@ -87,13 +89,13 @@ typedef struct sp__cra {
 
 #ifdef SP_REAL_FLOAT
 #define SP__AGREE ((sp_real)1e-3)       /* forces and slips agree so far when their other digits are tried */
-#define SP__STIFF ((sp_real)100)        /* kn: of joints, in sbar / L */
 #define SP__TINY_FORCE ((sp_real)1e-5)  /* forces below it, relative to sbar, are taken for none */
 #else
 #define SP__AGREE ((sp_real)1e-7)
-#define SP__STIFF ((sp_real)1e4)
 #define SP__TINY_FORCE ((sp_real)1e-8)
 #endif
+#define SP__STIFF ((sp_real)(sizeof(sp_real) == 8 ? 1e4 : 100)) /* kn: of joints, in sbar / L */
+#define SP__LESS_STIFF ((sp_real)100)   /* the same to begin with: fewer Newton steps a round, more rounds */
 #define SP__CRA_FLOPS 4000000000        /* work after which the search gives up */
 #define SP__HOLD_SHIFT ((sp_real)(sizeof(sp_real) == 8 ? 1e-8 : 1e-5))          /* SP__SHIFT for a motion held fast */
 
@@ -112,6 +114,8 @@ static void sp__cra_carve(sp__cra *c, const sp_problem *pb, int localise, sp_are
     c->spring.D = sp__take(a, v, 6 * sizeof *c->spring.D);
     c->spring.lam = sp__take(a, v, sizeof *c->spring.lam);
     c->drag.bound = sp__take(a, v, sizeof *c->drag.bound);
+    c->drag.share = sp__take(a, v, sizeof *c->drag.share);
+    c->drag.miss = sp__take(a, v, sizeof *c->drag.miss);
     c->descent.from = sp__take(a, (size_t)pb->blocks, 6 * sizeof *c->descent.from);
     c->held.y = sp__take(a, localise ? (size_t)pb->blocks : 0, 6 * sizeof *c->held.y);
     c->held.vertex = sp__take(a, localise ? v : 0, sizeof *c->held.vertex);
@@ -174,10 +178,10 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     const int viscous = c->drag.viscous;
     const sp_real *d = c->spring.d + 3 * v, slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
     const sp_real drag = c->drag.size * s * (viscous ? c->drag.bound[v] : 1), bound = viscous ? SP__HUGE : c->drag.bound[v];
-    const sp_real fn = c->spring.lam[v] - SP__STIFF * s * (d[0] + c->k.eps);
+    const sp_real fn = c->spring.lam[v] - c->spring.stiff * s * (d[0] + c->k.eps);
     sp_real *f = c->spring.f + 3 * v, *D = c->spring.D + 6 * v;
     const int slides = drag * slip > bound;
-    const sp_real al = slides ? bound / slip : drag, z = al / (SP__STIFF * c->sbar_most);
+    const sp_real al = slides ? bound / slip : drag, z = al / (c->spring.stiff * c->sbar_most);
     const sp_real x = slides ? d[1] / slip : 0, y = slides ? d[2] / slip : 0;
     f[0] = fn > 0 ? fn : c->spring.soft * fn;
     f[1] = -al * d[1];
@@ -187,7 +191,7 @@ static void sp__cra_vertex(const sp__cra *c, size_t v, sp_real s, sp_real *energ
     D[3] = z * (1 - x * x);
     D[4] = -z * x * y;
     D[5] = z * (1 - y * y);
-    *energy += f[0] * fn / (2 * SP__STIFF * s) + (slides ? bound * (slip - bound / (2 * drag)) : al * slip * slip / 2);
+    *energy += f[0] * fn / (2 * c->spring.stiff * s) + (slides ? bound * (slip - bound / (2 * drag)) : al * slip * slip / 2);
 }
 
 /* Forces in a motion held fast, d being the penalty form's potential:  fm = max(0, dn) / gamma, and (fp, sqrt(tau) |ft|) is
@@ -299,10 +303,13 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
     const sp_real enough = sp__max(1000 * (sp_real)SP_EPSILON, (sp_real)1e-3 * c->descent.goal);
     const sp_real shift = held ? SP__HOLD_SHIFT : SP__SHIFT;
     const sp_real room = 1 + (held ? 1000 * c->set->penalty.gamma : c->k.eta);
-    const sp_real whole = 1 / ((held ? 1 : SP__STIFF) * c->sbar_most);
-    sp_real energy = sp__cra_springs(c);
-    for (int it = 0; it < (held ? 150 : 15) && !w->budget.spent; it++) {
-        if (sp__system_norm(w, w->r) <= enough * w->measure.load) break;
+    const sp_real whole = 1 / ((held ? 1 : c->spring.stiff) * c->sbar_most);
+    sp_real energy = sp__cra_springs(c), least = SP__HUGE;
+    int stalled = 0;                                    /* steps without a gain beyond rounding */
+    for (int it = 0; it < (held ? 150 : 30) && !w->budget.spent; it++) {
+        const sp_real norm = sp__system_norm(w, w->r);
+        if (norm <= enough * w->measure.load || (!held && stalled >= 3)) break;
+        if (norm < least / 2) { least = norm; stalled = 0; }
         sp__system_factor(w, SP__GIVEN, w->y, shift);
         sp__system_solve(w, w->r, w->d);
         const sp_real down = sp__dot(w->r, w->d, n), reach = sp__cra_extent(c, w->d);
@@ -312,6 +319,7 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
             next = sp__cra_energy_at(c, step);
             if (next <= energy - (sp_real)1e-4 * down * step + 100 * (sp_real)SP_EPSILON * sp__abs(energy)) break;
         }
+        stalled += energy - next <= 100 * (sp_real)SP_EPSILON * sp__abs(energy);
         energy = held && step < whole ? sp__cra_line_search(c, step, whole, down) : next;
         c->out->cost.iterations++;
         if (!(sp__cra_extent(c, w->y) < 1000 * room)) return 0;
@@ -320,8 +328,22 @@ SP__NOINLINE static int sp__cra_descend(sp__cra *c)
     return !w->budget.spent;
 }
 
+/* The bound of friction moves towards the room in its cone by a share of what it misses: the secant through the last two
+ * misses, within 1/4 and 2 of the share before. Where friction lifts its own vertex, whole steps would turn about the answer.
+ *                                                                                                     [Irons, Tuck 1969] */
+static void sp__cra_move_bound(sp__drag *g, size_t v, sp_real ft, sp_real room)
+{
+    if (ft > room && g->bound[v] > ft) g->bound[v] = ft;
+    if (!(g->bound[v] < SP__HUGE)) g->bound[v] = room;
+    const sp_real miss = room - g->bound[v], last = g->miss[v], turn = last - miss;
+    const sp_real factor = sp__abs(last) > 0 ? (last * turn > 0 ? last / turn : 2) : 1;
+    g->share[v] = sp__within(g->share[v] * sp__within(factor, (sp_real)0.25, 2), (sp_real)1e-3, 1);
+    g->miss[v] = miss;
+    g->bound[v] += g->share[v] * miss;
+}
+
 /* Cut friction that exceeds its cone; lam follows fn.     returns 1 when forces and slips agree */
-SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
+SP__NOINLINE static int sp__cra_update(sp__cra *c)
 {
     sp__descent *n = &c->descent;
     n->violation = n->change = 0;
@@ -336,12 +358,12 @@ SP__NOINLINE static int sp__cra_update(sp__cra *c, sp_real damp)
                 const sp_real ft = SP_SQRT(f[1] * f[1] + f[2] * f[2]);
                 if (!pass) {
                     n->violation = sp__max(n->violation, (ft - room) / s);
-                    n->change = sp__max(n->change, sp__abs(fp - c->spring.lam[v]) / (SP__STIFF * s));
+                    n->change = sp__max(n->change, sp__abs(fp - c->spring.lam[v]) / (c->spring.stiff * s));
                     c->spring.lam[v] = fp;
                 } else if (c->drag.viscous) {
                     if (ft > 0) *bound *= sp__max((sp_real)0.1, room < 2 * ft ? (sp_real)0.999 * room / ft : c->drag.grow);
                     if (*bound > 1) *bound = 1;
-                } else *bound = *bound < SP__HUGE ? damp * room + (1 - damp) * *bound : room;
+                } else sp__cra_move_bound(&c->drag, (size_t)v, ft, room);
             }
             if (q + 1 == c->pb->contacts && !pass && n->violation <= n->goal) pass = 1;     /* the bounds are good */
         }

@@ -79,7 +79,6 @@ static int sp__qp_no_u(const sp_qp *qp, int32_t i) { return !(qp->u[i] < SP_QP_I
 static int sp__qp_no_bound(const sp_qp *qp, int32_t i, sp_real y) { return y > 0 ? sp__qp_no_u(qp, i) : sp__qp_no_l(qp, i); }
 static int sp__qp_equation(const sp_qp *qp, int32_t i) { return !(qp->l[i] < qp->u[i]); }
 static sp_real sp__qp_q(const sp_qp *qp, int32_t j) { return qp->q ? qp->q[j] : (sp_real)0; }
-static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
 
 /* Diagonal entry j of cDPD: the last of its column, if there is one. */
 static sp_real sp__qp_diagonal(const sp__qp *w, int32_t j)

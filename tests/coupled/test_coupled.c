@@ -209,20 +209,20 @@ TEST(a_frictionless_keystone_is_coupled_if_it_may_sink_deep_enough)
 /* A beam snug between a wall and an upright block that stands free on the ground: nothing squeezes it, and it is too high to
  * jam across its diagonal, but statics let the upright's weight press it. low, top: of the beam; end: of the upright; `order`:
  * of the blocks and joints, which side is A. */
-typedef struct snug_beam { double mu, low, top, width, end, beam, post; } snug_beam;
+typedef struct snug_beam { double mu, low, top, width, end, mass, post; } snug_beam;
 
-static void snug_of(const snug_beam *q, int order, sp_scene *s)
+static void snug_of(const snug_beam *beam, int order, sp_scene *s)
 {
-    const double low = q->low, top = q->top, y = q->width / 2;
+    const double low = beam->low, top = beam->top, y = beam->width / 2;
     /* ground wall beam post */
-    const double at[4][3] = { { 0, 0, -1 }, { -2, 0, 1 }, { 0, 0, (low + top) / 2 }, { (0.5 + q->end) / 2, 0, 1 } };
-    const double mass[4] = { 0, 0, q->beam, q->post };
+    const double at[4][3] = { { 0, 0, -1 }, { -2, 0, 1 }, { 0, 0, (low + top) / 2 }, { (0.5 + beam->end) / 2, 0, 1 } };
+    const double mass[4] = { 0, 0, beam->mass, beam->post };
     const double corner[3][12] = {
         { -0.5, -y, low, -0.5, y, low, -0.5, y, top, -0.5, -y, top }, { 0.5, -y, low, 0.5, y, low, 0.5, y, top, 0.5, -y, top },
-        { 0.5, -y, 0, q->end, -y, 0, q->end, y, 0, 0.5, y, 0 } };
+        { 0.5, -y, 0, beam->end, -y, 0, beam->end, y, 0, 0.5, y, 0 } };
     static const int pair[3][2] = { { 1, 2 }, { 2, 3 }, { 0, 3 } };
     const sp_capacity cap = { 4, 0, 0, 0, 3, 12, 0 };
-    const sp_strength strength = sp_strength_friction(R(q->mu));
+    const sp_strength strength = sp_strength_friction(R(beam->mu));
     int32_t id[4];
     test_arena.used = 0;
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
