@@ -3,7 +3,9 @@
  * Rows are renumbered by sp__order. Column k of L: its diagonal block in d (the lower triangle by columns, 21 numbers, entry
  * (r, c) at sp__column[c] + r - c, reciprocals on the diagonal), the blocks below it in x, row numbers ascending in i, entry
  * (r, c) of a block at 6 c + r.
- * Right-looking: when column k is final, every pair of its blocks updates one block further right.
+ * Right-looking: when column k is final, every pair of its blocks updates one block further right. Columns that follow each
+ * other and have the same rows below them (a supernode) update together, so that a block further right is found and moved once
+ * for all of them; each number still sums column by column.
  * A pivot below `floor` is raised to it and the rest of its column dropped: such a direction carries nothing, and what rounding
  * left of the column would grow. Its reciprocal is marked by a minus sign.
  */
@@ -165,17 +167,20 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
     }
 }
 
-/* C <- C - A B', all 6 x 6 by columns; written out because compilers at -O2 do not unroll it. */
-static void sp__bchol_update(sp__low *c, const sp__low *a, const sp__low *b)
+/* C <- C - sum of A B' over `wide` columns, A at a[m] + at, B at b[m]; all 6 x 6 by columns. Written out because compilers at
+ * -O2 do not unroll it. */
+static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
 {
-    for (int q = 0; q < 6; q++) {
-        sp__low *cq = c + 6 * q;
-        sp__low c0 = cq[0], c1 = cq[1], c2 = cq[2], c3 = cq[3], c4 = cq[4], c5 = cq[5];
-#define SP__STEP(k) { const sp__low s = b[6 * (k) + q]; const sp__low *ak = a + 6 * (k); \
-        c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
-        SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
+    for (int q = 0; q < 6; q++, c += 6) {
+        sp__low c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4], c5 = c[5];
+        for (int m = 0; m < wide; m++) {
+            const sp__low *am = a[m] + at, *bm = b[m] + q;
+#define SP__STEP(k) { const sp__low s = bm[6 * (k)]; const sp__low *ak = am + 6 * (k); \
+            c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
+            SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
 #undef SP__STEP
-        cq[0] = c0; cq[1] = c1; cq[2] = c2; cq[3] = c3; cq[4] = c4; cq[5] = c5;
+        }
+        c[0] = c0; c[1] = c1; c[2] = c2; c[3] = c3; c[4] = c4; c[5] = c5;
     }
 }
 
@@ -193,21 +198,54 @@ static void sp__bchol_square(sp__low *c, const sp__low *a)
     }
 }
 
-/* A = L L' in place, blocks of 6 x 6, column after column. */
+#define SP__SUPERNODE 8                 /* columns that update together, at most */
+
+/* How many columns from k on, at most SP__SUPERNODE, have the same rows below them? Each has those of the one before but its
+ * own. */
+static int sp__bchol_wide(const sp__bchol *f, int32_t k)
+{
+    int wide = 1;
+    for (int32_t j = k + 1; wide < SP__SUPERNODE && j < f->n; j++, wide++)
+        if (f->p[j] == f->p[j - 1] || f->i[f->p[j - 1]] != j || f->p[j + 1] - f->p[j] != f->p[j] - f->p[j - 1] - 1) break;
+    return wide;
+}
+
+/* Columns k, k + 1, .. of a supernode made final, one after the other; each updates those after it. */
+static void sp__bchol_within(sp__bchol *f, int32_t k, int wide, sp__low floor)
+{
+    for (int32_t j = k; j < k + wide; j++) {
+        sp__low *d = f->d + 21 * (size_t)j;
+        const int32_t below = f->p[j + 1] - f->p[j];
+        sp__low *x = f->x + 36 * (size_t)f->p[j];
+        sp__bchol_block(d, floor);
+        for (int32_t q = 0; q < below; q++) sp__bchol_right(x + 36 * (size_t)q, d);
+        for (int32_t b = 0; j + 1 + b < k + wide; b++) {
+            const sp__low *from = x, *xb = x + 36 * (size_t)b;
+            sp__low *to = f->x + 36 * (size_t)f->p[j + 1 + b];
+            sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), xb);
+            for (int32_t a = b + 1; a < below; a++, to += 36) sp__bchol_update(to, 1, &from, &xb, 36 * (size_t)a);
+        }
+    }
+}
+
+/* A = L L' in place, blocks of 6 x 6, supernode after supernode. */
 SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor)
 {
-    for (int32_t k = 0; k < f->n; k++) {
-        sp__low *d = f->d + 21 * (size_t)k;
-        sp__bchol_block(d, floor);
-        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) sp__bchol_right(f->x + 36 * (size_t)q, d);
-        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
-            const int32_t j = f->i[b];
-            const sp__low *xb = f->x + 36 * (size_t)b;
-            sp__bchol_square(f->d + 21 * (size_t)j, xb);
-            int32_t to = f->p[j];
-            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
-                while (f->i[to] < f->i[a]) to++;
-                sp__bchol_update(f->x + 36 * (size_t)to, f->x + 36 * (size_t)a, xb);
+    const sp__low *x[SP__SUPERNODE], *xb[SP__SUPERNODE];        /* blocks of its columns below it; of the row at hand */
+    for (int32_t k = 0, wide; k < f->n; k += wide) {
+        wide = sp__bchol_wide(f, k);
+        sp__bchol_within(f, k, wide, floor);
+        const int32_t last = k + wide - 1, *row = f->i + f->p[last], below = f->p[last + 1] - f->p[last];
+        for (int m = 0; m < wide; m++) x[m] = f->x + 36 * (size_t)(f->p[k + m] + wide - 1 - m);
+        for (int32_t b = 0; b < below; b++) {
+            int32_t to = f->p[row[b]];
+            for (int m = 0; m < wide; m++) {
+                xb[m] = x[m] + 36 * (size_t)b;
+                sp__bchol_square(f->d + 21 * (size_t)row[b], xb[m]);
+            }
+            for (int32_t a = b + 1; a < below; a++) {
+                while (f->i[to] < row[a]) to++;
+                sp__bchol_update(f->x + 36 * (size_t)to, wide, x, xb, 36 * (size_t)a);
             }
         }
     }
@@ -236,34 +274,75 @@ static void sp__bchol3_block(sp_real *d, sp_real floor)
     }
 }
 
-/* The same for blocks of 3 x 3. */
+/* C <- C - sum of A B' over `wide` columns, as sp__bchol_update; all 3 x 3 by columns. */
+static void sp__bchol3_update(sp_real *c, int wide, const sp_real *const *a, const sp_real *const *b, size_t at)
+{
+    for (int q = 0; q < 3; q++, c += 3) {
+        sp_real c0 = c[0], c1 = c[1], c2 = c[2];
+        for (int m = 0; m < wide; m++) {
+            const sp_real *am = a[m] + at, s = b[m][q], t = b[m][3 + q], u = b[m][6 + q];
+            c0 -= am[0] * s + am[3] * t + am[6] * u;
+            c1 -= am[1] * s + am[4] * t + am[7] * u;
+            c2 -= am[2] * s + am[5] * t + am[8] * u;
+        }
+        c[0] = c0; c[1] = c1; c[2] = c2;
+    }
+}
+
+/* C <- C - A A', the lower triangle C. */
+static void sp__bchol3_square(sp_real *c, const sp_real *a)
+{
+    for (int q = 0, at = 0; q < 3; q++)
+        for (int r = q; r < 3; r++, at++) c[at] -= a[r] * a[q] + a[3 + r] * a[3 + q] + a[6 + r] * a[6 + q];
+}
+
+/* X <- X L'^-1 */
+static void sp__bchol3_right(sp_real *x, const sp_real *d)
+{
+    const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
+    for (int r = 0; r < 3; r++) {
+        x[r] *= s0;
+        x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
+        x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
+    }
+}
+
+/* sp__bchol_within, blocks of 3 x 3. */
+static void sp__bchol3_within(sp__bchol *f, int32_t k, int wide, sp_real floor)
+{
+    for (int32_t j = k; j < k + wide; j++) {
+        sp_real *d = sp__bchol_d(f) + 6 * (size_t)j;
+        const int32_t below = f->p[j + 1] - f->p[j];
+        sp_real *x = sp__bchol_x(f) + 9 * (size_t)f->p[j];
+        sp__bchol3_block(d, floor);
+        for (int32_t q = 0; q < below; q++) sp__bchol3_right(x + 9 * (size_t)q, d);
+        for (int32_t b = 0; j + 1 + b < k + wide; b++) {
+            const sp_real *from = x, *xb = x + 9 * (size_t)b;
+            sp_real *to = sp__bchol_x(f) + 9 * (size_t)f->p[j + 1 + b];
+            sp__bchol3_square(sp__bchol_d(f) + 6 * (size_t)(j + 1 + b), xb);
+            for (int32_t a = b + 1; a < below; a++, to += 9) sp__bchol3_update(to, 1, &from, &xb, 9 * (size_t)a);
+        }
+    }
+}
+
+/* sp__bchol_factor, blocks of 3 x 3. */
 SP__NOINLINE static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
 {
-    for (int32_t k = 0; k < f->n; k++) {
-        sp_real *d = sp__bchol_d(f) + 6 * (size_t)k;
-        sp__bchol3_block(d, floor);
-        const sp_real s0 = sp__max(d[0], 0), s1 = sp__max(d[3], 0), s2 = sp__max(d[5], 0);
-        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {               /* X <- X L'^-1 */
-            sp_real *x = sp__bchol_x(f) + 9 * (size_t)q;
-            for (int r = 0; r < 3; r++) {
-                x[r] *= s0;
-                x[3 + r] = (x[3 + r] - x[r] * d[1]) * s1;
-                x[6 + r] = (x[6 + r] - x[r] * d[2] - x[3 + r] * d[4]) * s2;
+    const sp_real *x[SP__SUPERNODE], *xb[SP__SUPERNODE];
+    for (int32_t k = 0, wide; k < f->n; k += wide) {
+        wide = sp__bchol_wide(f, k);
+        sp__bchol3_within(f, k, wide, floor);
+        const int32_t last = k + wide - 1, *row = f->i + f->p[last], below = f->p[last + 1] - f->p[last];
+        for (int m = 0; m < wide; m++) x[m] = sp__bchol_x(f) + 9 * (size_t)(f->p[k + m] + wide - 1 - m);
+        for (int32_t b = 0; b < below; b++) {
+            int32_t to = f->p[row[b]];
+            for (int m = 0; m < wide; m++) {
+                xb[m] = x[m] + 9 * (size_t)b;
+                sp__bchol3_square(sp__bchol_d(f) + 6 * (size_t)row[b], xb[m]);
             }
-        }
-        for (int32_t b = f->p[k]; b < f->p[k + 1]; b++) {
-            const int32_t j = f->i[b];
-            const sp_real *xb = sp__bchol_x(f) + 9 * (size_t)b;
-            sp_real *e = sp__bchol_d(f) + 6 * (size_t)j;
-            for (int c = 0, at = 0; c < 3; c++)
-                for (int r = c; r < 3; r++, at++) e[at] -= xb[r] * xb[c] + xb[3 + r] * xb[3 + c] + xb[6 + r] * xb[6 + c];
-            int32_t to = f->p[j];
-            for (int32_t a = b + 1; a < f->p[k + 1]; a++) {
-                while (f->i[to] < f->i[a]) to++;
-                const sp_real *xa = sp__bchol_x(f) + 9 * (size_t)a;
-                sp_real *x = sp__bchol_x(f) + 9 * (size_t)to;
-                for (int c = 0; c < 3; c++)
-                    for (int r = 0; r < 3; r++) x[3 * c + r] -= xa[r] * xb[c] + xa[3 + r] * xb[3 + c] + xa[6 + r] * xb[6 + c];
+            for (int32_t a = b + 1; a < below; a++) {
+                while (f->i[to] < row[a]) to++;
+                sp__bchol3_update(sp__bchol_x(f) + 9 * (size_t)to, wide, x, xb, 9 * (size_t)a);
             }
         }
     }
