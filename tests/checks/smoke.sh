@@ -299,6 +299,9 @@ part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg'
 part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
 part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
     test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
+part "out-obj: a picture, no scene"     sh -c "'$cli' check --out-obj '$tmp/m.obj' '$tmp/scene.obj' && ! '$cli' check '$tmp/m.obj' 2> '$tmp/out' && \
+    grep -q 'picture that --out-obj wrote' '$tmp/out'"
+part "out-obj: nothing half written"  half "$cli" check --out-obj "$tmp/half" "$here/../scenes/vault.obj"
 part "csv: every line has all columns" tables check "$tmp/scene.obj" joints 22 blocks 23
 part "csv: of a limit"                tables limit "$tmp/scene.obj" --body 1,0,0 joints 22 blocks 23
 part "csv: of a sequence"             tables sequence "$tmp/scene.obj" steps 21

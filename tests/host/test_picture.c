@@ -2,6 +2,7 @@
 #include "../test.h"
 #include "../../port/host/run.h"
 #include "../../port/host/picture/mechanism.h"
+#include "../../port/host/picture/model.h"
 #include "../../port/host/picture/sheet.h"
 #include "../../port/host/picture/svg.h"
 #include "../scenes/gen.h"
@@ -253,6 +254,93 @@ TEST(moved_blocks_keep_their_shape)
     let_go(&k);
 }
 
+/* What a model has in it. */
+typedef struct in_model { int v, f, l, blocks, moved, wrong; } in_model;
+
+static in_model read_model(const char *text)
+{
+    in_model n = { 0, 0, 0, 0, 0, 0 };
+    int used[4096] = { 0 };
+    for (const char *at = text; *at; at += strcspn(at, "\n") + 1) {
+        n.v += strncmp(at, "v ", 2) == 0;
+        n.blocks += strncmp(at, "g blocks\n", 9) == 0;
+        n.moved += strncmp(at, "g moved\n", 8) == 0;
+        if (strncmp(at, "f ", 2) && strncmp(at, "l ", 2)) continue;
+        *at == 'f' ? n.f++ : n.l++;
+        for (const char *p = at + 1; *p == ' ';) {
+            char *end;
+            const long i = strtol(p, &end, 10);
+            if (end == p || i < 1 || i > n.v || i >= 4096) n.wrong++;
+            else used[i] = 1;
+            p = end;
+        }
+    }
+    for (int i = 1; i <= n.v && i < 4096; i++) n.wrong += !used[i];
+    return n;
+}
+
+static char *model_of(const checked *k)
+{
+    subject of;
+    FILE *f = tmpfile();
+    memset(&of, 0, sizeof of);
+    of.scene = &k->host;
+    of.result = &k->result;
+    return f && model_write(f, &of) ? read_back(f) : NULL;
+}
+
+/* A line through each stone from joint to joint, every vertex used and there before it is; nothing moved. */
+TEST(a_model_of_an_arch_has_its_thrust_line)
+{
+    checked k;
+    NEED(make(&k, "arch", "n", 15));
+    char *text = model_of(&k);
+    NEED(text && k.result.verdict == SP_STABLE);
+    const in_model n = read_model(text);
+    const sp_capacity *all = &k.host.scene.count;
+    CHECK_INT(n.wrong, 0);
+    CHECK_INT(n.blocks, all->blocks);
+    CHECK_INT(n.moved, 0);
+    CHECK_INT(n.f, all->faces);
+    CHECK_INT(n.l, 2 * all->joints + 15);
+    CHECK_INT(n.v, all->vertices + 4 * all->joints + 2 * 15);
+    const char *thrust = strstr(text, "g thrust\n");
+    NEED(thrust);
+    double lowest = 1, highest = 0;
+    for (const char *at = thrust; (at = strstr(at, "v ")) != NULL; at++) {
+        char *end;
+        const double x = strtod(at + 2, &end), y = strtod(end, &end), z = strtod(end, NULL), radius = sqrt(x * x + z * z);
+        CHECK(radius > 0.9399 && radius < 1.0601 && y > 0.24 && y < 0.26);  /* within the stones, amid their depth */
+        lowest = fmin(lowest, z);
+        highest = fmax(highest, z);
+    }
+    CHECK(lowest < 0.01 && highest > 0.9);
+    free(text);
+    let_go(&k);
+}
+
+TEST(a_model_of_what_falls_has_moved_blocks_and_is_no_scene)
+{
+    checked k;
+    host_scene s;
+    failure error = { 0, "" };
+    const scene_settings set = scene_settings_default();
+    int moving = 0;
+    NEED(make(&k, "overhang", "factor", 1.1));
+    for (int32_t b = 0; b < k.host.scene.count.blocks; b++) moving += fabs((double)k.result.dq[6 * b + 2]) > 1e-6;
+    char *text = model_of(&k);
+    NEED(text);
+    const in_model n = read_model(text);
+    CHECK_INT(n.wrong, 0);
+    CHECK_INT(n.moved, moving);
+    CHECK_INT(n.f, 6 * (k.host.scene.count.blocks + moving));
+    CHECK_INT(count(text, "_moved\n"), moving);
+    CHECK_INT(scene_parse("m.obj", text, strlen(text), &set, &s, &error), EXIT_SCENE);
+    CHECK_TEXT(error.line, "m.obj:1: this is a picture that --out-obj wrote, not a scene");
+    scene_free(&s);
+    let_go(&k);
+}
+
 TEST_LIST(picture)
     RUN(gravity_points_down_on_paper_whatever_the_axes)
     RUN(views_by_name_are_along_the_axes)
@@ -261,4 +349,6 @@ TEST_LIST(picture)
     RUN(blocks_told_of_have_their_names)
     RUN(names_asked_for_stand_on_what_is_seen)
     RUN(moved_blocks_keep_their_shape)
+    RUN(a_model_of_an_arch_has_its_thrust_line)
+    RUN(a_model_of_what_falls_has_moved_blocks_and_is_no_scene)
 TEST_END

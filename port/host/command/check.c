@@ -46,7 +46,7 @@ static int check_one(const char *path, const options *o, failure *error)
     if (!status && s.scene.count.blocks >= LONG_WORK) show_progress("checking", path);
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
-    if (!status && o->svg) status = report_draw(&r, error);
+    if (!status) status = report_draw(&r, error);
     if (!status && o->csv) status = report_csv(&r, error);
     show_progress("", "");
     if (!status) {
@@ -79,16 +79,17 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --csv --view --names"
+    if (options_read(argc, argv, " --json --forces --svg --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
                      " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
-    if (o.files == 0 || ((o.svg || o.csv) && o.files > 1)) {
+    if (o.files == 0 || ((o.svg || o.csv || o.model) && o.files > 1)) {
         fputs(o.files == 0 ? "stonepack: check needs a scene\n" : o.svg ? "stonepack: --svg draws one scene\n"
-              : "stonepack: --csv tells of one scene\n", stderr);
+              : o.csv ? "stonepack: --csv tells of one scene\n"
+              : "stonepack: --out-obj shows one scene\n", stderr);
         return EXIT_USAGE;
     }
     if (o.done && done_read(o.done, &done, &error)) {

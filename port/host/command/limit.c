@@ -249,7 +249,7 @@ static int limit_command(report *r, failure *error)
         r->result.extremes.weakest = -1;
         r->result.verified = x.verified;
         r->result.tol = x.tol;
-        if (r->options->svg) status = report_draw(r, error);
+        status = report_draw(r, error);
         if (!status && r->options->csv) status = report_csv(r, error);
     }
     if (!status && r->options->json) print_json(r);
@@ -266,7 +266,8 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --csv --view --names --tol --cone --body --tilt --tilt-margin --budget"
+    status = options_read(argc, argv, " --json --svg --out-obj --csv --view --names"
+                          " --tol --cone --body --tilt --tilt-margin --budget"
                           SCENE_OPTIONS, &o,
                           &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
@@ -278,8 +279,9 @@ int command_limit(int argc, char **argv)
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
-        if (!status && o.tilt_margin && o.csv)
-            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --csv has no table of --tilt-margin");
+        if (!status && o.tilt_margin && (o.csv || o.model))
+            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: %s has nothing to tell of --tilt-margin",
+                               o.csv ? "--csv" : "--out-obj");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

@@ -1,4 +1,5 @@
 #include "../files/file.h"
+#include "../picture/model.h"
 #include "../picture/svg.h"
 #include "../worker/worker_client.h"
 #include "report.h"
@@ -73,15 +74,23 @@ int report_supported(const report *r)
     return 0;
 }
 
-int report_draw(const report *r, failure *error)
+static int write_picture(const report *r, const char *path, int (*put)(FILE *out, const subject *of), failure *error)
 {
-    const char *path = r->options->svg;
     const subject of = { r->scene, &r->result, r->limit, r->options->view, r->options->names };
     FILE *out = file_create(path, error);
     int status = 0;
     if (!out) return error->status;
-    if (!svg_write(out, &of)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
+    if (!put(out, &of)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
     return file_finish(out, path, status, error);
+}
+
+int report_draw(const report *r, failure *error)
+{
+    const options *o = r->options;
+    int status = 0;
+    if (o->svg) status = write_picture(r, o->svg, svg_write, error);
+    if (!status && o->model) status = write_picture(r, o->model, model_write, error);
+    return status;
 }
 
 int report_exit(sp_verdict verdict)

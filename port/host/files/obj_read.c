@@ -452,6 +452,8 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "live")) return read_load(r, 1);
     if (text_is(w, "mass")) return read_weight(r, OBJ_MASS);
     if (text_is(w, "pressure")) return read_weight(r, OBJ_PRESSURE);
+    if (text_is(w, "picture"))
+        return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "this is a picture that --out-obj wrote, not a scene");
     return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown word " WORD_FORMAT " after '#@'", WORD(w));
 }
 

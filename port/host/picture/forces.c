@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The force of a joint on the block it holds up: the one it pushes against gravity. */
-static int arrow_of(const forces *f, const sp_scene *s, int32_t i, sp_real from[3], sp_real to[3], double *size)
+int forces_arrow(const forces *f, const sp_scene *s, int32_t i, sp_real from[3], sp_real to[3], double *size)
 {
     sp_joint_force on;
     double lift = 0, sign;
@@ -29,11 +28,11 @@ void forces_scale(forces *f, drawing *d, const sp_result *result, double length)
     memset(f, 0, sizeof *f);
     f->result = result;
     for (int32_t i = 0; i < d->s->count.joints; i++)
-        if (arrow_of(f, d->s, i, from, to, &size)) f->largest = fmax(f->largest, size);
+        if (forces_arrow(f, d->s, i, from, to, &size)) f->largest = fmax(f->largest, size);
     if (!(f->largest > 0)) return;
     f->scale = length / f->largest;
     for (int32_t i = 0; i < d->s->count.joints; i++)
-        if (arrow_of(f, d->s, i, from, to, &size)) drawing_cover(d, to);
+        if (forces_arrow(f, d->s, i, from, to, &size)) drawing_cover(d, to);
 }
 
 typedef struct arrow { double depth, a[2], b[2]; } arrow;
@@ -51,7 +50,7 @@ static int32_t gather_arrows(const forces *f, const drawing *d, arrow *drawn)
     for (int32_t i = 0; f->largest > 0 && i < d->s->count.joints; i++) {
         sp_real from[3], to[3];
         double size;
-        if (!arrow_of(f, d->s, i, from, to, &size)) continue;
+        if (!forces_arrow(f, d->s, i, from, to, &size)) continue;
         drawing_point(d, from, drawn[n].a);
         drawing_point(d, to, drawn[n].b);
         if (hypot(drawn[n].b[0] - drawn[n].a[0], drawn[n].b[1] - drawn[n].a[1]) < 2) continue;

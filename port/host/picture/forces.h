@@ -13,6 +13,9 @@ typedef struct forces {
 /* Arrows of which the largest is so long [m], covered by d. */
 void forces_scale(forces *f, drawing *d, const sp_result *result, double length);
 
+/* The force of a joint on the block it holds up: the one it pushes against gravity.    returns 0: there is none */
+int forces_arrow(const forces *f, const sp_scene *s, int32_t joint, sp_real from[3], sp_real to[3], double *size);
+
 /* Draw them: far ones first and, where `fade` asks for it, fainter.                        returns 0: out of memory */
 int forces_draw(const forces *f, const drawing *d, int fade);
 

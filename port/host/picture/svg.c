@@ -2,6 +2,7 @@
 #include "../weakest.h"
 #include "joints.h"
 #include "names.h"
+#include "scales.h"
 #include "page.h"
 #include "words.h"
 
@@ -12,30 +13,9 @@
 #define TALLEST 600.0                   /* of the drawing [px] */
 #define HEAD    84.0                    /* of the title */
 #define FOOT    96.0                    /* of the legend */
-#define MANY    2000                    /* joints */
 #define CAPTION 26.0                    /* of the picture of a motion */
 
-/* -------------------------------------------------------------------------------------------------------------- scales */
-
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Diameter that half of the free blocks exceed. */
-static double median_block(const sp_scene *s, double size)
-{
-    double *d = malloc(((size_t)s->count.blocks + 1) * sizeof *d), m;
-    size_t n = 0;
-    if (!d) return size / 10;
-    for (int32_t b = 0; b < s->count.blocks; b++)
-        if (!s->block[b].fixed && s->block[b].diameter > 0) d[n++] = (double)s->block[b].diameter;
-    qsort(d, n, sizeof *d, ascending);
-    m = n ? d[n / 2] : size / 10;
-    free(d);
-    return m;
-}
+/* ---------------------------------------------------------------------------------------------------------------- page */
 
 /* Are both sides in plan several blocks long? Then joints lie behind each other. */
 static int is_deep(const sp_scene *s, double block)
@@ -70,23 +50,6 @@ static double fit_page(drawing *d, double size, int two, drawing *second)
     if (beside) second->left += wide + PAGE_MARGIN;
     else if (two) second->top += d->scale * h + CAPTION + 14;
     return second->top - HEAD - PAGE_MARGIN / 2 + d->scale * h;
-}
-
-/* Everything in one scale. The largest force is about as long as a block, where joints are many no longer, or they hide it all;
- * the corner that goes farthest goes a third of a block, at least 4 and at most 12 % of the scene.
- *         returns the usual block [m] */
-static double scale_all(drawing *d, forces *f, mechanism *m, const sp_result *result, double *size_of_all)
-{
-    double size, block;
-    drawing_clear(d);
-    for (int32_t k = 0; k < d->s->count.vertices; k++) drawing_cover(d, d->s->vertex[k]);
-    for (int32_t k = 0; k < d->s->count.points; k++) drawing_cover(d, d->s->point[k]);
-    size = drawing_size(d);
-    block = median_block(d->s, size);
-    forces_scale(f, d, result, fmin(fmax(0.75 * block, (d->s->count.joints > MANY ? 0.015 : 0.05) * size), 0.2 * size));
-    mechanism_scale(m, d, result, size, fmin(fmax(block / 3, 0.04 * size), 0.12 * size));
-    *size_of_all = size;
-    return block;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- picture */
@@ -154,7 +117,7 @@ static int draw_page(FILE *out, const subject *of, picture *p)
     words w = { out, of, &p->d, &p->f, &p->m, weakest_told(p->d.s, of->result), 0, 0, { 0, 0 } };
     double block, size, high;
     int good;
-    block = scale_all(&p->d, &p->f, &p->m, of->result, &size);
+    block = scales_choose(&p->d, &p->f, &p->m, of->result, &size);
     mechanism_marks(&p->m, p->d.s, p->mark);
     p->deep = is_deep(p->d.s, block);
     high = HEAD + PAGE_MARGIN / 2 + fit_page(&p->d, size, p->m.shift > 0, &p->after);
