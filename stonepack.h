@@ -588,6 +588,14 @@ typedef struct sp_penalty_settings {
     const struct sp_qp_solver *solver;          /* for SP_STAGE_ADMM and coupled.rounds; NULL: sp_qp_solve           NULL */
 } sp_penalty_settings;
 
+/* Who watches a check. `step` is called when a stage begins, with its name, and after that once a factorisation of the exact,
+ * least-squares, polish and penalty searches, with SP_STAGE_NONE; cost: of that stage and island so far. It changes nothing
+ * and nothing depends on it. A plan, verification and SP_SMALL tell nothing. */
+typedef struct sp_watch {
+    void (*step)(void *self, sp_stage_id stage, const sp_cost *cost);
+    void *self;
+} sp_watch;
+
 /* Settings of a check. Get them from sp_settings_default() and change what you must: first what most callers change. */
 struct sp_settings {
     sp_real tol;                /* accuracy of the evidence, 4 u .. 0.1; relative imbalance per block   1e-9, float 1e-4
@@ -616,6 +624,7 @@ struct sp_settings {
     struct sp_arena *work;      /* another arena, the caller's, where stages work: their factors are most of what a check takes.
                                    `used` stays, `peak` tells. SP_E_ARGUMENT: the arena of the check itself, or one without
                                    memory. For sp_check; plan, sequence, limit do without                           NULL */
+    const sp_watch *watch;      /* told how far the check is; NULL: no one                                          NULL */
 };
 SP_API sp_settings sp_settings_default(void);
 

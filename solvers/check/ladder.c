@@ -92,6 +92,12 @@ SP__NOINLINE static sp_status sp__check_evidence(const sp_problem *pb, const sp_
     return SP_OK;
 }
 
+/* Whoever watches is told that a stage begins. */
+static void sp__watch_stage(const sp_settings *set, int32_t k, const sp_state *state)
+{
+    if (set->watch) set->watch->step(set->watch->self, set->stage[k], &state->cost);
+}
+
 /* Outcome of a search in 3 rows. */
 typedef struct sp__reduced_outcome {
     sp_verdict claim;
@@ -147,6 +153,7 @@ SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_set
 {
     sp__reduced_outcome s = { SP_UNDECIDED, 0, 0, 0 };
     memset(&state->cost, 0, sizeof state->cost);
+    sp__watch_stage(set, k, state);
     sp_status status = sp__reduced_search(pb, set, r, state, a, &s);
     if (!status && (s.claim || s.spent)) {
         r->verdict = SP_UNDECIDED;
@@ -178,6 +185,7 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
     const int last = k + 1 == set->stage_count;
     const int64_t left = sp__budget_left(set, r), reserve = 10 * SP__FLOPS_CERTIFICATE * (int64_t)pb->points;
     memset(&state->cost, 0, sizeof state->cost);
+    sp__watch_stage(set, k, state);
     if (left < reserve) {
         r->reason = SP_REASON_BUDGET;
         return SP_OK;

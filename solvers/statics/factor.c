@@ -184,7 +184,7 @@ static void sp__reduction_factor(sp__system *w, sp__law law, const sp_real *y, s
 {
     const sp_real floor = 4 * (sp_real)SP_EPSILON;
     sp__reduction_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
-    w->budget.cost->factorisations++;
+    sp__system_factorisation(w);
     const int balanced = SP__WITH_INTERIOR && law == SP__INTERIOR;
     if (balanced) sp__bchol_balance(&w->L, shift);
     sp__bchol3_factor(&w->L, floor);
@@ -200,7 +200,7 @@ SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_
     if (!sp__system_spend(w, own) || !sp__system_assembly(w, narrow)) return;
     if (sp__reduced(w)) { sp__reduction_factor(w, law, y, shift); return; }
     sp__system_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);
-    w->budget.cost->factorisations++;
+    sp__system_factorisation(w);
 #ifdef SP_REAL_MIXED
     sp__system_to_float(w, law == SP__INTERIOR ? shift : 0);
 #else

@@ -287,6 +287,14 @@ static void sp__system_scatter(const sp__system *w, const sp_contact *t, const s
 #define SP__FLOPS_HESSIAN 75            /* a vertex of the assembly; a contact adds SP__FLOPS_BLOCKS */
 #define SP__FLOPS_BLOCKS 900
 
+/* A factorisation was begun; whoever watches is told. */
+static void sp__system_factorisation(sp__system *w)
+{
+    const sp_watch *watch = w->set->watch;
+    w->budget.cost->factorisations++;
+    if (watch) watch->step(watch->self, SP_STAGE_NONE, w->budget.cost);
+}
+
 /* Count work before it is done. What would exceed the budget latches, as a full arena does: this and all later work is left
  * out, so a check on a budget is a check without one that stops early.                returns whether the work is to be done */
 static int sp__system_spend(sp__system *w, int64_t flops)

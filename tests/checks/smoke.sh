@@ -71,6 +71,26 @@ quiet() {
         [ "$(wc -l < "$tmp/said")" -eq 1 ] || { echo "$c:"; cat "$tmp/said"; return 1; }
     done
 }
+stops_cost() {                                          # 130, and the table ends with what was made
+    gen wall size=600 || return 1
+    timeout -s INT 0.5 "$cli" cost --json "$tmp/scene.obj" > "$tmp/said" 2> "$tmp/err"
+    [ $? -eq 124 ] && [ "$(wc -l < "$tmp/said")" -eq 1 ] && grep -q '"verdict": *"stable"' "$tmp/said" &&
+    [ "$(grep -o '"cone"' "$tmp/said" | wc -l)" -lt 216 ] && grep -q 'Ctrl-C once more' "$tmp/err"
+}
+stops_batch() {
+    gen wall size=600 || return 1
+    # shellcheck disable=SC2046
+    timeout -s INT 0.5 "$cli" check --json $(awk -v f="$tmp/scene.obj" 'BEGIN { while (n++ < 2000) print f }') > "$tmp/said" 2> "$tmp/err"
+    [ $? -eq 124 ] && [ "$(wc -l < "$tmp/said")" -ge 1 ] && [ "$(tail -c 2 "$tmp/said")" = "}" ] &&
+    grep -qx "stonepack: stopped after $(wc -l < "$tmp/said") of 2000 scenes" "$tmp/err"
+}
+tells() {                                               # on a terminal alone
+    command -v script > /dev/null || return 0
+    gen wall rows=150 bricks=150 && script -qec "'$cli' check '$tmp/scene.obj'" /dev/null < /dev/null > "$tmp/said" &&
+    tr '\r' '\n' < "$tmp/said" > "$tmp/lines" && { ! slow || grep -q 'exact, [0-9]* factorisations, [0-9.]* s \.\.\.' "$tmp/lines"; } &&
+    "$cli" check "$tmp/scene.obj" 2> "$tmp/err" > "$tmp/said" && [ ! -s "$tmp/err" ]
+}
+slow() { sed -n 's/^  cost .*KiB, \([0-9.]*\) s,.*/\1/p' "$tmp/lines" | awk '{ exit !($1 > 2) }'; }     # a quick machine tells nothing
 round_trip() {                                          # scene -> convert -> the same verdict and numbers
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/again.obj" &&
     "$cli" check --json - < "$tmp/scene.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/a" &&
@@ -262,6 +282,9 @@ part "every option that is told is known, and every one known is told" options_t
 part "manual page"                  manual
 part "completion of bash"           completes
 part "quiet: one line"              quiet
+part "Ctrl-C: cost keeps its checks"  stops_cost
+part "Ctrl-C: a batch keeps its scenes" stops_batch
+part "a long check tells how far it is" tells
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
 part "unknown command"              exits 64 "$cli" stand

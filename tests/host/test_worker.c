@@ -163,7 +163,7 @@ static int same_words(const sp_result *a, const sp_result *b)
 TEST(every_field_of_settings_and_result_is_known_to_the_messages)
 {
     if (sizeof(void *) != 8) return;
-    CHECK_INT(sizeof(sp_settings), TOL(184, 152));
+    CHECK_INT(sizeof(sp_settings), TOL(192, 160));
     CHECK_INT(sizeof(sp_result), TOL(528, 472));
 }
 
@@ -201,6 +201,7 @@ TEST(settings_with_pointers_do_not_travel)
     const sp_qp_solver solver = sp_qp_admm();
     const sp_stage stage = { NULL, NULL };
     const sp_seed seed = *sp_seed_table();
+    const sp_watch watch = { NULL, NULL };
     blob b = { NULL, 0, 0, 0 };
     sp_scene s;
     any_scene(&s);
@@ -211,6 +212,9 @@ TEST(settings_with_pointers_do_not_travel)
     CHECK_INT(blob_write_request(&b, &s, &set), SP_E_UNSUPPORTED);
     set.custom = NULL;
     set.seed = &seed;
+    CHECK_INT(blob_write_request(&b, &s, &set), SP_E_UNSUPPORTED);
+    set.seed = NULL;
+    set.watch = &watch;
     CHECK_INT(blob_write_request(&b, &s, &set), SP_E_UNSUPPORTED);
     blob_free(&b);
 }

@@ -1,35 +1,26 @@
 /* check: does each scene stand? */
-#define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../files/done.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "progress.h"
 #include "report.h"
 #include "report_csv.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-#define LONG_WORK 5000                  /* [blocks] from here on a terminal is told what goes on */
-
-/* One line on a terminal's stderr that the next one replaces; "" wipes it. */
-static void show_progress(const char *what, const char *path)
-{
-    if (isatty(STDERR_FILENO)) fprintf(stderr, *what ? "\r\033[K%s %s ..." : "\r\033[K", what, path);
-}
 
 /* The coupled question once more, as the program its authors publish. */
 static int ask_published(report *r, solvers_published *p, failure *error)
 {
     sp_status status;
-    show_progress("asking Ipopt about", r->scene->path);
+    progress_show("asking Ipopt about %s ...", r->scene->path);
     status = solvers_publish(&r->scene->scene, &r->options->settings, &r->result, p);
     r->published = p;
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
 /* Read, turn, check, tell. */
-static int check_one(const char *path, const options *o, failure *error)
+static int check_one(const char *path, options *o, failure *error)
 {
     host_scene s;
     report r;
@@ -40,15 +31,15 @@ static int check_one(const char *path, const options *o, failure *error)
     memset(&r, 0, sizeof r);
     r.scene = &s;
     r.options = o;
-    show_progress("reading", path);
+    progress_show("reading %s ...", path);
     status = scene_read(path, &o->scene, &s, error);
     if (!status) tilt_turn(o->tilt, o->azimuth, s.scene.gravity);
-    if (!status && s.scene.count.blocks >= LONG_WORK) show_progress("checking", path);
+    o->settings.watch = o->worker > 0 ? NULL : progress_watch(path);
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status) status = report_draw(&r, error);
     if (!status && o->csv) status = report_csv(&r, error);
-    show_progress("", "");
+    progress_end();
     if (!status) {
         if (o->json) report_json(stdout, &r);
         else report_text(stdout, &r);
@@ -70,6 +61,13 @@ static int worse_status(int a, int b)
         if (order[k] == b) rank_b = k;
     }
     return rank_a > rank_b ? a : b;
+}
+
+/* After so many of the scenes, by Ctrl-C; what was printed is whole, so that --skip-done can go on from there. */
+static int stop(int scenes, int all)
+{
+    fprintf(stderr, "stonepack: stopped after %d of %d scenes\n", scenes, all);
+    return EXIT_STOPPED;
 }
 
 int command_check(int argc, char **argv)
@@ -98,7 +96,13 @@ int command_check(int argc, char **argv)
         return error.status;
     }
     if (done.torn) fputc('\n', stdout);                 /* what is appended to it starts a line of its own */
+    progress_begin(o.quiet);
+    if (o.files > 1) progress_hear();
     for (int i = 0; i < o.files; i++) {
+        if (progress_stopped()) {
+            worst = stop(i, o.files);
+            break;
+        }
         const int before = done_find(&done, o.file[i]), status = before >= 0 ? before : check_one(o.file[i], &o, &error);
         if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
         if (!o.json && i + 1 < o.files && before < 0) fputc('\n', stdout);

@@ -1,17 +1,16 @@
 /* cost: what accuracy costs on one scene: cones, stages and tolerances side by side, as a table, a picture, JSON. */
-#define _POSIX_C_SOURCE 200809L         /* clock_gettime, isatty */
 #include "../files/file.h"
 #include "../files/json_out.h"
 #include "../picture/cost_svg.h"
 #include "../run.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "progress.h"
 #include "report.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char *const cone_name[COST_CONES] = { "true", "4i", "4c", "8i", "8c", "16i", "16c", "32i", "32c" };
 static const sp_stage_id stage_id[COST_STAGES] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_POLISH, SP_STAGE_ADMM, SP_STAGE_EXACT };
@@ -24,10 +23,8 @@ static const double tol_of[COST_TOLS] = { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12 };
 
 static void show_progress(int k, const cost_row *r)
 {
-    if (!isatty(STDERR_FILENO)) return;
-    fputs("\r\033[K", stderr);
-    if (!r) return;
-    fprintf(stderr, "%d of %d: %s, cone %s, tol %.0e ...", k + 1, COST_ROWS, sp_stage_text(r->stage), r->cone, r->tol);
+    if (!r) progress_end();
+    else progress_show("%d of %d: %s, cone %s, tol %.0e ...", k + 1, COST_ROWS, sp_stage_text(r->stage), r->cone, r->tol);
 }
 
 /* One check, three times where that is quick; the best time counts. */
@@ -70,6 +67,14 @@ static sp_status find_reference(const host_scene *s, const sp_settings *base, co
     return SP_OK;
 }
 
+/* Ctrl-C: the table ends with the checks made so far. */
+static sp_status stop(cost_table *t, int rows)
+{
+    progress_end();
+    t->rows = rows;
+    return SP_OK;
+}
+
 /* base: all but cone, stages and tol.     returns as sp_check; progress goes to a terminal's stderr */
 static sp_status cost_measure(const host_scene *s, const sp_settings *base, cost_table *t)
 {
@@ -83,6 +88,7 @@ static sp_status cost_measure(const host_scene *s, const sp_settings *base, cost
         row->cone = cone_name[k / COST_TOLS % COST_CONES];
         row->stage = stage_id[k / COST_TOLS / COST_CONES];
         row->tol = tol_of[k % COST_TOLS];
+        if (progress_stopped()) return stop(t, k);
         show_progress(k, row);
         options_cone(row->cone, &set);
         set.tol = (sp_real)row->tol;
@@ -90,6 +96,7 @@ static sp_status cost_measure(const host_scene *s, const sp_settings *base, cost
         set.stage_count = 2;
         set.stage[1] = row->stage;
         status = check_timed(s, &set, row);
+        t->rows = k + 1;
     }
     show_progress(0, NULL);
     return status;
@@ -126,7 +133,7 @@ static double friction_gained(const char *cone)
 
 static const cost_row *find_row(const cost_table *t, sp_stage_id stage, const char *cone, int tol)
 {
-    for (int k = 0; k < COST_ROWS; k++)
+    for (int k = 0; k < t->rows; k++)
         if (t->row[k].stage == stage && strcmp(t->row[k].cone, cone) == 0 && k % COST_TOLS == tol) return &t->row[k];
     return NULL;
 }
@@ -159,14 +166,15 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t, int q
     fprintf(out, "%-18s", "stage, cone   tol:");
     for (int k = 0; k < COST_TOLS; k++) fprintf(out, "%17.0e", tol_of[k]);
     fputs("        ms\n", out);
-    for (int k = 0; k < COST_ROWS; k++) {
+    for (int k = 0; k < t->rows; k++) {
         const cost_row *r = &t->row[k];
         const int cone = k / COST_TOLS % COST_CONES;
         if (k % COST_TOLS == 0) fprintf(out, "%s%-13s %-4s", k && cone == 0 ? "\n" : "", sp_stage_text(r->stage), r->cone);
         table_cell(out, t, r);
         if (k % COST_TOLS == COST_TOLS - 1) fprintf(out, "%10.3g\n", 1e3 * r->seconds);
     }
-    table_words(out, t);
+    if (t->rows < COST_ROWS) fprintf(out, "\nstopped after %d of %d checks\n", t->rows, COST_ROWS);
+    else table_words(out, t);
     remarks_print(out, &s->remarks);
 }
 
@@ -185,7 +193,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
     json_int(&j, "contact_vertices", s->scene.count.points);
     json_int(&j, "budget", t->budget);
     json_open(&j, "checks", '[');
-    for (int k = 0; k < COST_ROWS; k++) {
+    for (int k = 0; k < t->rows; k++) {
         const cost_row *r = &t->row[k];
         json_open(&j, NULL, '{');
         json_string(&j, "cone", r->cone);
@@ -232,13 +240,15 @@ int command_cost(int argc, char **argv)
     if (!code && o.files != 1) code = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
     if (!code) code = scene_read(o.file[0], &o.scene, &s, &error);
     if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
+    progress_begin(o.quiet);
+    progress_hear();
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);
     if (!code && o.svg) code = draw_table(o.svg, &s, &table, &error);
     if (!code) {
         if (o.json) cost_json(stdout, &s, &table);
         else cost_text(stdout, &s, &table, o.quiet);
-        code = report_exit(table.truth);
+        code = table.rows < COST_ROWS ? EXIT_STOPPED : report_exit(table.truth);
     } else fprintf(stderr, "%s\n", error.line);
     scene_free(&s);
     return code;

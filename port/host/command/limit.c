@@ -4,6 +4,7 @@
 #include "../run.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "progress.h"
 #include "report.h"
 #include "report_csv.h"
 #include "tilt_report.h"
@@ -240,6 +241,7 @@ static int limit_command(report *r, failure *error)
     void *memory = NULL;
     int status = 0;
     const sp_status e = run_limit(&r->scene->scene, &r->options->settings, &x, &r->cost, &memory);
+    progress_end();
     if (e != SP_OK) status = scene_refused(r->scene, &r->options->settings, e, error);
     if (!status) {
         r->limit = &x;
@@ -275,6 +277,8 @@ int command_limit(int argc, char **argv)
         memset(&r, 0, sizeof r);
         r.scene = &s;
         r.options = &o;
+        progress_begin(o.quiet);
+        o.settings.watch = progress_watch(o.file[0]);
         status = scene_read(o.file[0], &o.scene, &s, &error);
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))

@@ -1,5 +1,4 @@
 /* sequence: does it stand at every step of a build order, and what must be held meanwhile? */
-#define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "../clock.h"
 #include "../files/csv_out.h"
 #include "../files/file.h"
@@ -8,6 +7,7 @@
 #include "commands.h"
 #include "../files/json_out.h"
 #include "options.h"
+#include "progress.h"
 #include "report.h"
 #include "report_csv.h"
 #include "../files/scene.h"
@@ -17,7 +17,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { STRIP = 24 };                    /* pictures in a strip, at most */
 
@@ -47,9 +46,8 @@ typedef struct run {
 
 static void show_progress(const run *r, int32_t k)
 {
-    if (!isatty(STDERR_FILENO)) return;
-    fputs("\r\033[K", stderr);
-    if (k < r->steps) fprintf(stderr, "step %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
+    if (k < r->steps) progress_show("step %ld of %ld: %.60s ...", (long)k + 1, (long)r->steps, r->scene.name[r->order[k]]);
+    else progress_end();
 }
 
 static void *zeroed(size_t count, size_t size)
@@ -442,6 +440,7 @@ int command_sequence(int argc, char **argv)
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
         if (o.settings.stage[k] == SP_STAGE_ADMM)
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
+    progress_begin(o.quiet);
     if (!status) status = scene_read(o.file[0], &o.scene, &r.scene, &error);
     if (!status) tilt_turn(o.tilt, o.azimuth, r.scene.scene.gravity);
     if (!status) status = read_order(&r, &error);

@@ -1,5 +1,4 @@
 /* settle: where do the stones come to rest?  --confirm: does the scene keep still, and does statics say the same? */
-#define _POSIX_C_SOURCE 200809L         /* isatty */
 #include "commands.h"
 
 #ifndef WITH_BULLET
@@ -24,13 +23,13 @@ int command_settle(int argc, char **argv)
 #include "../files/obj_write.h"
 #include "../files/text.h"
 #include "../picture/sheet.h"
+#include "progress.h"
 #include "report.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #define FRAMES 9                /* drawn */
 #define MOMENTS 17              /* kept: when there are more, every other is let go */
@@ -103,6 +102,7 @@ typedef struct session {
     settle_pair *pair;
     settle_result result;
     sheet_frame frame[MOMENTS];           /* vertices as they were at multiples of `stride` steps, where asked for */
+    int stopped;                        /* by Ctrl-C */
     int frames, bar;                    /* bar: shown so far, in percent */
     int32_t stride;
     int32_t container;                  /* its block in the scene written, -1: none */
@@ -157,17 +157,33 @@ static int keep_moment(session *s, int32_t step, double energy, const settle_pos
     return f->vertex != NULL;
 }
 
+/* Ctrl-C: the stones as they are now are the result; none of them has settled. */
+static int keep_poses(session *s, int32_t step, double energy, const settle_pose *pose)
+{
+    const size_t bytes = (size_t)s->assembly.stones * sizeof *pose;
+    if (s->o->confirm) return s->stopped = 1;
+    s->result.pose = malloc(bytes);
+    if (!s->result.pose) return 0;
+    memcpy(s->result.pose, pose, bytes);
+    s->result.stones = s->assembly.stones;
+    s->result.settled = fixed_blocks(&s->in.scene);
+    s->result.steps = step;
+    s->result.energy = energy;
+    return s->stopped = 1;
+}
+
 /* A bar on a terminal, and the moments that are drawn. */
 static int32_t watch_step(void *user, int32_t step, int32_t steps, double energy, const settle_pose *pose)
 {
     session *s = user;
     const int percent = steps ? (int)(100.0 * step / steps) : 100;
-    if (isatty(STDERR_FILENO) && percent > s->bar) {
+    if (progress_stopped() && keep_poses(s, step, energy, pose)) return 1;
+    if (percent > s->bar) {
         char bar[31];
         for (int k = 0; k < 30; k++) bar[k] = k < percent * 30 / 100 ? '#' : '.';
         bar[30] = 0;
         s->bar = percent;
-        fprintf(stderr, "\r\033[Ksettling [%s] step %ld of %ld, kinetic energy %.2e J", bar, (long)step, (long)steps, energy);
+        progress_show("settling [%s] step %ld of %ld, kinetic energy %.2e J", bar, (long)step, (long)steps, energy);
     }
     return s->o->frames && step % s->stride == 0 && !keep_moment(s, step, energy, pose);
 }
@@ -243,7 +259,8 @@ static int simulate(session *s, failure *error)
     s->set.user = s;
     s->bar = -1;
     status = settle_run(s->assembly.stones, s->assembly.stone, &s->set, &s->result);
-    if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
+    progress_end();
+    if (status == SETTLE_E_STOPPED && s->stopped) return 0;
     if (status == SETTLE_E_MESH) s->assembly.block = find_refused(s);
     return status ? fail_settle(status, s, error) : 0;
 }
@@ -419,6 +436,7 @@ static void print_text(const session *s)
     const int32_t fixed = fixed_blocks(&s->in.scene);
     int32_t points = 0;
     for (int32_t k = 0; k < r->contacts; k++) points += r->contact[k].points;
+    if (s->stopped) fputs("stopped by Ctrl-C; stones as they were then\n", stderr);
     printf("%s: %ld of %ld stones settled in %ld steps\n", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
            (long)r->steps);
     if (s->o->quiet) return;
@@ -498,9 +516,10 @@ static int settle_and_tell(session *s, failure *error)
     if (!status && s->o->frames) status = write_frames(s, error);
     if (!status && s->o->out) status = write_scene(s, error);
     if (status) return status;
-    if (s->o->confirm) return compare_with_statics(s, error);
+    if (s->o->confirm) return s->stopped ? EXIT_STOPPED : compare_with_statics(s, error);
     if (s->o->json) print_json(s, NULL, NULL);
     else print_text(s);
+    if (s->stopped) return EXIT_STOPPED;
     return s->result.settled == s->result.stones ? EXIT_STABLE : EXIT_UNSTABLE;
 }
 
@@ -524,8 +543,10 @@ int command_settle(int argc, char **argv)
     if (!status && (o.files != 1 || (!o.out && !o.confirm && !o.frames)))
         status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
     if (!status) status = read_settings(o.set, &s.set, &error);
+    progress_begin(o.quiet);
+    progress_hear();
     if (!status) status = settle_and_tell(&s, &error);
-    if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
+    if (status > EXIT_UNDECIDED && status != EXIT_STOPPED) fprintf(stderr, "%s\n", error.line);
     for (int k = 0; k < MOMENTS; k++) free(s.frame[k].vertex);
     settle_result_free(&s.result);
     settle_assembly_free(&s.assembly);

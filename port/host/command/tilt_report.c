@@ -1,3 +1,4 @@
+#include "progress.h"
 #include "tilt_report.h"
 #include "../files/file.h"
 #include "../files/json_out.h"
@@ -95,6 +96,7 @@ int tilt_report(report *r, failure *error)
     int status = refuse_others(r->scene, error);
     if (status) return status;
     measured = tilt_measure(&r->scene->scene, settings, &m, &memory);
+    progress_end();
     if (measured != SP_OK) status = scene_refused(r->scene, settings, measured, error);
     if (!status && r->options->svg) status = draw_margin(r, &m, error);
     r->result.tol = m.worst.tol;

@@ -4,9 +4,9 @@
 
 #include "../../../stonepack.h"
 
-/* Exit status of the program (sysexits.h where it has a name for it). */
+/* Exit status of the program (sysexits.h where it has a name for it; 130: stopped by Ctrl-C, as shells tell it). */
 enum { EXIT_STABLE = 0, EXIT_UNSTABLE = 1, EXIT_UNDECIDED = 2, EXIT_USAGE = 64, EXIT_SCENE = 65, EXIT_NO_INPUT = 66,
-       EXIT_UNAVAILABLE = 69, EXIT_INTERNAL = 70, EXIT_MEMORY = 71 };
+       EXIT_UNAVAILABLE = 69, EXIT_INTERNAL = 70, EXIT_MEMORY = 71, EXIT_STOPPED = 130 };
 
 /* What went wrong: exit status and one line without its newline. */
 typedef struct failure {

@@ -25,7 +25,7 @@ static double log_imbalance(const cost_row *r) { return log10(fmin(fmax(r->imbal
 static axes choose_axes(const cost_table *t, double left, int time)
 {
     axes a = { left, { 1e9, -17 }, { -1e9, 0 }, time };
-    for (int k = 0; k < COST_ROWS; k++) {
+    for (int k = 0; k < t->rows; k++) {
         a.low[0] = fmin(a.low[0], log_work(&t->row[k], time));
         a.high[0] = fmax(a.high[0], log_work(&t->row[k], time));
     }
@@ -78,7 +78,7 @@ static void draw_panel(FILE *out, const cost_table *t, double left, int time)
 {
     const axes a = choose_axes(t, left, time);
     draw_grid(out, &a);
-    for (int k = 0; k < COST_ROWS; k++) {
+    for (int k = 0; k < t->rows; k++) {
         const cost_row *r = &t->row[k];
         const int wrong = r->verdict && t->truth && r->verdict != t->truth;
         const double x = px(&a, log_work(r, time)), y = py(&a, log_imbalance(r));

@@ -32,6 +32,7 @@ typedef struct cost_table {
     double truth_tol;
     int64_t truth_flops;
     int64_t budget;             /* flops a check had: a hundred times what the reference took, 1e8 at least */
+    int rows;                   /* all, or fewer where Ctrl-C ended it */
     cost_row row[COST_ROWS];    /* by stage, cone, tol */
 } cost_table;
 

@@ -294,7 +294,8 @@ sp_status blob_write_request(blob *b, const sp_scene *scene, const sp_settings *
     sp_settings set = *settings;
     sp_scene s = *scene;
     io o = start_message(b, BLOB_REQUEST);
-    if (set.custom || set.penalty.solver || set.work || (set.seed && set.seed != sp_seed_table())) return SP_E_UNSUPPORTED;
+    if (set.custom || set.penalty.solver || set.work || set.watch) return SP_E_UNSUPPORTED;
+    if (set.seed && set.seed != sp_seed_table()) return SP_E_UNSUPPORTED;
     io_counts(&o, &s.count);
     io_world(&o, &s);
     io_settings(&o, &set);
