@@ -71,7 +71,7 @@ all: build/libstonepack.a build/stonepack
 help:
 	@echo "make           the library build/libstonepack.a and the program build/stonepack"
 	@echo "make lib       the library alone"
-	@echo "make demo      checks some scenes, draws them into build/demo/"
+	@echo "make demo      checks some scenes, draws them into build/demo/, a page of them: index.html"
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
 	@echo "make check     everything else this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
@@ -95,14 +95,14 @@ lib: build/libstonepack.a
 
 build/stonepack.o: $(PARTS)
 	@mkdir -p build
-	$(CC) $(ALL_C) -c stonepack.c -o $@
+	$(Q)$(CC) $(ALL_C) -c stonepack.c -o $@
 
 build/libstonepack.a: build/stonepack.o
 	$(AR) rcs $@ $<
 
 build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h
 	@mkdir -p build
-	$(CXX) -std=c++11 -ffp-contract=off $(CFLAGS) $(WARN) $(BULLET_I) -c $< -o $@
+	$(Q)$(CXX) -std=c++11 -ffp-contract=off $(CFLAGS) $(WARN) $(BULLET_I) -c $< -o $@
 
 # The program, file by file: an edit of one compiles that one, an edit of the core none. V=1 shows the commands.
 Q         = $(if $(V),,@echo "  $@";)

@@ -1,11 +1,13 @@
 #!/bin/sh
 # demo: checks the scenes of tests/scenes and some made by formula, prints a table, draws pictures into build/demo/.
-# Fails if a verdict is not the one known.
+# Fails if a verdict is not the one known. build/demo/index.html shows them all.
 set -eu
 cli=build/stonepack
 out=build/demo
 wrong=0
+scenes=0
 mkdir -p $out
+rm -f $out/*.svg $out/*.json $out/*.obj
 
 field() { sed -n 's/.*"'"$1"'": *"\{0,1\}\([^",}]*\).*/\1/p' "$out/$name.json" | head -n 1; }
 
@@ -16,6 +18,7 @@ show() {                                                # show NAME SCENE.obj VE
     if [ $status -gt 2 ]; then echo "demo: $name: exit status $status" >&2; exit 1; fi
     printf '%-18s %7s %7s  %-10s %-8s %10.1e %10s %9.2f\n' "$name" "$(field blocks)" "$(field interfaces)" "$(field verdict)" \
         "$(field stage)" "$(field omega)" "$(field factorisations)" "$(field seconds | awk '{ print 1e3 * $1 }')"
+    scenes=$((scenes + 1))
     if [ "$(field verdict)" != "$3" ]; then echo "demo: $name is known to be $3" >&2; wrong=1; fi
 }
 
@@ -45,6 +48,19 @@ heap() {                                                # a hundred stones fall;
     "$cli" check --json --svg $out/heap.svg $out/heap.obj > $out/heap.json || [ $? -le 2 ] || exit 1
     echo "heap of 100 stones: $(field verdict), $(field interfaces) joints, $(field contact_vertices) points"
 }
-if [ -f build/bullet.o ]; then heap; else echo "no heap: settle needs g++ and Bullet (apt-get install g++ libbullet-dev)"; fi
-echo "pictures: $out/*.svg"
-exit $wrong
+page() {                                                # index.html: every picture with its verdict
+    echo '<!DOCTYPE html><meta charset="utf-8"><title>stonepack: demo</title>'
+    echo '<style>body{font:16px sans-serif;margin:2em}figure{display:inline-block;width:30em;margin:1em;vertical-align:top}'
+    echo 'img{width:100%}figcaption{font-size:90%}</style><h1>Does it stand?</h1>'
+    for picture in "$out"/*.svg; do
+        name=$(basename "$picture" .svg)
+        verdict=
+        if [ -f "$out/$name.json" ]; then verdict=": $(field verdict), $(field blocks) blocks, $(field interfaces) joints"; fi
+        echo "<figure><a href='$name.svg'><img src='$name.svg' alt=''></a><figcaption>$name$verdict</figcaption></figure>"
+    done
+}
+left=
+if [ -f build/bullet.o ]; then heap; else left=" Not run: a heap of falling stones, which takes Bullet (apt-get install g++ libbullet-dev)."; fi
+page > $out/index.html
+if [ $wrong -ne 0 ]; then echo "demo: a verdict is not the one known, see above"; exit 1; fi
+echo "All $scenes scenes got the verdict that is known; $out/index.html shows them.$left"

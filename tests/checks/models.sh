@@ -36,7 +36,7 @@ beside_goes_with() {                                    # what stands beside, an
     ! same "$(sed 's/.*"max_compression": *\([^,]*\),.*/\1/' json)" "$(sed 's/.*"max_compression": *\([^,]*\),.*/\1/' other)" > out
 }
 beside_refused() {                                      # beside_refused TEXT LINES: the message names that file and the line
-    printf "$2" > arch.obj.stonepack
+    printf '%b' "$2" > arch.obj.stonepack
     refuses 65 "^arch.obj.stonepack:2: .*$1" check arch.obj
     status=$?
     rm -f arch.obj.stonepack

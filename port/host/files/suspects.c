@@ -19,7 +19,7 @@ static void suspect_supports(const sp_scene *s, remarks *r)
     if (!supports)
         remarks_add(r, "--fixed NAME,..., --fixed lowest or --fixed ground", "no block is a support; tell which are");
     else if (supports == s->count.blocks) remarks_add(r, NULL, "every block is a support: there is nothing that could fall");
-    else if (!touching) remarks_add(r, NULL, "no support touches a block");
+    else if (!touching && s->count.joints > 0) remarks_add(r, NULL, "no support touches a block");
 }
 
 /* The largest and the smallest free block, and the heaviest. -1: there is none. */
