@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""The models of this folder, as programs of others export them.      make.py, here; standard library only"""
+import json
+import math
+
+BOX = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]      # of 8 corners, bits x y z
+
+
+def box(x, y, z):
+    return [(x[k & 1], y[k >> 1 & 1], z[k >> 2]) for k in range(8)]
+
+
+def y_up(p): return (p[0], p[2], -p[1])                     # as exporters turn z up into y up
+
+
+def write(path, head, blocks, line, face):
+    """blocks: (name, corners); face: how a corner is written, of its number and of its face's normal."""
+    with open(path, "w", newline="\n") as out:
+        out.write(head)
+        at = 1
+        for name, corners in blocks:
+            out.write(line % {"name": name})
+            for p in corners:
+                out.write("v %.6f %.6f %.6f\n" % y_up(p))
+            for f in BOX:
+                out.write("f " + " ".join(face % (at + k) for k in f) + "\n")
+            at += len(corners)
+
+
+def voussoir(k, n, inner, outer, depth):
+    a = [math.pi * (k + i) / n for i in (1, 0)]             # from the right springing to the left
+    return [(r * math.cos(t), y, r * math.sin(t)) for r in (inner, outer) for y in (0, depth) for t in a]
+
+
+def arch():
+    """Eleven stones over 4 m and two springers, in mm."""
+    stones = []
+    for k in range(11):
+        v = voussoir(k, 11, 2000.0, 2500.0, 600.0)          # bits: angle, depth, radius
+        stones.append(("Voussoir_%02d" % (k + 1), v))
+    for name, x in (("Springer_R", (2000.0, 2500.0)), ("Springer_L", (-2500.0, -2000.0))):
+        stones.append((name, box(x, (0.0, 600.0), (-800.0, 0.0))))
+    write("arch.obj", "# Rhino\n\n", stones, "o %(name)s\n", "%d")
+
+
+def wall():
+    """Three courses of bricks with a doorway and its lintel, in m."""
+    bricks = []
+    for row in range(6):
+        z = (0.2 * row, 0.2 * row + 0.2)
+        for side in (0.0, 1.8):
+            cuts = [0.0, 0.4, 0.8] if row % 2 == 0 else [0.0, 0.2, 0.6, 0.8]
+            for a, b in zip(cuts, cuts[1:]):
+                bricks.append(("Cube.%03d" % len(bricks), box((side + a, side + b), (0.0, 0.2), z)))
+    bricks.append(("Lintel", box((0.4, 2.2), (0.0, 0.2), (1.2, 1.45))))
+    head = "# Blender 3.6.0\n# www.blender.org\nmtllib wall.mtl\nvt 0.000000 0.000000\nvn 0.0000 1.0000 0.0000\n"
+    write("wall.obj", head, bricks, "o %(name)s\ng %(name)s_Stone\nusemtl Stone\ns off\n", "%d/1/1")
+
+
+def doorway():
+    """Two posts and a beam, as compas_assembly 1.x stores them: no supports in the file."""
+    deep = (0.0, 0.4)
+    parts = [box((0.0, 0.4), deep, (0.0, 2.0)), box((1.6, 2.0), deep, (0.0, 2.0)), box((0.0, 2.0), deep, (2.0, 2.4))]
+    node = {}
+    for k, corners in enumerate(parts):
+        vertex = {str(i): dict(zip("xyz", p)) for i, p in enumerate(corners)}
+        data = {"vertex": vertex, "face": {str(i): list(f) for i, f in enumerate(BOX)}}
+        node[str(k)] = {"block": {"dtype": "compas_assembly.datastructures/Block", "value": data}, "is_support": False}
+    graph = {"dtype": "compas.datastructures/Graph", "value": {"node": node, "edge": {}, "dna": {}, "dea": {}}}
+    with open("doorway.json", "w", newline="\n") as out:
+        json.dump({"dtype": "compas_assembly.datastructures/Assembly", "value": {"graph": graph}}, out, indent=1)
+        out.write("\n")
+
+
+arch()
+wall()
+doorway()
