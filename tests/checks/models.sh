@@ -77,6 +77,42 @@ part "remark: a support far away"           remarks 'no support touches a block'
 part "remark: down was told"                quiet --fixed b0,b16 --unit mm --gravity 0,0,-9.8 arch-y.obj
 part "remark: nothing of a sound model"     quiet whole.obj
 part "remark: a beam held by friction"      quiet h-model.obj
+# Each vertex moved on its own by up to d: jitter SEED D < SCENE; its own contacts are left out.
+jitter() { awk -v seed="$1" -v d="$2" 'BEGIN { srand(seed) } /^#@ (interface|points)/ { next }
+    /^v / { printf "v"; for (k = 2; k < 5; k++) printf " %.17g", $k + d * (2 * rand() - 1); print ""; next } { print }'; }
+jittered() {                                            # jittered MODEL: 4 d counts all joints, and the verdict is the exact one
+    want=$(first check "$1"); want=${want#*: }
+    joints=$("$cli" contacts --quiet "$1")
+    for d in 1e-9 1e-8 1e-7 1e-6 1e-5 1e-4 1e-3; do
+        jitter 7 $d < "$1" > jittered.obj
+        near=$(awk -v d=$d 'BEGIN { print 4 * d }')
+        same "$(first check --contact-distance $near jittered.obj)" "jittered.obj: $want" &&
+        same "$("$cli" contacts --quiet --contact-distance $near jittered.obj | sed 's/,.*//')" "${joints%%,*}" || return 1
+    done
+}
+misses() {                                              # misses MODEL D: told in the first line; the option of the remark helps
+    jitter 7 "$2" < "$1" > jittered.obj
+    first check jittered.obj | tee out | grep -q 'UNSTABLE, but [0-9]* pairs of blocks nearly touch without a contact$' || return 1
+    "$cli" check --json jittered.obj | grep -o '"option": *"--contact-distance [^"]*' | sed 's/.*"//' > option
+    same "$(first check $(cat option) jittered.obj)" "jittered.obj: STABLE"
+}
+in_a_file() {                                           # the same words in the scene
+    jitter 7 1e-4 < wall-whole.obj > jittered.obj
+    printf '#@ contact_distance 0.1%%\n#@ contact_angle 1\n' >> jittered.obj
+    same "$(first check jittered.obj)" "jittered.obj: STABLE" &&
+    first check --contact-angle 0 jittered.obj | grep -q 'UNSTABLE, but'
+}
+
+"$cli" gen wall rows=10 bricks=15 > wall-150.obj
+part "jitter: arch of 15, 4 d"              jittered whole.obj
+part "jitter: wall of 150, 4 d"             jittered wall-150.obj
+part "near misses of an arch are told"      misses whole.obj 1e-5
+part "near misses of a wall are told"       misses wall-150.obj 1e-4
+part "contact_distance in a scene"          in_a_file
+part "contact distance: a wrong word: 64"   refuses 64 'needs a length' check --contact-distance 60% arch.obj
+part "contact distance: below 0: 64"        refuses 64 'needs a length' check --contact-distance -1 arch.obj
+part "contact angle: too large: 64"         refuses 64 'degrees from 0 to 30' check --contact-angle 31 arch.obj
+
 part "fixed: names"                         same "$(first check --fixed b0,b16 arch.obj)" "arch.obj: STABLE"
 part "fixed: patterns"                      same "$(first check --fixed 'b?' --fixed 'b1*' arch.obj)" "arch.obj: STABLE"
 part "fixed: the lowest"                    same "$(forces --fixed lowest arch.obj)" "$(forces whole.obj)"

@@ -128,6 +128,19 @@ static int take_unit(options *o, const char *name, const char *value, failure *e
     return units_read_length(w, &o->scene.amend.unit) ? 0 : usage(error, name, "needs mm, cm, m or in");
 }
 
+static int take_contact_distance(options *o, const char *name, const char *value, failure *error)
+{
+    const text_word w = { value, strlen(value) };
+    return touching_read_distance(w, &o->scene.amend.contact) ? 0
+         : usage(error, name, "needs a length [m], or up to 50% of the smaller block");
+}
+
+static int take_contact_angle(options *o, const char *name, const char *value, failure *error)
+{
+    const text_word w = { value, strlen(value) };
+    return touching_read_angle(w, &o->scene.amend.contact) ? 0 : usage(error, name, "needs degrees from 0 to 30");
+}
+
 static int take_eps(options *o, const char *name, const char *value, failure *error)
 {
     return read_real(value, &o->eps) && o->eps > 0 ? 0 : usage(error, name, "needs a number above 0");
@@ -290,7 +303,9 @@ static const struct {
     int (*take)(options *o, const char *name, const char *value, failure *error);
 } with_value[] = {
     { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--fixed", take_fixed },
-    { "--gravity", take_gravity }, { "--up", take_up }, { "--unit", take_unit }, { "--eps", take_eps }, { "--near", take_near },
+    { "--gravity", take_gravity }, { "--up", take_up }, { "--unit", take_unit },
+    { "--contact-distance", take_contact_distance }, { "--contact-angle", take_contact_angle },
+    { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
     { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },

@@ -217,9 +217,20 @@ static void text_cost(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }
 
+/* A verdict that may rest on missing contacts says so. */
+static void text_verdict(FILE *out, const report *r)
+{
+    const long near = (long)r->scene->near;
+    fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
+    if (near > 0 && r->result.verdict != SP_STABLE)
+        fprintf(out, ", but %ld pair%s of blocks nearly touch%s without a contact", near, near == 1 ? "" : "s",
+                near == 1 ? "es" : "");
+    fputc('\n', out);
+}
+
 void report_text(FILE *out, const report *r)
 {
-    fprintf(out, "%s: %s\n", r->scene->path, capitals(r->result.verdict));
+    text_verdict(out, r);
     if (r->options->quiet) return;
     report_row(out, "why");
     if (r->result.verdict != SP_STABLE && !report_supported(r)) fputs("nothing is fixed, so nothing holds these blocks: ", out);

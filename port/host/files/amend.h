@@ -15,6 +15,7 @@ typedef struct amendments {
     int pull;                   /* gravity is told */
     sp_real gravity[3];         /* [m/s^2] */
     units_length unit;          /* over is 0: not told */
+    touching contact;
 } amendments;
 
 /* Bring a file into metres, with gravity and supports as told. `given`: its own contacts count, so a ground would touch

@@ -7,6 +7,7 @@
 #define STONEPACK_HOST_OBJ_H
 
 #include "failure.h"
+#include "touching.h"
 #include "units.h"
 
 /* The lines that a scene file may hold, one a line, as `stonepack --help` prints them. */
@@ -61,6 +62,7 @@ typedef struct obj_file {
     int32_t lines;
     sp_real mu, strength[3], density, gravity[3];
     units_length unit;          /* of vertices and points, until amend_file has made them metres; over 0: metres */
+    touching contact_told;           /* how near faces touch, where contacts are found */
     int32_t strength_line[3], gravity_line;             /* 0: not told */
     int down_told;              /* by gravity or up */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;

@@ -15,6 +15,8 @@ const char *const obj_format =
     "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
     "  #@ up y                            gravity as strong, along -y; also -x, z, ...\n"
     "  #@ unit mm                         of all coordinates: mm, cm, m, in; forces stay N, densities kg/m^3\n"
+    "  #@ contact_distance 0.0005         [m] faces nearer than this touch; 0.05%: of the smaller block\n"
+    "  #@ contact_angle 1                 [degree] largest angle between touching faces\n"
     "  #@ supports b1,foot*               blocks that are supports, by name or pattern; or lowest; or ground, which is added\n"
     "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these "
     "directions\n"
@@ -341,6 +343,17 @@ static int read_unit(reader *r)
     return line_is_over(r);
 }
 
+static int read_touching(reader *r, int angle)
+{
+    touching *t = &r->f->contact_told;
+    text_word w;
+    if (!text_next_word(&r->at, &w)) return fail(r, angle ? "contact_angle needs degrees" : "contact_distance needs a length");
+    if (angle && !touching_read_angle(w, t)) return fail_word(r, "contact_angle is 0 to 30 degrees, not", w);
+    if (!angle && !touching_read_distance(w, t))
+        return fail_word(r, "contact_distance is a length [m], or up to 50% of the smaller block, not", w);
+    return line_is_over(r);
+}
+
 /* Lists of names and patterns; which blocks they are is looked for when all blocks are there. */
 static int read_supports(reader *r)
 {
@@ -443,6 +456,8 @@ static int read_word(reader *r, text_word w)
     if (text_is(w, "gravity")) return read_gravity(r);
     if (text_is(w, "up")) return read_up(r);
     if (text_is(w, "unit")) return read_unit(r);
+    if (text_is(w, "contact_distance")) return read_touching(r, 0);
+    if (text_is(w, "contact_angle")) return read_touching(r, 1);
     if (text_is(w, "supports")) return read_supports(r);
     if (text_is(w, "density")) return read_density(r);
     if (text_is(w, "fixed")) return read_fixed(r);

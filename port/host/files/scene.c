@@ -214,10 +214,10 @@ static int build_blocks(const obj_file *f, const sp_capacity *cap, mesh_room *m,
     return status;
 }
 
-static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_report *report, sp_status *status,
+static int find_once(const obj_file *f, sp_real mu, touching told, host_scene *s, sp_contact_report *report, sp_status *status,
                      failure *error)
 {
-    sp_contact_settings settings = sp_contact_settings_default();
+    sp_contact_settings settings = touching_settings(touching_join(told, f->contact_told), &s->scene);
     void *memory;
     sp_arena scratch;
 
@@ -231,11 +231,12 @@ static int find_once(const obj_file *f, sp_real mu, host_scene *s, sp_contact_re
 
 /* Contacts are found in a scene without room for any, which tells how many there are, then once more with just that room:
  * memory stays exact. Overlaps are kept on the second pass. */
-static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, host_scene *s, failure *error)
+static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, touching told, host_scene *s,
+                         failure *error)
 {
     sp_contact_report report = { 0, 0, 0, 0, NULL };
     sp_status status;
-    int failed = find_once(f, mu, s, &report, &status, error);
+    int failed = find_once(f, mu, told, s, &report, &status, error);
 
     s->found = 1;
     if (failed) return failed;
@@ -250,7 +251,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     report.overlap = s->overlap;
     report.overlap_capacity = report.overlaps;
     failed = build_blocks(f, cap, m, s, error);
-    if (!failed) failed = find_once(f, mu, s, &report, &status, error);
+    if (!failed) failed = find_once(f, mu, told, s, &report, &status, error);
     if (failed) return failed;
     if (status != SP_OK) return fail_status(error, status, f->path, f->lines, "contacts");
     s->overlaps = report.overlaps;
@@ -314,7 +315,7 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
         cap.points = f->points;
     }
     status = build_blocks(f, &cap, m, s, error);
-    if (status || !given) return status ? status : find_contacts(f, &cap, m, mu, s, error);
+    if (status || !given) return status ? status : find_contacts(f, &cap, m, mu, set->amend.contact, s, error);
     for (int32_t i = 0; !status && i < f->contacts; i++) status = add_contact(f, i, mu, &s->scene, error);
     return status;
 }
@@ -323,6 +324,10 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
 {
     const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
     if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
+    if (s->found) {
+        const sp_contact_settings used = touching_settings(touching_join(a->contact, f->contact_told), &s->scene);
+        s->near = touching_near(&s->scene, &used, &s->remarks);
+    }
     suspects_find(&s->scene, s->name, known, &s->remarks);
 }
 
@@ -349,7 +354,7 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
 
 scene_settings scene_settings_default(void)
 {
-    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 } };
+    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0, 0, 0 } };
     const scene_settings set = { -1, SCENE_GIVEN, none };
     return set;
 }

@@ -1,0 +1,180 @@
+#include "touching.h"
+#include "../run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
+#define STEPS    4                      /* of ten each, up to that */
+#define SLOPE    8.0                    /* faces may rise by so many distances along the diameter of a block */
+#define STEEPEST 0.5                    /* sine, the library's limit */
+
+int touching_read_distance(text_word w, touching *t)
+{
+    t->has_distance = 1;
+    t->share = w.n > 1 && w.s[w.n - 1] == '%';
+    if (t->share) w.n--;
+    if (text_real(w, &t->distance) != TEXT_NUMBER || !(t->distance >= 0)) return 0;
+    if (t->share) t->distance /= 100;
+    return !t->share || t->distance <= (sp_real)0.5;
+}
+
+int touching_read_angle(text_word w, touching *t)
+{
+    t->has_angle = 1;
+    return text_real(w, &t->angle) == TEXT_NUMBER && t->angle >= 0 && t->angle <= 30;
+}
+
+touching touching_join(touching first, touching second)
+{
+    if (!first.has_distance) {
+        first.has_distance = second.has_distance;
+        first.distance = second.distance;
+        first.share = second.share;
+    }
+    if (!first.has_angle) {
+        first.has_angle = second.has_angle;
+        first.angle = second.angle;
+    }
+    return first;
+}
+
+/* Diameter of the smallest block with faces, 0: there is none. */
+static sp_real find_smallest(const sp_scene *s)
+{
+    sp_real least = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        const sp_real d = s->block[b].diameter;
+        if (d > 0 && (!(least > 0) || d < least)) least = d;
+    }
+    return least;
+}
+
+sp_contact_settings touching_settings(touching t, const sp_scene *scene)
+{
+    sp_contact_settings set = sp_contact_settings_default();
+    const sp_real least = find_smallest(scene);
+    if (t.has_distance) {
+        const double share = t.share ? (double)t.distance : least > 0 ? (double)(t.distance / least) : 0;
+        set.absolute = !t.share;
+        set.distance = t.distance;
+        set.angle = (sp_real)fmin(STEEPEST, fmax((double)set.angle, SLOPE * share));
+    }
+    if (t.has_angle) set.angle = (sp_real)fmin(STEEPEST, sin((double)t.angle * acos(-1.0) / 180));
+    return set;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ near misses */
+
+/* A scene with the meshes of another and joints of its own. */
+typedef struct probe {
+    sp_scene scene;
+    sp_joint *joint;
+    sp_real (*point)[3];
+} probe;
+
+static void free_probe(probe *p)
+{
+    free(p->joint);
+    free(p->point);
+    p->joint = NULL;
+    p->point = NULL;
+}
+
+static sp_status find(sp_scene *s, const sp_contact_settings *set, sp_contact_report *report)
+{
+    const sp_contact_report none = { 0, 0, 0, 0, NULL };
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(run_bytes(s, SP_FOR_CONTACTS, NULL), &scratch, &memory);
+    *report = none;
+    if (status == SP_OK) status = sp_contacts_find(s, set, scratch, report);
+    free(memory);
+    return status;
+}
+
+/* All contacts of the meshes under these settings.     returns 0: no memory, or refused */
+static int look(const sp_scene *s, const sp_contact_settings *set, probe *p)
+{
+    sp_contact_report report;
+    sp_status status;
+    p->scene = *s;
+    p->joint = NULL;
+    p->point = NULL;
+    p->scene.count.joints = p->scene.count.points = 0;
+    p->scene.capacity.joints = p->scene.capacity.points = 0;
+    status = find(&p->scene, set, &report);
+    if (status == SP_OK) return 1;
+    if (status != SP_E_CAPACITY) return 0;
+    p->joint = malloc((size_t)report.joints * sizeof *p->joint);
+    p->point = malloc((size_t)report.points * sizeof *p->point);
+    p->scene.joint = p->joint;
+    p->scene.point = p->point;
+    p->scene.capacity.joints = report.joints;
+    p->scene.capacity.points = report.points;
+    if (p->joint && p->point && find(&p->scene, set, &report) == SP_OK) return 1;
+    free_probe(p);
+    return 0;
+}
+
+/* Pairs with a contact in `wide` and none in `s`. Both have their joints in the order of pairs, as the library finds them. */
+static int32_t count_missing(const sp_scene *s, const sp_scene *wide, const sp_joint **first)
+{
+    int32_t missing = 0, k = 0;
+    for (int32_t i = 0; i < wide->count.joints; i++) {
+        const sp_joint *w = &wide->joint[i];
+        if (i > 0 && w->a == w[-1].a && w->b == w[-1].b) continue;
+        if (s->block[w->a].fixed == SP_FIXED && s->block[w->b].fixed == SP_FIXED) continue;
+        while (k < s->count.joints && (s->joint[k].a < w->a || (s->joint[k].a == w->a && s->joint[k].b < w->b))) k++;
+        if (k < s->count.joints && s->joint[k].a == w->a && s->joint[k].b == w->b) continue;
+        if (!missing++) *first = w;
+    }
+    return missing;
+}
+
+/* Distance as a share of the smaller block, with the angle that follows from it. */
+static sp_contact_settings settings_at(const sp_scene *s, double share, const sp_contact_settings *used)
+{
+    touching t = { 1, 1, 0, 0, 0 };
+    t.distance = (sp_real)share;
+    sp_contact_settings set = touching_settings(t, s);
+    if (set.angle < used->angle) set.angle = used->angle;
+    set.strength = used->strength;
+    return set;
+}
+
+/* The least power of ten that counts as many as the widest. */
+static double find_share(const sp_scene *s, int32_t all, const sp_contact_settings *used)
+{
+    double share = WIDEST;
+    for (int k = 1; k < STEPS; k++) {
+        const double less = WIDEST * pow(10, -k);
+        const sp_contact_settings set = settings_at(s, less, used);
+        const sp_joint *first = NULL;
+        probe p;
+        if (!look(s, &set, &p)) return share;
+        const int32_t found = count_missing(s, &p.scene, &first);
+        free_probe(&p);
+        if (found < all) return share;
+        share = less;
+    }
+    return share;
+}
+
+int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
+{
+    const sp_contact_settings set = settings_at(scene, WIDEST, used);
+    const sp_joint *first = NULL;
+    char option[64];
+    probe p;
+    if (!look(scene, &set, &p)) return 0;
+    const int32_t missing = count_missing(scene, &p.scene, &first);
+    free_probe(&p);
+    if (!missing) return 0;
+    const double share = find_share(scene, missing, used);
+    snprintf(option, sizeof option, "--contact-distance %g%%", 100 * share);
+    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted as touching: faces up "
+                "to %g %% of the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "", missing == 1 ? "is" : "are",
+                100 * share);
+    return missing;
+}

@@ -1,0 +1,30 @@
+/* How near faces must be to count as touching, as options and scene files tell it; and which pairs of blocks nearly touch. */
+#ifndef STONEPACK_HOST_TOUCHING_H
+#define STONEPACK_HOST_TOUCHING_H
+
+#include "remarks.h"
+#include "text.h"
+
+/* Nothing told: all 0. */
+typedef struct touching {
+    int has_distance, share, has_angle;         /* share: distance counts in diameters of the smaller block */
+    sp_real distance;                           /* [m] or [1] */
+    sp_real angle;                              /* [degree] */
+} touching;
+
+/* "0.0005" or "0.05%"; degrees from 0 to 30.                   returns 1, 0: another word */
+int touching_read_distance(text_word w, touching *t);
+int touching_read_angle(text_word w, touching *t);
+
+/* What is told first, and for what is left open what is told second. */
+touching touching_join(touching first, touching second);
+
+/* Settings for the blocks of this scene. The angle, if not told, follows from the distance, and is at least the library's:
+ * sin = 8 distance / diameter of the smallest block. */
+sp_contact_settings touching_settings(touching t, const sp_scene *scene);
+
+/* Look for blocks that nearly touch and have no contact, up to 1 % of the smaller block, and add a remark with the option that
+ * counts them all.     returns how many pairs; 0 also where there was no memory to look */
+int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
+
+#endif
