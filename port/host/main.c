@@ -28,6 +28,7 @@ static const char help_check[] =
 "  --json             one JSON object per scene, one per line\n"
 "  --forces           with --json: every contact force too, so that `verify` can re-check the result\n"
 "  --svg FILE         draws the scene (one scene only)\n"
+"  --html FILE        a page that stands alone: the answer in words, a picture that turns, a table of the joints\n"
 "  --out-obj FILE     a model for Rhino, Blender and others: blocks, moved blocks, forces and thrust as lines\n"
 "  --csv NAME         tables: NAME-joints.csv, NAME-blocks.csv (one scene only)\n"
 "  --view V           of the picture: front, side, top, or AZIMUTH,ELEVATION: degrees to the right, above   what suits\n"

@@ -322,6 +322,13 @@ part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg'
 part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
 part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
     test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
+part "html: nothing half written"     half "$cli" check --html "$tmp/half" "$here/../scenes/vault.obj"
+part "html: markup in names is text"  sh -c "'$cli' gen two-cubes | sed -e '/interface/d' -e 's/^o b1/o <b>\&/' | '$cli' check --html '$tmp/p.html' - && \
+    grep -q '<li>&lt;b&gt;&amp;</li>' '$tmp/p.html' && ! grep -q '<b>' '$tmp/p.html'"
+if command -v node > /dev/null; then
+    part "html: turns, moves, sorts"  sh -c "'$cli' gen overhang factor=1.1 | '$cli' check --html '$tmp/p.html' - > '$tmp/out'; \
+        node '$here/page.js' '$tmp/p.html'"
+else echo "skipped html: turns, moves, sorts (nodejs)"; fi
 part "out-obj: a picture, no scene"     sh -c "'$cli' check --out-obj '$tmp/m.obj' '$tmp/scene.obj' && ! '$cli' check '$tmp/m.obj' 2> '$tmp/out' && \
     grep -q 'picture that --out-obj wrote' '$tmp/out'"
 part "out-obj: nothing half written"  half "$cli" check --out-obj "$tmp/half" "$here/../scenes/vault.obj"

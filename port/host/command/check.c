@@ -5,6 +5,7 @@
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
+#include "report_html.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,6 +39,7 @@ static int check_one(const char *path, options *o, failure *error)
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status) status = report_draw(&r, error);
+    if (!status && o->html) status = report_html(&r, error);
     if (!status && o->csv) status = report_csv(&r, error);
     progress_end();
     if (!status) {
@@ -77,17 +79,18 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --out-obj --csv --view --names"
+    if (options_read(argc, argv, " --json --forces --svg --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
                      " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
-    if (o.files == 0 || ((o.svg || o.csv || o.model) && o.files > 1)) {
+    if (o.files == 0 || ((o.svg || o.csv || o.model || o.html) && o.files > 1)) {
         fputs(o.files == 0 ? "stonepack: check needs a scene\n" : o.svg ? "stonepack: --svg draws one scene\n"
               : o.csv ? "stonepack: --csv tells of one scene\n"
-              : "stonepack: --out-obj shows one scene\n", stderr);
+              : o.model ? "stonepack: --out-obj shows one scene\n"
+              : "stonepack: --html tells of one scene\n", stderr);
         return EXIT_USAGE;
     }
     if (o.done && done_read(o.done, &done, &error)) {
