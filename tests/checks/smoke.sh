@@ -322,6 +322,12 @@ part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg'
 part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
 part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
     test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
+part "png: told where there is no rasteriser: 69" sh -c "PATH=/nowhere '$cli' check --png '$tmp/p.png' '$tmp/scene.obj' 2> '$tmp/out'; \
+    [ \$? = 69 ] && grep -q 'needs rsvg-convert' '$tmp/out' && test ! -e '$tmp/p.png'"
+if command -v rsvg-convert > /dev/null; then
+    part "png: a picture"             sh -c "'$cli' check --png '$tmp/p.png' '$tmp/scene.obj' && head -c 4 '$tmp/p.png' | grep -q PNG"
+    part "png: nothing half written"  half "$cli" check --png "$tmp/half" "$here/../scenes/vault.obj"
+fi
 part "html: nothing half written"     half "$cli" check --html "$tmp/half" "$here/../scenes/vault.obj"
 part "html: markup in names is text"  sh -c "'$cli' gen two-cubes | sed -e '/interface/d' -e 's/^o b1/o <b>\&/' | '$cli' check --html '$tmp/p.html' - && \
     grep -q '<li>&lt;b&gt;&amp;</li>' '$tmp/p.html' && ! grep -q '<b>' '$tmp/p.html'"

@@ -79,15 +79,15 @@ int command_check(int argc, char **argv)
     options o;
     int worst = EXIT_STABLE;
 
-    if (options_read(argc, argv, " --json --forces --svg --html --out-obj --csv --view --names"
+    if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
                      " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
-    if (o.files == 0 || ((o.svg || o.csv || o.model || o.html) && o.files > 1)) {
-        fputs(o.files == 0 ? "stonepack: check needs a scene\n" : o.svg ? "stonepack: --svg draws one scene\n"
+    if (o.files == 0 || ((o.svg || o.png || o.csv || o.model || o.html) && o.files > 1)) {
+        fputs(o.files == 0 ? "stonepack: check needs a scene\n" : o.svg || o.png ? "stonepack: --svg and --png draw one scene\n"
               : o.csv ? "stonepack: --csv tells of one scene\n"
               : o.model ? "stonepack: --out-obj shows one scene\n"
               : "stonepack: --html tells of one scene\n", stderr);

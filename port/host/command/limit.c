@@ -268,7 +268,7 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --out-obj --csv --view --names"
+    status = options_read(argc, argv, " --json --svg --png --out-obj --csv --view --names"
                           " --tol --cone --body --tilt --tilt-margin --budget"
                           SCENE_OPTIONS, &o,
                           &error);
@@ -283,9 +283,9 @@ int command_limit(int argc, char **argv)
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
-        if (!status && o.tilt_margin && (o.csv || o.model))
+        if (!status && o.tilt_margin && (o.csv || o.model || o.png))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: %s has nothing to tell of --tilt-margin",
-                               o.csv ? "--csv" : "--out-obj");
+                               o.csv ? "--csv" : o.model ? "--out-obj" : "--png");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

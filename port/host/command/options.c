@@ -317,6 +317,7 @@ static const char **place_of_text(options *o, const char *name)
 {
     return strcmp(name, "--svg") == 0 ? &o->svg : strcmp(name, "--csv") == 0 ? &o->csv
          : strcmp(name, "--out-obj") == 0 ? &o->model : strcmp(name, "--html") == 0 ? &o->html
+         : strcmp(name, "--png") == 0 ? &o->png
          : strcmp(name, "-o") == 0 ? &o->out : strcmp(name, "--frames") == 0 ? &o->frames
          : strcmp(name, "--set") == 0 ? &o->set : strcmp(name, "--order") == 0 ? &o->order
          : strcmp(name, "--order-file") == 0 ? &o->order_file : strcmp(name, "--skip-done") == 0 ? &o->done : NULL;

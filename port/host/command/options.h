@@ -10,6 +10,7 @@ typedef struct options {
     int quiet;                  /* the first line alone: no remarks, no progress */
     const char *svg;            /* file, or NULL */
     const char *model;          /* OBJ of --out-obj, or NULL */
+    const char *png;            /* picture of --png, or NULL */
     const char *html;           /* page of --html, or NULL */
     const char *csv;            /* tables NAME-joints.csv and so on, or NULL */
     view_wish view;             /* of it */

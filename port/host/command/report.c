@@ -1,4 +1,5 @@
 #include "../files/file.h"
+#include "../files/raster.h"
 #include "../picture/model.h"
 #include "../picture/svg.h"
 #include "../worker/worker_client.h"
@@ -84,11 +85,30 @@ static int write_picture(const report *r, const char *path, int (*put)(FILE *out
     return file_finish(out, path, status, error);
 }
 
+/* The same as --svg, by a rasteriser. */
+static int write_png(const report *r, const subject *of, failure *error)
+{
+    const char *path = r->options->png;
+    FILE *svg = tmpfile(), *out = svg ? file_create(path, error) : NULL;
+    int status;
+    if (!svg) return fail_with(error, EXIT_INTERNAL, path, 0, "can't write: no temporary file");
+    if (!out) status = error->status;
+    else {
+        status = svg_write(svg, of) ? raster_png(svg, out, path, error)
+                                    : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
+        status = file_finish(out, path, status, error);
+    }
+    fclose(svg);
+    return status;
+}
+
 int report_draw(const report *r, failure *error)
 {
     const options *o = r->options;
+    const subject of = { r->scene, &r->result, r->limit, o->view, o->names };
     int status = 0;
     if (o->svg) status = write_picture(r, o->svg, svg_write, error);
+    if (!status && o->png) status = write_png(r, &of, error);
     if (!status && o->model) status = write_picture(r, o->model, model_write, error);
     return status;
 }

@@ -41,7 +41,7 @@ double report_joint_compression(const report *r);
 /* Is any block held, in any direction? */
 int report_supported(const report *r);
 
-/* Draw it into the files of --svg and --out-obj, where asked for.                          returns 0 or an exit status */
+/* Draw it into the files of --svg, --png and --out-obj, where asked for.             returns 0 or an exit status */
 int report_draw(const report *r, failure *error);
 
 /* Exit status of a verdict. */
