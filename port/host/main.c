@@ -202,8 +202,10 @@ static void print_help(void)
 {
     puts("stonepack COMMAND [options] SCENE...     decides whether an assembly of rigid blocks stands\n");
     for (int k = 0; k < COMMANDS; k++) printf("  %-10s %s\n", entry[k].name, entry[k].summary);
-    puts("\nstonepack COMMAND --help, or -h, tells more. A scene is a Wavefront OBJ file, - reads standard input; lines it may "
-         "hold:\n");
+    puts("\nAn export that knows no supports, y up and in millimetres:\n\n"
+         "  stonepack check --unit mm --up y --fixed 'support*' --svg picture.svg model.obj\n\n"
+         "stonepack COMMAND --help, or -h, tells more; stonepack help man, bash, zsh: a manual page, completions. A scene is\n"
+         "a Wavefront OBJ file, - reads standard input; lines it may hold:\n");
     fputs(obj_format, stdout);
     puts("\nWithout interface and points lines contacts are found.");
 }
