@@ -57,6 +57,24 @@ def wall():
     write("wall.obj", head, bricks, "o %(name)s\ng %(name)s_Stone\nusemtl Stone\ns off\n", "%d/1/1")
 
 
+def scanned():
+    """Twelve stones of a wall as a scanner gives them, in m: no two faces meet, gaps and overlaps up to 0.1 mm."""
+    state = 1
+    stones = []
+    for row in range(4):
+        for k in range(3):
+            x = 0.5 * k + (0.25 if row % 2 else 0.0)
+            corners = []
+            for p in box((x, x + 0.5), (0.0, 0.3), (0.3 * row, 0.3 * row + 0.3)):
+                moved = []
+                for c in p:
+                    state = state * 16807 % 2147483647      # the same everywhere
+                    moved.append(c + 5e-5 * (2.0 * state / 2147483647 - 1.0))
+                corners.append(tuple(moved))
+            stones.append(("stone_%d_%d" % (row, k), corners))
+    write("scanned.obj", "# scanned\n", stones, "o %(name)s\n", "%d")
+
+
 def doorway():
     """Two posts and a beam, as compas_assembly 1.x stores them: no supports in the file."""
     deep = (0.0, 0.4)
@@ -74,4 +92,5 @@ def doorway():
 
 arch()
 wall()
+scanned()
 doorway()
