@@ -412,7 +412,7 @@ TEST(json_is_read_strictly)
 TEST(help_tells_the_words_that_are_read)
 {
     static const char *const word[] = { "mu", "gravity", "density", "fixed", "interface", "points", "load", "live", "mass", "pressure",
-                                        "cohesion", "tension", "crushing", "up", "unit", "supports" };
+                                        "cohesion", "tension", "crushing", "up", "unit", "supports", "contact_distance", "contact_angle" };
     const size_t words = sizeof word / sizeof *word;
     for (size_t k = 0; k < words; k++) {
         host_scene s;
