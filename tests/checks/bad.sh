@@ -139,12 +139,15 @@ refused flat_block "'flat'.*no volume"
 refused point_block "'dot'"
 bad no_faces "'nothing' has no faces" 'o nothing'
 bad no_name 'without a name' 'o'
-bad name_with_space 'no spaces' 'o two words'
+bad name_with_space "'two_words' has no faces" 'o two words'
+bad name_twice_by_space "'two_words' has the name" 'o two words' 'o two_words'
+only group_without_faces 'no block' 'g a' 'v 0 0 0'
+only group_again "'a' has the name" 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'g a' 'f 1 2 3' 'g b' 'f 1 2 3' 'g a' 'f 3 2 1'
 bad duplicate_name 'name' 'o stone' '#@ fixed'
 { scene; head -c 3000 /dev/zero | tr '\0' 'x' | sed 's/^/o /'; } > long_name.obj
 refused long_name 'has no faces'
 bad unknown_statement 'unknown line' 'vertex 1 2 3'
-bad line_element 'unknown line' 'l 1 2'
+bad free_form_surface 'unknown line' 'surf 0 1 0 1 1 2 3 4'
 bad lonely_word 'unknown line' 'stone'
 
 # --------------------------------------------------------------------------------------------------------------- `#@` words

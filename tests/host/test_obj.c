@@ -175,6 +175,48 @@ TEST(contacts_are_found_where_none_are_given)
     scene_free(&s);
 }
 
+#define TETRAHEDRON(start, i) start "\nf " i "3 " i "2 " i "1\nf " i "1 " i "2 " i "4\nf " i "2 " i "3 " i "4\nf " i "3 " i "1 " i "4\n"
+#define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+
+TEST(names_may_have_spaces)
+{
+    host_scene s;
+    CHECK_INT(parse(CORNERS TETRAHEDRON("o Mesh\\\n0", ""), -1, SCENE_GIVEN, &s), 0);
+    CHECK_TEXT(s.name[0], "Mesh__0");
+    scene_free(&s);
+    CHECK_INT(parse(CORNERS TETRAHEDRON("o Mesh 0 \t left  # of two", "") "#@ load Mesh_0___left 0 0 1 0 0 0\n", -1, SCENE_GIVEN,
+                    &s), 0);
+    CHECK_TEXT(s.name[0], "Mesh_0___left");
+    CHECK_INT(s.scene.count.loads, 1);
+    scene_free(&s);
+}
+
+/* As Maya, Rhino and SketchUp write them: a group without faces first, the same group again after a material. */
+TEST(groups_are_blocks_where_no_object_is)
+{
+    host_scene s;
+    CHECK_INT(parse("g default\n" CORNERS "g low stone\nusemtl x\n#@ fixed\n#@ density 7\nf 3 2 1\nf 1 2 4\ng low stone\n"
+                    "f 2 3 4\nf 3 1 4\ns 1\n" TETRAHEDRON("g", ""), -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.blocks, 2);
+    CHECK_TEXT(s.name[0], "low_stone");
+    CHECK_TEXT(s.name[1], "default");
+    CHECK_INT(s.scene.block[0].fixed, SP_FIXED);
+    CHECK_INT(s.scene.block[1].fixed, 0);
+    scene_free(&s);
+    CHECK_INT(parse("g default\n" CORNERS TETRAHEDRON("o a\ng part", ""), -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.blocks, 1);
+    CHECK_TEXT(s.name[0], "a");
+    scene_free(&s);
+}
+
+TEST(lines_that_are_no_solid_are_passed_over)
+{
+    host_scene s;
+    CHECK_INT(parse("mg 1 0.5\nvp 0.1 0.2\n" CORNERS TETRAHEDRON("o a\nlod 1\nl 1 2\np 1", ""), -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.scene.count.faces, 4);
+    scene_free(&s);
+}
+
 TEST(joints_may_name_blocks_of_later_lines)
 {
     host_scene s;
@@ -440,6 +482,9 @@ TEST_LIST(obj)
     RUN(defaults_are_those_of_stone_on_earth)
     RUN(mu_of_the_caller_overrides_every_joint)
     RUN(contacts_are_found_where_none_are_given)
+    RUN(names_may_have_spaces)
+    RUN(groups_are_blocks_where_no_object_is)
+    RUN(lines_that_are_no_solid_are_passed_over)
     RUN(joints_may_name_blocks_of_later_lines)
     RUN(vertices_no_face_uses_are_left_out)
     RUN(what_is_written_reads_back_the_same)

@@ -9,7 +9,8 @@
 #include <string.h>
 
 const char *const obj_format =
-    "  o NAME                             starts a block; v and f as in any OBJ\n"
+    "  o NAME                             starts a block, its spaces become _; v and f as in any OBJ\n"
+    "  g NAME                             likewise, in a file without o lines before it\n"
     "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
     "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
     "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
@@ -43,6 +44,9 @@ typedef struct reader {
     int beside;                 /* reading what stands beside a model: `chosen` are its blocks that lines are about */
     text_word chosen;
     int32_t first_contact;      /* of the file being read */
+    int has_objects;            /* an o line was read: from there on g lines start no blocks */
+    text_word group;            /* of the g line before, until its block starts; n = 0: none */
+    int32_t group_line;
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------ messages */
@@ -188,13 +192,81 @@ static int corner_index(reader *r, text_word w, int32_t *index)
     }
 }
 
+/* Lines beside a model are about its blocks of this name or pattern. */
+static int choose_blocks(reader *r, text_word name)
+{
+    r->chosen = name;
+    for (int32_t b = 0; b < r->f->blocks; b++) if (text_matches(r->f->block[b].name, name)) return line_is_over(r);
+    return fail_word(r, "no block has such a name:", name);
+}
+
+/* All words up to the end of the line or a comment; what separates them becomes '_' in the text.     returns 0: no word */
+static int read_name(reader *r, text_word *name)
+{
+    char *const text = r->beside ? r->f->text_beside : r->f->text;
+    text_word more;
+
+    if (!text_next_word(&r->at, name) || name->s[0] == '#') return 0;
+    while (text_next_word(&r->at, &more) && more.s[0] != '#') {
+        char *gap = text + (name->s - text) + name->n;
+        while (gap < more.s) *gap++ = '_';
+        name->n = (size_t)(more.s - name->s) + more.n;
+    }
+    return 1;
+}
+
+static int start_block(reader *r, text_word name, int32_t line)
+{
+    const obj_block block = { name, line, r->f->faces, 0, 0 };
+    APPEND(r, block, blocks, room.block, block);
+    return 0;
+}
+
+static int read_block(reader *r)
+{
+    text_word name;
+    if (!read_name(r, &name)) return fail(r, "a block without a name");
+    if (r->beside) return choose_blocks(r, name);
+    r->has_objects = 1;
+    r->group.n = 0;
+    return start_block(r, name, r->at.line);
+}
+
+/* Where no o line came before, a group is a block. It starts with the first line about it: exporters write groups without
+ * faces, too, and the same group again after each material. */
+static int read_group(reader *r)
+{
+    static const text_word unnamed = { "default", 7 };
+    const obj_file *f = r->f;
+    const int32_t line = r->at.line;
+    text_word name;
+
+    if (r->beside || r->has_objects) return 0;
+    if (!read_name(r, &name)) name = unnamed;
+    r->group = name;
+    r->group_line = line;
+    if (f->blocks == 0) return 0;
+    const text_word last = f->block[f->blocks - 1].name;
+    if (last.n == name.n && memcmp(last.s, name.s, name.n) == 0) r->group.n = 0;
+    return 0;
+}
+
+/* Start the block of the g line before, if there is one.     returns 0, or fails */
+static int start_group(reader *r)
+{
+    const text_word name = r->group;
+    r->group.n = 0;
+    return name.n ? start_block(r, name, r->group_line) : 0;
+}
+
 static int read_face(reader *r)
 {
     obj_face face = { r->at.line, r->f->corners, 0 };
     text_word w;
 
     r->in_block = 1;
-    if (r->f->blocks == 0) return fail(r, "a face before the first block: an 'o NAME' line must start one");
+    if (start_group(r)) return r->error->status;
+    if (r->f->blocks == 0) return fail(r, "a face before the first block: an 'o NAME' or 'g NAME' line must start one");
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
         int32_t i = 0;
         int status = corner_index(r, w, &i);
@@ -207,28 +279,6 @@ static int read_face(reader *r)
     }
     if (face.corners < 3) return fail_in_line(r, "a face needs at least three corners");
     APPEND(r, face, faces, room.face, face);
-    return 0;
-}
-
-/* Lines beside a model are about its blocks of this name or pattern. */
-static int choose_blocks(reader *r, text_word name)
-{
-    r->chosen = name;
-    for (int32_t b = 0; b < r->f->blocks; b++) if (text_matches(r->f->block[b].name, name)) return line_is_over(r);
-    return fail_word(r, "no block has such a name:", name);
-}
-
-static int read_block(reader *r)
-{
-    obj_block block = { { NULL, 0 }, r->at.line, r->f->faces, 0, 0 };
-    text_word more;
-
-    if (!text_next_word(&r->at, &block.name)) return fail(r, "a block without a name");
-    if (r->beside) return choose_blocks(r, block.name);
-    if (text_next_word(&r->at, &more) && more.s[0] != '#')
-        return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "the name of block " WORD_FORMAT " goes on with "
-                         WORD_FORMAT ": names have no spaces", WORD(block.name), WORD(more));
-    APPEND(r, block, blocks, room.block, block);
     return 0;
 }
 
@@ -289,6 +339,7 @@ static int read_density(reader *r)
     int status;
 
     r->in_block = 1;
+    if (start_group(r)) return r->error->status;
     status = read_reals(r, 1, &density, "density needs a number");
     if (status) return status;
     if (!(density > 0)) return fail_in_line(r, "density must be positive");
@@ -305,6 +356,7 @@ static int read_fixed(reader *r)
     text_word w;
 
     r->in_block = 1;
+    if (start_group(r)) return r->error->status;
     if (r->beside ? !r->chosen.n : !r->f->blocks) return fail(r, "'fixed' before the first block");
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
         int k = 0;
@@ -476,7 +528,8 @@ static int read_word(reader *r, text_word w)
 
 static int read_line(reader *r)
 {
-    static const char *const ignored[] = { "vn", "vt", "g", "s", "usemtl", "mtllib" };
+    static const char *const ignored[] = { "vn", "vt", "vp", "s", "l", "p", "mg", "usemtl", "mtllib", "usemap", "maplib",
+                                           "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj" };
     text_word w;
 
     r->in_contact = 0;
@@ -490,6 +543,7 @@ static int read_line(reader *r)
     if (text_is(w, "v")) return read_vertex(r);
     if (text_is(w, "f")) return read_face(r);
     if (text_is(w, "o")) return read_block(r);
+    if (text_is(w, "g")) return read_group(r);
     for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
         if (text_is(w, ignored[i])) return 0;
     return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown line: it starts with " WORD_FORMAT, WORD(w));
@@ -524,7 +578,8 @@ static int read_lines(reader *r)
 int obj_parse(const char *path, char *text, size_t length, obj_file *file, failure *error)
 {
     const obj_file empty = { 0 };
-    reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 0, { NULL, 0 }, 0 };
+    reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 0, { NULL, 0 }, 0, 0,
+                 { NULL, 0 }, 0 };
     int status;
 
     *file = empty;
@@ -574,7 +629,8 @@ static void turn_lines(obj_file *f, const obj_file *was)
 static int parse_beside(obj_file *file, size_t length, failure *error)
 {
     const text_cursor start = { file->text_beside, file->text_beside + length, 1 };
-    reader r = { file, start, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 1, { NULL, 0 }, file->contacts };
+    reader r = { file, start, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 1, { NULL, 0 }, file->contacts, 0,
+                 { NULL, 0 }, 0 };
     const obj_file was = *file;
     int status;
 
