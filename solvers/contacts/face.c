@@ -33,11 +33,24 @@ SP__NOINLINE static sp_real sp__face_plane(const sp__touch *t, int32_t f, sp_rea
     return twice * l.s * l.s;
 }
 
+#if SP__WITH_SMALL
+
 /* Points nearer to a plane than this lie in it. */
 static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
 {
     return sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->own.block].diameter / 8);
 }
+
+#else
+
+/* Points nearer to a plane than this lie in it: with a distance above 1e-6 diameters half of what it is above. */
+static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
+{
+    const sp_real fine = sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->own.block].diameter / 8);
+    return sp__max(fine, (body->reach - 8 * fine) / 2);
+}
+
+#endif
 
 /* Farthest corner of a face from a plane. */
 static sp_real sp__face_distance(const sp__touch *t, int32_t f, const sp_real n[3], const sp_real o[3])

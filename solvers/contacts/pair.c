@@ -43,6 +43,13 @@ static void sp__pair_to_space(const sp__touch *t, const sp__patch *p, const sp_r
     for (int c = 0; c < 3; c++) x[c] = p->o[c] + t->now.unit * (xy[0] * t->now.e1[c] + xy[1] * t->now.e2[c]);
 }
 
+/* From the middle of a patch to that of another, and to its end: the smaller block is no longer than two units. */
+#if SP__WITH_SMALL
+#define SP__PAIR_WAY(t, d) sp__norm3(d)
+#else
+#define SP__PAIR_WAY(t, d) (sp__norm3(d) + 2 * (t)->now.unit)
+#endif
+
 /* Can patches p and q touch: opposed to within the angle, boxes and planes near? Between planes at angle s the distance
  * changes by s times the way. */
 static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__patch *q)
@@ -53,8 +60,10 @@ static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__pa
     const sp_real s = sp__norm3(x);
     if (s > t->set.angle) return 0;
     sp__sub3(q->o, p->o, d);
-    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->now.gap + 2 * s * sp__norm3(d);
+    return sp__abs(sp__dot3(d, p->n)) <= 2 * t->now.gap + 2 * s * SP__PAIR_WAY(t, d);
 }
+
+#if SP__WITH_SMALL
 
 /* Is B's plane near in the middle of a polygon in A's: gap g along n_A, n_B . (o_B - m - g n_A) = 0? */
 static int sp__pair_meets(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
@@ -67,6 +76,81 @@ static int sp__pair_meets(const sp__touch *t, const sp__patch *p, const sp__patc
     }
     return !(sp__abs(sp__dot3(q->n, m) / sp__dot3(q->n, p->n)) > t->now.gap);
 }
+
+#else
+
+/* Gap at a place x of A's plane, along n_A. */
+static sp_real sp__pair_gap(const sp__patch *p, const sp__patch *q, const sp_real x[3])
+{
+    sp_real d[3];
+    sp__sub3(q->o, x, d);
+    return sp__dot3(q->n, d) / sp__dot3(q->n, p->n);
+}
+
+/* Part of a polygon where side * gap, side 1 or -1, is within the distance.                       [Sutherland, Hodgman 1974]
+ *   returns its size, in place; needs room for twice the corners behind them */
+static int32_t sp__pair_cut(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size,
+                            sp_real side)
+{
+    sp_real (*out)[3] = point + size;
+    int32_t n = 0;
+    for (int32_t k = 0; k < size; k++) {
+        const sp_real *x = point[k], *y = point[k + 1 < size ? k + 1 : 0];
+        const sp_real g = side * sp__pair_gap(p, q, x), h = side * sp__pair_gap(p, q, y);
+        const int in = g <= t->now.gap;
+        if (in) memcpy(out[n++], x, sizeof *out);
+        if (in == (h <= t->now.gap)) continue;
+        const sp_real s = (t->now.gap - g) / (h - g);
+        for (int c = 0; c < 3; c++) out[n][c] = x[c] + s * (y[c] - x[c]);
+        n++;
+    }
+    memmove(point, out, (size_t)n * sizeof *out);
+    return n;
+}
+
+/* Is a polygon about as narrow as the distance: twice its area over its perimeter? */
+static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*point)[3], int32_t size)
+{
+    sp_real twice = 0, round = 0;
+    for (int32_t k = 0; k < size; k++) {
+        sp_real d[3], e[3], x[3];
+        const sp_real *y = point[k + 1 < size ? k + 1 : 0];
+        sp__sub3(point[k], point[0], d);
+        sp__sub3(y, point[k], e);
+        sp__cross3(d, e, x);
+        twice += sp__dot3(x, p->n);
+        round += sp__norm3(e);
+    }
+    return !(sp__abs(twice) > t->now.gap * round);
+}
+
+/* Of a polygon in A's plane what is within the distance of B's.     returns its size, 0: nothing, or no room (status) */
+static int32_t sp__pair_within(sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
+{
+    sp_real low = sp__pair_gap(p, q, point[0]), high = low;
+    for (int32_t k = 1; k < size; k++) {
+        const sp_real g = sp__pair_gap(p, q, point[k]);
+        low = g < low ? g : low;
+        high = g > high ? g : high;
+    }
+    if (low > t->now.gap || high < -t->now.gap) return 0;
+    if (low >= -t->now.gap && high <= t->now.gap) return size;
+    if (size > (t->pair.room - t->pair.points) / 5) { t->status = SP_E_MEMORY; return 0; }
+    size = sp__pair_cut(t, p, q, point, size, (sp_real)1);
+    size = sp__pair_cut(t, p, q, point, size, (sp_real)-1);
+    return size < 3 || sp__pair_narrow(t, p, point, size) ? 0 : size;
+}
+
+/* A polygon in A's plane goes to the plane between both faces, where the gap is more than the default distance. */
+static void sp__pair_between(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
+{
+    sp_real most = 0;
+    for (int32_t k = 0; k < size; k++) most = sp__max(most, sp__abs(sp__pair_gap(p, q, point[k])));
+    if (!(most > 8 * t->now.snap)) return;
+    for (int32_t k = 0; k < size; k++) sp__add3(point[k], sp__pair_gap(p, q, point[k]) / 2, p->n);
+}
+
+#endif
 
 /* Append a polygon to the scene; where there is no room, count. */
 static void sp__pair_add(sp__touch *t, int32_t size, sp_real (*point)[3])

@@ -49,14 +49,18 @@ static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size
     sp__reverse(p, first, size);
     sp__reverse(p, 0, size);
 }
-/* Keep loop l of the clipper if B's plane is near. */
+
+/* Keep of loop l of the clipper what is near B's plane. */
 static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
-    const int32_t from = t->clip.loop[l], size = t->clip.loop[l + 1] - from;
+    const int32_t from = t->clip.loop[l];
+    int32_t size = t->clip.loop[l + 1] - from;
     sp_real (*point)[3] = t->pair.point + t->pair.points;
     if (size > t->pair.room - t->pair.points || t->pair.founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
     for (int32_t k = 0; k < size; k++) sp__pair_corner(t, p, from + k, point[k]);
-    if (!sp__pair_meets(t, p, q, point, size)) return;
+    size = sp__pair_within(t, p, q, point, size);
+    if (!size) return;
+    sp__pair_between(t, p, q, point, size);
     sp__pair_canonical(t, point, size);
     t->pair.found[t->pair.founds].start = t->pair.points;
     t->pair.found[t->pair.founds].size = size;

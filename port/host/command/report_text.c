@@ -223,7 +223,7 @@ static void text_verdict(FILE *out, const report *r)
     const long near = (long)r->scene->near;
     fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
     if (near > 0 && r->result.verdict != SP_STABLE)
-        fprintf(out, ", but %ld pair%s of blocks nearly touch%s without a contact", near, near == 1 ? "" : "s",
+        fprintf(out, ", but %ld pair%s of blocks nearly touch%s", near, near == 1 ? "" : "s",
                 near == 1 ? "es" : "");
     fputc('\n', out);
 }

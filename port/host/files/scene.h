@@ -15,7 +15,7 @@ typedef struct host_scene {
     char *names;
     sp_real mu;                 /* friction of the scene, for contacts without one of their own */
     int found;                  /* the contacts were found, not given */
-    int32_t near;               /* pairs of blocks that nearly touch and have no contact */
+    int32_t near;               /* pairs of blocks that nearly touch: touching_near */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */
     int32_t *line;              /* of the file: of each block, of each contact given, of each load */

@@ -7,6 +7,7 @@
 #define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
 #define STEPS    4                      /* of ten each, up to that */
 #define SLOPE    8.0                    /* faces may rise by so many distances along the diameter of a block */
+#define LEAST    0.5                    /* of its area a contact needs to count as found */
 #define STEEPEST 0.5                    /* sine, the library's limit */
 
 int touching_read_distance(text_word w, touching *t)
@@ -117,17 +118,24 @@ static int look(const sp_scene *s, const sp_contact_settings *set, probe *p)
     return 0;
 }
 
-/* Pairs with a contact in `wide` and none in `s`. Both have their joints in the order of pairs, as the library finds them. */
-static int32_t count_missing(const sp_scene *s, const sp_scene *wide, const sp_joint **first)
+/* Area of the joints of one pair from joint *k on, which goes behind them. */
+static double add_area(const sp_scene *s, int32_t a, int32_t b, int32_t *k)
+{
+    double area = 0;
+    for (; *k < s->count.joints && s->joint[*k].a == a && s->joint[*k].b == b; ++*k) area += (double)s->joint[*k].area;
+    return area;
+}
+
+/* Pairs that touch in `wide` and in `s` not, or by less than half the area. Both have their joints in the order of pairs, as
+ * the library finds them. */
+static int32_t count_missing(const sp_scene *s, const sp_scene *wide)
 {
     int32_t missing = 0, k = 0;
-    for (int32_t i = 0; i < wide->count.joints; i++) {
-        const sp_joint *w = &wide->joint[i];
-        if (i > 0 && w->a == w[-1].a && w->b == w[-1].b) continue;
-        if (s->block[w->a].fixed == SP_FIXED && s->block[w->b].fixed == SP_FIXED) continue;
-        while (k < s->count.joints && (s->joint[k].a < w->a || (s->joint[k].a == w->a && s->joint[k].b < w->b))) k++;
-        if (k < s->count.joints && s->joint[k].a == w->a && s->joint[k].b == w->b) continue;
-        if (!missing++) *first = w;
+    for (int32_t i = 0; i < wide->count.joints; ) {
+        const int32_t a = wide->joint[i].a, b = wide->joint[i].b;
+        const double most = add_area(wide, a, b, &i);
+        while (k < s->count.joints && (s->joint[k].a < a || (s->joint[k].a == a && s->joint[k].b < b))) k++;
+        missing += add_area(s, a, b, &k) < most * LEAST;
     }
     return missing;
 }
@@ -143,19 +151,18 @@ static sp_contact_settings settings_at(const sp_scene *s, double share, const sp
     return set;
 }
 
-/* The least power of ten that counts as many as the widest. */
-static double find_share(const sp_scene *s, int32_t all, const sp_contact_settings *used)
+/* The least power of ten that counts what the widest does. */
+static double find_share(const sp_scene *s, const sp_scene *wide, const sp_contact_settings *used)
 {
     double share = WIDEST;
     for (int k = 1; k < STEPS; k++) {
         const double less = WIDEST * pow(10, -k);
         const sp_contact_settings set = settings_at(s, less, used);
-        const sp_joint *first = NULL;
         probe p;
         if (!look(s, &set, &p)) return share;
-        const int32_t found = count_missing(s, &p.scene, &first);
+        const int32_t missing = count_missing(&p.scene, wide);
         free_probe(&p);
-        if (found < all) return share;
+        if (missing) return share;
         share = less;
     }
     return share;
@@ -164,17 +171,16 @@ static double find_share(const sp_scene *s, int32_t all, const sp_contact_settin
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
 {
     const sp_contact_settings set = settings_at(scene, WIDEST, used);
-    const sp_joint *first = NULL;
     char option[64];
     probe p;
     if (!look(scene, &set, &p)) return 0;
-    const int32_t missing = count_missing(scene, &p.scene, &first);
+    const int32_t missing = count_missing(scene, &p.scene);
+    const double share = missing ? find_share(scene, &p.scene, used) : 0;
     free_probe(&p);
     if (!missing) return 0;
-    const double share = find_share(scene, missing, used);
     snprintf(option, sizeof option, "--contact-distance %g%%", 100 * share);
-    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted as touching: faces up "
-                "to %g %% of the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "", missing == 1 ? "is" : "are",
-                100 * share);
+    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted, or by less than half: faces up to %g %% of "
+                "the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "",
+                missing == 1 ? "is" : "are", 100 * share);
     return missing;
 }

@@ -23,8 +23,8 @@ touching touching_join(touching first, touching second);
  * sin = 8 distance / diameter of the smallest block. */
 sp_contact_settings touching_settings(touching t, const sp_scene *scene);
 
-/* Look for blocks that nearly touch and have no contact, up to 1 % of the smaller block, and add a remark with the option that
- * counts them all.     returns how many pairs; 0 also where there was no memory to look */
+/* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or one of less than half the area; add
+ * a remark with the option that counts them all.     returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 
 #endif
