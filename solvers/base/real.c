@@ -33,7 +33,9 @@ static sp_real sp__abs(sp_real x) { return __builtin_fabs(x); }
 static sp_real sp__abs(sp_real x) { return x < 0 ? -x : x + (sp_real)0; }
 #endif
 SP__NOINLINE_SMALL static sp_real sp__max(sp_real x, sp_real y) { return x < y ? y : x; }
+#if !defined(SP_NO_QP) || !defined(SP_NO_CRA)
 static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
+#endif
 
 /* x - x is 0 for a number, NaN for an infinity or a NaN. */
 SP__NOINLINE_SMALL static int sp__finite(sp_real x) { return x - x >= 0; }

@@ -71,18 +71,26 @@ quiet() {
         [ "$(wc -l < "$tmp/said")" -eq 1 ] || { echo "$c:"; cat "$tmp/said"; return 1; }
     done
 }
-stops_cost() {                                          # 130, and the table ends with what was made
-    gen wall size=600 || return 1
-    timeout -s INT 0.5 "$cli" cost --json "$tmp/scene.obj" > "$tmp/said" 2> "$tmp/err"
-    [ $? -eq 124 ] && [ "$(wc -l < "$tmp/said")" -eq 1 ] && grep -q '"verdict": *"stable"' "$tmp/said" &&
+interrupted() {                     # interrupted TEXT COMMAND...: Ctrl-C after a half second, or after longer until it has said TEXT
+    text=$1
+    shift
+    for wait in 0.5 2 8 32; do
+        timeout -s INT $wait "$@" > "$tmp/said" 2> "$tmp/err"
+        [ $? -eq 124 ] || { echo "not interrupted after $wait s"; return 1; }
+        if grep -q -- "$text" "$tmp/said"; then return 0; fi
+    done
+    echo "no '$text'"
+    return 1
+}
+stops_cost() {                                          # the table ends with what was made
+    gen wall size=600 && interrupted '"verdict": *"stable"' "$cli" cost --json "$tmp/scene.obj" && [ "$(wc -l < "$tmp/said")" -eq 1 ] &&
     [ "$(grep -o '"cone"' "$tmp/said" | wc -l)" -lt 216 ] && grep -q 'Ctrl-C once more' "$tmp/err"
 }
 stops_batch() {
     gen wall size=600 || return 1
     # shellcheck disable=SC2046
-    timeout -s INT 0.5 "$cli" check --json $(awk -v f="$tmp/scene.obj" 'BEGIN { while (n++ < 2000) print f }') > "$tmp/said" 2> "$tmp/err"
-    [ $? -eq 124 ] && [ "$(wc -l < "$tmp/said")" -ge 1 ] && [ "$(tail -c 2 "$tmp/said")" = "}" ] &&
-    grep -qx "stonepack: stopped after $(wc -l < "$tmp/said") of 2000 scenes" "$tmp/err"
+    interrupted '}' "$cli" check --json $(awk -v f="$tmp/scene.obj" 'BEGIN { while (n++ < 5000) print f }') &&
+    [ "$(tail -c 2 "$tmp/said")" = "}" ] && grep -qx "stonepack: stopped after $(wc -l < "$tmp/said") of 5000 scenes" "$tmp/err"
 }
 tells() {                                               # on a terminal alone
     command -v script > /dev/null || return 0
