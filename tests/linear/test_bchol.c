@@ -156,6 +156,19 @@ TEST(the_shift_of_a_balanced_matrix_is_relative)
 }
 #endif
 
+#ifdef SP_REAL_MIXED
+/* No two numbers below the diagonal have a product that a float can't hold in its normal range. */
+TEST(a_factor_in_float_holds_no_number_that_is_next_to_nothing)
+{
+    sp__bchol f;
+    make(2, 0, 1);
+    meet[0][1] = meet[1][0] = 1;
+    for (int k = 0; k < 6; k++) A[k][6 + k] = A[6 + k][k] = k % 2 ? 1e-25 : 1e-3;
+    factor(2, &f);
+    for (int k = 0; k < 36; k++) CHECK(f.x[k] == 0 || (k % 7 == 0 && k / 7 % 2 == 0 && f.x[k] > 9e-4f));
+}
+#endif
+
 TEST(answer_may_replace_the_question)
 {
     sp_real b[SIZE], x[SIZE];
@@ -332,6 +345,9 @@ TEST_LIST(bchol)
 #if !defined SP_NO_IPM && !defined SP_REAL_MIXED
     RUN(a_balanced_factor_is_that_of_the_matrix)
     RUN(the_shift_of_a_balanced_matrix_is_relative)
+#endif
+#ifdef SP_REAL_MIXED
+    RUN(a_factor_in_float_holds_no_number_that_is_next_to_nothing)
 #endif
     RUN(answer_may_replace_the_question)
     RUN(one_dense_block_is_plain_cholesky)
