@@ -55,12 +55,12 @@ static void sp__soc_square(const sp__nt *W, sp_real v[3])
     v[2] = s * (t * W->w[2] + v[2]);
 }
 
-/* h = -x + W (lambda \ (aim e - (W^-1 dx) o (W dz))): towards x o z = aim e, (dx, dz) the step that ignores the product of
- * changes. a \ b solves a o (a \ b) = b. h may be dx. */
-static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
-                              sp_real aim, sp_real h[3])
+/* a = lambda \ (aim e - (W^-1 dx) o (W dz)): towards x o z = aim e, (dx, dz) the step that ignores the product of changes.
+ * a \ b solves a o (a \ b) = b. */
+static void sp__soc_product(const sp__nt *W, const sp_real z[3], const sp_real dx[3], const sp_real dz[3], sp_real aim,
+                            sp_real a[3])
 {
-    sp_real l[3], a[3], b[3], q[3];
+    sp_real l[3], b[3], q[3];
     sp__soc_scale(W, z, 0, l);
     sp__soc_scale(W, dx, 1, a);
     sp__soc_scale(W, dz, 0, b);
@@ -71,6 +71,14 @@ static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real
     a[0] = (l[0] * q[0] - t) / d;
     a[1] = q[1] / l[0] + (t / l[0] - q[0]) / d * l[1];
     a[2] = q[2] / l[0] + (t / l[0] - q[0]) / d * l[2];
+}
+
+/* h = W a - x, a of sp__soc_product. h may be dx. */
+static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
+                              sp_real aim, sp_real h[3])
+{
+    sp_real a[3], b[3];
+    sp__soc_product(W, z, dx, dz, aim, a);
     sp__soc_scale(W, a, 0, b);
     for (int k = 0; k < 3; k++) h[k] = b[k] - x[k];
 }

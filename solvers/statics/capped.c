@@ -119,30 +119,42 @@ SP__NOINLINE static void sp__capped_derivative(sp__system *w, int32_t c, int32_t
     o->reserve += times * sp__capped_reserve(o, z);
 }
 
+/* dz <- W^-2 (-s - ds) = -z - W^-2 ds */
+static void sp__capped_push(const sp__capped *o, const sp_real z[5], const sp_real ds[5], sp_real dz[5])
+{
+    for (int k = 0; k < 5; k++) dz[k] = -ds[k];
+    sp__capped_divide(o, dz);
+    for (int k = 0; k < 5; k++) dz[k] -= z[k];
+}
+
 /* Changes ds, dz of the predictor, u its rates. */
-SP__NOINLINE static void sp__capped_predicted(sp__capped *o, const sp_real s[5], const sp_real u[3])
+SP__NOINLINE static void sp__capped_predicted(sp__capped *o, const sp_real z[5], const sp_real u[3])
 {
     sp_real *ds = o->ds, *dz = o->dz, *t = o->t, *dx = o->dx;
-    for (int k = 0; k < 5; k++) dz[k] = -s[k] - o->miss[k];
-    sp__capped_divide(o, dz);
+    sp__capped_push(o, z, o->miss, dz);
     for (int k = 0; k < 3; k++) t[k] = u[k] + o->resist[k];
     sp__capped_gather(o, dz, t);
     sp__capped_change(o, t, o->before, dx);
     sp__capped_slack(o, dx, o->before, ds);
-    for (int k = 0; k < 5; k++) { ds[k] += o->miss[k]; dz[k] = -s[k] - ds[k]; }
-    sp__capped_divide(o, dz);
+    for (int k = 0; k < 5; k++) ds[k] += o->miss[k];
+    sp__capped_push(o, z, ds, dz);
 }
 
-/* aim <- -s, or with the product of the predictor's changes: towards s o z = sigma mu e. */
+/* o->change <- W^-2 of the change s is to make: -z, or with the product of the predictor's changes, towards s o z = aim e. */
 SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real s[5], const sp_real z[5])
 {
     sp__capped *o = m->capped;
-    sp_real *aim = o->aim, *ds = o->ds, *dz = o->dz;
-    for (int k = 0; k < 5; k++) aim[k] = -s[k];
+    const sp_real *ds = o->ds, *dz = o->dz, aim = m->sigma * m->mu;
+    for (int k = 0; k < 5; k++) o->change[k] = -z[k];
     if (!m->corrected) return;
-    if (o->cone > 0) sp__soc_corrector(&o->W, s, z, ds, dz, m->sigma * m->mu, aim);
-    if (o->low > 0) aim[3] = -s[3] + (m->sigma * m->mu - ds[3] * dz[3]) / z[3];
-    if (o->high > 0) aim[4] = -s[4] + (m->sigma * m->mu - ds[4] * dz[4]) / z[4];
+    if (o->cone > 0) {
+        sp_real a[3], back[3];
+        sp__soc_product(&o->W, z, ds, dz, aim, a);
+        sp__soc_scale(&o->W, a, 1, back);
+        for (int k = 0; k < 3; k++) o->change[k] += back[k];
+    }
+    if (o->low > 0) o->change[3] += (aim - ds[3] * dz[3]) / s[3];
+    if (o->high > 0) o->change[4] += (aim - ds[4] * dz[4]) / s[4];
 }
 
 /* Step length or step of x, s, z: changes dx, ds, dz. */
@@ -160,20 +172,28 @@ static void sp__capped_go(sp__ipm *m, sp_real *x)
     for (int k = 0; k < 5; k++) { s[k] += m->reach * o->ds[k]; z[k] += m->reach * o->dz[k]; }
 }
 
-/* b, the x of least |W^-1 (G x + h)|, and o->rest = G b + h: what comes of tau is told by that, for in h'W^-2 h + h'W^-2 G b
- * every digit is lost where a row is stiff. The second time mends what rounding left. */
-static void sp__capped_column(sp__capped *o)
+/* b, the x of least |W^-1 (G x + h)|^2, and o->rest = G b + h; returns that least. Nearly all of G' W^-2 h cancels where a row
+ * is stiff, so none of it is formed: with p the cone's first row, the cone's part is least, e p^2 / W.s^2, where the other two
+ * are 2 w0 e p (w1, w2), e = 1 / (1 + 2 w1^2 + 2 w2^2); along n three squares of b0 are left. */
+static sp_real sp__capped_column(sp__capped *o)
 {
-    for (int k = 0; k < 3; k++) o->b[k] = 0;
-    for (int again = 0; again < 2; again++) {
-        sp__capped_slack(o, o->b, 1, o->change);
-        sp__capped_divide(o, o->change);
-        for (int k = 0; k < 3; k++) o->t[k] = 0;
-        sp__capped_gather(o, o->change, o->t);
-        sp__capped_change(o, o->t, 0, o->dx);
-        for (int k = 0; k < 3; k++) o->b[k] -= o->dx[k];
+    const sp_real low = o->low * o->low * o->lower, high = o->high * o->high * o->upper, x = o->W.w[1], y = o->W.w[2];
+    sp_real e = 0, cone = 0;                            /* cone, low, high: what (mu b0 + C)^2, (b0 + T)^2, (N - b0)^2 weigh */
+    if (o->cone > 0) {
+        e = 1 / (1 + 2 * (x * x + y * y));
+        cone = o->cone / o->W.s * (o->cone / o->W.s) * e;
     }
-    sp__capped_slack(o, o->b, 1, o->rest);
+    const sp_real p = o->cone * o->D[0] * (low * (o->C - o->mu * o->T) + high * (o->C + o->mu * o->N));
+    const sp_real q = 2 * o->W.w[0] * e * p, left = o->cone > 0 ? e * p / (o->W.s * o->W.s) * p : 0;
+    o->b[0] = -o->D[0] * (cone * o->mu * o->C + low * o->T - high * o->N);
+    o->rest[0] = p;
+    o->rest[3] = o->low * o->D[0] * (high * (o->N + o->T) - cone * o->mu * (o->C - o->mu * o->T));
+    o->rest[4] = o->high * o->D[0] * (low * (o->N + o->T) + cone * o->mu * (o->C + o->mu * o->N));
+    for (int k = 1; k < 3; k++) {
+        o->rest[k] = o->cone > 0 ? q * o->W.w[k] : 0;
+        o->b[k] = o->cone > 0 ? o->rest[k] / o->cone : 0;
+    }
+    return left + o->lower * o->rest[3] * o->rest[3] + o->upper * o->rest[4] * o->rest[4];
 }
 
 /* One vertex of a pass; u: rates of y, predictor and step. g: what Aeq of the right-hand side has to make up for, or S b. */
@@ -185,11 +205,9 @@ SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c,
     g[0] = g[1] = g[2] = 0;
     if (!sp__capped_scaling(o, s, z)) { m->outside = 1; return; }
     for (int k = 0; k < 3; k++) for (int q = 0; q < 3; q++) u[k][q] *= S;
-    sp__capped_column(o);
+    const sp_real least = sp__capped_column(o);
     if (m->pass == SP__COLUMN) {
-        memcpy(change, o->rest, sizeof o->rest);
-        sp__capped_divide(o, change);
-        o->bend -= times * sp__dot(o->rest, change, 5);
+        o->bend -= times * least;
         sp__scale3(S, o->b, g);
         return;
     }
@@ -197,10 +215,11 @@ SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c,
     for (int k = 0; k < 5; k++) o->miss[k] -= s[k];
     memcpy(o->resist, u[0], sizeof o->resist);
     sp__capped_gather(o, z, o->resist);
-    if (m->corrected) sp__capped_predicted(o, s, u[1]);
+    if (m->corrected) sp__capped_predicted(o, z, u[1]);
     sp__capped_aim(m, s, z);
-    for (int k = 0; k < 5; k++) change[k] = o->aim[k] - keep * o->miss[k];
-    sp__capped_divide(o, change);
+    for (int k = 0; k < 5; k++) o->dz[k] = keep * o->miss[k];
+    sp__capped_divide(o, o->dz);
+    for (int k = 0; k < 5; k++) change[k] -= o->dz[k];
     sp__scale3(keep, o->resist, t);
     sp__capped_gather(o, change, t);
     if (m->pass == SP__AIM) {

@@ -36,7 +36,7 @@ typedef struct sp__capped {
     sp_real dx[3], ds[5], dz[5];        /* changes */
     sp_real rest[5];                    /* G b + h */
     sp_real miss[5], resist[3];         /* G x + tau h - s; Aeq'y + G'z */
-    sp_real aim[5], change[5];          /* what the corrector asks of s; W^-2 of a row's right-hand side */
+    sp_real change[5];                  /* W^-2 of what s is to change by */
 } sp__capped;
 #define SP__CAPPED 13                   /* numbers of a vertex: x, s, z */
 
