@@ -124,7 +124,9 @@ static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*poi
     return !(sp__abs(twice) > t->now.gap * round);
 }
 
-/* Of a polygon in A's plane what is within the distance of B's.     returns its size, 0: nothing, or no room (status) */
+/* Of a polygon in A's plane what is within the distance of B's: all of it where no corner is farther than twice that and
+ * the middle of all is within, for then the planes are parallel as far as the distance can tell.
+ *   returns its size, 0: nothing, or no room (status) */
 static int32_t sp__pair_within(sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
 {
     sp_real low = sp__pair_gap(p, q, point[0]), high = low;
@@ -134,7 +136,8 @@ static int32_t sp__pair_within(sp__touch *t, const sp__patch *p, const sp__patch
         high = g > high ? g : high;
     }
     if (low > t->now.gap || high < -t->now.gap) return 0;
-    if (low >= -t->now.gap && high <= t->now.gap) return size;
+    const sp_real twice = 2 * t->now.gap;
+    if (low >= -twice && high <= twice && sp__abs(low + high) <= twice) return size;
     if (size > (t->pair.room - t->pair.points) / 5) { t->status = SP_E_MEMORY; return 0; }
     size = sp__pair_cut(t, p, q, point, size, (sp_real)1);
     size = sp__pair_cut(t, p, q, point, size, (sp_real)-1);

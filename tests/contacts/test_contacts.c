@@ -111,6 +111,30 @@ TEST(tilted_faces_count_by_the_angle)
     }
 }
 
+#ifndef SP_SMALL
+/* Tilted about its middle, ends `high` distances away: whole while that is at most twice, else the strip within the distance. */
+TEST(a_tilted_face_touches_where_it_is_within_the_distance)
+{
+    static const double high[] = { 0.5, 1.5, 1.99, 2.01, 4, 20 };
+    const frame f = upright();
+    sp_contact_settings set = sp_contact_settings_default();
+    set.distance = R(1e-4);
+    set.angle = R(1e-2);
+    set.absolute = 1;
+    for (size_t k = 0; k < sizeof high / sizeof high[0]; k++) {
+        const double want = high[k] <= 2 ? 1 : 1 / high[k];
+        frame g = turned(1, 0, high[k] * 1e-4, 0, 0, 1);
+        g.shift[2] = 1;
+        NEED(start(2));
+        box(&f, -0.5, -0.5, 0, 0.5, 0.5, 1, SP_FIXED);
+        box(&g, -0.5, -0.5, 0, 0.5, 0.5, 1, 0);
+        CHECK_INT(find(&set), SP_OK);
+        if (!CHECK_INT(report.joints, 1)) continue;
+        CHECK_NEAR(area_sum(), want, TOL(1e-5, 2e-2));
+    }
+}
+#endif
+
 /* Scenes seen from odd frames and in odd units have the same contacts. */
 TEST(frames_and_units_do_not_matter)
 {
@@ -290,6 +314,9 @@ TEST_LIST(contacts)
     RUN(cubes_that_share_an_edge_or_corner_do_not_touch_in_faces)
     RUN(gaps_count_by_the_distance)
     RUN(tilted_faces_count_by_the_angle)
+#ifndef SP_SMALL
+    RUN(a_tilted_face_touches_where_it_is_within_the_distance)
+#endif
     RUN(frames_and_units_do_not_matter)
     RUN(supports_do_not_touch_each_other)
     RUN(a_flat_support_is_enough)
