@@ -58,6 +58,26 @@ static void put_joints(FILE *out, const sp_scene *s, const forces *f)
     fputs("],\n", out);
 }
 
+/* Of each joint its blocks; of the mechanism of a limit its hinges, as lines. */
+static void put_pairs(FILE *out, const subject *of)
+{
+    const sp_scene *s = &of->scene->scene;
+    sp_joint_motion m;
+    int n = 0;
+    fputs("\"ab\":[", out);
+    for (int32_t i = 0; i < s->count.joints; i++)
+        fprintf(out, "%s[%ld,%ld]", i ? "," : "", (long)s->joint[i].a, (long)s->joint[i].b);
+    fputs("],\n\"h\":[", out);
+    for (int32_t i = 0; of->limit && i < s->count.joints; i++) {
+        if (sp_joint_moves(s, of->limit->dq, i, &m) != SP_OK || m.kind != SP_JOINT_HINGE) continue;
+        fputs(n++ ? ",[" : "[", out);
+        put_point(out, m.a, 1);
+        put_point(out, m.b, 0);
+        fputs("]", out);
+    }
+    fputs("],\n", out);
+}
+
 /* The axes of the scene, the last one up, and from where it is seen first: azimuth and rise [rad]. */
 static void put_view(FILE *out, const sp_scene *s, const view *v)
 {
@@ -71,29 +91,20 @@ static void put_view(FILE *out, const sp_scene *s, const view *v)
     fprintf(out, "],\n\"view\":[%.7g,%.7g],\n", atan2(t[0], -t[1]), asin(fmin(fmax(t[2], -1), 1)));
 }
 
-static int put_scene(FILE *out, const subject *of)
+static int put_scene(FILE *out, const subject *of, const forces *f, const mechanism *m)
 {
     const sp_scene *s = &of->scene->scene;
-    drawing d;
-    forces f;
-    mechanism m;
     sp_scene moved;
-    double size;
     int good = 1;
-    memset(&d, 0, sizeof d);
-    d.s = s;
-    d.v = view_choose(s, &of->view);
-    scales_choose(&d, &f, &m, of->result, &size);
     put_points(out, "v", s->vertex, s->count.vertices);
-    if (m.shift > 0) {
-        good = mechanism_move(&m, s, &moved);
+    if (m->shift > 0) {
+        good = mechanism_move(m, s, &moved);
         if (good) put_points(out, "w", moved.vertex, s->count.vertices);
         mechanism_free(&moved);
     } else put_points(out, "w", NULL, 0);
-    put_blocks(out, of, m.shift > 0);
-    put_joints(out, s, &f);
-    put_view(out, s, &d.v);
-    fprintf(out, "\"weakest\":%ld", (long)weakest_told(s, of->result));
+    put_blocks(out, of, m->shift > 0);
+    put_joints(out, s, f);
+    put_pairs(out, of);
     return good;
 }
 
@@ -105,8 +116,43 @@ int turn_moves(const subject *of)
     return 0;
 }
 
+/* The first view, and how long forces and motions are drawn.          returns the usual block [m] */
+static double choose(const subject *of, drawing *d, forces *f, mechanism *m)
+{
+    double size;
+    memset(d, 0, sizeof *d);
+    d->s = &of->scene->scene;
+    d->v = view_choose(d->s, &of->view);
+    return scales_choose(d, f, m, of->result, &size);
+}
+
+void turn_legend(FILE *out, const subject *of)
+{
+    forces f;
+    mechanism m;
+    drawing d;
+    choose(of, &d, &f, &m);
+    fputs("<p>", out);
+    if (f.largest > 0) {
+        fputs("Blue: the forces of the joints, each on the block that it holds; the longest is ", out);
+        page_quantity(out, f.largest, "N");
+        fputs(". ", out);
+    }
+    if (m.shift > 0) {
+        fputs("Red: what moves, drawn to ", out);
+        page_quantity(out, m.largest, "m");
+        fputs(" at most. ", out);
+    }
+    fputs(of->limit ? "Violet: hinges. Orange: the joint whose number was pressed.</p>\n"
+                    : "Orange: the weakest joint, or the one whose number was pressed.</p>\n", out);
+}
+
 int turn_write(FILE *out, const subject *of)
 {
+    drawing d;
+    forces f;
+    mechanism m;
+    const double block = choose(of, &d, &f, &m);
     int good;
     fputs("<ol id=\"names\" hidden>\n", out);
     for (int32_t b = 0; b < of->scene->scene.count.blocks; b++) {
@@ -115,7 +161,9 @@ int turn_write(FILE *out, const subject *of)
         fputs("</li>\n", out);
     }
     fputs("</ol>\n<script type=\"application/json\" id=\"scene\">\n{", out);
-    good = put_scene(out, of);
+    good = put_scene(out, of, &f, &m);
+    put_view(out, d.s, &d.v);
+    fprintf(out, "\"block\":%.7g,\n\"weakest\":%ld", block, (long)weakest_told(d.s, of->result));
     fputs("}\n</script>\n<script>\n", out);
     turn_script(out);
     fputs("</script>\n", out);
