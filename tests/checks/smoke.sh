@@ -343,6 +343,10 @@ if command -v node > /dev/null; then
     part "html: turns, moves, sorts"  sh -c "'$cli' gen overhang factor=1.1 | '$cli' check --html '$tmp/p.html' - > '$tmp/out'; \
         node '$here/page.js' '$tmp/p.html'"
 else echo "skipped html: turns, moves, sorts (nodejs)"; fi
+part "html: --quiet is not for the page" sh -c "'$cli' check --quiet --html '$tmp/p.html' '$tmp/scene.obj' && grep -q '<dt>why</dt>' '$tmp/p.html'"
+part "html: of a limit, its hinges"   sh -c "'$cli' gen arch t=0.15 | '$cli' limit --body 1,0,0 --html '$tmp/p.html' - > '$tmp/out' && \
+    [ \$(grep -c '<td>hinge</td>' '$tmp/p.html') = 4 ] && grep -q '^\"h\":\[\[\[' '$tmp/p.html' && grep -q '<h1>-: MULTIPLIER 0.149' '$tmp/p.html'"
+part "html: of a tilt margin: 64"     exits 64 "$cli" limit --tilt-margin --html "$tmp/p.html" "$tmp/scene.obj"
 part "out-obj: a picture, no scene"     sh -c "'$cli' check --out-obj '$tmp/m.obj' '$tmp/scene.obj' && ! '$cli' check '$tmp/m.obj' 2> '$tmp/out' && \
     grep -q 'picture that --out-obj wrote' '$tmp/out'"
 part "out-obj: nothing half written"  half "$cli" check --out-obj "$tmp/half" "$here/../scenes/vault.obj"
@@ -395,6 +399,15 @@ part "sequence: the strip has an end" sh -c "grep -q 'to be held' '$tmp/strip.sv
 part "sequence: how many steps it shows" sh -c "'$cli' gen arch n=40 | '$cli' sequence --svg '$tmp/long.svg' - > '$tmp/out'; \
     grep -q '40 steps (24 shown), step' '$tmp/long.svg' && ! grep -q ' shown)' '$tmp/strip.svg'"
 part "sequence: nothing half written" half "$cli" sequence --svg "$tmp/half" "$tmp/scene.obj"
+part "sequence: a page of it"        sh -c "'$cli' sequence --html '$tmp/p.html' '$tmp/scene.obj' > '$tmp/out'; \
+    [ \$(grep -c '<tr><td>[0-9]' '$tmp/p.html') = 20 ] && grep -q '<td>b4</td><td>UNSTABLE</td><td>b3</td>' '$tmp/p.html' && grep -q '</svg>' '$tmp/p.html'"
+part "sequence: a model of its steps"  sh -c "'$cli' sequence --out-obj '$tmp/m.obj' '$tmp/scene.obj' > '$tmp/out'; \
+    grep -A1 '^o 0004_b4' '$tmp/m.obj' | grep -q '^g falls' && grep -A1 '^o 0020_b20' '$tmp/m.obj' | grep -q '^g stands' && \
+    grep -A1 '^o b0' '$tmp/m.obj' | grep -q '^g start'"
+if command -v rsvg-convert > /dev/null; then
+    part "sequence: a strip as PNG"     sh -c "'$cli' sequence --png '$tmp/p.png' '$tmp/scene.obj' > '$tmp/out'; head -c 4 '$tmp/p.png' | grep -q PNG"
+    part "tilt margin: a plot as PNG"   sh -c "'$cli' gen two-cubes | '$cli' limit --tilt-margin --png '$tmp/p.png' - > '$tmp/out' && head -c 4 '$tmp/p.png' | grep -q PNG"
+fi
 part "sequence: unknown name: 64"   exits 64 "$cli" sequence --order b1,none "$tmp/scene.obj"
 part "sequence: two orders: 64"     exits 64 "$cli" sequence --order b1 --order-file x "$tmp/scene.obj"
 part "sequence: no order file: 66"  exits 66 "$cli" sequence --order-file "$tmp/none.txt" "$tmp/scene.obj"

@@ -39,7 +39,7 @@ static int check_one(const char *path, options *o, failure *error)
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status) status = report_draw(&r, error);
-    if (!status && o->html) status = report_html(&r, error);
+    if (!status) status = report_html(&r, report_text, error);
     if (!status && o->csv) status = report_csv(&r, error);
     progress_end();
     if (!status) {

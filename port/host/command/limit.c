@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
+#include "report_html.h"
 #include "tilt_report.h"
 
 #include <math.h>
@@ -136,7 +137,7 @@ static void print_json(const report *r)
 
 /* --------------------------------------------------------------------------------------------------------------- words */
 
-static void print_joints(const report *r, sp_joint_kind kind, const char *label)
+static void print_joints(FILE *out, const report *r, sp_joint_kind kind, const char *label)
 {
     enum { SHOWN = 6 };
     const host_scene *s = r->scene;
@@ -144,78 +145,79 @@ static void print_joints(const report *r, sp_joint_kind kind, const char *label)
     for (int32_t i = 0; i < s->scene.count.joints; i++) {
         sp_joint_motion m;
         if (sp_joint_moves(&s->scene, r->limit->dq, i, &m) != SP_OK || m.kind != kind || n++ >= SHOWN) continue;
-        if (n == 1) report_row(stdout, label);
-        printf("%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.joint[i].a], s->name[s->scene.joint[i].b]);
+        if (n == 1) report_row(out, label);
+        fprintf(out, "%s%s - %s", n > 1 ? ", " : "", s->name[s->scene.joint[i].a], s->name[s->scene.joint[i].b]);
     }
-    if (n > SHOWN) printf(" and %ld more", (long)(n - SHOWN));
-    if (n) putchar('\n');
+    if (n > SHOWN) fprintf(out, " and %ld more", (long)(n - SHOWN));
+    if (n) fputc('\n', out);
 }
 
-static void print_multiplier(const report *r)
+static void print_multiplier(FILE *out, const report *r)
 {
     const sp_limit_result *x = r->limit;
-    printf("%s: ", r->scene->path);
+    fprintf(out, "%s: ", r->scene->path);
     switch (x->kind) {
-    case SP_LIMIT_FOUND:     printf("MULTIPLIER %.9g\n", (double)x->multiplier + 0.0); break;
-    case SP_LIMIT_NONE:      puts("NONE: it falls whatever the multiple of the live loads"); break;
-    case SP_LIMIT_UNBOUNDED: puts("UNBOUNDED: it carries arbitrarily large multiples of the live loads"); break;
-    default:                 printf("UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET ? "the search spent its budget"
-                                                                                    : "the two bounds do not meet at this tol");
+    case SP_LIMIT_FOUND:     fprintf(out, "MULTIPLIER %.9g\n", (double)x->multiplier + 0.0); break;
+    case SP_LIMIT_NONE:      fputs("NONE: it falls whatever the multiple of the live loads\n", out); break;
+    case SP_LIMIT_UNBOUNDED: fputs("UNBOUNDED: it carries arbitrarily large multiples of the live loads\n", out); break;
+    default:                 fprintf(out, "UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET
+                                     ? "the search spent its budget" : "the two bounds do not meet at this tol");
     }
     if (r->options->quiet) return;
-    report_row(stdout, "how sure");
-    if (x->lower >= 0) printf("forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);
-    if (x->upper >= 0) printf("%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
-    if (x->lower < 0 && x->upper < 0) fputs("neither bound found", stdout);
-    puts(x->verified ? "; verified" : "; NOT verified");
+    report_row(out, "how sure");
+    if (x->lower >= 0) fprintf(out, "forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);
+    if (x->upper >= 0) fprintf(out, "%sa mechanism falls at %.12g", x->lower >= 0 ? "; " : "", (double)x->upper);
+    if (x->lower < 0 && x->upper < 0) fputs("neither bound found", out);
+    fputs(x->verified ? "; verified\n" : "; NOT verified\n", out);
     if (is_vague(x)) {
-        report_row(stdout, "how near");
-        printf("known to within %.2g only: tol %.2g counts against the loads, and the multiplier is small beside that\n",
-               (double)x->within, (double)x->tol);
+        report_row(out, "how near");
+        fprintf(out, "known to within %.2g only: tol %.2g counts against the loads, and the multiplier is small beside that\n",
+                (double)x->within, (double)x->tol);
     }
-    report_tol(stdout, r);
+    report_tol(out, r);
 }
 
 /* What the multiplier does not tell. */
-static void print_reservations(const report *r)
+static void print_reservations(FILE *out, const report *r)
 {
     const sp_limit_result *x = r->limit;
     if (x->dead == SP_UNSTABLE && x->lowest >= 0) {
-        report_row(stdout, "mind");
-        printf("it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n",
-               (double)x->lowest);
+        report_row(out, "mind");
+        fprintf(out, "it falls under the dead loads alone; live loads are found to hold it at %.9g times, maybe at less\n",
+                (double)x->lowest);
     } else if (x->dead == SP_UNDECIDED && x->kind) {
-        report_row(stdout, "mind");
-        puts("whether it stands under the dead loads alone was not decided");
+        report_row(out, "mind");
+        fputs("whether it stands under the dead loads alone was not decided\n", out);
     }
     if (!any_friction(&r->scene->scene) || (x->kind != SP_LIMIT_FOUND && x->kind != SP_LIMIT_UNBOUNDED)) return;
-    report_row(stdout, "mind");
-    puts("with friction this is an upper value: real sliding does not open joints, and may fall at less");
+    report_row(out, "mind");
+    fputs("with friction this is an upper value: real sliding does not open joints, and may fall at less\n", out);
 }
 
-static void print_text(const report *r)
+static void print_text(FILE *out, const report *r)
 {
     const sp_limit_result *x = r->limit;
     const sp_capacity *n = &r->scene->scene.count;
     int32_t moving = 0;
-    print_multiplier(r);
+    print_multiplier(out, r);
     if (r->options->quiet) return;
-    print_reservations(r);
+    print_reservations(out, r);
     for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {
-        report_row(stdout, "mechanism");
-        printf("%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");
-        print_joints(r, SP_JOINT_HINGE, "hinges");
-        print_joints(r, SP_JOINT_SLIDING, "sliding");
-        print_joints(r, SP_JOINT_OPEN, "opening");
+        report_row(out, "mechanism");
+        fprintf(out, "%ld block%s\n", (long)moving, moving == 1 ? " moves" : "s move");
+        print_joints(out, r, SP_JOINT_HINGE, "hinges");
+        print_joints(out, r, SP_JOINT_SLIDING, "sliding");
+        print_joints(out, r, SP_JOINT_OPEN, "opening");
     }
-    report_row(stdout, "scene");
-    printf("%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->joints,
-           n->joints == 1 ? "" : "s", r->scene->found ? " found" : "");
-    report_row(stdout, "cost");
-    printf("%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", (long)x->cost.factorisations,
-           (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
-    remarks_print(stdout, &r->scene->remarks);
+    report_row(out, "scene");
+    fprintf(out, "%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->joints,
+            n->joints == 1 ? "" : "s", r->scene->found ? " found" : "");
+    report_row(out, "cost");
+    fprintf(out, "%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", 
+            (long)x->cost.factorisations,
+            (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
+    remarks_print(out, &r->scene->remarks);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- command */
@@ -252,10 +254,11 @@ static int limit_command(report *r, failure *error)
         r->result.verified = x.verified;
         r->result.tol = x.tol;
         status = report_draw(r, error);
+        if (!status) status = report_html(r, print_text, error);
         if (!status && r->options->csv) status = report_csv(r, error);
     }
     if (!status && r->options->json) print_json(r);
-    if (!status && !r->options->json) print_text(r);
+    if (!status && !r->options->json) print_text(stdout, r);
     free(memory);
     return status ? status : x.kind == SP_LIMIT_UNDECIDED ? EXIT_UNDECIDED : 0;
 }
@@ -268,7 +271,7 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --png --out-obj --csv --view --names"
+    status = options_read(argc, argv, " --json --svg --png --html --out-obj --csv --view --names"
                           " --tol --cone --body --tilt --tilt-margin --budget"
                           SCENE_OPTIONS, &o,
                           &error);
@@ -283,9 +286,9 @@ int command_limit(int argc, char **argv)
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
-        if (!status && o.tilt_margin && (o.csv || o.model || o.png))
+        if (!status && o.tilt_margin && (o.csv || o.model || o.html))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: %s has nothing to tell of --tilt-margin",
-                               o.csv ? "--csv" : o.model ? "--out-obj" : "--png");
+                               o.csv ? "--csv" : o.model ? "--out-obj" : "--html");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

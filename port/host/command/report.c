@@ -1,5 +1,4 @@
-#include "../files/file.h"
-#include "../files/raster.h"
+#include "../files/drawn.h"
 #include "../picture/model.h"
 #include "../picture/svg.h"
 #include "../worker/worker_client.h"
@@ -75,42 +74,16 @@ int report_supported(const report *r)
     return 0;
 }
 
-static int write_picture(const report *r, const char *path, int (*put)(FILE *out, const subject *of), failure *error)
-{
-    const subject of = { r->scene, &r->result, r->limit, r->options->view, r->options->names };
-    FILE *out = file_create(path, error);
-    int status = 0;
-    if (!out) return error->status;
-    if (!put(out, &of)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-    return file_finish(out, path, status, error);
-}
-
-/* The same as --svg, by a rasteriser. */
-static int write_png(const report *r, const subject *of, failure *error)
-{
-    const char *path = r->options->png;
-    FILE *svg = tmpfile(), *out = svg ? file_create(path, error) : NULL;
-    int status;
-    if (!svg) return fail_with(error, EXIT_INTERNAL, path, 0, "can't write: no temporary file");
-    if (!out) status = error->status;
-    else {
-        status = svg_write(svg, of) ? raster_png(svg, out, path, error)
-                                    : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-        status = file_finish(out, path, status, error);
-    }
-    fclose(svg);
-    return status;
-}
+static int put_svg(FILE *out, const void *of) { return svg_write(out, of); }
+static int put_model(FILE *out, const void *of) { return model_write(out, of); }
 
 int report_draw(const report *r, failure *error)
 {
     const options *o = r->options;
     const subject of = { r->scene, &r->result, r->limit, o->view, o->names };
-    int status = 0;
-    if (o->svg) status = write_picture(r, o->svg, svg_write, error);
-    if (!status && o->png) status = write_png(r, &of, error);
-    if (!status && o->model) status = write_picture(r, o->model, model_write, error);
-    return status;
+    int status = drawn_file(o->svg, put_svg, &of, error);
+    if (!status) status = drawn_png(o->png, put_svg, &of, error);
+    return status ? status : drawn_file(o->model, put_model, &of, error);
 }
 
 int report_exit(sp_verdict verdict)

@@ -1,10 +1,12 @@
-/* A check as a page that stands alone: the verdict in words, a picture that turns, a table of the joints. */
+/* A check or a limit as a page that stands alone: the answer in words, a picture that turns, a table of the joints. */
 #ifndef STONEPACK_HOST_REPORT_HTML_H
 #define STONEPACK_HOST_REPORT_HTML_H
 
 #include "report.h"
 
-/* Write the page of --html.                                returns 0 or an exit status */
-int report_html(const report *r, failure *error);
+typedef void report_words(FILE *out, const report *r);
+
+/* Write the page of --html, if one is asked for; words: what the terminal is told.       returns 0 or an exit status */
+int report_html(const report *r, report_words *words, failure *error);
 
 #endif

@@ -4,13 +4,17 @@
 #include "../files/file.h"
 #include "../files/text.h"
 #include "../run.h"
-#include "commands.h"
+#include "../files/drawn.h"
 #include "../files/json_out.h"
+#include "commands.h"
+#include "html_page.h"
 #include "options.h"
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
 #include "../files/scene.h"
+#include "../picture/model.h"
+#include "../picture/page.h"
 #include "../picture/sheet.h"
 #include "../tilt.h"
 
@@ -193,7 +197,7 @@ static sp_status take_step(run *r, int32_t k)
     }
     t->held.block = t->list;
     t->held.must = t->list + t->held.count;
-    if (o->svg) status = mark_blocks(r, k);
+    if (o->svg || o->png || o->html) status = mark_blocks(r, k);
     if (!status && o->suggest) status = sp_sequence_suggest(r->sequence, !o->remove, o->settings.budget, &t->next);
     return status;
 }
@@ -228,43 +232,63 @@ static sp_status all_steps(run *r)
 
 static const char *name_of(const run *r, int32_t block) { return block < 0 ? "none" : r->scene.name[block]; }
 
-static void print_held(const run *r, const outcome *t)
+static void print_held(FILE *out, const run *r, const outcome *t)
 {
     for (int32_t k = 0; k < t->held.count && k < 12; k++)
-        printf("%s%s%s", k ? ", " : "  hold ", name_of(r, t->held.block[k]), t->held.must[k] ? "!" : "");
-    if (t->held.count > 12) printf(" and %ld more", (long)t->held.count - 12);
-    printf(" (%s)", sp_held_proof_text(t->held.proof));
+        fprintf(out, "%s%s%s", k ? ", " : "  hold ", name_of(r, t->held.block[k]), t->held.must[k] ? "!" : "");
+    if (t->held.count > 12) fprintf(out, " and %ld more", (long)t->held.count - 12);
+    fprintf(out, " (%s)", sp_held_proof_text(t->held.proof));
+}
+
+static const char *const verdict_word[] = { "undecided", "stable", "UNSTABLE" };
+
+static void print_head(FILE *out, const run *r)
+{
+    fprintf(out, "%s: %ld steps, ", r->scene.path, (long)r->steps);
+    if (!r->first) fputs("every one stands\n", out);
+    else fprintf(out, "step %ld is the first that %s (%s)\n", (long)r->first,
+                 r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
+}
+
+static void print_steps(const run *r)
+{
+    const options *o = r->options;
+    size_t wide = 5;
+    for (int32_t k = 0; k < r->steps; k++) {
+        const size_t n = strlen(name_of(r, r->order[k]));
+        if (n > wide) wide = n < 24 ? n : 24;
+    }
+    for (int32_t k = 0; k < r->steps; k++) {
+        const outcome *t = &r->outcome[k];
+        const int more = t->step.verdict != SP_STABLE || o->suggest;
+        printf("  %5ld %s %-*s  %-*s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), more ? 9 : 0,
+               verdict_word[t->step.verdict]);
+        if (t->step.verdict != SP_STABLE) print_held(stdout, r, t);
+        if (o->suggest) printf("  next %s", name_of(r, t->next.block));
+        putchar('\n');
+    }
+}
+
+static void print_foot(FILE *out, const run *r)
+{
+    int32_t most = 0;
+    for (int32_t k = 0; k < r->steps; k++) if (r->outcome[k].held.count > most) most = r->outcome[k].held.count;
+    if (r->first) {
+        report_row(out, "to be held");
+        fprintf(out, "at most %ld at once; ! falls even when all others are held\n", (long)most);
+    }
+    report_row(out, "cost");
+    fprintf(out, "%ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
+            1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+    remarks_print(out, &r->scene.remarks);
 }
 
 static void print_text(const run *r)
 {
-    const options *o = r->options;
-    size_t most = 0, wide = 5;
-    for (int32_t k = 0; k < r->steps; k++) {
-        const size_t n = strlen(name_of(r, r->order[k]));
-        if (n > wide) wide = n;
-        if ((size_t)r->outcome[k].held.count > most) most = (size_t)r->outcome[k].held.count;
-    }
-    if (wide > 24) wide = 24;
-    printf("%s: %ld steps, ", r->scene.path, (long)r->steps);
-    if (!r->first) printf("every one stands\n");
-    else printf("step %ld is the first that %s (%s)\n", (long)r->first,
-                r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
-    for (int32_t k = 0; !o->quiet && k < r->steps; k++) {
-        const outcome *t = &r->outcome[k];
-        static const char *const word[] = { "undecided", "stable", "UNSTABLE" };
-        const int more = t->step.verdict != SP_STABLE || o->suggest;
-        printf("  %5ld %s %-*s  %-*s", (long)k + 1, o->remove ? "-" : "+", (int)wide, name_of(r, t->block), more ? 9 : 0,
-               word[t->step.verdict]);
-        if (t->step.verdict != SP_STABLE) print_held(r, t);
-        if (o->suggest) printf("  next %s", name_of(r, t->next.block));
-        putchar('\n');
-    }
-    if (o->quiet) return;
-    if (r->first) printf("  to be held     at most %lu at once; ! falls even when all others are held\n", (unsigned long)most);
-    printf("  cost           %ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
-           1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
-    remarks_print(stdout, &r->scene.remarks);
+    print_head(stdout, r);
+    if (r->options->quiet) return;
+    print_steps(r);
+    print_foot(stdout, r);
 }
 
 static void json_cost(json_out *j, const char *key, const sp_cost *c)
@@ -388,15 +412,23 @@ static void write_caption(const run *r, const outcome *t, int32_t k, char text[S
     if (t->held.count) snprintf(text + strlen(text), SHEET_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
 }
 
-static int draw_strip(const run *r, failure *error)
+static void write_title(const run *r, int shown, char title[128])
 {
-    const char *path = r->options->svg;
-    FILE *out = file_create(path, error);
+    const char *slash = strrchr(r->scene.path, '/');
+    char some[24] = "", how[48] = "every one stands";
+    if (shown < r->steps) snprintf(some, sizeof some, " (%d shown)", shown);
+    if (r->first) snprintf(how, sizeof how, "step %ld is the first that fails", (long)r->first);
+    snprintf(title, 128, "%.40s: %ld steps%s, %s", slash ? slash + 1 : r->scene.path, (long)r->steps, some, how);
+}
+
+static int put_strip(FILE *out, const void *of)
+{
+    const run *r = of;
     sheet_frame frame[STRIP];
     int32_t step[STRIP];
-    char title[96], some[24] = "";
+    char title[128];
     const int n = choose_steps(r, step);
-    if (!out) return error->status;
+    if (n == 0) return 1;
     for (int i = 0; i < n; i++) {
         const outcome *t = &r->outcome[step[i]];
         frame[i].vertex = r->scene.scene.vertex;
@@ -404,12 +436,64 @@ static int draw_strip(const run *r, failure *error)
         frame[i].bad = t->step.verdict != SP_STABLE;
         write_caption(r, t, step[i], frame[i].caption);
     }
-    if (n < r->steps) snprintf(some, sizeof some, " (%d shown)", n);
-    if (r->first)
-        snprintf(title, sizeof title, "%ld steps%s, step %ld is the first that fails", (long)r->steps, some, (long)r->first);
-    else snprintf(title, sizeof title, "%ld steps%s, every one stands", (long)r->steps, some);
-    const int drawn = sheet_write(out, &r->scene.scene, n, frame, &r->options->view, title);
-    return file_finish(out, path, drawn ? 0 : fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture"), error);
+    write_title(r, n, title);
+    return sheet_write(out, &r->scene.scene, n, frame, &r->options->view, title);
+}
+
+static int put_words(FILE *out, const void *of)
+{
+    print_head(out, of);
+    print_foot(out, of);
+    return !ferror(out);
+}
+
+/* The strip, and a table of all steps. */
+static int put_body(FILE *out, const void *of)
+{
+    const run *r = of;
+    fputs("<div>\n", out);
+    if (!put_strip(out, r)) return 0;
+    fprintf(out, "</div>\n<div><table>\n<thead><tr><th scope=\"col\">step</th><th scope=\"col\">%s</th>"
+            "<th scope=\"col\">verdict</th><th scope=\"col\">hold</th></tr></thead>\n<tbody>\n",
+            r->options->remove ? "goes" : "comes");
+    for (int32_t k = 0; k < r->steps; k++) {
+        const outcome *t = &r->outcome[k];
+        fprintf(out, "<tr><td>%ld</td><td>", (long)k + 1);
+        page_text(out, name_of(r, t->block), 60);
+        fprintf(out, "</td><td>%s</td><td>", verdict_word[t->step.verdict]);
+        for (int32_t i = 0; i < t->held.count; i++) {
+            fputs(i ? ", " : "", out);
+            page_text(out, name_of(r, t->held.block[i]), 60);
+        }
+        fputs("</td></tr>\n", out);
+    }
+    fputs("</tbody></table></div>\n", out);
+    return 1;
+}
+
+static int put_model(FILE *out, const void *of)
+{
+    const run *r = of;
+    model_step *step = zeroed((size_t)r->steps, sizeof *step);
+    int good = step != NULL;
+    for (int32_t k = 0; good && k < r->steps; k++) {
+        step[k].block = r->order[k];
+        step[k].group = r->outcome[k].step.verdict == SP_STABLE ? "stands" : r->outcome[k].step.verdict ? "falls" : "undecided";
+    }
+    if (good) model_write_steps(out, &r->scene, step, r->steps);
+    free(step);
+    return good;
+}
+
+static int draw(const run *r, failure *error)
+{
+    const options *o = r->options;
+    const html_page page = { r->scene.path, sp_verdict_text(r->worst), put_words, put_body, r };
+    int status = r->steps ? drawn_file(o->svg, put_strip, r, error) : 0;
+    if (!status && r->steps) status = drawn_png(o->png, put_strip, r, error);
+    if (!status) status = html_page_write(o->html, &page, error);
+    if (!status) status = drawn_file(o->model, put_model, r, error);
+    return status;
 }
 
 static void free_run(run *r)
@@ -433,7 +517,7 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --csv --view"
+    status = options_read(argc, argv, " --json --svg --png --html --out-obj --csv --view"
                           " --tol --cone --stages --tilt --budget --order --order-file --remove"
                           " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
@@ -448,7 +532,7 @@ int command_sequence(int argc, char **argv)
         const sp_status s = all_steps(&r);
         if (s) status = scene_refused(&r.scene, &o.settings, s, &error);
     }
-    if (!status && o.svg && r.steps) status = draw_strip(&r, &error);
+    if (!status) status = draw(&r, &error);
     if (!status && o.csv) status = write_csv(&r, &error);
     if (!status) {
         if (o.json) print_json(&r);

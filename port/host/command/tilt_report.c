@@ -1,6 +1,6 @@
 #include "progress.h"
 #include "tilt_report.h"
-#include "../files/file.h"
+#include "../files/drawn.h"
 #include "../files/json_out.h"
 #include "../picture/tilt_svg.h"
 #include "../tilt.h"
@@ -27,15 +27,13 @@ static int refuse_others(const host_scene *s, failure *error)
     return 0;
 }
 
+static int put_margin(FILE *out, const void *of) { return tilt_svg(out, of); }
+
 static int draw_margin(const report *r, const tilt_margin *m, failure *error)
 {
     const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone };
-    const char *path = r->options->svg;
-    FILE *out = file_create(path, error);
-    int status = 0;
-    if (!out) return error->status;
-    if (!tilt_svg(out, &plot)) status = fail_with(error, EXIT_INTERNAL, path, 0, "can't write the picture");
-    return file_finish(out, path, status, error);
+    const int status = drawn_file(r->options->svg, put_margin, &plot, error);
+    return status ? status : drawn_png(r->options->png, put_margin, &plot, error);
 }
 
 static void json_degrees(json_out *j, const char *key, int known, double x)
@@ -98,7 +96,7 @@ int tilt_report(report *r, failure *error)
     measured = tilt_measure(&r->scene->scene, settings, &m, &memory);
     progress_end();
     if (measured != SP_OK) status = scene_refused(r->scene, settings, measured, error);
-    if (!status && r->options->svg) status = draw_margin(r, &m, error);
+    if (!status) status = draw_margin(r, &m, error);
     r->result.tol = m.worst.tol;
     if (!status && r->options->json) print_json(r, &m);
     if (!status && !r->options->json) print_text(r, &m);

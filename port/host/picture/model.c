@@ -23,13 +23,12 @@ static void put_vertex(model *m, const sp_real x[3])
     m->vertices++;
 }
 
-/* A block of this scene, in a group; `more` stands behind its name. */
-static void put_block(model *m, const sp_scene *s, int32_t b, const char *more, const char *group)
+/* Vertices and faces of a block of this scene, whose name was written, in a group. */
+static void put_solid(model *m, const sp_scene *s, int32_t b, const char *group)
 {
     const sp_block *of = &s->block[b];
     const int32_t first = m->vertices + 1 - of->vertex;
-    if (of->faces == 0) return;
-    fprintf(m->out, "o %s%s\ng %s\n", m->of->scene->name[b], more, group);
+    fprintf(m->out, "g %s\n", group);
     for (int32_t k = of->vertex; k < of->vertex + of->vertices; k++) put_vertex(m, s->vertex[k]);
     for (int32_t i = of->face; i < of->face + of->faces; i++) {
         fputs("f", m->out);
@@ -37,6 +36,14 @@ static void put_block(model *m, const sp_scene *s, int32_t b, const char *more, 
             fprintf(m->out, " %ld", (long)(first + s->corner[k]));
         fputs("\n", m->out);
     }
+}
+
+/* `more` stands behind its name. */
+static void put_block(model *m, const sp_scene *s, int32_t b, const char *more, const char *group)
+{
+    if (s->block[b].faces == 0) return;
+    fprintf(m->out, "o %s%s\n", m->of->scene->name[b], more);
+    put_solid(m, s, b, group);
 }
 
 static int put_moved(model *m, const mechanism *motion)
@@ -123,6 +130,11 @@ static int put_thrust(model *m, const forces *f)
     return 1;
 }
 
+static void put_head(FILE *out)
+{
+    fputs("#@ picture\n# Written by stonepack --out-obj: a picture of a result, not a scene. Lengths in m.\n", out);
+}
+
 int model_write(FILE *out, const subject *of)
 {
     model m = { out, of, 0 };
@@ -134,11 +146,33 @@ int model_write(FILE *out, const subject *of)
     d.s = &of->scene->scene;
     d.v = view_choose(d.s, NULL);
     scales_choose(&d, &f, &motion, of->result, &size);
-    fputs("#@ picture\n# Written by stonepack --out-obj: a picture of a result, not a scene. Lengths in m.\n", out);
+    put_head(out);
     if (f.largest > 0) fprintf(out, "# forces: %.6g N a metre, the largest of a joint %.6g N\n", 1 / f.scale, f.largest);
     if (motion.shift > 0) fprintf(out, "# moved: the farthest corner by %.6g m\n", motion.largest);
     for (int32_t b = 0; b < d.s->count.blocks; b++) put_block(&m, d.s, b, "", "blocks");
     if (motion.shift > 0 && !put_moved(&m, &motion)) return 0;
     put_forces(&m, &f);
     return put_thrust(&m, &f);
+}
+
+static int has_step(const model_step *step, int32_t steps, int32_t b)
+{
+    int32_t k = 0;
+    while (k < steps && step[k].block != b) k++;
+    return k < steps;
+}
+
+void model_write_steps(FILE *out, const host_scene *scene, const model_step *step, int32_t steps)
+{
+    const sp_scene *s = &scene->scene;
+    const subject of = { scene, NULL, NULL, { 0, 0, 0 }, 0 };
+    model m = { out, &of, 0 };
+    put_head(out);
+    for (int32_t b = 0; b < s->count.blocks; b++) if (!has_step(step, steps, b)) put_block(&m, s, b, "", "start");
+    for (int32_t k = 0; k < steps; k++) {
+        const int32_t b = step[k].block;
+        if (s->block[b].faces == 0) continue;
+        fprintf(out, "o %04ld_%s\n", (long)k + 1, scene->name[b]);
+        put_solid(&m, s, b, step[k].group);
+    }
 }
