@@ -91,6 +91,7 @@
 #include "solvers/scene/joint.c"                /* adding joints: frames, strength; forces, couples, weights, pressures */
 #include "solvers/scene/problem.c"              /* a scene made ready: rows, lever arms, loads */
 #include "solvers/scene/part.c"                 /* some blocks of a scene as a problem of their own; islands */
+#include "solvers/scene/inertia.c"              /* mass and inertia of the blocks, and what a force gives them */
 #include "solvers/scene/matrix.c"               /* Aeq and Afr by entries [seed 1.1, 1.2, 1.4] */
 #include "solvers/scene/place.c"                /* placing a stone: support, seats, resting faces, next-best-object gate */
 
@@ -109,6 +110,7 @@
 
 #include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */
 #include "solvers/proof/forces.c"               /* what forces prove, and what a motion proves */
+#include "solvers/proof/moving.c"               /* what pressure alone proves, and what moves for all that friction does */
 #include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
 #include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
 
@@ -176,6 +178,10 @@
 #include "solvers/limit/small_start.c"          /* no such ways, in the smallest build */
 #include "solvers/limit/limit.c"                /* sp_limit: both ends, what they say, and from where on it stands */
 #include "solvers/limit/joints.c"               /* hinges and sliding joints of a motion */
+
+#include "solvers/strong/sweep.c"               /* contact forces and accelerations, by sweeps over the corners */
+#include "solvers/strong/starts.c"              /* from many starts: is there a motion that friction does not hinder? */
+#include "solvers/strong/strong.c"              /* sp_strong: pressure alone, then a motion; sp_strong_verify */
 
 #include "solvers/sequence/state.c"             /* a build order under way */
 #include "solvers/sequence/part.c"              /* some blocks of what is there, as a part */

@@ -181,6 +181,8 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 #ifdef SP_SMALL
 #undef SP_NO_CRA
 #define SP_NO_CRA
+#undef SP_NO_STRONG
+#define SP_NO_STRONG
 #undef SP_QP_NO_CG
 #define SP_QP_NO_CG
 #undef SP_QP_NO_POLISH
@@ -642,7 +644,9 @@ typedef enum sp_memory_for {
     SP_FOR_LIMIT,               /* sp_limit, at most; exact where the interior points are asked */
     SP_FOR_LIMIT_VERIFY,        /* sp_limit_verify's scratch, at most */
     SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
-    SP_FOR_PROBLEM              /* sp_problem_build */
+    SP_FOR_PROBLEM,             /* sp_problem_build */
+    SP_FOR_STRONG,              /* sp_strong; SP_E_ARGUMENT where it is left out */
+    SP_FOR_STRONG_VERIFY        /* sp_strong_verify's scratch; likewise */
 } sp_memory_for;
 
 /* Bytes that a call with this scene and these settings (NULL: the default ones) takes from its arena.
@@ -656,6 +660,76 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
 /* Bytes of scratch that sp_memory needs for it, an upper bound from counts alone; 0: too large to count, or unusable settings.
  * A penalty.solver whose `need` wants more than sp_qp_memory would must say so itself. */
 SP_API size_t sp_memory_scratch(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
+
+#ifndef SP_NO_STRONG
+/* ------------------------------------------------------------------------------------------------ whatever friction does
+ *
+ * STABLE says that admissible forces exist. Friction may find others: which it finds is decided by the scene's history. At
+ * rest the accelerations a of the blocks and the forces f meet
+ *
+ *     M a = p + Aeq f,  fn >= 0, dn >= 0, fn dn = 0,  |ft| <= mu fn,  dt != 0 => ft = -mu fn dt / |dt|,  d = Aeq' a
+ *
+ * STRONG says that every such pair has a = 0, AMBIGUOUS that some have and some have not. With more friction, more contacts or
+ * more load it may be the one or the other: neither is monotone. Joints with strength count for what pressure alone holds.
+ */
+typedef enum sp_strong_kind {
+    SP_STRONG_NONE = 0,         /* the forces that were given hold nothing */
+    SP_STRONG_ADMISSIBLE,       /* it may stand: neither a proof that nothing moves nor a motion was found */
+    SP_STRONG_AMBIGUOUS,        /* it stands or goes, by its history: a motion that friction does not hinder */
+    SP_STRONG_STRONG            /* proved: whatever friction does, nothing moves */
+} sp_strong_kind;
+
+typedef enum sp_strong_reason {
+    SP_STRONG_NO_FORCES = 0,    /* none: imbalance beyond tol */
+    SP_STRONG_PRESSURE,         /* strong: pressure alone balances the loads, so mu and masses do not matter */
+    SP_STRONG_MOTION,           /* ambiguous: (moving, a) */
+    SP_STRONG_NOTHING_FOUND,    /* admissible: no start led to a motion, and no proof was found */
+    SP_STRONG_NOT_ASKED         /* admissible: strength of a joint, or a load with mass, with which motions are unknown */
+} sp_strong_reason;
+
+typedef struct sp_strong_settings {
+    int32_t starts;             /* most starts from which a motion is sought, >= 0; settings.budget is for their flops   256 */
+} sp_strong_settings;
+SP_API sp_strong_settings sp_strong_settings_default(void);
+
+typedef struct sp_strong_result {
+    sp_strong_kind kind;
+    sp_strong_reason reason;
+    int32_t plate;              /* of a STRONG: 1: proved for pressure anywhere in the joints' polygons, 0: at their corners */
+    int32_t starts;             /* that were tried */
+    int32_t balls;              /* free blocks without a mesh: where they turn, an AMBIGUOUS is one for the inertia of a ball as
+                                   large as the block's joints are far from its centroid */
+    sp_real residual;           /* of a STRONG: largest relative imbalance of f; of an AMBIGUOUS: of (moving, a)        [1] */
+    sp_real moves;              /* of an AMBIGUOUS: largest acceleration of a block, in all forces on it / mass, >= 1e-3 [1] */
+    sp_real tol;                /* in force */
+    sp_real *f;                 /* 3 x scene.count.points: forces at rest; of a STRONG by pressure ft = 0             [N] */
+    sp_real *moving;            /* 3 x scene.count.points: forces of the motion, else 0                               [N] */
+    sp_real *a;                 /* 6 x scene.count.blocks: acceleration of the centroid, of the turn; else 0
+                                                                                                         [m/s^2, rad/s^2] */
+    sp_cost cost;
+    size_t peak_bytes;          /* of the arena */
+} sp_strong_result;
+
+/* Does it stand whatever friction does? It asks for pressure first, then for motions, by sweeps over the corners from many
+ * starts, each judged with every condition above to tol.
+ *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0
+ *   f         of a sp_check that says STABLE, 3 x scene.count.points
+ *   pressed   f of a sp_check with settings.effect[SP_EFFECT_FRICTION] = SP_WITHOUT that says STABLE; NULL where it does not
+ *   how       NULL: the default
+ *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_STRONG
+ *   returns   SP_OK (whatever the kind), SP_E_NOT_FINITE (f), SP_E_RANGE (how), SP_E_UNSUPPORTED (faces), else as sp_check */
+SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
+                           const sp_real *pressed, sp_arena *arena, sp_strong_result *result);
+
+/* What f, moving and a of a claim prove, recomputed from the scene; nothing else of it is read.
+ *   scratch: sp_memory, SP_FOR_STRONG_VERIFY; overwritten      returns as sp_verify, SP_E_UNSUPPORTED (a pyramid) */
+SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
+                                  sp_arena scratch, sp_strong_kind *proved);
+
+/* What they are called. */
+SP_API const char *sp_strong_text(sp_strong_kind kind);
+SP_API const char *sp_strong_reason_text(sp_strong_reason reason);
+#endif
 
 #ifndef SP_NO_IPM
 /* ------------------------------------------------------------------------------------------------------ how far from falling
@@ -1365,6 +1439,7 @@ SP_API sp_settings sp_settings_seed(void);
  *                   undecided
  *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; depth left out: SP_E_UNSUPPORTED
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
+ *   SP_NO_STRONG    defined: no sp_strong, no calls of its own; SP_SMALL is without, too
  *   SP_NO_ADMM      defined: no preset of the seed (the seed, below); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
  *   SP_NO_QP        defined: no quadratic programs, none of the two above
@@ -1372,19 +1447,20 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 
-/* Switches: what is lost, and the code saved of 182512 bytes on a Cortex-M7, of 176764 on an M4F in float.
+/* Switches: what is lost, and the code saved of 188710 bytes on a Cortex-M7, of 182882 on an M4F in float.
  *
- *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         25742   24644
+ *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         25740   24642
  *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    13396   13284
- *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       38506   37048
- *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8748    8494
+ *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       38494   36998
+ *   SP_NO_STRONG      sp_strong: what friction holds whatever it does                                  6198    6118
+ *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8750    8496
  *   SP_NO_DYKSTRA     sp_qp_dykstra                                                                    3098    3048
- *   SP_NO_QP          all quadratic programs; with SP_NO_ADMM, SP_NO_DYKSTRA                          28034   27190
+ *   SP_NO_QP          all quadratic programs; with SP_NO_ADMM, SP_NO_DYKSTRA                          28036   27192
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1528    1496
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3604    3452
- *   SP_QP_ONLY        all that knows of stones                                                       160786  155622
- *   SP_SMALL          all but the smallest form; with SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH        133365  129139
- *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             149971  145277
+ *   SP_QP_ONLY        all that knows of stones                                                       166984  161740
+ *   SP_SMALL          all but the smallest form; with SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH        139563  135257
+ *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             156169  151395
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Any may be combined, but
  * two contradictions stop at an #error: SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY; more than one of SP_REAL_MIXED,

@@ -47,6 +47,43 @@ sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_resul
     return status;
 }
 
+#ifndef SP_NO_STRONG
+sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_real *f, sp_strong_result *result,
+                     run_cost *cost, void **memory)
+{
+    sp_settings without = *settings;
+    sp_result pressed;
+    sp_arena arena;
+    void *kept;
+    run_cost check;
+    const double start = now();
+    sp_status status;
+
+    without.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    without.coupled.asked = without.localise = 0;
+    *memory = NULL;
+    status = run_check(scene, &without, &pressed, &check, &kept);
+    cost->bytes = run_bytes(scene, SP_FOR_STRONG, settings);
+    if (status == SP_OK) status = run_arena(cost->bytes, &arena, memory);
+    if (status == SP_OK)
+        status = sp_strong(scene, settings, NULL, f, pressed.verdict == SP_STABLE ? pressed.f : NULL, &arena, result);
+    cost->seconds = now() - start;
+    free(kept);
+    return status;
+}
+
+sp_status run_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
+                            sp_strong_kind *proved)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(run_bytes(scene, SP_FOR_STRONG_VERIFY, NULL), &scratch, &memory);
+    if (status == SP_OK) status = sp_strong_verify(scene, settings, claim, scratch, proved);
+    free(memory);
+    return status;
+}
+#endif
+
 sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory)
 {
     sp_arena arena;

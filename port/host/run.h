@@ -23,6 +23,14 @@ size_t run_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *s
 sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_result *result, run_cost *cost, void **memory);
 sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes);
 
+#ifndef SP_NO_STRONG
+/* sp_strong after a check (its forces f) and one without friction; sp_strong_verify */
+sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_real *f, sp_strong_result *result,
+                     run_cost *cost, void **memory);
+sp_status run_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
+                            sp_strong_kind *proved);
+#endif
+
 /* sp_limit */
 sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory);
 

@@ -79,6 +79,12 @@
 #define SP__WITH_SEQUENCE 1
 #endif
 
+#if !SP__WITH_LARGE || defined SP_NO_STRONG
+#define SP__WITH_STRONG 0
+#else
+#define SP__WITH_STRONG 1
+#endif
+
 /* A function whose frame stays its own: merged into its only caller it would cost that caller's whole call tree its stack. */
 #ifdef __GNUC__
 #define SP__NOINLINE __attribute__((noinline))

@@ -7,6 +7,7 @@
 #include "../check/verify.c"
 #include "../check/plan.c"
 #include "../limit/limit.c"
+#include "../strong/strong.c"
 #include "../sequence/calls.c"
 
 /* Of a call whose memory follows from counts alone; 0: too large to count. */
@@ -28,6 +29,8 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
                            size_t *bytes)
 {
     if (!scene || !bytes) return SP_E_ARGUMENT;
+    if (SP__WITH_STRONG && what == SP_FOR_STRONG) return sp__memory_counted(sp__holds_memory(scene), bytes);
+    if (SP__WITH_STRONG && what == SP_FOR_STRONG_VERIFY) return sp__memory_counted(sp__holds_verify_memory(scene), bytes);
     switch (what) {
     case SP_FOR_CHECK: return sp__check_memory(scene, settings, scratch, bytes);
     case SP_FOR_WORK: return sp__work_memory(scene, settings, scratch, bytes);
@@ -39,6 +42,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
         return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
     case SP_FOR_SEQUENCE: return sp__sequence_memory(scene, settings, scratch, bytes);
     case SP_FOR_PROBLEM: return scene->count.blocks < 1 ? SP_E_EMPTY : sp__memory_counted(sp__problem_memory(scene), bytes);
+    case SP_FOR_STRONG: case SP_FOR_STRONG_VERIFY: break;
     }
     return SP_E_ARGUMENT;
 }

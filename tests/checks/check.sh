@@ -99,6 +99,7 @@ check_switches() {
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_|engine)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
+    part "SP_NO_STRONG: no motion of strong verdicts left" without 'sp__(holds|starts|sweep|inertia|certify_moving)|sp_strong' -DSP_NO_STRONG
     part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
@@ -119,6 +120,7 @@ check_switches() {
     count "tests, SP_NO_QP, float" tests_without 'admm stages custom fence coupled alternation' -DSP_NO_QP -DSP_REAL_FLOAT
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
     count "tests, SP_NO_IPM, float" tests_without 'stages custom settings closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
+    count "tests, SP_NO_STRONG" tests_without 'strong memory custom verify' -DSP_NO_STRONG
     count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
     count "tests, SP_NO_PLAN, float" tests_without 'limit bracket memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA

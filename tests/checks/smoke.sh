@@ -111,6 +111,15 @@ refuted() {                                             # a proof told in full i
     sed 's/"node": *\[[0-9]*, *[-0-9]*,/"node":[3,3,/' "$tmp/result.json" > "$tmp/damaged.json"
     says 'undecided by .* not refuted: the proof in it fails' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
 }
+strong() {                                              # what friction holds or not is told in full and judged again; damaged it proves less
+    gen wall rows=3 && "$cli" check --json --forces --strong "$tmp/scene.obj" > "$tmp/result.json" &&
+    says '"level": *"strong"' cat "$tmp/result.json" && says 'whatever friction does: strong' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" &&
+    gen h-model && "$cli" check --json --forces --strong "$tmp/scene.obj" > "$tmp/result.json" &&
+    says '"level": *"ambiguous"' cat "$tmp/result.json" && says 'does: ambiguous' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" ||
+    return 1
+    sed 's/-9.80665, 0, 0, 0\]\]}}/-5, 0, 0, 0]]}}/' "$tmp/result.json" > "$tmp/damaged.json"
+    says 'whatever friction does: admissible' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
+}
 another() {                                             # a result says what it was asked; that is not what verify is asked
     gen wall && "$cli" check --json --forces --tilt 5 --tol 1e-3 "$tmp/scene.obj" > "$tmp/result.json"
     says 'undecided by .* the result.s tol is 0.001, the result.s gravity is' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" &&
@@ -322,6 +331,9 @@ part "admm on the net normal"       says '"tension_ratio": *[0-9]' "$cli" check 
 part "no admm, no ratio"            says '"tension_ratio": *null' "$cli" check --json "$tmp/scene.obj"
 part "admm by ours, named"          says ", by ADMM$" "$cli" check --net --cone 8i --stages gates,admm --solver admm "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
+part "strong: a worker can't: 64"   exits 64 "$cli" check --strong --worker 5 x
+part "strong: verify judges it"     strong
+gen arch
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"

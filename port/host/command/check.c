@@ -20,13 +20,23 @@ static int ask_published(report *r, solvers_published *p, failure *error)
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
+/* Does it stand whatever friction does? */
+static int ask_strong(report *r, sp_strong_result *x, void **memory, failure *error)
+{
+    progress_show("asking whether friction may let go of %s ...", r->scene->path);
+    const sp_status status = run_strong(&r->scene->scene, &r->options->settings, r->result.f, x, &r->strong_cost, memory);
+    r->strong = x;
+    return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
+}
+
 /* Read, turn, check, tell. */
 static int check_one(const char *path, options *o, failure *error)
 {
     host_scene s;
     report r;
     solvers_published p;
-    void *memory = NULL;
+    sp_strong_result strong;
+    void *memory = NULL, *more = NULL;
     int status;
 
     memset(&r, 0, sizeof r);
@@ -38,6 +48,7 @@ static int check_one(const char *path, options *o, failure *error)
     o->settings.watch = o->worker > 0 ? NULL : progress_watch(path);
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
+    if (!status && o->strong) status = ask_strong(&r, &strong, &more, error);
     if (!status) status = report_draw(&r, error);
     if (!status) status = report_html(&r, report_text, error);
     if (!status && o->csv) status = report_csv(&r, error);
@@ -48,6 +59,7 @@ static int check_one(const char *path, options *o, failure *error)
         status = report_exit(r.result.verdict);
     }
     free(memory);
+    free(more);
     scene_free(&s);
     return status;
 }
@@ -81,7 +93,7 @@ int command_check(int argc, char **argv)
 
     if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
-                     " --tilt --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
+                     " --tilt --strong --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;

@@ -30,6 +30,7 @@ typedef struct options {
     const char *solver_name;    /* "admm", ours, unless --solver or the preset of the seed says otherwise; never "auto" */
     sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
+    int strong;                 /* of check */
     sp_choice couple;           /* of --effects: coupled */
     char cone[16];              /* "true", "8i", "4c" */
     const char *program;        /* argv[0]: what a worker is started as */

@@ -168,6 +168,40 @@ static void json_coupled(json_out *j, const report *r)
     json_close(j, '}');
 }
 
+/* Rows of `width` numbers each. */
+static void json_rows(json_out *j, const char *key, const sp_real *x, int32_t rows, int32_t width)
+{
+    json_open(j, key, '[');
+    for (int32_t k = 0; k < rows; k++) json_reals(j, NULL, x + (size_t)k * (size_t)width, width);
+    json_close(j, ']');
+}
+
+/* Whether friction holds it whatever it does; with --forces the forces and the motion that prove it. */
+static void json_strong(json_out *j, const report *r)
+{
+    const sp_strong_result *x = r->strong;
+    const sp_capacity *n = &r->scene->scene.count;
+    json_open(j, "strong", '{');
+    json_string(j, "verdict", sp_strong_text(x->kind));
+    json_string(j, "reason", sp_strong_reason_text(x->reason));
+    json_bool(j, "plate", x->plate);
+    json_real(j, "residual", (double)x->residual);
+    json_real(j, "moves", (double)x->moves);
+    json_int(j, "starts", x->starts);
+    json_int(j, "balls", x->balls);
+    json_int(j, "flops", x->cost.flops);
+    json_int(j, "peak_bytes", (int64_t)x->peak_bytes);
+    json_real(j, "seconds", r->strong_cost.seconds);
+    if (r->options->forces) {
+        json_open(j, "proof", '{');
+        json_rows(j, "forces", x->f, n->points, 3);
+        json_rows(j, "moving", x->moving, n->points, 3);
+        json_rows(j, "motion", x->a, n->blocks, 6);
+        json_close(j, '}');
+    }
+    json_close(j, '}');
+}
+
 /* The published program's answer beside ours. */
 static void json_published(json_out *j, const solvers_published *p)
 {
@@ -245,7 +279,7 @@ void report_json(FILE *out, const report *r)
     json_open(&j, NULL, '{');
     json_string(&j, "scene", r->scene->path);
     json_string(&j, "verdict", sp_verdict_text(x->verdict));
-    json_string(&j, "level", sp_level_text(x->level));
+    json_string(&j, "level", r->strong && r->strong->kind ? sp_strong_text(r->strong->kind) : sp_level_text(x->level));
     json_string(&j, "reason", sp_reason_text(x->reason));
     json_bool(&j, "verified", x->verified);
     json_bool(&j, "final", x->final);
@@ -260,6 +294,7 @@ void report_json(FILE *out, const report *r)
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);
+    if (r->strong) json_strong(&j, r);
     if (r->published) json_published(&j, r->published);
     if (r->options->forces) json_forces(&j, r);
     json_close(&j, '}');

@@ -87,6 +87,31 @@ static void text_coupled(FILE *out, const report *r)
     else fputs("unbounded\n", out);
 }
 
+/* Whatever friction does. */
+static void text_strong(FILE *out, const report *r)
+{
+    const sp_strong_result *x = r->strong;
+    if (!x) return;
+    report_row(out, "friction");
+    switch (x->kind) {
+    case SP_STRONG_STRONG:
+        fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n", (double)x->residual);
+        break;
+    case SP_STRONG_AMBIGUOUS:
+        fprintf(out, "ambiguous: it stands or goes, by its history; a block may move off with %.2g of its forces / its mass; "
+                "verified\n", (double)x->moves);
+        if (!x->balls) break;
+        report_row(out, "");
+        fprintf(out, "%ld block%s without a mesh turn as balls do\n", (long)x->balls, x->balls == 1 ? "" : "s");
+        break;
+    case SP_STRONG_ADMISSIBLE:
+        if (x->reason == SP_STRONG_NOT_ASKED) fputs("admissible: with strength or loads with mass only pressure is asked\n", out);
+        else fprintf(out, "admissible: no proof that nothing moves, and no motion from %ld starts\n", (long)x->starts);
+        break;
+    default: fputs("not asked: it is not known to stand\n", out);
+    }
+}
+
 static void text_published(FILE *out, const solvers_published *p)
 {
     const ipopt_cra_answer *a = p ? &p->answer : NULL;
@@ -238,6 +263,7 @@ void report_text(FILE *out, const report *r)
     text_certainty(out, r);
     report_tol(out, r);
     text_coupled(out, r);
+    text_strong(out, r);
     text_published(out, r->published);
     text_weakest(out, r);
     text_mechanism(out, r);

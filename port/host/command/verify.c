@@ -183,6 +183,44 @@ static int read_proof(const reading *r, sp_proof *p)
     return 0;
 }
 
+/* n rows of `width` numbers each of a member, into x.     returns 0 or an exit status */
+static int read_rows(const reading *r, const json_value *in, const char *key, int32_t n, int32_t width, sp_real *x)
+{
+    const json_value *rows = json_member(&r->tree, in, key);
+    int32_t k = 0;
+    if (!rows || rows->kind != JSON_ARRAY) return fail(r, in, "forces or motion of `strong` are missing");
+    for (int32_t i = rows->first; i >= 0; i = r->tree.value[i].next, k++)
+        if (k == n || !read_reals(r, &r->tree.value[i], width, x + (size_t)k * (size_t)width)) break;
+    return k == n && count_of(r, rows) == n ? 0 : fail(r, rows, "forces or motion of `strong` are not those of this scene");
+}
+
+/* What the evidence of --strong proves. */
+static int judge_strong(const reading *r, const options *o, sp_strong_kind *proved)
+{
+    const json_value *strong = json_member(&r->tree, r->all, "strong"), *proof = json_member(&r->tree, strong, "proof");
+    const sp_capacity *n = &r->scene->scene.count;
+    sp_strong_result claim;
+    sp_real *x;
+    int status;
+
+    if (!proof) return fail(r, strong, "no proof in `strong`: make it with check --json --forces --strong");
+    x = calloc(6 * ((size_t)n->points + (size_t)n->blocks), sizeof *x);
+    if (!x) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    memset(&claim, 0, sizeof claim);
+    claim.f = x;
+    claim.moving = x + 3 * (size_t)n->points;
+    claim.a = x + 6 * (size_t)n->points;
+    status = read_rows(r, proof, "forces", n->points, 3, claim.f);
+    if (!status) status = read_rows(r, proof, "moving", n->points, 3, claim.moving);
+    if (!status) status = read_rows(r, proof, "motion", n->blocks, 6, claim.a);
+    if (!status) {
+        const sp_status made = run_strong_verify(&r->scene->scene, &o->settings, &claim, proved);
+        if (made != SP_OK) status = fail_status(r->error, made, r->path, r->all->line, "");
+    }
+    free(x);
+    return status;
+}
+
 /* Blocks stand in the mechanism in the order of the scene; others are at rest. */
 static int read_mechanism(const reading *r, sp_real *dq)
 {
@@ -246,6 +284,8 @@ typedef struct verified {
     options told;               /* that of the result: cone, friction */
     sp_real tol, gravity[3];    /* and its tol and gravity */
     sp_real turned[3];          /* the caller's gravity */
+    int strong;                 /* the result was asked whether friction holds it whatever it does */
+    sp_strong_kind proved;
     int proof;                  /* the result has a proof that there is no triple */
     sp_evidence evidence;
 } verified;
@@ -269,6 +309,8 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         tilt_turn(v->o.tilt, v->o.azimuth, s.scene.gravity);
         memcpy(v->turned, s.scene.gravity, sizeof v->turned);
         status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
+        v->strong = json_member(&r.tree, r.all, "strong") != NULL;
+        if (!status && v->strong) status = judge_strong(&r, &v->o, &v->proved);
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
     }
     json_free(&r.tree);
@@ -309,6 +351,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
         printf(", %s, residual %.2g", e->level == SP_COUPLED ? "coupled" : "not coupled", (double)e->residual);
     if (o->settings.coupled.asked)
         printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
+    if (v->strong) printf(", whatever friction does: %s", sp_strong_text(v->proved));
     putchar('\n');
 }
 

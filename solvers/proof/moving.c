@@ -1,0 +1,99 @@
+/* moving: two answers to whether friction, whatever it does, holds a scene that admissible forces can hold, judged.
+ *
+ *   at rest    M a = p + Aeq f,  0 <= fn, dn >= 0, fn dn = 0,  |ft| <= mu fn,  dt != 0 => ft = -mu fn dt / |dt|,  d = Aeq' a
+ *   moving     a pair (f, a) that meets all of that, a != 0: nothing but its history keeps the scene from going that way
+ *   pressure   forces with ft = 0 that balance, p = -Aeq fn0: then p . a = -fn0 . dn <= 0, and p . a = a'Ma + sum mu fn |dt|,
+ *              so a = 0 for every mu, every mass and wherever in the joints the pressure is
+ */
+#ifndef SP__PROOF_MOVING_C
+#define SP__PROOF_MOVING_C
+
+#include "../scene/inertia.c"
+#include "forces.c"
+
+#if SP__WITH_STRONG
+
+#define SP__MOVES ((sp_real)1e-3)       /* acceleration of a block, in all its forces / mass, from which on it moves */
+
+/* Imbalance of the normal parts of f alone, tension and friction left out; `pressure` gets these, 3 x points. */
+static sp_real sp__certify_pressure(sp__certifier *j, const sp_real *f, sp_real *pressure)
+{
+    for (size_t v = 0; v < (size_t)j->pb->points; v++) {
+        pressure[3 * v] = sp__max(0, f[3 * v]);
+        pressure[3 * v + 1] = pressure[3 * v + 2] = 0;
+    }
+    return sp__certify_forces(j, pressure, pressure);
+}
+
+/* |a| and |alpha| arm of block i, 0 of a support: the largest acceleration of a joint of it. */
+static sp_real sp__moving_size(const sp__certifier *j, int32_t i, const sp_real *a)
+{
+    return i < 0 ? 0 : sp__norm3(a + 6 * (size_t)i) + sp__norm3(a + 6 * (size_t)i + 3) * j->scale[i].arm;
+}
+
+/* Violation of the laws of contact at a corner: its gap, pressure on what opens, friction that is not against the slip. s: the
+ * lesser sum of forces of the two blocks, `moved` the largest acceleration. */
+static sp_real sp__moving_corner(const sp_real f[3], const sp_real d[3], sp_real mu, sp_real s, sp_real moved)
+{
+    const sp_real slip = SP_SQRT(d[1] * d[1] + d[2] * d[2]);
+    const sp_real rub[3] = { 0, f[1] * slip + mu * f[0] * d[1], f[2] * slip + mu * f[0] * d[2] };
+    const sp_real press = sp__ratio(f[0], s), open = sp__ratio(sp__max(0, d[0]), moved);
+    sp_real worst = sp__max(sp__ratio(sp__max(0, -d[0]), moved), press < open ? press : open);
+    return sp__max(worst, sp__ratio(sp__norm3(rub), s * moved));
+}
+
+/* Laws of contact at all corners, then residual = p + Aeq f and each block's sums of the admissible forces. */
+static sp_real sp__moving_contacts(sp__certifier *j, const sp_real *f, const sp_real *a)
+{
+    const sp_problem *pb = j->pb;
+    sp_real worst = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        if (!pass) sp__certifier_load_rows(j);
+        for (int32_t c = 0; c < pb->contacts; c++) {
+            const sp_contact *t = &pb->contact[c];
+            const sp_real moved = sp__moving_size(j, t->a, a) + sp__moving_size(j, t->b, a);
+            const sp_real s = sp__least_of_blocks(t, j->pass.sums, 2);
+            j->force_cap = sp__certifier_force_cap(j, t);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                sp_real g[3], F[3], d[3];
+                sp__to_units(j->unit, 3, f + 3 * (size_t)v, g);
+                sp__certifier_make_admissible(j, t, g, g);
+                sp__joint_force(t->joint, g, F);
+                if (!pass) { sp__vertex_force(pb, t, v, F, j->residual, j->pass.sums); continue; }
+                sp__vertex_velocity(pb, NULL, t, v, a, d);
+                sp__joint_frame(t->joint, d, d);
+                worst = sp__max(worst, sp__moving_corner(g, d, t->joint->strength.mu * j->mu_factor, s, moved));
+            }
+        }
+    }
+    j->sweeps += 2;
+    return worst;
+}
+
+/* Largest violation of (f, a), in proportion to what each block's forces and each joint's acceleration are. a: 6b, held
+ * directions 0. *moves: the largest acceleration of a block, in its forces / mass. */
+SP__NOINLINE static sp_real sp__certify_moving(sp__certifier *j, const sp__inertia *M, const sp_real *f, const sp_real *a,
+                                               sp_real *moves)
+{
+    const sp_problem *pb = j->pb;
+    sp_real worst = sp__moving_contacts(j, f, a);
+    *moves = 0;
+    for (int32_t i = 0; i < pb->blocks; i++) {
+        const sp_real *x = a + 6 * (size_t)i, s = j->pass.sums[2 * (size_t)i] + j->scale[i].load;
+        sp_real *r = j->residual + 6 * (size_t)i;
+        for (int k = 0; k < 3; k++) {
+            r[k] -= sp__in_units(j->unit, M[i].mass * x[k]);
+            r[3 + k] -= sp__in_units(j->unit, sp__dot3(M[i].J[k], x + 3));
+        }
+        sp__drop_held(pb, i, r);
+        const sp_real S = s * j->scale[i].arm + j->scale[i].couple;
+        worst = sp__max(worst, sp__max(sp__ratio(sp__norm3(r), s), sp__ratio(sp__norm3(r + 3), S)));
+        for (int k = 0; k < 6; k++) if (sp__held(pb, i, k) && (x[k] < 0 || x[k] > 0)) worst = SP__HUGE;
+        *moves = sp__max(*moves, sp__ratio(sp__in_units(j->unit, M[i].mass * sp__moving_size(j, i, a)), s));
+    }
+    return worst;
+}
+
+#endif
+
+#endif /* SP__PROOF_MOVING_C */

@@ -1,0 +1,177 @@
+/* strong: sp_strong: does friction hold a scene whatever it does, or by its history only? sp_strong_verify: is that so? */
+#ifndef SP__STRONG_STRONG_C
+#define SP__STRONG_STRONG_C
+
+#include "../base/words.c"
+#include "../check/settings.c"
+#include "starts.c"
+
+#if SP__WITH_STRONG
+
+SP_API const char *sp_strong_text(sp_strong_kind kind)
+{
+    return sp__word("none\0" "admissible\0" "ambiguous\0" "strong\0" "unknown", (int32_t)kind, 4);
+}
+
+SP_API const char *sp_strong_reason_text(sp_strong_reason reason)
+{
+    return sp__word("does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "unknown", (int32_t)reason, 5);
+}
+
+/* What sp_strong works on, in the arena. */
+typedef struct sp__holds {
+    sp_settings set;                    /* resolved */
+    sp_problem pb;
+    sp__starts starts;
+    sp_strong_result r;
+} sp__holds;
+
+/* Bytes of what judges: also what sp_strong works on. */
+SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
+{
+    sp_arena dry = sp__arena_dry();
+    if (!scene) return 0;
+    sp__take(&dry, 1, sizeof(sp__holds));
+    sp__take(&dry, 1, sp__problem_memory(scene));
+    sp__take(&dry, 1, sp__starts_need(scene));
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+SP__NOINLINE static size_t sp__holds_memory(const sp_scene *scene)
+{
+    sp_arena dry = sp__arena_dry();
+    const size_t work = sp__holds_verify_memory(scene);
+    if (!work) return 0;
+    sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
+    sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
+    sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
+    sp__take(&dry, 1, work);
+    return sp__failed(&dry) ? 0 : dry.used;
+}
+
+/* Does pressure alone balance the loads, by the normal forces of f? These then go into the result. */
+static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
+{
+    sp_real *pressure = s->starts.sweep.f;
+    const sp_real imbalance = sp__certify_pressure(&s->starts.j, f, pressure);
+    if (!(imbalance <= s->set.tol)) return 0;
+    memcpy(s->r.f, pressure, 3 * (size_t)s->pb.points * sizeof *pressure);
+    s->r.kind = SP_STRONG_STRONG;
+    s->r.reason = SP_STRONG_PRESSURE;
+    s->r.plate = 1;
+    s->r.residual = imbalance;
+    return 1;
+}
+
+/* Look for a motion. */
+SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *how)
+{
+    sp_strong_result *r = &s->r;
+    r->kind = SP_STRONG_ADMISSIBLE;
+    r->reason = SP_STRONG_NOT_ASKED;
+    if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return;
+    for (int32_t i = 0; i < s->pb.blocks; i++) r->balls += !s->starts.M[i].known;
+    r->reason = SP_STRONG_NOTHING_FOUND;
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
+    r->starts = s->starts.tried;
+    r->cost.flops += s->starts.sweep.flops;
+}
+
+SP_API sp_strong_settings sp_strong_settings_default(void)
+{
+    const sp_strong_settings s = { 256 };
+    return s;
+}
+
+/* The question, its problem and what judges: shared by the search and sp_strong_verify. */
+static sp_status sp__holds_open(sp__holds *s, const sp_scene *scene, const sp_settings *settings, sp_arena *a)
+{
+    memset(s, 0, sizeof *s);
+    s->set = settings ? *settings : sp_settings_default();
+    s->set.coupled.asked = 0;
+    sp_status status = sp__settings_resolve(scene, &s->set, &s->set);
+    if (!status && s->set.faces) status = SP_E_UNSUPPORTED;
+    if (!status) status = sp_problem_build(scene, a, &s->pb);
+    if (status) return status;
+    sp__starts_carve(&s->starts, &s->pb, a);
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__certifier_begin(&s->starts.j, &s->pb, &s->set, NULL, INT32_MAX);
+    return SP_OK;
+}
+
+/* Pressure, of both forces; motion, where the first hold. */
+static void sp__holds_decide(sp__holds *s, const sp_real *f, const sp_real *pressed, const sp_strong_settings *how)
+{
+    const sp_real imbalance = sp__certify_forces(&s->starts.j, f, s->r.f);
+    if (sp__holds_by_pressure(s, f) || (pressed && sp__holds_by_pressure(s, pressed))) return;
+    if (!(imbalance <= s->set.tol)) memset(s->r.f, 0, 3 * (size_t)s->pb.points * sizeof *s->r.f);
+    else sp__holds_move(s, how);
+}
+
+SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
+                           const sp_real *pressed, sp_arena *arena, sp_strong_result *result)
+{
+    const sp_strong_settings plain = sp_strong_settings_default();
+    if (!scene || !f || !arena || !arena->base || !result) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    const size_t points = 3 * (size_t)scene->count.points;
+    if (!sp__all_finite(f, points) || (pressed && !sp__all_finite(pressed, points))) return SP_E_NOT_FINITE;
+    if (how && how->starts < 0) return SP_E_RANGE;
+    sp_arena a = *arena;
+    sp_real *at[3];
+    at[0] = sp__take(&a, points, sizeof *f);
+    at[1] = sp__take(&a, points, sizeof *f);
+    at[2] = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *f);
+    const size_t kept = a.used;
+    sp__holds *s = sp__take(&a, 1, sizeof *s);
+    if (!s) return SP_E_MEMORY;
+    const sp_status status = sp__holds_open(s, scene, settings, &a);
+    if (status) return status;
+    for (int k = 0; k < 3; k++) memset(at[k], 0, (k < 2 ? points : 6 * (size_t)scene->count.blocks) * sizeof *f);
+    s->r.f = at[0]; s->r.moving = at[1]; s->r.a = at[2];
+    sp__holds_decide(s, f, pressed, how ? how : &plain);
+    s->r.cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)s->starts.j.sweeps * s->pb.points;
+    s->r.tol = s->set.tol;
+    s->r.peak_bytes = arena->peak = a.peak;
+    arena->used = kept;
+    *result = s->r;
+    return SP_OK;
+}
+
+/* What a claim proves, whatever it says: STRONG by pressure, AMBIGUOUS by forces at rest and a pair that moves. */
+static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *claim)
+{
+    sp__certifier *j = &s->starts.j;
+    sp_real moves;
+    if (sp__certify_pressure(j, claim->f, s->starts.sweep.f) <= s->set.tol) return SP_STRONG_STRONG;
+    if (!(sp__certify_forces(j, claim->f, NULL) <= s->set.tol)) return SP_STRONG_NONE;
+    if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return SP_STRONG_ADMISSIBLE;
+    sp__motion_read(&s->pb, claim->a, s->starts.sweep.a);
+    const sp_real residual = sp__certify_moving(j, s->starts.M, claim->moving, s->starts.sweep.a, &moves);
+    return residual <= s->set.tol && moves >= SP__MOVES ? SP_STRONG_AMBIGUOUS : SP_STRONG_ADMISSIBLE;
+}
+
+SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
+                                  sp_arena scratch, sp_strong_kind *proved)
+{
+    if (!scene || !claim || !claim->f || !claim->moving || !claim->a || !proved || !scratch.base) return SP_E_ARGUMENT;
+    if (scene->count.blocks < 1) return SP_E_EMPTY;
+    if (!sp__all_finite(claim->f, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->moving, 3 * (size_t)scene->count.points)) return SP_E_NOT_FINITE;
+    if (!sp__all_finite(claim->a, 6 * (size_t)scene->count.blocks)) return SP_E_NOT_FINITE;
+    sp__holds *s = sp__take(&scratch, 1, sizeof *s);
+    if (!s) return SP_E_MEMORY;
+    const sp_status status = sp__holds_open(s, scene, settings, &scratch);
+    if (status) return status;
+    *proved = sp__holds_judge(s, claim);
+    return SP_OK;
+}
+
+#elif SP__WITH_STONES
+
+static size_t sp__holds_verify_memory(const sp_scene *scene) { return (void)scene, 0; }
+static size_t sp__holds_memory(const sp_scene *scene) { return (void)scene, 0; }
+
+#endif
+
+#endif /* SP__STRONG_STRONG_C */

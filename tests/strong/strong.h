@@ -1,0 +1,61 @@
+/* What the suites of strong verdicts share: the question asked and judged, a stool with a cross for feet. All of it is static. */
+#ifndef STRONG_H
+#define STRONG_H
+
+#include "../test.h"
+#include "../scenes/gen.h"
+#include "../scenes/change.h"
+
+#include <string.h>
+
+/* The answer of a scene, in the memory that it says it takes; sp_strong_verify proves the same from the evidence alone. */
+static sp_strong_result ask(const sp_scene *s, const sp_strong_settings *how)
+{
+    sp_strong_result r;
+    sp_strong_kind proved = SP_STRONG_NONE;
+    memset(&r, 0, sizeof r);
+    sp_settings set = sp_settings_default();
+    sp_result x, pressed;
+    CHECK_INT(sp_check(s, &set, &test_arena, &x), SP_OK);
+    set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
+    CHECK_INT(sp_check(s, &set, &test_arena, &pressed), SP_OK);
+    const sp_real *level = pressed.verdict == SP_STABLE ? pressed.f : NULL;
+    if (!CHECK_INT(sp_strong(s, NULL, how, x.f, level, &test_arena, &r), SP_OK)) return r;
+    CHECK_INT(sp_strong_verify(s, NULL, &r, test_arena, &proved), SP_OK);
+    CHECK_INT(proved, r.kind);
+    CHECK((r.kind == SP_STRONG_NONE) == (x.verdict != SP_STABLE));
+    return r;
+}
+
+/* The answer of a generated scene, one number changed. */
+static sp_strong_result of(const char *name, const char *param, double value)
+{
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(gen_make(name, param, value, &test_arena, &s), SP_OK);
+    return ask(&s, NULL);
+}
+
+/* A block of weight 1 N on four points at (+-near, 0), (0, +-far), its centroid low, turned by a torque about the vertical. */
+static sp_scene stool(double nearer, double farther, double mu, double torque)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 4, 4, 1 };
+    const sp_real ground[3] = { 0, 0, -1 }, middle[3] = { 0, 0, R(0.05) }, up[3] = { 0, 0, 1 };
+    const sp_real foot[12] = { R(nearer), 0, 0, 0, R(farther), 0, R(-nearer), 0, 0, 0, R(-farther), 0 };
+    const sp_strength rough = sp_strength_friction(R(mu));
+    sp_load turn;
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, R(1 / 9.80665), middle, 0, NULL), SP_OK);
+    for (int k = 0; k < 4; k++) CHECK_INT(sp_scene_points(&s, 0, 1, up, 1, foot + 3 * k, &rough, NULL), SP_OK);
+    memset(&turn, 0, sizeof turn);
+    turn.block = 1;
+    turn.couple[2] = R(torque);
+    memcpy(turn.point, middle, sizeof middle);
+    CHECK_INT(sp_scene_load(&s, &turn, NULL), SP_OK);
+    return s;
+}
+
+#endif /* STRONG_H */
