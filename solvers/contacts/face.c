@@ -43,10 +43,11 @@ static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
 
 #else
 
-/* Points nearer to a plane than this lie in it: with a distance above 1e-6 diameters half of what it is above. */
+/* Points nearer to a plane than this lie in it: an eighth of the distance up to 1e-6 diameters, and half of what is above. */
 static sp_real sp__plane_tolerance(const sp__touch *t, const sp__body *body)
 {
-    const sp_real fine = sp__max(body->noise, (sp_real)1e-6 * t->scene->block[t->own.block].diameter / 8);
+    const sp_real usual = (sp_real)1e-6 * t->scene->block[t->own.block].diameter;
+    const sp_real fine = sp__max(body->noise, (body->reach < usual ? body->reach : usual) / 8);
     return sp__max(fine, (body->reach - 8 * fine) / 2);
 }
 
