@@ -114,6 +114,34 @@ in_a_file() {                                           # the same words in the 
     first check --contact-angle 0 jittered.obj | grep -q 'UNSTABLE, but'
 }
 
+# How contacts and verdict depend on the distance: a row each, one in force, the same in JSON.
+swept() {
+    jitter 7 1e-5 < whole.obj > jittered.obj
+    "$cli" contacts --sweep jittered.obj > out
+    cat out
+    grep -q '^jittered.obj: STABLE with 16 pairs that touch, the same from 0.00[0-9]*% to 1%$' out || return 1
+    [ "$(grep -c '[0-9]% .*STABLE$' out)" -eq 13 ] && [ "$(grep -c '^\* 0.0001% .*UNSTABLE$' out)" -eq 1 ] || return 1
+    for share in 0.0001% 0.001% 1%; do
+        pairs=$(awk -v share=$share '{ sub(/^\*/, " ") } $1 == share { print $4, "contacts" }' out)
+        "$cli" contacts --quiet --contact-distance $share jittered.obj | grep -q "^$pairs " || { echo "$share: $pairs"; return 1; }
+        verdict=$(awk -v share=$share '{ sub(/^\*/, " ") } $1 == share { print $NF }' out)
+        first check --quiet --contact-distance $share jittered.obj | grep -q ": $verdict" || { echo "$share: $verdict"; return 1; }
+    done
+    "$cli" contacts --sweep --json jittered.obj | tr -d ' ' > json
+    [ "$(grep -o '"share"' json | wc -l)" -eq 13 ] && grep -q '"steady":{"from":.*,"to":0.01,"pairs":16,"verdict":"stable"}' json
+}
+sweep_in_force() {                                      # a distance between two of the rows has its own, in metres, mm or %
+    "$cli" contacts --sweep --contact-distance 4e-5 whole.obj | grep -c '^\* 0.00714.*4e-05' | grep -qx 1 &&
+    "$cli" contacts --sweep --contact-distance 2% whole.obj | grep -A1 '^  1% ' | grep -q '^\* 2% ' &&
+    "$cli" contacts --sweep --contact-distance 0 whole.obj | grep -q '^\* 0% '
+}
+sweep_of_nothing() {
+    "$cli" gen two-cubes offset=0.3 | awk '/^#@ interface/ { next } /^o /{ n++ } /^v / && n == 2 { $4 += 5 } { print }' > apart.obj
+    first contacts --sweep apart.obj | grep -q 'nothing touches at any distance' || return 1
+    printf 'o a\n#@ fixed\no b\n#@ fixed\n' > bare.obj
+    refuses 65 'no block has faces' contacts --sweep bare.obj
+}
+
 on_floor() {                                            # a cube on z = 0 whose bottom is at $1 where x = 0, at $2 where x = 1
     awk -v l="$1" -v r="$2" 'BEGIN { n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
         split("1 4 3 2,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")
@@ -156,6 +184,9 @@ part "the same with the distance told"      keeps dome.obj --contact-distance 4e
 part "near misses of a dome are told"       misses dome.obj 1e-5
 part "near misses of an arch are told"      misses whole.obj 1e-5
 part "near misses of a wall are told"       misses wall-150.obj 1e-4
+part "contacts --sweep: a row a distance"   swept
+part "contacts --sweep: the one in force"   sweep_in_force
+part "contacts --sweep: nothing to find"    sweep_of_nothing
 part "contact_distance in a scene"          in_a_file
 part "contact distance: a wrong word: 64"   refuses 64 'needs a length' check --contact-distance 60% arch.obj
 part "contact distance: below 0: 64"        refuses 64 'needs a length' check --contact-distance -1 arch.obj

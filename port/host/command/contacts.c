@@ -1,7 +1,7 @@
 /* contacts: what touches what? */
 #include "commands.h"
 #include "../files/json_out.h"
-#include "options.h"
+#include "contacts_sweep.h"
 #include "../files/scene.h"
 
 static void print_table(const host_scene *s, int quiet)
@@ -61,12 +61,13 @@ int command_contacts(int argc, char **argv)
     host_scene s;
     options o;
 
-    if (options_read(argc, argv, " --json" SCENE_OPTIONS, &o, &error) == 0 && o.files != 1)
+    if (options_read(argc, argv, " --json --sweep" SCENE_OPTIONS, &o, &error) == 0 && o.files != 1)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: contacts needs one scene");
     if (!error.status) {
         o.scene.contacts = SCENE_FIND;
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
-            if (o.json) print_json(&s);
+            if (o.sweep) contacts_sweep(&s, &o, &error);
+            else if (o.json) print_json(&s);
             else print_table(&s, o.quiet);
         }
         scene_free(&s);

@@ -374,6 +374,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--remove") == 0) return o->remove = 1;
     if (strcmp(name, "--suggest") == 0) return o->suggest = 1;
     if (strcmp(name, "--names") == 0) return o->names = 1;
+    if (strcmp(name, "--sweep") == 0) return o->sweep = 1;
     if (strcmp(name, "--tilt-margin") == 0) return o->tilt_margin = 1;
     return 0;
 }

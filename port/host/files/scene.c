@@ -214,15 +214,13 @@ static int build_blocks(const obj_file *f, const sp_capacity *cap, mesh_room *m,
     return status;
 }
 
-static int find_once(const obj_file *f, sp_real mu, touching told, host_scene *s, sp_contact_report *report, sp_status *status,
-                     failure *error)
+static int find_once(const obj_file *f, host_scene *s, sp_contact_report *report, sp_status *status, failure *error)
 {
-    sp_contact_settings settings = touching_settings(touching_join(told, f->contact_told), &s->scene);
+    sp_contact_settings settings = touching_settings(s->touching, &s->scene);
     void *memory;
     sp_arena scratch;
 
-    settings.strength = make_strength(f, mu >= 0 ? mu : f->mu, f->strength, 1);
-    if (refuse_vain_tension(f, &settings.strength, NULL, error)) return error->status;
+    settings.strength = s->strength;
     if (run_arena(run_bytes(&s->scene, SP_FOR_CONTACTS, NULL), &scratch, &memory) != SP_OK) return out_of_memory(f, error);
     *status = sp_contacts_find(&s->scene, &settings, scratch, report);
     free(memory);
@@ -231,14 +229,17 @@ static int find_once(const obj_file *f, sp_real mu, touching told, host_scene *s
 
 /* Contacts are found in a scene without room for any, which tells how many there are, then once more with just that room:
  * memory stays exact. Overlaps are kept on the second pass. */
-static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_real mu, touching told, host_scene *s,
-                         failure *error)
+static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, touching told, host_scene *s, failure *error)
 {
     sp_contact_report report = { 0, 0, 0, 0, NULL };
     sp_status status;
-    int failed = find_once(f, mu, told, s, &report, &status, error);
+    int failed;
 
     s->found = 1;
+    s->touching = touching_join(told, f->contact_told);
+    s->strength = make_strength(f, s->mu, f->strength, 1);
+    if (refuse_vain_tension(f, &s->strength, NULL, error)) return error->status;
+    failed = find_once(f, s, &report, &status, error);
     if (failed) return failed;
     if (status != SP_OK && status != SP_E_CAPACITY) return fail_status(error, status, f->path, f->lines, "contacts");
     if (report.overlaps > 0) {
@@ -251,7 +252,7 @@ static int find_contacts(const obj_file *f, sp_capacity *cap, mesh_room *m, sp_r
     report.overlap = s->overlap;
     report.overlap_capacity = report.overlaps;
     failed = build_blocks(f, cap, m, s, error);
-    if (!failed) failed = find_once(f, mu, told, s, &report, &status, error);
+    if (!failed) failed = find_once(f, s, &report, &status, error);
     if (failed) return failed;
     if (status != SP_OK) return fail_status(error, status, f->path, f->lines, "contacts");
     s->overlaps = report.overlaps;
@@ -315,7 +316,7 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
         cap.points = f->points;
     }
     status = build_blocks(f, &cap, m, s, error);
-    if (status || !given) return status ? status : find_contacts(f, &cap, m, mu, set->amend.contact, s, error);
+    if (status || !given) return status ? status : find_contacts(f, &cap, m, set->amend.contact, s, error);
     for (int32_t i = 0; !status && i < f->contacts; i++) status = add_contact(f, i, mu, &s->scene, error);
     return status;
 }
@@ -325,7 +326,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
     const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
     if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
     if (s->found) {
-        const sp_contact_settings used = touching_settings(touching_join(a->contact, f->contact_told), &s->scene);
+        const sp_contact_settings used = touching_settings(s->touching, &s->scene);
         s->near = touching_near(&s->scene, &used, &s->remarks);
     }
     suspects_find(&s->scene, s->name, known, &s->remarks);

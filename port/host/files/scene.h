@@ -15,6 +15,8 @@ typedef struct host_scene {
     char *names;
     sp_real mu;                 /* friction of the scene, for contacts without one of their own */
     int found;                  /* the contacts were found, not given */
+    touching touching;          /* how near faces are that touch, as options and file tell it; of contacts found */
+    sp_strength strength;       /* of contacts found */
     int32_t near;               /* pairs of blocks that nearly touch: touching_near */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */

@@ -40,8 +40,7 @@ touching touching_join(touching first, touching second)
     return first;
 }
 
-/* Diameter of the smallest block with faces, 0: there is none. */
-static sp_real find_smallest(const sp_scene *s)
+sp_real touching_smallest(const sp_scene *s)
 {
     sp_real least = 0;
     for (int32_t b = 0; b < s->count.blocks; b++) {
@@ -54,7 +53,7 @@ static sp_real find_smallest(const sp_scene *s)
 sp_contact_settings touching_settings(touching t, const sp_scene *scene)
 {
     sp_contact_settings set = sp_contact_settings_default();
-    const sp_real least = find_smallest(scene);
+    const sp_real least = touching_smallest(scene);
     if (t.has_distance) {
         const double share = t.share ? (double)t.distance : least > 0 ? (double)(t.distance / least) : 0;
         set.absolute = !t.share;
@@ -65,16 +64,9 @@ sp_contact_settings touching_settings(touching t, const sp_scene *scene)
     return set;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ near misses */
+/* --------------------------------------------------------------------------------------------------------- found once more */
 
-/* A scene with the meshes of another and joints of its own. */
-typedef struct probe {
-    sp_scene scene;
-    sp_joint *joint;
-    sp_real (*point)[3];
-} probe;
-
-static void free_probe(probe *p)
+void touching_free(touching_found *p)
 {
     free(p->joint);
     free(p->point);
@@ -94,8 +86,7 @@ static sp_status find(sp_scene *s, const sp_contact_settings *set, sp_contact_re
     return status;
 }
 
-/* All contacts of the meshes under these settings.     returns 0: no memory, or refused */
-static int look(const sp_scene *s, const sp_contact_settings *set, probe *p)
+int touching_find(const sp_scene *s, const sp_contact_settings *set, touching_found *p)
 {
     sp_contact_report report;
     sp_status status;
@@ -105,6 +96,7 @@ static int look(const sp_scene *s, const sp_contact_settings *set, probe *p)
     p->scene.count.joints = p->scene.count.points = 0;
     p->scene.capacity.joints = p->scene.capacity.points = 0;
     status = find(&p->scene, set, &report);
+    p->overlaps = report.overlaps;
     if (status == SP_OK) return 1;
     if (status != SP_E_CAPACITY) return 0;
     p->joint = malloc((size_t)report.joints * sizeof *p->joint);
@@ -114,9 +106,11 @@ static int look(const sp_scene *s, const sp_contact_settings *set, probe *p)
     p->scene.capacity.joints = report.joints;
     p->scene.capacity.points = report.points;
     if (p->joint && p->point && find(&p->scene, set, &report) == SP_OK) return 1;
-    free_probe(p);
+    touching_free(p);
     return 0;
 }
+
+/* ------------------------------------------------------------------------------------------------------------ near misses */
 
 /* Area of the joints of one pair from joint *k on, which goes behind them. */
 static double add_area(const sp_scene *s, int32_t a, int32_t b, int32_t *k)
@@ -158,10 +152,10 @@ static double find_share(const sp_scene *s, const sp_scene *wide, const sp_conta
     for (int k = 1; k < STEPS; k++) {
         const double less = WIDEST * pow(10, -k);
         const sp_contact_settings set = settings_at(s, less, used);
-        probe p;
-        if (!look(s, &set, &p)) return share;
+        touching_found p;
+        if (!touching_find(s, &set, &p)) return share;
         const int32_t missing = count_missing(&p.scene, wide);
-        free_probe(&p);
+        touching_free(&p);
         if (missing) return share;
         share = less;
     }
@@ -172,11 +166,11 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
 {
     const sp_contact_settings set = settings_at(scene, WIDEST, used);
     char option[64];
-    probe p;
-    if (!look(scene, &set, &p)) return 0;
+    touching_found p;
+    if (!touching_find(scene, &set, &p)) return 0;
     const int32_t missing = count_missing(scene, &p.scene);
     const double share = missing ? find_share(scene, &p.scene, used) : 0;
-    free_probe(&p);
+    touching_free(&p);
     if (!missing) return 0;
     snprintf(option, sizeof option, "--contact-distance %g%%", 100 * share);
     remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted, or by less than half: faces up to %g %% of "

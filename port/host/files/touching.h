@@ -2,6 +2,7 @@
 #ifndef STONEPACK_HOST_TOUCHING_H
 #define STONEPACK_HOST_TOUCHING_H
 
+#include "../../../stonepack.h"
 #include "remarks.h"
 #include "text.h"
 
@@ -22,6 +23,22 @@ touching touching_join(touching first, touching second);
 /* Settings for the blocks of this scene. The angle, if not told, follows from the distance, and is at least the library's:
  * sin = 8 distance / diameter of the smallest block. */
 sp_contact_settings touching_settings(touching t, const sp_scene *scene);
+
+/* Diameter of the smallest block with faces, 0: there is none. */
+sp_real touching_smallest(const sp_scene *scene);
+
+/* A scene with the meshes and loads of another and contacts of its own, found once more. */
+typedef struct touching_found {
+    sp_scene scene;
+    sp_joint *joint;
+    sp_real (*point)[3];
+    int32_t overlaps;           /* pairs of blocks inside each other */
+} touching_found;
+
+/* Find all contacts of the meshes under these settings; free them with touching_free after a 1.
+ *   returns 1, 0: no memory, or refused */
+int touching_find(const sp_scene *scene, const sp_contact_settings *set, touching_found *found);
+void touching_free(touching_found *found);
 
 /* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or one of less than half the area; add
  * a remark with the option that counts them all.     returns how many pairs; 0 also where there was no memory to look */
