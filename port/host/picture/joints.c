@@ -1,5 +1,6 @@
 #include "joints.h"
 #include "page.h"
+#include "seen.h"
 
 #include <math.h>
 
@@ -31,21 +32,26 @@ static void draw_ring(const drawing *d, const sp_joint *c)
                 (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, halo ? "#fff" : INK_WEAK, halo ? "6" : "3");
 }
 
-void joints_draw_weakest(const drawing *d, int32_t weakest)
+int joints_draw_weakest(const drawing *d, int32_t weakest, int *behind)
 {
-    const sp_joint *c;
-    double at[2];
-
-    if (weakest < 0) return;
-    c = &d->s->joint[weakest];
+    const sp_joint *c = &d->s->joint[weakest < 0 ? 0 : weakest];
+    seen look;
+    int good;
+    *behind = 0;
+    if (weakest < 0) return 1;
+    good = seen_begin(&look, d);
+    if (good) *behind = !seen_joint(&look, c);
+    seen_end(&look);
     draw_ring(d, c);
-    fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\" d=\"",
-            INK_WEAK, INK_WEAK);
+    fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-width=\"2.4\" stroke-linejoin=\"round\"%s d=\"",
+            INK_WEAK, *behind ? "0.15" : "0.35", INK_WEAK, *behind ? " stroke-dasharray=\"5 3\"" : "");
     put_polygon(d, c);
     for (int32_t k = 0; k < c->points && c->points < 3; k++) {
+        double at[2];
         drawing_point(d, d->s->point[c->point + k], at);
         fprintf(d->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", at[0], at[1], INK_WEAK);
     }
+    return good;
 }
 
 static void draw_hinge(const drawing *d, const sp_joint_motion *m)

@@ -4,8 +4,9 @@
 
 #include "drawing.h"
 
-/* The weakest joint, tinted; -1: none. */
-void joints_draw_weakest(const drawing *d, int32_t weakest);
+/* The weakest joint, tinted, through what is before it; -1: none. *behind: nothing of it is seen, its rim is dashed.
+ *   returns 0: out of memory */
+int joints_draw_weakest(const drawing *d, int32_t weakest, int *behind);
 
 /* Joints of a mechanism: hinges as thick lines with their ends, sliding joints as tinted polygons. Counts both. */
 void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides);

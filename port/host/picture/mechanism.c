@@ -1,6 +1,6 @@
 #include "mechanism.h"
 #include "../motion.h"
-#include "page.h"
+#include "through.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -46,24 +46,6 @@ void mechanism_marks(const mechanism *m, const sp_scene *s, unsigned char *mark)
         mark[b] = m->shift > 0 && motion_speed(s, m->result, b) > MOTION_STILL ? MARK_FALLS : MARK_PLAIN;
 }
 
-/* Where few blocks move their outlines show through those before them; where many do, some are in front. */
-static void draw_through(const drawing *d, const faces *f, const unsigned char *mark)
-{
-    enum { FEW = 8 };
-    int32_t moving = 0;
-    for (int32_t b = 0; b < d->s->count.blocks; b++) moving += mark[b] == MARK_FALLS;
-    if (moving > FEW) return;
-    fprintf(d->out, "<g class=\"through\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\">\n",
-            INK_MOTION);
-    for (int32_t b = 0; b < d->s->count.blocks; b++) {
-        if (mark[b] != MARK_FALLS) continue;
-        fputs("<path d=\"", d->out);
-        faces_outline(f, d, b);
-        fputs("\"/>\n", d->out);
-    }
-    fputs("</g>\n", d->out);
-}
-
 int mechanism_move(const mechanism *m, const sp_scene *s, sp_scene *moved)
 {
     *moved = *s;
@@ -90,8 +72,7 @@ void mechanism_free(sp_scene *moved)
 int mechanism_draw(const drawing *moved, const unsigned char *mark)
 {
     faces seen;
-    const int good = faces_find(&seen, moved) && faces_draw(&seen, moved, mark);
-    if (good) draw_through(moved, &seen, mark);
+    const int good = faces_find(&seen, moved) && faces_draw(&seen, moved, mark) && through_draw(moved, &seen, mark);
     faces_free(&seen);
     return good;
 }

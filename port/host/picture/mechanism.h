@@ -23,7 +23,7 @@ void mechanism_marks(const mechanism *m, const sp_scene *s, unsigned char *mark)
 int mechanism_move(const mechanism *m, const sp_scene *s, sp_scene *moved);
 void mechanism_free(sp_scene *moved);
 
-/* A moved scene, shaded; where few blocks move, their outlines through what is before them.    returns 0: out of memory */
+/* A moved scene, shaded; of blocks that move behind others their outlines through those.    returns 0: out of memory */
 int mechanism_draw(const drawing *moved, const unsigned char *mark);
 
 #endif

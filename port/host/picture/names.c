@@ -1,5 +1,6 @@
 #include "names.h"
 #include "page.h"
+#include "seen.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,124 +10,74 @@
 #define LINE   12.0                     /* height of a name [px] */
 #define LONGEST 24                      /* characters shown */
 
-typedef struct box { double low[2], high[2]; } box;
-
 typedef struct placed {
-    box *paper;                         /* of each block */
-    box *name;                          /* those drawn */
+    seen view;
+    seen_box *name;                          /* those drawn */
     int32_t *order;                     /* blocks, the nearest first */
     int32_t count;
 } placed;
 
-static int apart(const box *a, const box *b)
+static int apart(const seen_box *a, const seen_box *b)
 {
     return a->high[0] <= b->low[0] || b->high[0] <= a->low[0] || a->high[1] <= b->low[1] || b->high[1] <= a->low[1];
 }
 
-static box paper_box(const drawing *d, int32_t block)
-{
-    const sp_block *of = &d->s->block[block];
-    box p = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
-    for (int32_t k = 0; k < of->vertices; k++) {
-        double at[2];
-        drawing_point(d, d->s->vertex[of->vertex + k], at);
-        for (int c = 0; c < 2; c++) {
-            p.low[c] = fmin(p.low[c], at[c]);
-            p.high[c] = fmax(p.high[c], at[c]);
-        }
-    }
-    return p;
-}
-
-static double depth_of(const drawing *d, const sp_real x[3])
-{
-    return d->v.toward[0] * (double)x[0] + d->v.toward[1] * (double)x[1] + d->v.toward[2] * (double)x[2];
-}
-
-/* Is a point of the page inside a face?                                                    [crossings of a ray to the right] */
-static int covers(const drawing *d, const sp_face *f, const double at[2])
-{
-    int inside = 0;
-    for (int32_t k = 0; k < f->corners; k++) {
-        double a[2], b[2];
-        drawing_point(d, d->s->vertex[d->s->corner[f->corner + k]], a);
-        drawing_point(d, d->s->vertex[d->s->corner[f->corner + (k + 1) % f->corners]], b);
-        if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
-    }
-    return inside;
-}
-
-/* How near a block comes to the viewer at a point of the page, -HUGE_VAL: it is not there. */
-static double front_at(const drawing *d, int32_t block, const double at[2])
-{
-    const sp_block *of = &d->s->block[block];
-    double front = -HUGE_VAL;
-    for (int32_t i = of->face; i < of->face + of->faces; i++) {
-        const sp_face *f = &d->s->face[i];
-        const sp_real *o = d->s->vertex[d->s->corner[f->corner]];
-        double n[3], from[2], toward = 0, along = 0;
-        view_normal(d->s, i, n);
-        for (int c = 0; c < 3; c++) toward += n[c] * d->v.toward[c];
-        if (!(toward > 1e-3 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])) || !covers(d, f, at)) continue;
-        drawing_point(d, o, from);                      /* n . (x - o) = 0 along the line of sight */
-        for (int c = 0; c < 3; c++)
-            along += n[c] * (d->v.right[c] * (at[0] - from[0]) - d->v.up[c] * (at[1] - from[1])) / d->scale;
-        front = fmax(front, depth_of(d, o) - along / toward);
-    }
-    return front;
-}
-
-/* Does nothing stand before this block at a point of the page? */
-static int is_seen(const placed *p, const drawing *d, int32_t block, const double at[2])
-{
-    const double own = front_at(d, block, at), tiny = 1e-6 * drawing_size(d);
-    if (!(own > -HUGE_VAL)) return 0;
-    for (int32_t b = 0; b < d->s->count.blocks; b++) {
-        const box *o = &p->paper[b];
-        if (b == block || at[0] < o->low[0] || at[0] > o->high[0] || at[1] < o->low[1] || at[1] > o->high[1]) continue;
-        if (front_at(d, b, at) > own + tiny) return 0;
-    }
-    return 1;
-}
-
-static box name_box(const char *text, const double at[2])
+static seen_box name_box(const char *text, const char *more, const double at[2])
 {
     const size_t n = strlen(text);
-    const double wide = LETTER * (double)(n < LONGEST ? n : LONGEST + 3) + 2;
-    const box b = { { at[0] - wide / 2, at[1] - LINE / 2 }, { at[0] + wide / 2, at[1] + LINE / 2 } };
+    const double wide = LETTER * (double)((n < LONGEST ? n : LONGEST + 3) + strlen(more)) + 2;
+    const seen_box b = { { at[0] - wide / 2, at[1] - LINE / 2 }, { at[0] + wide / 2, at[1] + LINE / 2 } };
     return b;
 }
 
-static int is_free(const placed *p, const box *b)
+static int is_free(const placed *p, const seen_box *b)
 {
     for (int32_t k = 0; k < p->count; k++)
         if (!apart(&p->name[k], b)) return 0;
     return 1;
 }
 
-static void draw_name(placed *p, const drawing *d, const char *text, const double at[2], int told)
+/* A name at a point of the page; it tells of a block at `from`, to which a line leads where that is not under the name. */
+static void draw_name(placed *p, FILE *out, const char *text, const char *more, const double at[2], const double *from)
 {
-    p->name[p->count++] = name_box(text, at);
-    fprintf(d->out, "<text class=\"name\" x=\"%.1f\" y=\"%.1f\"%s>", at[0], at[1] + 3.6, told ? " font-weight=\"bold\"" : "");
-    page_text(d->out, text, LONGEST);
-    fputs("</text>\n", d->out);
+    const seen_box b = name_box(text, more, at);
+    const int off = from && (from[0] < b.low[0] || from[0] > b.high[0] || from[1] < b.low[1] || from[1] > b.high[1]);
+    p->name[p->count++] = b;
+    if (off) fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#111\" stroke-width=\"0.8\" stroke-opacity=\"1\"/>\n",
+                     from[0], from[1], fmin(fmax(from[0], b.low[0]), b.high[0]), fmin(fmax(from[1], b.low[1]), b.high[1]));
+    fprintf(out, "<text class=\"name\" x=\"%.1f\" y=\"%.1f\"%s>", at[0], at[1] + 3.6, from ? " font-weight=\"bold\"" : "");
+    page_text(out, text, LONGEST);
+    fprintf(out, "%s</text>\n", more);
 }
 
-/* The name of a block that the words tell of: on it, else beside it, at the worst over another. */
-static void draw_told(placed *p, const drawing *d, const char *text, int32_t block)
+/* The k-th place that is tried for a name, in widths and heights of it: on the spot, then above, below, right, left of
+ * it, farther each time. */
+static void try_place(int k, double step[2])
 {
-    static const double step[7][2] = { { 0, 0 }, { 0, -1 }, { 0, 1 }, { 1, 0 }, { -1, 0 }, { 0, -2 }, { 0, 2 } };
-    const double wide = LETTER * (double)strlen(text) + 4;
-    double from[2], at[2];
+    static const double to[4][2] = { { 0, -1 }, { 0, 1 }, { 1, 0 }, { -1, 0 } };
+    const int r = (k + 3) / 4;
+    for (int c = 0; c < 2; c++) step[c] = k ? to[(k - 1) % 4][c] * (c ? r : 1) : 0;
+    if (k && (k - 1) % 4 > 1) step[1] = (k - 1) % 4 == 2 ? 1 - r : r - 1;
+}
+
+/* The name of a block that the words tell of: where it is seen, else beside that, at the worst over another. */
+static void draw_told(placed *p, const drawing *d, const names *n, int32_t block)
+{
+    enum { PLACES = 33 };
+    double from[2], near_to[2], at[2];
+    drawing_point(d, n->at ? n->at : d->s->block[block].centroid, near_to);
     drawing_point(d, d->s->block[block].centroid, from);
-    for (int k = 0; k < 7; k++) {
-        at[0] = from[0] + step[k][0] * wide;
-        at[1] = from[1] + step[k][1] * LINE;
-        const box b = name_box(text, at);
+    const char *more = seen_spot(&p->view, block, near_to, from) ? "" : " (behind)";
+    const seen_box first = name_box(n->text[block], more, from);
+    for (int k = 0; k <= PLACES; k++) {
+        double step[2];
+        try_place(k < PLACES ? k : 0, step);
+        at[0] = from[0] + step[0] * (first.high[0] - first.low[0] + 2);
+        at[1] = from[1] + step[1] * LINE;
+        const seen_box b = name_box(n->text[block], more, at);
         if (is_free(p, &b)) break;
-        if (k == 6) { at[0] = from[0]; at[1] = from[1]; }
     }
-    draw_name(p, d, text, at, 1);
+    draw_name(p, d->out, n->text[block], more, at, from);
 }
 
 /* The name of another block, where it fits on what is seen of it. */
@@ -134,10 +85,10 @@ static void draw_asked(placed *p, const drawing *d, const char *text, int32_t bl
 {
     double at[2];
     drawing_point(d, d->s->block[block].centroid, at);
-    const box b = name_box(text, at);
-    const box *o = &p->paper[block];
+    const seen_box b = name_box(text, "", at);
+    const seen_box *o = &p->view.paper[block];
     if (b.high[0] - b.low[0] > o->high[0] - o->low[0] || b.high[1] - b.low[1] > 1.3 * (o->high[1] - o->low[1])) return;
-    if (is_free(p, &b) && is_seen(p, d, block, at)) draw_name(p, d, text, at, 0);
+    if (is_free(p, &b) && seen_block_at(&p->view, block, at)) draw_name(p, d->out, text, "", at, NULL);
 }
 
 static const drawing *ordered;          /* what nearest_first compares in */
@@ -145,17 +96,14 @@ static const drawing *ordered;          /* what nearest_first compares in */
 static int nearest_first(const void *pa, const void *pb)
 {
     const int32_t a = *(const int32_t *)pa, b = *(const int32_t *)pb;
-    const double x = depth_of(ordered, ordered->s->block[a].centroid), y = depth_of(ordered, ordered->s->block[b].centroid);
+    const double x = seen_depth(ordered, ordered->s->block[a].centroid), y = seen_depth(ordered, ordered->s->block[b].centroid);
     return x > y ? -1 : x < y ? 1 : (a > b) - (a < b);
 }
 
 static void draw_names(const names *n, placed *p, const drawing *d)
 {
     const int32_t blocks = d->s->count.blocks;
-    for (int32_t b = 0; b < blocks; b++) {
-        p->paper[b] = paper_box(d, b);
-        p->order[b] = b;
-    }
+    for (int32_t b = 0; b < blocks; b++) p->order[b] = b;
     ordered = d;
     qsort(p->order, (size_t)blocks, sizeof *p->order, nearest_first);
     fputs("<g font-size=\"11\" text-anchor=\"middle\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"2.6\" stroke-"
@@ -164,7 +112,7 @@ static void draw_names(const names *n, placed *p, const drawing *d)
         for (int32_t k = 0; k < blocks; k++) {
             const int32_t b = p->order[k];
             if (told != (n->told && n->told[b]) || d->s->block[b].faces == 0) continue;
-            if (told) draw_told(p, d, n->text[b], b);
+            if (told) draw_told(p, d, n, b);
             else if (n->all) draw_asked(p, d, n->text[b], b);
         }
     fputs("</g>\n", d->out);
@@ -173,11 +121,11 @@ static void draw_names(const names *n, placed *p, const drawing *d)
 int names_draw(const names *n, const drawing *d, int32_t *drawn)
 {
     const size_t blocks = (size_t)d->s->count.blocks + 1;
-    placed p = { malloc(blocks * sizeof *p.paper), malloc(blocks * sizeof *p.name), malloc(blocks * sizeof *p.order), 0 };
-    const int good = p.paper && p.name && p.order;
+    placed p = { { d, NULL }, malloc(blocks * sizeof *p.name), malloc(blocks * sizeof *p.order), 0 };
+    const int good = seen_begin(&p.view, d) && p.name && p.order;
     if (good) draw_names(n, &p, d);
     *drawn = p.count;
-    free(p.paper);
+    seen_end(&p.view);
     free(p.name);
     free(p.order);
     return good;

@@ -1,5 +1,6 @@
 #include "sheet.h"
 #include "page.h"
+#include "through.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -89,6 +90,7 @@ static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, doubl
                 x - 3, y - 3, t->width + 6, h + CAPTION + 2, INK_MOTION);
     fprintf(out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, t->width, h);
     good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
+    if (good && f->mark) good = through_draw(&t->d, &seen, f->mark);
     page_end(out);
     page_label(out, x, y + h + 16);
     page_text(out, f->caption, sizeof f->caption);

@@ -12,7 +12,8 @@
 
 #define TALLEST 600.0                   /* of the drawing [px] */
 #define HEAD    84.0                    /* of the title */
-#define FOOT    96.0                    /* of the legend */
+#define FOOT    70.0                    /* of the legend of one line */
+#define LINE    26.0                    /* of each more */
 #define CAPTION 26.0                    /* of the picture of a motion */
 
 /* ---------------------------------------------------------------------------------------------------------------- page */
@@ -68,9 +69,15 @@ static int draw_names(words *w, picture *p, const drawing *d, int after)
 {
     enum { TOLD = 6 };
     const int32_t blocks = d->s->count.blocks;
-    const names n = { w->of->scene->name, p->told, w->of->names };
+    sp_real middle[3];
+    const sp_joint *told = !after && w->weakest >= 0 ? &d->s->joint[w->weakest] : NULL;
+    const names n = { w->of->scene->name, p->told, told ? middle : NULL, w->of->names };
     memset(p->told, 0, (size_t)blocks);
-    if (!after && w->weakest >= 0) p->told[d->s->joint[w->weakest].a] = p->told[d->s->joint[w->weakest].b] = 1;
+    if (told) p->told[told->a] = p->told[told->b] = 1;
+    for (int c = 0; told && c < 3; c++) {
+        middle[c] = 0;
+        for (int32_t k = 0; k < told->points; k++) middle[c] += d->s->point[told->point + k][c] / (sp_real)told->points;
+    }
     for (int32_t b = 0, k = 0; after && b < blocks && k < TOLD; b++)
         if (p->mark[b] == MARK_FALLS) p->told[b] = 1, k++;
     return names_draw(&n, d, after ? &w->named[1] : &w->named[0]);
@@ -93,7 +100,7 @@ static int draw_standing(words *w, picture *p)
     faces_free(&seen);
     if (!good) return 0;
     if (!forces_draw(&p->f, d, p->deep)) return 0;
-    joints_draw_weakest(d, w->weakest);
+    if (!joints_draw_weakest(d, w->weakest, &w->behind)) return 0;
     if (w->of->limit) joints_draw_mechanism(d, w->of->limit->dq, &w->hinges, &w->slides);
     return draw_names(w, p, d, 0);
 }
@@ -114,14 +121,14 @@ static int draw_moving(words *w, picture *p)
 
 static int draw_page(FILE *out, const subject *of, picture *p)
 {
-    words w = { out, of, &p->d, &p->f, &p->m, weakest_told(p->d.s, of->result), 0, 0, { 0, 0 } };
+    words w = { out, of, &p->d, &p->f, &p->m, weakest_told(p->d.s, of->result), 0, 0, 0, { 0, 0 } };
     double block, size, high;
     int good;
     block = scales_choose(&p->d, &p->f, &p->m, of->result, &size);
     mechanism_marks(&p->m, p->d.s, p->mark);
     p->deep = is_deep(p->d.s, block);
     high = HEAD + PAGE_MARGIN / 2 + fit_page(&p->d, size, p->m.shift > 0, &p->after);
-    page_begin(out, floor(high + FOOT));
+    page_begin(out, floor(high + FOOT + LINE * (words_legend_lines(&w) - 1)));
     good = draw_standing(&w, p) && draw_moving(&w, p);
     words_title(&w);
     words_legend(&w, floor(high + 46));

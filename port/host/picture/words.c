@@ -34,8 +34,10 @@ static void title_of_limit(const words *w)
     const sp_limit_result *x = w->of->limit;
     fprintf(w->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "falls at %.6g", (double)x->multiplier);
-    else fputs(sp_limit_text(x->kind), w->out);
-    fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">times its live loads: ", w->out);
+    else fputs(x->kind == SP_LIMIT_NONE ? "falls" : x->kind == SP_LIMIT_UNBOUNDED ? "stands" : "undecided", w->out);
+    fputs("<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", w->out);
+    fputs(x->kind == SP_LIMIT_FOUND ? "times its live loads: " : x->kind == SP_LIMIT_UNDECIDED ? "under its live loads: "
+                                                               : "at any multiple of its live loads: ", w->out);
     page_text(w->out, file_name(w->of->scene->path), 50);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints",
             PAGE_MARGIN, (long)w->d->s->count.blocks, (long)w->d->s->count.joints);
@@ -43,7 +45,8 @@ static void title_of_limit(const words *w)
     fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
                                            (double)x->upper, x->verified ? ", verified" : "");
-    fputs("with friction an upper value</text>\n", w->out);
+    if (x->kind == SP_LIMIT_FOUND || x->kind == SP_LIMIT_UNBOUNDED) fputs("with friction an upper value", w->out);
+    fputs("</text>\n", w->out);
 }
 
 /* How sure the verdict is, in a line. */
@@ -108,7 +111,7 @@ static void legend_weakest(const words *w, double x, double y)
     const sp_demand *help = &w->of->result->demand[i];
     sp_joint_force f;
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
-            "stroke-width=\"2\"/>\n", x, y - 11, INK_WEAK, INK_WEAK);
+            "stroke-width=\"2\"%s/>\n", x, y - 11, INK_WEAK, INK_WEAK, w->behind ? " stroke-dasharray=\"5 3\"" : "");
     page_label(w->out, x + 36, y);
     fputs("weakest joint ", w->out);
     page_text(w->out, w->of->scene->name[w->d->s->joint[i].a], 20);
@@ -120,6 +123,7 @@ static void legend_weakest(const words *w, double x, double y)
         fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
     } else if (sp_joint_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
         fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
+    if (w->behind) fputs("; behind other blocks", w->out);
     fputs("</text>\n", w->out);
 }
 
@@ -206,15 +210,21 @@ static void legend_joints(const words *w, double x, double y)
     fprintf(w->out, "%ld sliding joint%s</text>\n", (long)w->slides, w->slides == 1 ? "" : "s");
 }
 
+int words_legend_lines(const words *w)
+{
+    return 1 + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
+}
+
 void words_legend(const words *w, double y)
 {
-    const double second = 400;
+    const double second = 400, row = 26;
     legend_support(w, PAGE_MARGIN, y);
     legend_length(w, PAGE_MARGIN + 110, y);
     if (w->forces->largest > 0) legend_forces(w, second, y);
-    if (w->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y + 26);
-    legend_joints(w, PAGE_MARGIN, y + 26);
-    if (w->motion->shift > 0) legend_motion(w, second + 60, y + 26);
-    legend_names(w, second + 160, y + 26);
     legend_gravity(w);
+    if (w->weakest >= 0 || w->of->limit) y += row;
+    if (w->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y);
+    legend_joints(w, PAGE_MARGIN, y);
+    if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y + row);
+    legend_names(w, PAGE_MARGIN + 110, y + row);
 }

@@ -14,6 +14,7 @@ typedef struct words {
     const forces *forces;
     const mechanism *motion;
     int32_t weakest;                    /* joint that is drawn; -1: none is near its limit */
+    int behind;                         /* it is, and nothing of it is seen */
     int32_t hinges, slides;             /* drawn, of a limit's mechanism */
     int32_t named[2];                   /* blocks with their names, as it stands and as it moves */
 } words;
@@ -23,7 +24,10 @@ void words_title(const words *w);
 /* Over the picture of a motion: what it shows. */
 void words_motion(const words *w, double x, double y);
 
-/* Two lines, the first at this height [px]. */
+/* Its first line is at this height [px]. */
 void words_legend(const words *w, double y);
+
+/* How many lines it has. */
+int words_legend_lines(const words *w);
 
 #endif
