@@ -83,7 +83,7 @@ printf '\037\213\010\000\000\000' > gzip.obj;           refused gzip 'no text'
 printf 'o a\nv 0 0 0\nv 1 \007 0\n' > bell.obj;         refused bell 'no text'
 head -c 20000 /dev/urandom > random.obj;                refused random
 printf '\211PNG\r\n\032\n\000' > png.obj;               refused png
-only json 'unknown line'                '{"dtype": "compas_assembly.datastructures/Assembly"}'
+only json 'without an assembly'         '{"dtype": "compas_assembly.datastructures/Assembly"}'
 only stl 'unknown line'                 'solid cube' 'facet normal 0 0 1'
 only html 'unknown line'                '<!DOCTYPE html>' '<html>'
 

@@ -373,6 +373,7 @@ check_sanitizers() {
     count "tests under ASan and UBSan" sanitized
     count "tests under ASan and UBSan, float" sanitized_float
     count "bad scenes under ASan and UBSan" bad_sanitized
+    count "models of COMPAS under ASan and UBSan" sh tests/checks/compas.sh $out/stonepack_san
     if have clang; then
         count "tests under clang's UBSan" undefined
         part "bundled scenes under clang's UBSan" undefined_scenes

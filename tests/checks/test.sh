@@ -38,6 +38,7 @@ begin windows sh tests/checks/windows.sh
 begin header sh tests/checks/header.sh
 begin bad sh tests/checks/bad.sh build/stonepack
 begin models sh tests/checks/models.sh build/stonepack
+begin compas sh tests/checks/compas.sh build/stonepack
 begin readme sh tests/checks/readme.sh build/stonepack
 
 count "tests, double" end double
@@ -49,6 +50,7 @@ count "header" end header
 count "bad scenes" end bad
 count "program" end program
 count "models of others" end models
+count "models of COMPAS" end compas
 if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
 part "floors of the program" sh tests/checks/host_floors.sh

@@ -302,7 +302,8 @@ static const struct {
     const char *name;
     int (*take)(options *o, const char *name, const char *value, failure *error);
 } with_value[] = {
-    { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu }, { "--fixed", take_fixed },
+    { "--tol", take_tol }, { "--budget", take_budget }, { "--mu", take_mu },
+    { "--fixed", take_fixed }, { "--support", take_fixed },
     { "--gravity", take_gravity }, { "--up", take_up }, { "--unit", take_unit },
     { "--contact-distance", take_contact_distance }, { "--contact-angle", take_contact_angle },
     { "--eps", take_eps }, { "--near", take_near },

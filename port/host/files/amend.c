@@ -186,6 +186,13 @@ static int refuse_level(const obj_file *f, text_word w, int32_t line, const char
     return fail_with(error, line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, line), "%s %.*s: %s", option, (int)w.n, w.s, why);
 }
 
+/* Is it a name or pattern of this block, or of the node that it was? */
+static int is_meant(const obj_file *f, int32_t b, text_word w)
+{
+    const text_word name = f->block[b].name, key = { name.s + 1, name.n - 1 };
+    return text_matches(name, w) || (f->nodes && text_matches(key, w));
+}
+
 /* One entry of a list. A block that has this very name comes first, whatever the name. */
 static int fix_word(obj_file *f, text_word w, int32_t line, int given, failure *error)
 {
@@ -200,7 +207,7 @@ static int fix_word(obj_file *f, text_word w, int32_t line, int given, failure *
         return 0;
     }
     for (int32_t b = 0; b < f->blocks; b++)
-        if (own ? text_same(f->block[b].name, w) : text_matches(f->block[b].name, w)) {
+        if (own ? text_same(f->block[b].name, w) : is_meant(f, b, w)) {
             f->block[b].fixed = SP_FIXED;
             found++;
         }

@@ -65,6 +65,7 @@ typedef struct obj_file {
     touching contact_told;           /* how near faces touch, where contacts are found */
     int32_t strength_line[3], gravity_line;             /* 0: not told */
     int down_told;              /* by gravity or up */
+    int nodes;                  /* names are b and the key of a node: compas.h */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;

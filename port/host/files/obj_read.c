@@ -1,4 +1,5 @@
 /* The reader of scene files. Every table grows with what the file really holds: a count is never believed, only counted. */
+#include "compas.h"
 #include "file.h"
 #include "obj_names.h"
 
@@ -582,6 +583,7 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, failu
                  { NULL, 0 }, 0 };
     int status;
 
+    if (compas_is_json(text, length)) return compas_parse(path, text, length, file, error);
     *file = empty;
     file->path = path;
     file->text = text;
