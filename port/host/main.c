@@ -143,6 +143,7 @@ static const char help_cost[] =
 "each.\n\n"
 "  --json             one JSON object, with times\n"
 "  --svg FILE         draws imbalance over work and over time\n"
+"  --png FILE         the same as PNG, by rsvg-convert where that is installed, else exit status 69\n"
 "  --budget FLOPS     no check does more than that      a hundred times the exact stage, at least 1e8\n"
 "  --tilt DEG[,AZ]    as check\n\n"
 "Exit status as check, by the exact stage with the true cone.\n";

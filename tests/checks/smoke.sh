@@ -342,12 +342,17 @@ part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg'
 part "svg: no such view: 64"          exits 64 "$cli" check --svg "$tmp/front.svg" --view behind "$tmp/scene.obj"
 part "svg: names where asked for"     sh -c "'$cli' check --svg '$tmp/front.svg' --names --view front '$tmp/scene.obj' && \
     test \$(grep -c 'class=\"name\"' '$tmp/front.svg') -gt 10"
+part "svg: remarks stand below it"    sh -c "'$cli' gen two-cubes | sed '/fixed/d' | '$cli' check --svg '$tmp/front.svg' - > '$tmp/out'; \
+    [ \$? = 1 ] && grep -q '>mind: no block is a support' '$tmp/front.svg'"
 part "png: told where there is no rasteriser: 69" sh -c "PATH=/nowhere '$cli' check --png '$tmp/p.png' '$tmp/scene.obj' 2> '$tmp/out'; \
     [ \$? = 69 ] && grep -q 'needs rsvg-convert' '$tmp/out' && test ! -e '$tmp/p.png'"
 if command -v rsvg-convert > /dev/null; then
     part "png: a picture"             sh -c "'$cli' check --png '$tmp/p.png' '$tmp/scene.obj' && head -c 4 '$tmp/p.png' | grep -q PNG"
     part "png: nothing half written"  half "$cli" check --png "$tmp/half" "$here/../scenes/vault.obj"
 fi
+part "fixed: names with spaces, as typed" sh -c "'$cli' gen two-cubes | sed -e '/fixed/d;/interface/d' -e 's/^o b0/o foot L/' | \
+    '$cli' check --quiet --fixed 'b9*, foot L' - 2> '$tmp/out'; [ \$? = 64 ] && '$cli' gen two-cubes | sed -e '/fixed/d;/interface/d' -e 's/^o b0/o foot L/' | \
+    '$cli' check --quiet --fixed 'b1, foot L' - | grep -q STABLE"
 part "html: nothing half written"     half "$cli" check --html "$tmp/half" "$here/../scenes/vault.obj"
 part "html: markup in names is text"  sh -c "'$cli' gen two-cubes | sed -e '/interface/d' -e 's/^o b1/o <b>\&/' | '$cli' check --html '$tmp/p.html' - && \
     grep -q '<li>&lt;b&gt;&amp;</li>' '$tmp/p.html' && ! grep -q '<b>' '$tmp/p.html'"
@@ -411,6 +416,8 @@ part "sequence: the strip has an end" sh -c "grep -q 'to be held' '$tmp/strip.sv
 part "sequence: how many steps it shows" sh -c "'$cli' gen arch n=40 | '$cli' sequence --svg '$tmp/long.svg' - > '$tmp/out'; \
     grep -q '40 steps (24 shown), step' '$tmp/long.svg' && ! grep -q ' shown)' '$tmp/strip.svg'"
 part "sequence: nothing half written" half "$cli" sequence --svg "$tmp/half" "$tmp/scene.obj"
+part "sequence: small blocks have a ring" sh -c "'$cli' gen tower n=200 lean=0 | '$cli' sequence --svg '$tmp/long.svg' - > '$tmp/out' && \
+    [ \$(grep -c 'class=\"ring\"' '$tmp/long.svg') = 24 ]"
 part "sequence: a page of it"        sh -c "'$cli' sequence --html '$tmp/p.html' '$tmp/scene.obj' > '$tmp/out'; \
     [ \$(grep -c '<tr><td>[0-9]' '$tmp/p.html') = 20 ] && grep -q '<td>b4</td><td>UNSTABLE</td><td>b3</td>' '$tmp/p.html' && grep -q '</svg>' '$tmp/p.html'"
 part "sequence: a model of its steps"  sh -c "'$cli' sequence --out-obj '$tmp/m.obj' '$tmp/scene.obj' > '$tmp/out'; \

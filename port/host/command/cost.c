@@ -1,5 +1,5 @@
 /* cost: what accuracy costs on one scene: cones, stages and tolerances side by side, as a table, a picture, JSON. */
-#include "../files/file.h"
+#include "../files/drawn.h"
 #include "../files/json_out.h"
 #include "../picture/cost_svg.h"
 #include "../run.h"
@@ -219,12 +219,20 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
 
 /* -------------------------------------------------------------------------------------------------------------- command */
 
-static int draw_table(const char *path, const host_scene *s, const cost_table *t, failure *error)
+typedef struct measured { const host_scene *scene; const cost_table *table; } measured;
+
+static int put_table(FILE *out, const void *of)
 {
-    FILE *out = file_create(path, error);
-    if (!out) return error->status;
-    cost_svg(out, s, t);
-    return file_finish(out, path, 0, error);
+    const measured *m = of;
+    cost_svg(out, m->scene, m->table);
+    return 1;
+}
+
+static int draw_table(const options *o, const host_scene *s, const cost_table *t, failure *error)
+{
+    const measured m = { s, t };
+    const int status = drawn_file(o->svg, put_table, &m, error);
+    return status ? status : drawn_png(o->png, put_table, &m, error);
 }
 
 int command_cost(int argc, char **argv)
@@ -234,7 +242,7 @@ int command_cost(int argc, char **argv)
     host_scene s;
     options o;
     sp_status status = SP_OK;
-    int code = options_read(argc, argv, " --json --svg --tilt --budget" SCENE_OPTIONS, &o, &error);
+    int code = options_read(argc, argv, " --json --svg --png --tilt --budget" SCENE_OPTIONS, &o, &error);
 
     memset(&s, 0, sizeof s);
     if (!code && o.files != 1) code = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
@@ -244,7 +252,7 @@ int command_cost(int argc, char **argv)
     progress_hear();
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);
-    if (!code && o.svg) code = draw_table(o.svg, &s, &table, &error);
+    if (!code) code = draw_table(&o, &s, &table, &error);
     if (!code) {
         if (o.json) cost_json(stdout, &s, &table);
         else cost_text(stdout, &s, &table, o.quiet);

@@ -46,15 +46,13 @@ static void watch_step(void *self, sp_stage_id stage, const sp_cost *cost)
 {
     watcher *w = self;
     const double t = now();
-    if (stage) {
-        w->stage = sp_stage_text(stage);
-        w->before += w->factorisations;
-    }
+    if (stage) w->stage = sp_stage_text(stage);
+    if (stage || cost->factorisations < w->factorisations) w->before += w->factorisations;
     w->factorisations = cost->factorisations;
     if (t - w->since < LONG_WORK || t - w->last < OFTEN) return;
     w->last = t;
-    progress_show("%s: %s, %ld factorisations, %.1f s ...", w->what, w->stage, (long)(w->before + w->factorisations),
-                  t - w->since);
+    const long n = (long)(w->before + w->factorisations);
+    progress_show("%s: %s, %ld factorisation%s, %.1f s ...", w->what, w->stage, n, n == 1 ? "" : "s", t - w->since);
 }
 
 const sp_watch *progress_watch(const char *what)

@@ -221,6 +221,7 @@ static int fix_list(obj_file *f, text_word list, int32_t line, int given, failur
     for (size_t at = 0; !status && at < list.n; at++) {
         text_word w = { list.s + at, 0 };
         while (at < list.n && list.s[at] != ',') at++, w.n++;
+        while (w.n && *w.s == ' ') w.s++, w.n--;
         if (w.n) status = fix_word(f, w, line, given, error);
     }
     return status;

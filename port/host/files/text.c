@@ -54,6 +54,8 @@ int text_is(text_word word, const char *s)
 
 int text_same(text_word a, text_word b) { return a.n == b.n && memcmp(a.s, b.s, a.n) == 0; }
 
+static int matches_one(char c, char pattern) { return pattern == '?' || pattern == c || (pattern == ' ' && c == '_'); }
+
 /* The last * takes ever more of the word until what follows it fits. */
 int text_matches(text_word word, text_word pattern)
 {
@@ -62,7 +64,7 @@ int text_matches(text_word word, text_word pattern)
         if (k < pattern.n && pattern.s[k] == '*') {
             star = k++;
             from = i;
-        } else if (k < pattern.n && (pattern.s[k] == '?' || pattern.s[k] == word.s[i])) i++, k++;
+        } else if (k < pattern.n && matches_one(word.s[i], pattern.s[k])) i++, k++;
         else if (star != SIZE_MAX) {
             k = star + 1;
             i = ++from;

@@ -179,12 +179,19 @@ static void draw_face(const faces *f, const drawing *d, int32_t face, block_mark
     fputs("\"/>\n", d->out);
 }
 
+/* Lines are thinner where faces are small on paper, or they hide them. */
+static double line_width(const drawing *d, int32_t drawn)
+{
+    const double area = (d->high[0] - d->low[0]) * (d->high[1] - d->low[1]) * d->scale * d->scale;
+    return fmin(fmax(sqrt(area / fmax(drawn, 1)) / 20, 0.4), 1);
+}
+
 int faces_draw(const faces *f, const drawing *d, const unsigned char *mark)
 {
     int32_t *order;
     const int32_t n = hidden_order(d->s, &d->v, &order);
     if (n < 0) return 0;
-    fprintf(d->out, "<g stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"%.2f\">\n", n > 2000 ? 0.5 : 1.0);
+    fprintf(d->out, "<g stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"%.2f\">\n", line_width(d, n));
     for (int32_t i = 0; i < n; i++) {
         const int32_t block = block_of_face(d->s, order[i]);
         draw_face(f, d, order[i], mark ? (block_mark)mark[block] : MARK_PLAIN, block);

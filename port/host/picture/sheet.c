@@ -10,6 +10,7 @@ enum { COLUMNS = 3, ROWS = 20 };
 #define GAP     14.0                    /* [px] */
 #define CAPTION 24.0                    /* height of one */
 #define TOP     62.0                    /* of the first row */
+#define SMALL   10.0                    /* a block is hard to find */
 
 /* A sheet being drawn. */
 typedef struct sheet {
@@ -78,6 +79,19 @@ static double lay_out(sheet *t)
     return total;
 }
 
+/* A ring around a block that comes or must be held, where that is small on paper. */
+static void draw_ring(const sheet *t, int32_t b, block_mark mark)
+{
+    const sp_block *of = &t->s.block[b];
+    double at[2];
+    int c[3];
+    if ((mark != MARK_NEW && mark != MARK_HELD) || !((double)of->diameter * t->d.scale < SMALL)) return;
+    faces_color(mark, c);
+    drawing_point(&t->d, of->centroid, at);
+    fprintf(t->d.out, "<circle class=\"ring\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.0f\" fill=\"none\" stroke=\"#%02x%02x%02x\" "
+            "stroke-width=\"2\"/>\n", at[0], at[1], 0.6 * SMALL, c[0] / 2, c[1] / 2, c[2] / 2);
+}
+
 static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, double h)
 {
     FILE *out = t->d.out;
@@ -91,6 +105,7 @@ static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, doubl
     fprintf(out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, t->width, h);
     good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
     if (good && f->mark) good = through_draw(&t->d, &seen, f->mark);
+    for (int32_t b = 0; f->mark && b < t->s.count.blocks; b++) draw_ring(t, b, (block_mark)f->mark[b]);
     page_end(out);
     page_label(out, x, y + h + 16);
     page_text(out, f->caption, sizeof f->caption);

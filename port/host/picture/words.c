@@ -93,6 +93,9 @@ void words_title(const words *w)
 
 /* -------------------------------------------------------------------------------------------------------------- legend */
 
+#define ROW 26.0                        /* [px] */
+enum { REMARKS = 4 };                   /* told in a picture */
+
 static void legend_forces(const words *w, double x, double y)
 {
     const double force = round_below(w->forces->largest), length = force * w->forces->scale * w->d->scale;
@@ -130,11 +133,10 @@ static void legend_weakest(const words *w, double x, double y)
 void words_motion(const words *w, double x, double y)
 {
     const char *const virtual = w->of->result->level == SP_COUPLED
-                              ? "A virtual motion that explains the forces"
-                              : "A virtual motion that would, with such help, explain forces";
+                              ? "A virtual motion that explains the forces, to "
+                              : "A virtual motion that needs such help, to ";
     page_label(w->out, x, y);
-    fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move", w->out);
-    fputs(", drawn to ", w->out);
+    fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move, drawn to ", w->out);
     page_quantity(w->out, w->motion->largest, "m");
     fputs(" at most</text>\n", w->out);
 }
@@ -210,21 +212,40 @@ static void legend_joints(const words *w, double x, double y)
     fprintf(w->out, "%ld sliding joint%s</text>\n", (long)w->slides, w->slides == 1 ? "" : "s");
 }
 
+/* What the report remarks. */
+static void legend_remarks(const words *w, double y)
+{
+    const remarks *r = &w->of->scene->remarks;
+    for (int32_t k = 0; k < r->count && k < REMARKS; k++) {
+        page_label(w->out, PAGE_MARGIN, y + ROW * k);
+        fputs("mind: ", w->out);
+        page_text(w->out, r->each[k].text, 100);
+        if (r->each[k].option) {
+            fputs(": ", w->out);
+            page_text(w->out, r->each[k].option, 30);
+        }
+        fputs("</text>\n", w->out);
+    }
+}
+
 int words_legend_lines(const words *w)
 {
-    return 1 + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
+    const int32_t more = w->of->scene->remarks.count;
+    return 1 + (int)(more < REMARKS ? more : REMARKS) + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
 }
 
 void words_legend(const words *w, double y)
 {
-    const double second = 400, row = 26;
+    const double second = 400;
     legend_support(w, PAGE_MARGIN, y);
     legend_length(w, PAGE_MARGIN + 110, y);
     if (w->forces->largest > 0) legend_forces(w, second, y);
     legend_gravity(w);
-    if (w->weakest >= 0 || w->of->limit) y += row;
+    if (w->weakest >= 0 || w->of->limit) y += ROW;
     if (w->weakest >= 0) legend_weakest(w, PAGE_MARGIN, y);
     legend_joints(w, PAGE_MARGIN, y);
-    if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y + row);
-    legend_names(w, PAGE_MARGIN + 110, y + row);
+    if (w->motion->shift > 0 || w->of->names) y += ROW;
+    if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y);
+    legend_names(w, PAGE_MARGIN + 110, y);
+    legend_remarks(w, y + ROW);
 }
