@@ -17,7 +17,7 @@ static const char help_scene[] =
 "  --gravity X,Y,Z    instead: this gravity [m/s^2]                                0,0,-9.80665\n"
 "  --unit NAME        of all coordinates: mm, cm, m or in; forces stay N, densities kg/m^3             m\n"
 "  --contact-distance D   faces nearer than D [m] touch; with %, D is a share of the smaller block   0.0001%\n"
-"  --contact-angle DEG    largest angle between faces that touch                   8 D a smallest block, at least 0.06\n"
+"  --contact-angle DEG    largest angle between faces that touch                   faces rise by 8 D at most, or 0.06\n"
 "  --mu X             friction of every joint, whatever the scene says             0.84 where it says nothing\n"
 "  --quiet            the line of the verdict alone: no details, no remarks, no progress\n\n"
 "A file beside a model, MODEL.obj.stonepack, may hold what the model can't: lines as in a scene, and `o NAME` or a pattern\n"

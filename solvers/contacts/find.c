@@ -5,10 +5,17 @@
 #include "sweep.c"
 #include "small_pair.c"
 
+/* The least angle: -64 distances along the narrower face. */
+#if SP__WITH_SMALL
+#define SP__ANGLE_LEAST 0
+#else
+#define SP__ANGLE_LEAST -64
+#endif
+
 static sp_status sp__contact_settings_check(const sp_contact_settings *s)
 {
     if (!sp__finite(s->distance) || !sp__finite(s->angle)) return SP_E_RANGE;
-    if (s->distance < 0 || s->angle < 0 || s->angle > (sp_real)0.5) return SP_E_RANGE;
+    if (s->distance < 0 || s->angle < SP__ANGLE_LEAST || s->angle > (sp_real)0.5) return SP_E_RANGE;
     return sp__strength_check(&s->strength);
 }
 

@@ -50,6 +50,36 @@ static void sp__pair_to_space(const sp__touch *t, const sp__patch *p, const sp_r
 #define SP__PAIR_WAY(t, d) (sp__norm3(d) + 2 * (t)->now.unit)
 #endif
 
+#if SP__WITH_SMALL
+
+static int sp__pair_parallel(const sp__touch *t, sp_real s) { return s <= t->set.angle; }
+#define SP__PAIR_PARALLEL(t, p, q, x, s) sp__pair_parallel(t, s)
+
+#else
+
+/* Width of a box along u, of any length. */
+static sp_real sp__box_width(const sp_real lo[3], const sp_real hi[3], const sp_real u[3])
+{
+    sp_real width = 0;
+    for (int c = 0; c < 3; c++) width += sp__abs(u[c]) * (hi[c] - lo[c]);
+    return width;
+}
+
+/* Are patches with x = n_A x n_B of length s parallel enough? An angle of -k: to the default's angle, or where one rises
+ * by k distances at most across the narrower: 2/k of it are within then. */
+static int sp__pair_parallel(const sp__touch *t, const sp__patch *p, const sp__patch *q, const sp_real x[3], sp_real s)
+{
+    sp_real u[3];
+    if (t->set.angle >= 0) return s <= t->set.angle;
+    if (s <= (sp_real)1e-3) return 1;
+    sp__cross3(x, p->n, u);
+    const sp_real w = sp__box_width(p->lo, p->hi, u), v = sp__box_width(q->lo, q->hi, u);
+    return s <= (sp_real)0.5 && (w < v ? w : v) <= -t->set.angle * t->now.gap;
+}
+#define SP__PAIR_PARALLEL(t, p, q, x, s) sp__pair_parallel(t, p, q, x, s)
+
+#endif
+
 /* Can patches p and q touch: opposed to within the angle, boxes and planes near? Between planes at angle s the distance
  * changes by s times the way. */
 static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__patch *q)
@@ -58,7 +88,7 @@ static int sp__pair_opposed(const sp__touch *t, const sp__patch *p, const sp__pa
     if (sp__dot3(p->n, q->n) >= 0 || !sp__boxes_near(p->lo, p->hi, q->lo, q->hi, t->now.gap)) return 0;
     sp__cross3(p->n, q->n, x);
     const sp_real s = sp__norm3(x);
-    if (s > t->set.angle) return 0;
+    if (!SP__PAIR_PARALLEL(t, p, q, x, s)) return 0;
     sp__sub3(q->o, p->o, d);
     return sp__abs(sp__dot3(d, p->n)) <= 2 * t->now.gap + 2 * s * SP__PAIR_WAY(t, d);
 }

@@ -142,6 +142,33 @@ sweep_of_nothing() {
     refuses 65 'no block has faces' contacts --sweep bare.obj
 }
 
+# A half cylinder of $1 facets in a cradle of $2 facets on 140 degrees, radius and length 1: prisms along y.
+cradle() {
+    awk -v m="$1" -v q="$2" 'function point(x, z) { X[n] = x; Z[n++] = z }
+        function arc(facets, a, b,   k) { for (k = 0; k <= facets; k++) point(cos(a + (b - a) * k / facets), sin(a + (b - a) * k / facets)) }
+        function prism(name,   k, s) {
+            print name
+            for (k = 0; k < n; k++) printf "v %.17g 0 %.17g\nv %.17g 1 %.17g\n", X[k], Z[k], X[k], Z[k]
+            s = "f"; for (k = 0; k < n; k++) s = s " " (at + 2 * k + 1); print s
+            s = "f"; for (k = n - 1; k >= 0; k--) s = s " " (at + 2 * k + 2); print s
+            for (k = 0; k < n; k++) { s = (k + 1) % n; print "f", at + 2 * k + 1, at + 2 * k + 2, at + 2 * s + 2, at + 2 * s + 1 }
+            at += 2 * n; n = 0
+        }
+        BEGIN {
+            pi = atan2(0, -1)
+            arc(m, pi, 2 * pi); prism("o half")
+            point(-1.2, -1.3); point(1.2, -1.3); point(1.2, sin(-pi / 9))
+            arc(q, 17 * pi / 9, 10 * pi / 9); point(-1.2, sin(-pi / 9)); prism("o cradle\n#@ fixed")
+        }'
+}
+curved() {                                              # curved M Q D: found at D, all 140 degrees of the cylinder, in patches
+    cradle "$1" "$2" > curved.obj
+    "$cli" contacts --contact-distance "$3" curved.obj | awk '$1 == "half" { n++; area += $3 }
+        END { print n, area; exit !(n >= 10 && area > 2.3 && area < 2.4435) }' &&
+    same "$(first check --contact-distance "$3" curved.obj)" "curved.obj: STABLE" &&
+    first check curved.obj | grep -q '^curved.obj: UNSTABLE, but 1 pair of blocks nearly touches$'
+}
+
 on_floor() {                                            # a cube on z = 0 whose bottom is at $1 where x = 0, at $2 where x = 1
     awk -v l="$1" -v r="$2" 'BEGIN { n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
         split("1 4 3 2,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")
@@ -184,6 +211,9 @@ part "the same with the distance told"      keeps dome.obj --contact-distance 4e
 part "near misses of a dome are told"       misses dome.obj 1e-5
 part "near misses of an arch are told"      misses whole.obj 1e-5
 part "near misses of a wall are told"       misses wall-150.obj 1e-4
+part "curved: facets of one in the other's" curved 24 17 0.0025
+part "curved: fewer facets than the cradle" curved 9 14 0.03
+part "curved: as many, at other places"     curved 100 100 0.0003
 part "contacts --sweep: a row a distance"   swept
 part "contacts --sweep: the one in force"   sweep_in_force
 part "contacts --sweep: nothing to find"    sweep_of_nothing

@@ -1,6 +1,8 @@
 /* test_contacts: what touches what, on stones whose common faces are known by formula; gaps, supports, blocks inside each other. */
 #include "contacts.h"
 
+#include <math.h>
+
 TEST(aligned_cubes_share_their_square)
 {
     const frame f = upright();
@@ -131,6 +133,30 @@ TEST(a_tilted_face_touches_where_it_is_within_the_distance)
         CHECK_INT(find(&set), SP_OK);
         if (!CHECK_INT(report.joints, 1)) continue;
         CHECK_NEAR(area_sum(), want, TOL(1e-5, 2e-2));
+    }
+}
+
+/* A beam 1 long and 0.04 wide on a wide slab, turned about its long or its short middle: with an angle of -8 faces may rise by
+ * eight distances across the width or along the length; of a rise of h distances 2/h is within. */
+TEST(narrow_faces_may_stand_steeper)
+{
+    static const struct { double rise; int along, found; } k[] = {
+        { 3, 0, 1 }, { 7.8, 0, 1 }, { 8.2, 0, 0 }, { 7.8, 1, 1 }, { 8.2, 1, 0 }, { 300, 1, 0 } };
+    const frame f = upright();
+    sp_contact_settings set = sp_contact_settings_default();
+    set.distance = R(1e-3);
+    set.angle = -8;
+    set.absolute = 1;
+    for (size_t i = 0; i < sizeof k / sizeof k[0]; i++) {
+        const double sine = k[i].rise * 1e-3 / (k[i].along ? 1 : 0.04), tangent = sine / (1 + sqrt(1 - sine * sine));
+        frame g = k[i].along ? turned(1, 0, tangent, 0, 0, 1) : turned(1, tangent, 0, 0, 0, 1);
+        g.shift[2] = 1;
+        NEED(start(2));
+        box(&f, -2, -2, 0, 2, 2, 1, SP_FIXED);
+        box(&g, -0.5, -0.02, 0, 0.5, 0.02, 1, 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, k[i].found);
+        if (k[i].found && k[i].rise > 4) CHECK_NEAR(area_sum(), 0.04 * 2 / k[i].rise, 0.05);
     }
 }
 #endif
@@ -268,6 +294,12 @@ TEST(nonsense_is_refused)
     set = sp_contact_settings_default();
     set.angle = 2;
     CHECK_INT(find(&set), SP_E_RANGE);
+#ifdef SP_SMALL
+    set.angle = -1;
+#else
+    set.angle = -65;
+#endif
+    CHECK_INT(find(&set), SP_E_RANGE);
 }
 
 /* Bricks of 2 x 1 x 1, every second course moved by half a brick, and a slab below. */
@@ -316,6 +348,7 @@ TEST_LIST(contacts)
     RUN(tilted_faces_count_by_the_angle)
 #ifndef SP_SMALL
     RUN(a_tilted_face_touches_where_it_is_within_the_distance)
+    RUN(narrow_faces_may_stand_steeper)
 #endif
     RUN(frames_and_units_do_not_matter)
     RUN(supports_do_not_touch_each_other)

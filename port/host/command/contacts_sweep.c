@@ -77,7 +77,7 @@ static int try_distance(const host_scene *s, const options *o, sweep_row *row, f
         t.has_distance = t.share = 1;
         t.distance = (sp_real)row->share;
     }
-    sp_contact_settings set = touching_settings(t, &s->scene);
+    sp_contact_settings set = touching_settings(t);
     set.strength = s->strength;
     if (!touching_find(&s->scene, &set, &found))
         return fail_with(error, EXIT_MEMORY, s->path, 0, "out of memory: contacts at %g%%", 100 * row->share);
@@ -173,7 +173,7 @@ static void print_json(const host_scene *s, const sweep *w)
 int contacts_sweep(const host_scene *s, const options *o, failure *error)
 {
     const double smallest = (double)touching_smallest(&s->scene);
-    const sp_contact_settings own = touching_settings(s->touching, &s->scene);
+    const sp_contact_settings own = touching_settings(s->touching);
     sweep w;
     int status = 0;
 

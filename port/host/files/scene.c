@@ -216,7 +216,7 @@ static int build_blocks(const obj_file *f, const sp_capacity *cap, mesh_room *m,
 
 static int find_once(const obj_file *f, host_scene *s, sp_contact_report *report, sp_status *status, failure *error)
 {
-    sp_contact_settings settings = touching_settings(s->touching, &s->scene);
+    sp_contact_settings settings = touching_settings(s->touching);
     void *memory;
     sp_arena scratch;
 
@@ -326,7 +326,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
     const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
     if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
     if (s->found) {
-        const sp_contact_settings used = touching_settings(s->touching, &s->scene);
+        const sp_contact_settings used = touching_settings(s->touching);
         s->near = touching_near(&s->scene, &used, &s->remarks);
     }
     suspects_find(&s->scene, s->name, known, &s->remarks);

@@ -6,7 +6,7 @@
 
 #define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
 #define STEPS    4                      /* of ten each, up to that */
-#define SLOPE    8.0                    /* faces may rise by so many distances along the diameter of a block */
+#define SLOPE    8.0                    /* faces may rise by so many distances across the narrower of them */
 #define LEAST    0.5                    /* of its area a contact needs to count as found */
 #define STEEPEST 0.5                    /* sine, the library's limit */
 
@@ -50,15 +50,13 @@ sp_real touching_smallest(const sp_scene *s)
     return least;
 }
 
-sp_contact_settings touching_settings(touching t, const sp_scene *scene)
+sp_contact_settings touching_settings(touching t)
 {
     sp_contact_settings set = sp_contact_settings_default();
-    const sp_real least = touching_smallest(scene);
     if (t.has_distance) {
-        const double share = t.share ? (double)t.distance : least > 0 ? (double)(t.distance / least) : 0;
         set.absolute = !t.share;
         set.distance = t.distance;
-        set.angle = (sp_real)fmin(STEEPEST, fmax((double)set.angle, SLOPE * share));
+        set.angle = (sp_real)-SLOPE;
     }
     if (t.has_angle) set.angle = (sp_real)fmin(STEEPEST, sin((double)t.angle * acos(-1.0) / 180));
     return set;
@@ -135,12 +133,11 @@ static int32_t count_missing(const sp_scene *s, const sp_scene *wide)
 }
 
 /* Distance as a share of the smaller block, with the angle that follows from it. */
-static sp_contact_settings settings_at(const sp_scene *s, double share, const sp_contact_settings *used)
+static sp_contact_settings settings_at(double share, const sp_contact_settings *used)
 {
     touching t = { 1, 1, 0, 0, 0 };
     t.distance = (sp_real)share;
-    sp_contact_settings set = touching_settings(t, s);
-    if (set.angle < used->angle) set.angle = used->angle;
+    sp_contact_settings set = touching_settings(t);
     set.strength = used->strength;
     return set;
 }
@@ -151,7 +148,7 @@ static double find_share(const sp_scene *s, const sp_scene *wide, const sp_conta
     double share = WIDEST;
     for (int k = 1; k < STEPS; k++) {
         const double less = WIDEST * pow(10, -k);
-        const sp_contact_settings set = settings_at(s, less, used);
+        const sp_contact_settings set = settings_at(less, used);
         touching_found p;
         if (!touching_find(s, &set, &p)) return share;
         const int32_t missing = count_missing(&p.scene, wide);
@@ -164,7 +161,7 @@ static double find_share(const sp_scene *s, const sp_scene *wide, const sp_conta
 
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
 {
-    const sp_contact_settings set = settings_at(scene, WIDEST, used);
+    const sp_contact_settings set = settings_at(WIDEST, used);
     char option[64];
     touching_found p;
     if (!touching_find(scene, &set, &p)) return 0;

@@ -20,9 +20,9 @@ int touching_read_angle(text_word w, touching *t);
 /* What is told first, and for what is left open what is told second. */
 touching touching_join(touching first, touching second);
 
-/* Settings for the blocks of this scene. The angle, if not told, follows from the distance, and is at least the library's:
- * sin = 8 distance / diameter of the smallest block. */
-sp_contact_settings touching_settings(touching t, const sp_scene *scene);
+/* Settings of the library. The angle, if not told, follows from a distance that is: faces may rise by 8 of it across the narrower,
+ * and as far as the library's own angle. */
+sp_contact_settings touching_settings(touching t);
 
 /* Diameter of the smallest block with faces, 0: there is none. */
 sp_real touching_smallest(const sp_scene *scene);
