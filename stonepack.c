@@ -111,6 +111,7 @@
 #include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */
 #include "solvers/proof/forces.c"               /* what forces prove, and what a motion proves */
 #include "solvers/proof/moving.c"               /* what pressure alone proves, and what moves for all that friction does */
+#include "solvers/proof/still.c"                /* what a tree of multipliers proves: whatever friction does, nothing moves */
 #include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
 #include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
 
@@ -181,6 +182,7 @@
 
 #include "solvers/strong/sweep.c"               /* contact forces and accelerations, by sweeps over the corners */
 #include "solvers/strong/starts.c"              /* from many starts: is there a motion that friction does not hinder? */
+#include "solvers/strong/cases.c"               /* cases of sticking and slipping, a linear program each */
 #include "solvers/strong/strong.c"              /* sp_strong: pressure alone, then a motion; sp_strong_verify */
 
 #include "solvers/sequence/state.c"             /* a build order under way */

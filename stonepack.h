@@ -677,7 +677,9 @@ typedef enum sp_strong_kind {
     SP_STRONG_NONE = 0,         /* the forces that were given hold nothing */
     SP_STRONG_ADMISSIBLE,       /* it may stand: neither a proof that nothing moves nor a motion was found */
     SP_STRONG_AMBIGUOUS,        /* it stands or goes, by its history: a motion that friction does not hinder */
-    SP_STRONG_STRONG            /* proved: whatever friction does, nothing moves */
+    SP_STRONG_AT_CORNERS,       /* proved, if pressure is at the corners that the joints list: nothing moves; a plate whose
+                                   pressure gathers at its middle spins more easily */
+    SP_STRONG_STRONG            /* proved: whatever friction does, and wherever in the joints pressure is, nothing moves */
 } sp_strong_kind;
 
 typedef enum sp_strong_reason {
@@ -685,7 +687,8 @@ typedef enum sp_strong_reason {
     SP_STRONG_PRESSURE,         /* strong: pressure alone balances the loads, so mu and masses do not matter */
     SP_STRONG_MOTION,           /* ambiguous: (moving, a) */
     SP_STRONG_NOTHING_FOUND,    /* admissible: no start led to a motion, and no proof was found */
-    SP_STRONG_NOT_ASKED         /* admissible: strength of a joint, or a load with mass, with which motions are unknown */
+    SP_STRONG_NOT_ASKED,        /* admissible: strength of a joint, or a load with mass, with which motions are unknown */
+    SP_STRONG_CASES             /* strong: a proof that tells cases of sticking and slipping apart, up to 16 corners */
 } sp_strong_reason;
 
 typedef struct sp_strong_settings {
@@ -696,12 +699,15 @@ SP_API sp_strong_settings sp_strong_settings_default(void);
 typedef struct sp_strong_result {
     sp_strong_kind kind;
     sp_strong_reason reason;
-    int32_t plate;              /* of a STRONG: 1: proved for pressure anywhere in the joints' polygons, 0: at their corners */
+    int32_t plate;              /* 1: proved for pressure anywhere in the joints' polygons */
     int32_t starts;             /* that were tried */
     int32_t balls;              /* free blocks without a mesh: where they turn, an AMBIGUOUS is one for the inertia of a ball as
                                    large as the block's joints are far from its centroid */
     sp_real residual;           /* of a STRONG: largest relative imbalance of f; of an AMBIGUOUS: of (moving, a)        [1] */
     sp_real moves;              /* of an AMBIGUOUS: largest acceleration of a block, in all forces on it / mass, >= 1e-3 [1] */
+    sp_proof proof;             /* of SP_STRONG_CASES: no block moves by more than 1e-3 of its load / its mass, for forces
+                                   up to 1e4 sbar; behind all other arrays */
+    sp_real margin;             /* of the proof, > 0                                                                      [1] */
     sp_real tol;                /* in force */
     sp_real *f;                 /* 3 x scene.count.points: forces at rest; of a STRONG by pressure ft = 0             [N] */
     sp_real *moving;            /* 3 x scene.count.points: forces of the motion, else 0                               [N] */
@@ -712,7 +718,8 @@ typedef struct sp_strong_result {
 } sp_strong_result;
 
 /* Does it stand whatever friction does? It asks for pressure first, then for motions, by sweeps over the corners from many
- * starts, each judged with every condition above to tol.
+ * starts, each judged with every condition above to tol; then, in double and up to 16 corners, by branch and bound over corners
+ * that are open, stick or slip within a sector, whose proof is judged.
  *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0
  *   f         of a sp_check that says STABLE, 3 x scene.count.points
  *   pressed   f of a sp_check with settings.effect[SP_EFFECT_FRICTION] = SP_WITHOUT that says STABLE; NULL where it does not
@@ -722,7 +729,7 @@ typedef struct sp_strong_result {
 SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
                            const sp_real *pressed, sp_arena *arena, sp_strong_result *result);
 
-/* What f, moving and a of a claim prove, recomputed from the scene; nothing else of it is read.
+/* What f, moving, a and proof of a claim prove, recomputed from the scene; nothing else of it is read.
  *   scratch: sp_memory, SP_FOR_STRONG_VERIFY; overwritten      returns as sp_verify, SP_E_UNSUPPORTED (a pyramid) */
 SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
                                   sp_arena scratch, sp_strong_kind *proved);

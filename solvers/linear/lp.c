@@ -16,7 +16,7 @@
 
 #include "../base/real.c"
 
-#if SP__WITH_COUPLED
+#if SP__WITH_COUPLED || SP__WITH_STRONG
 
 #define SP__LP_FREE ((sp_real)1e30)     /* a bound that is none */
 #ifdef SP_REAL_FLOAT

@@ -4,18 +4,20 @@
 
 #include "../base/words.c"
 #include "../check/settings.c"
+#include "cases.c"
 #include "starts.c"
 
 #if SP__WITH_STRONG
 
 SP_API const char *sp_strong_text(sp_strong_kind kind)
 {
-    return sp__word("none\0" "admissible\0" "ambiguous\0" "strong\0" "unknown", (int32_t)kind, 4);
+    return sp__word("none\0" "admissible\0" "ambiguous\0" "strong at these corners\0" "strong\0" "unknown", (int32_t)kind, 5);
 }
 
 SP_API const char *sp_strong_reason_text(sp_strong_reason reason)
 {
-    return sp__word("does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "unknown", (int32_t)reason, 5);
+    return sp__word("does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" "unknown",
+                    (int32_t)reason, 6);
 }
 
 /* What sp_strong works on, in the arena. */
@@ -26,6 +28,50 @@ typedef struct sp__holds {
     sp_strong_result r;
 } sp__holds;
 
+/* Bytes that telling cases apart takes, with `search`, or the check of its proof; 0: too many corners. */
+SP__NOINLINE static size_t sp__holds_cases_need(const sp_scene *scene, int search)
+{
+    sp_problem pb;
+    sp__problem_count(scene, &pb);
+    if (!sp__cases_allowed(scene, pb.blocks)) return 0;
+    const int32_t points = sp__points_count(scene);
+    const size_t check = sp__still_need(points, pb.blocks), cases = search ? sp__cases_need(points, pb.blocks) : 0;
+    return check > cases ? check : cases;
+}
+
+/* Room for a proof by cases; none where there are too many corners. */
+SP__NOINLINE static sp_proof sp__holds_proof(const sp_scene *scene, sp_arena *a)
+{
+    sp_proof p;
+    sp_problem pb;
+    memset(&p, 0, sizeof p);
+    sp__problem_count(scene, &pb);
+    if (sp__cases_allowed(scene, pb.blocks)) sp__cases_proof(&p, a);
+    return p;
+}
+
+/* Can no joint spin? Then all its corners slip alike, and pressure anywhere in it is as good as at its corners. */
+static int sp__holds_plates(const sp_problem *pb)
+{
+    for (int32_t c = 0; c < pb->contacts; c++) {
+        const sp_contact *t = &pb->contact[c];
+        for (int side = 0; side < 2 && t->points > 1; side++)
+            for (int k = 0; k < 3; k++) {
+                const int32_t i = side ? t->a : t->b;
+                if (i >= 0 && !sp__held(pb, i, 3 + k) && sp__abs(t->joint->n[k]) > 0) return 0;
+            }
+    }
+    return 1;
+}
+
+/* What a proof by cases proves, where inertias are known: STRONG, at these corners or anywhere in the joints; else NONE. */
+static sp_strong_kind sp__holds_by_cases(sp__holds *s, const sp_proof *proof, sp_arena a, sp_real *margin)
+{
+    *margin = sp__certify_still(&s->starts.j, s->starts.M, proof, &a);
+    if (!(*margin > 0)) return SP_STRONG_NONE;
+    return sp__holds_plates(&s->pb) ? SP_STRONG_STRONG : SP_STRONG_AT_CORNERS;
+}
+
 /* Bytes of what judges: also what sp_strong works on. */
 SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
 {
@@ -34,18 +80,22 @@ SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
     sp__take(&dry, 1, sizeof(sp__holds));
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, 1, sp__starts_need(scene));
+    sp__take(&dry, 1, sp__holds_cases_need(scene, 0));
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
 SP__NOINLINE static size_t sp__holds_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
-    const size_t work = sp__holds_verify_memory(scene);
-    if (!work) return 0;
+    if (!scene) return 0;
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
-    sp__take(&dry, 1, work);
+    sp__holds_proof(scene, &dry);
+    sp__take(&dry, 1, sizeof(sp__holds));
+    sp__take(&dry, 1, sp__problem_memory(scene));
+    sp__take(&dry, 1, sp__starts_need(scene));
+    sp__take(&dry, 1, sp__holds_cases_need(scene, 1));
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
@@ -63,8 +113,8 @@ static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
     return 1;
 }
 
-/* Look for a motion. */
-SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *how)
+/* Look for a motion, then tell cases apart. */
+SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *how, sp_arena a)
 {
     sp_strong_result *r = &s->r;
     r->kind = SP_STRONG_ADMISSIBLE;
@@ -75,6 +125,16 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
+    if (r->kind == SP_STRONG_AMBIGUOUS || !r->proof.node) return;
+    const int64_t limit = s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS;
+    sp_strong_kind kind = SP_STRONG_NONE;
+    if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, limit, a, r))
+        kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);
+    if (kind) {
+        r->kind = kind;
+        r->reason = SP_STRONG_CASES;
+        r->plate = kind == SP_STRONG_STRONG;
+    } else r->proof.nodes = r->proof.leaves = r->proof.entries = 0;
 }
 
 SP_API sp_strong_settings sp_strong_settings_default(void)
@@ -100,12 +160,12 @@ static sp_status sp__holds_open(sp__holds *s, const sp_scene *scene, const sp_se
 }
 
 /* Pressure, of both forces; motion, where the first hold. */
-static void sp__holds_decide(sp__holds *s, const sp_real *f, const sp_real *pressed, const sp_strong_settings *how)
+static void sp__holds_decide(sp__holds *s, const sp_real *f, const sp_real *pressed, const sp_strong_settings *how, sp_arena a)
 {
     const sp_real imbalance = sp__certify_forces(&s->starts.j, f, s->r.f);
     if (sp__holds_by_pressure(s, f) || (pressed && sp__holds_by_pressure(s, pressed))) return;
     if (!(imbalance <= s->set.tol)) memset(s->r.f, 0, 3 * (size_t)s->pb.points * sizeof *s->r.f);
-    else sp__holds_move(s, how);
+    else sp__holds_move(s, how, a);
 }
 
 SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
@@ -123,29 +183,40 @@ SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, c
     at[1] = sp__take(&a, points, sizeof *f);
     at[2] = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *f);
     const size_t kept = a.used;
+    const sp_proof proof = sp__holds_proof(scene, &a);
+    const size_t with_proof = a.used;
     sp__holds *s = sp__take(&a, 1, sizeof *s);
     if (!s) return SP_E_MEMORY;
     const sp_status status = sp__holds_open(s, scene, settings, &a);
     if (status) return status;
+    sp_arena cases = a;
+    sp__take(&a, 1, sp__holds_cases_need(scene, 1));
+    if (sp__failed(&a)) return SP_E_MEMORY;
     for (int k = 0; k < 3; k++) memset(at[k], 0, (k < 2 ? points : 6 * (size_t)scene->count.blocks) * sizeof *f);
     s->r.f = at[0]; s->r.moving = at[1]; s->r.a = at[2];
-    sp__holds_decide(s, f, pressed, how ? how : &plain);
+    s->r.proof = proof;
+    sp__holds_decide(s, f, pressed, how ? how : &plain, cases);
+    if (!s->r.proof.nodes) memset(&s->r.proof, 0, sizeof s->r.proof);
     s->r.cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)s->starts.j.sweeps * s->pb.points;
     s->r.tol = s->set.tol;
     s->r.peak_bytes = arena->peak = a.peak;
-    arena->used = kept;
+    arena->used = s->r.proof.nodes ? with_proof : kept;
     *result = s->r;
     return SP_OK;
 }
 
-/* What a claim proves, whatever it says: STRONG by pressure, AMBIGUOUS by forces at rest and a pair that moves. */
-static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *claim)
+/* What a claim proves, whatever it says: STRONG by pressure or by cases, AMBIGUOUS by forces at rest and a pair that moves. */
+static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *claim, sp_arena a)
 {
     sp__certifier *j = &s->starts.j;
     sp_real moves;
     if (sp__certify_pressure(j, claim->f, s->starts.sweep.f) <= s->set.tol) return SP_STRONG_STRONG;
     if (!(sp__certify_forces(j, claim->f, NULL) <= s->set.tol)) return SP_STRONG_NONE;
     if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return SP_STRONG_ADMISSIBLE;
+    if (claim->proof.nodes > 0) {
+        const sp_strong_kind kind = sp__holds_by_cases(s, &claim->proof, a, &moves);
+        return kind ? kind : SP_STRONG_ADMISSIBLE;
+    }
     sp__motion_read(&s->pb, claim->a, s->starts.sweep.a);
     const sp_real residual = sp__certify_moving(j, s->starts.M, claim->moving, s->starts.sweep.a, &moves);
     return residual <= s->set.tol && moves >= SP__MOVES ? SP_STRONG_AMBIGUOUS : SP_STRONG_ADMISSIBLE;
@@ -163,7 +234,10 @@ SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *sett
     if (!s) return SP_E_MEMORY;
     const sp_status status = sp__holds_open(s, scene, settings, &scratch);
     if (status) return status;
-    *proved = sp__holds_judge(s, claim);
+    sp_arena cases = scratch;
+    sp__take(&scratch, 1, sp__holds_cases_need(scene, 0));
+    if (sp__failed(&scratch)) return SP_E_MEMORY;
+    *proved = sp__holds_judge(s, claim, cases);
     return SP_OK;
 }
 

@@ -118,16 +118,15 @@ static void json_cost(json_out *j, const report *r)
     json_close(j, '}');
 }
 
-/* What refutes, and its size; with `whole` all of it. */
-static void json_proof(json_out *j, const sp_coupled *c, int whole)
+/* A proof by cases, and its size; with `whole` all of it. */
+static void json_proof(json_out *j, const char *key, const sp_proof *p, sp_real margin, int whole)
 {
-    const sp_proof *p = &c->proof;
-    json_open(j, "proof", '{');
+    json_open(j, key, '{');
     json_int(j, "island", p->island);
     json_int(j, "nodes", p->nodes);
     json_int(j, "leaves", p->leaves);
     json_int(j, "multipliers", p->entries);
-    json_real(j, "margin", (double)c->margin);
+    json_real(j, "margin", (double)margin);
     if (whole) {
         json_open(j, "node", '[');
         for (int32_t k = 0; k < p->nodes; k++) json_int(j, NULL, p->node[k]);
@@ -154,7 +153,7 @@ static void json_coupled(json_out *j, const report *r)
     json_bool(j, "box", r->options->settings.coupled.box);
     if (c->tension_ratio >= 0) json_real(j, "tension_ratio", (double)c->tension_ratio);
     else json_null(j, "tension_ratio");
-    if (c->proof.nodes) json_proof(j, c, r->options->forces);
+    if (c->proof.nodes) json_proof(j, "proof", &c->proof, c->margin, r->options->forces);
     if (r->options->forces) {
         json_open(j, "motion", '[');
         for (int32_t b = 0; b < r->scene->scene.count.blocks; b++) json_reals(j, NULL, c->dq + 6 * (size_t)b, 6);
@@ -189,6 +188,7 @@ static void json_strong(json_out *j, const report *r)
     json_real(j, "moves", (double)x->moves);
     json_int(j, "starts", x->starts);
     json_int(j, "balls", x->balls);
+    json_int(j, "leaves", x->proof.leaves);
     json_int(j, "flops", x->cost.flops);
     json_int(j, "peak_bytes", (int64_t)x->peak_bytes);
     json_real(j, "seconds", r->strong_cost.seconds);
@@ -197,6 +197,7 @@ static void json_strong(json_out *j, const report *r)
         json_rows(j, "forces", x->f, n->points, 3);
         json_rows(j, "moving", x->moving, n->points, 3);
         json_rows(j, "motion", x->a, n->blocks, 6);
+        if (x->proof.nodes) json_proof(j, "cases", &x->proof, x->margin, 1);
         json_close(j, '}');
     }
     json_close(j, '}');

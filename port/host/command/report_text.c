@@ -94,7 +94,13 @@ static void text_strong(FILE *out, const report *r)
     if (!x) return;
     report_row(out, "friction");
     switch (x->kind) {
+    case SP_STRONG_AT_CORNERS:
     case SP_STRONG_STRONG:
+        if (x->reason == SP_STRONG_CASES) {
+            fprintf(out, "%s: it does not move in any of %ld cases of sticking and slipping; verified\n", sp_strong_text(x->kind),
+                    (long)x->proof.leaves);
+            break;
+        }
         fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n", (double)x->residual);
         break;
     case SP_STRONG_AMBIGUOUS:

@@ -157,29 +157,29 @@ static int read_wholes(const reading *r, const json_value *array, double low, do
     return 1;
 }
 
-/* Its proof, if there is one, into memory of its own (free p->y). */
-static int read_proof(const reading *r, sp_proof *p)
+/* A proof by cases into memory of its own (free p->y), where there is one; `whose` names it. */
+static int read_proof(const reading *r, const json_value *proof, const char *whose, sp_proof *p)
 {
-    const json_value *proof = json_member(&r->tree, json_member(&r->tree, r->all, "coupled"), "proof");
     const json_value *node = json_member(&r->tree, proof, "node"), *row = json_member(&r->tree, proof, "row");
     const json_value *y = json_member(&r->tree, proof, "y"), *island = json_member(&r->tree, proof, "island");
 
     if (!proof) return 0;
     if (island) {                                       /* results before there were any have none */
         if (island->kind != JSON_NUMBER || !(island->as.number >= 0 && island->as.number <= INT32_MAX))
-            return fail(r, proof, "bad island of the coupled check's proof");
+            return fail(r, proof, "bad island of a proof");
         p->island = (int32_t)island->as.number;
     }
     p->nodes = count_of(r, node);
     p->entries = count_of(r, row);
     if (!p->nodes || !p->entries || count_of(r, y) != p->entries)
-        return fail(r, proof, "no proof in the coupled check: make it with check --json --forces");
+        return fail_with(r->error, EXIT_SCENE, r->path, proof->line, "no proof in %s: make it with check --json --forces", whose);
     p->y = malloc((size_t)p->entries * (sizeof *p->y + sizeof *p->row) + (size_t)p->nodes * sizeof *p->node);
     if (!p->y) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     p->node = (int32_t *)(p->y + p->entries);
     p->row = (uint16_t *)(p->node + p->nodes);
     if (!read_reals(r, y, p->entries, p->y) || !read_wholes(r, node, -INT32_MAX, INT32_MAX, p->node, NULL) ||
-        !read_wholes(r, row, 0, UINT16_MAX, NULL, p->row)) return fail(r, proof, "bad proof of the coupled check");
+        !read_wholes(r, row, 0, UINT16_MAX, NULL, p->row))
+        return fail_with(r->error, EXIT_SCENE, r->path, proof->line, "bad proof of %s", whose);
     return 0;
 }
 
@@ -213,10 +213,12 @@ static int judge_strong(const reading *r, const options *o, sp_strong_kind *prov
     status = read_rows(r, proof, "forces", n->points, 3, claim.f);
     if (!status) status = read_rows(r, proof, "moving", n->points, 3, claim.moving);
     if (!status) status = read_rows(r, proof, "motion", n->blocks, 6, claim.a);
+    if (!status) status = read_proof(r, json_member(&r->tree, proof, "cases"), "`strong`", &claim.proof);
     if (!status) {
         const sp_status made = run_strong_verify(&r->scene->scene, &o->settings, &claim, proved);
         if (made != SP_OK) status = fail_status(r->error, made, r->path, r->all->line, "");
     }
+    free(claim.proof.y);
     free(x);
     return status;
 }
@@ -249,7 +251,8 @@ static int read_claim(const reading *r, const options *o, sp_result *claim)
     if (!status) status = read_mechanism(r, claim->dq);
     if (status || !o->settings.coupled.asked) return status;
     status = read_triple(r, claim->coupled.dq, claim->coupled.alpha);
-    return status ? status : read_proof(r, &claim->coupled.proof);
+    return status ? status : read_proof(r, json_member(&r->tree, json_member(&r->tree, r->all, "coupled"), "proof"),
+                                        "the coupled check", &claim->coupled.proof);
 }
 
 /* Read what the result claims, and have it verified. */
