@@ -25,6 +25,11 @@ static void write_quoted(FILE *out, const char *s)
 {
     fputc('"', out);
     while (*s) {
+        size_t plain = 0;                               /* ASCII that needs no escape, at once */
+        while (s[plain] > 31 && s[plain] < 127 && s[plain] != '"' && s[plain] != '\\') plain++;
+        if (plain) fwrite(s, 1, plain, out);
+        s += plain;
+        if (!*s) break;
         const unsigned char c = (unsigned char)*s;
         const int n = json_utf8(s);
         if (c == '"' || c == '\\') fprintf(out, "\\%c", c);

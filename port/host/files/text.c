@@ -149,14 +149,24 @@ text_number text_int(text_word word, int32_t *i)
     return TEXT_NUMBER;
 }
 
+/* x with so many digits.     returns whether it reads back as x */
+static int reads_back(sp_real x, int digits, char text[32])
+{
+    sp_real y = 0;
+    const text_word w = { text, (size_t)snprintf(text, 32, "%.*g", digits, (double)x) };
+    return text_real(w, &y) == TEXT_NUMBER && !(y < x) && !(y > x);
+}
+
+/* `most` digits tell every number apart, `sure` print all that has fewer, with no zeros at its end; 16 lie between. */
 const char *text_shortest(sp_real x, char text[32])
 {
-    const int most = sizeof(sp_real) == 8 ? 17 : 9;
-    for (int digits = most - 3; digits <= most; digits++) {
-        sp_real y = 0;
-        text_word w = { text, 0 };
-        w.n = (size_t)snprintf(text, 32, "%.*g", digits, (double)x);
-        if (text_real(w, &y) == TEXT_NUMBER && !(y < x) && !(y > x)) break;
+    const int most = sizeof(sp_real) == 8 ? 17 : 9, sure = sizeof(sp_real) == 8 ? 15 : 6;
+    char shorter[32];
+    int digits = most;
+    while (digits > sure && reads_back(x, digits - 1, shorter)) {
+        digits--;
+        memcpy(text, shorter, sizeof shorter);
     }
+    if (digits == most) snprintf(text, 32, "%.*g", most, (double)x);
     return text;
 }
