@@ -412,13 +412,13 @@ static void write_caption(const run *r, const outcome *t, int32_t k, char text[S
     if (t->held.count) snprintf(text + strlen(text), SHEET_CAPTION - strlen(text), "; %ld to hold", (long)t->held.count);
 }
 
-static void write_title(const run *r, int shown, char title[128])
+static void write_title(const run *r, int shown, char title[160])
 {
     const char *slash = strrchr(r->scene.path, '/');
     char some[24] = "", how[48] = "every one stands";
     if (shown < r->steps) snprintf(some, sizeof some, " (%d shown)", shown);
     if (r->first) snprintf(how, sizeof how, "step %ld is the first that fails", (long)r->first);
-    snprintf(title, 128, "%.40s: %ld steps%s, %s", slash ? slash + 1 : r->scene.path, (long)r->steps, some, how);
+    snprintf(title, 160, "%.40s: %ld steps%s, %s", slash ? slash + 1 : r->scene.path, (long)r->steps, some, how);
 }
 
 static int put_strip(FILE *out, const void *of)
@@ -426,7 +426,7 @@ static int put_strip(FILE *out, const void *of)
     const run *r = of;
     sheet_frame frame[STRIP];
     int32_t step[STRIP];
-    char title[128];
+    char title[160];
     const int n = choose_steps(r, step);
     if (n == 0) return 1;
     for (int i = 0; i < n; i++) {
