@@ -69,6 +69,51 @@ TEST(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_sp
     CHECK_INT(ask(&s, NULL).kind, SP_STRONG_NONE);
 }
 
+/* A cube of weight 1 N between a wall and a jaw that force F presses on it; everything moves in the plane of x and z only. */
+static sp_scene clamped(double mu, double F)
+{
+    const sp_capacity cap = { 3, 16, 12, 48, 2, 4, 1 };
+    const sp_real wall[3] = { -9, 0, 0 }, right[3] = { 1, 0, 0 };
+    const sp_real edge[2][6] = { { -1, 0, R(-0.5), -1, 0, R(0.5) }, { 1, 0, R(-0.5), 1, 0, R(0.5) } };
+    const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
+    const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
+    const sp_strength rough = sp_strength_friction(R(mu));
+    sp_load press;
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, wall, SP_FIXED, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const sp_real a = R(k ? 1 : -1), b = R(k ? 3 : 1);
+        const sp_real corner[24] = { a, -1, -1, b, -1, -1, b, 1, -1, a, 1, -1, a, -1, 1, b, -1, 1, b, 1, 1, a, 1, 1 };
+        const sp_mesh cube = { 8, 6, corner, size, face };
+        const uint32_t held = k ? 62 : 42;              /* free: the jaw along x; the cube along x, z, to turn about y */
+        CHECK_INT(sp_scene_block(&s, &cube, R(1 / 9.80665 / 8), held, NULL), SP_OK);
+    }
+    CHECK_INT(sp_scene_points(&s, 0, 1, right, 2, edge[0], &rough, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&s, 1, 2, right, 2, edge[1], &rough, NULL), SP_OK);
+    memset(&press, 0, sizeof press);
+    press.block = 2;
+    press.point[0] = 2;
+    press.force[0] = R(-F);
+    CHECK_INT(sp_scene_load(&s, &press, NULL), SP_OK);
+    return s;
+}
+
+/* W <= 2 mu F; in the plane no joint spins, so this is no matter of corners. */
+TEST(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
+{
+    static const double part[] = { 0.3, 0.9, 0.99, 0.999 };
+    for (int k = 0; k < 4; k++) {
+        const sp_scene s = clamped(0.4, 1 / (2 * 0.4 * part[k]));
+        const sp_strong_result r = ask(&s, NULL);
+        CHECK_INT(r.kind, TOL(SP_STRONG_STRONG, SP_STRONG_ADMISSIBLE));
+        CHECK_INT(r.plate, CASES);
+    }
+    const sp_scene s = clamped(0.4, 1 / (2 * 0.4 * 1.001));
+    CHECK_INT(ask(&s, NULL).kind, SP_STRONG_NONE);
+}
+
 /* A cube between five supports, below and at its sides, that it touches at 3 to 8 points; pushed and turned at random. */
 static sp_scene wedged(void)
 {
@@ -78,7 +123,7 @@ static sp_scene wedged(void)
     const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
     const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
     const sp_mesh cube = { 8, 6, corner, size, face };
-    const sp_strength rough = sp_strength_friction(test_random_real(R(0.1), R(1.2)));
+    const sp_strength rough = sp_strength_friction(test_random_real(0.1, 1.2));
     const int32_t points = test_random_int(3, 8);
     sp_load push;
     sp_scene s;
@@ -96,7 +141,10 @@ static sp_scene wedged(void)
     }
     memset(&push, 0, sizeof push);
     push.block = 1;
-    for (int i = 0; i < 3; i++) { push.force[i] = test_random_real(R(-0.3), R(0.3)); push.couple[i] = test_random_real(R(-0.2), R(0.2)); }
+    for (int i = 0; i < 3; i++) {
+        push.force[i] = test_random_real(-0.3, 0.3);
+        push.couple[i] = test_random_real(-0.2, 0.2);
+    }
     CHECK_INT(sp_scene_load(&s, &push, NULL), SP_OK);
     return s;
 }
@@ -297,6 +345,7 @@ TEST_LIST(strong)
     RUN(a_beam_held_by_squeezing_alone_is_ambiguous_whatever_the_friction)
     RUN(a_block_on_a_slope_below_its_friction_is_strong_at_its_corners)
     RUN(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
+    RUN(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
     RUN(no_start_moves_what_cases_prove_strong)
     RUN(evidence_that_is_changed_proves_less)
     RUN(a_proof_that_is_changed_proves_nothing)

@@ -93,7 +93,8 @@ int command_check(int argc, char **argv)
 
     if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
-                     " --tilt --strong --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects --worker --fallback --skip-done"
+                     " --tilt --strong --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
+                     " --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;

@@ -97,21 +97,23 @@ static void text_strong(FILE *out, const report *r)
     case SP_STRONG_AT_CORNERS:
     case SP_STRONG_STRONG:
         if (x->reason == SP_STRONG_CASES) {
-            fprintf(out, "%s: it does not move in any of %ld cases of sticking and slipping; verified\n", sp_strong_text(x->kind),
-                    (long)x->proof.leaves);
+            fprintf(out, "%s: it does not move in any of %ld cases of sticking and slipping; verified\n",
+                    sp_strong_text(x->kind), (long)x->proof.leaves);
             break;
         }
-        fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n", (double)x->residual);
+        fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n",
+                (double)x->residual);
         break;
     case SP_STRONG_AMBIGUOUS:
-        fprintf(out, "ambiguous: it stands or goes, by its history; a block may move off with %.2g of its forces / its mass; "
-                "verified\n", (double)x->moves);
+        fprintf(out, "ambiguous: it stands or goes, by its history; a block may move off with %.2g of its forces / its "
+                "mass; verified\n", (double)x->moves);
         if (!x->balls) break;
         report_row(out, "");
         fprintf(out, "%ld block%s without a mesh turn as balls do\n", (long)x->balls, x->balls == 1 ? "" : "s");
         break;
     case SP_STRONG_ADMISSIBLE:
-        if (x->reason == SP_STRONG_NOT_ASKED) fputs("admissible: with strength or loads with mass only pressure is asked\n", out);
+        if (x->reason == SP_STRONG_NOT_ASKED)
+            fputs("admissible: with strength or loads with mass only pressure is asked\n", out);
         else fprintf(out, "admissible: no proof that nothing moves, and no motion from %ld starts\n", (long)x->starts);
         break;
     default: fputs("not asked: it is not known to stand\n", out);

@@ -172,7 +172,8 @@ static int read_proof(const reading *r, const json_value *proof, const char *who
     p->nodes = count_of(r, node);
     p->entries = count_of(r, row);
     if (!p->nodes || !p->entries || count_of(r, y) != p->entries)
-        return fail_with(r->error, EXIT_SCENE, r->path, proof->line, "no proof in %s: make it with check --json --forces", whose);
+        return fail_with(r->error, EXIT_SCENE, r->path, proof->line, "no proof in %s: make it with check --json --forces",
+                         whose);
     p->y = malloc((size_t)p->entries * (sizeof *p->y + sizeof *p->row) + (size_t)p->nodes * sizeof *p->node);
     if (!p->y) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
     p->node = (int32_t *)(p->y + p->entries);
