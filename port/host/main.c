@@ -13,6 +13,7 @@ static const char help_scene[] =
 "  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that lie lowest, ground: a\n"
 "                     slab laid under the model; may be told several times; those the file tells stay\n"
 "  --support LIST     the same; of a COMPAS file (JSON) also the keys of nodes: --support 0 --support 1\n"
+"  --split            shells of an object that are not joined are blocks of their own: NAME.1, NAME.2 ...\n"
 "  --up AXIS          x, y, z, -x, -y or -z is up: gravity as strong as in the file, down along it    z\n"
 "  --gravity X,Y,Z    instead: this gravity [m/s^2]                                0,0,-9.80665\n"
 "  --unit NAME        of all coordinates: mm, cm, m or in; forces stay N, densities kg/m^3             m\n"

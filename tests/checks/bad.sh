@@ -132,7 +132,8 @@ edited open_mesh "'stone'.*open" '/^f 13 14 15 16$/d'
 edited inward_face "'stone'" 's/^f 13 14 15 16$/f 16 15 14 13/'
 scene | sed '/^o stone/,$s/^f \([0-9]*\) \([0-9]*\) \([0-9]*\) \([0-9]*\)$/f \4 \3 \2 \1/' > inside_out.obj
 refused inside_out "'stone'.*inward"
-edited warped_face "'stone'" 's/^v 1 1 1$/v 1 1 1.5/'
+{ scene; joint; echo '#@ pressure stone 2 10'; } | sed 's/^v 1 1 1$/v 1 1 1.5/' > warped_face.obj
+refused warped_face "'stone'.*plane"                                                     # else it is cut into triangles
 { scene; echo 'o flat'; printf 'v %s\n' '5 0 0' '6 0 0' '6 1 0'; echo 'f 17 18 19'; echo 'f 19 18 17'; } > flat_block.obj
 refused flat_block "'flat'.*no volume"
 { scene; echo 'o dot'; printf 'v %s\n' '5 5 5' '5 5 5' '5 5 5'; echo 'f 17 18 19'; } > point_block.obj

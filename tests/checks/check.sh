@@ -373,6 +373,8 @@ check_sanitizers() {
     count "tests under ASan and UBSan" sanitized
     count "tests under ASan and UBSan, float" sanitized_float
     count "bad scenes under ASan and UBSan" bad_sanitized
+    if have python3; then count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
+    else skip "models in other forms under ASan and UBSan" python3; fi
     count "models of COMPAS under ASan and UBSan" sh tests/checks/compas.sh $out/stonepack_san
     if have clang; then
         count "tests under clang's UBSan" undefined

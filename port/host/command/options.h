@@ -44,7 +44,7 @@ typedef struct options {
 } options;
 
 /* Options of whatever reads a scene; `allowed` of such a command has them behind its own. */
-#define SCENE_OPTIONS " --mu --fixed --support --gravity --up --unit --contact-distance --contact-angle --quiet "
+#define SCENE_OPTIONS " --mu --fixed --support --split --gravity --up --unit --contact-distance --contact-angle --quiet "
 
 /* Read argv[2..] for a command; argv is reordered, files keep their order. `allowed`: the command's options, space around
  * each: " --json --mu ".                                                       returns 0 or EXIT_USAGE */

@@ -16,6 +16,7 @@ typedef struct amendments {
     sp_real gravity[3];         /* [m/s^2] */
     units_length unit;          /* over is 0: not told */
     touching contact;
+    int split;                  /* shells that are not joined are blocks of their own */
 } amendments;
 
 /* Bring a file into metres, with gravity and supports as told. `given`: its own contacts count, so a ground would touch

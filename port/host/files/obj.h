@@ -57,7 +57,7 @@ typedef struct obj_support {
 typedef struct obj_file {
     const char *path;
     char *beside;               /* path of the file beside it; NULL: there is none */
-    char *text, *text_beside;   /* names point into them */
+    char *text, *text_beside, *names;   /* names point into them */
     size_t length;
     int32_t lines;
     sp_real mu, strength[3], density, gravity[3];

@@ -673,6 +673,7 @@ void obj_free(obj_file *file)
 {
     free(file->text);
     free(file->text_beside);
+    free(file->names);
     free(file->beside);
     free(file->support);
     free(file->block);

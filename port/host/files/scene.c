@@ -1,6 +1,7 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
 #include "../run.h"
 #include "scene.h"
+#include "solids.h"
 #include "suspects.h"
 
 #include <float.h>
@@ -355,7 +356,7 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
 
 scene_settings scene_settings_default(void)
 {
-    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0, 0, 0 } };
+    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0, 0, 0 }, 0 };
     const scene_settings set = { -1, SCENE_GIVEN, none };
     return set;
 }
@@ -366,6 +367,7 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
     obj_file f;
     int status = obj_read(path, &f, error);
     *s = empty;
+    if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
     if (!status) status = obj_read_beside(&f, error);
     return build_from(&f, status, set, s, error);
 }
@@ -374,8 +376,10 @@ int scene_parse(const char *path, char *text, size_t length, const scene_setting
 {
     const host_scene empty = { 0 };
     obj_file f;
+    int status = obj_parse(path, text, length, &f, error);
     *s = empty;
-    return build_from(&f, obj_parse(path, text, length, &f, error), set, s, error);
+    if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
+    return build_from(&f, status, set, s, error);
 }
 
 /* ------------------------------------------------------------------------------------------------- what the library refuses */

@@ -1,0 +1,391 @@
+#include "obj_names.h"
+#include "solids.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WARPED 1e-2                     /* of a block's size: from there on faces become triangles; the library refuses more */
+
+static int32_t faces_end(const obj_file *f, int32_t b) { return b + 1 < f->blocks ? f->block[b + 1].face : f->faces; }
+
+static const sp_real *at(const obj_file *f, int32_t face, int32_t k)
+{
+    return f->vertex[f->corner[f->face[face].corner + k % f->face[face].corners]];
+}
+
+static int out_of_memory(const obj_file *f, failure *error)
+{
+    return fail_with(error, EXIT_MEMORY, f->path, 0, "out of memory while reading");
+}
+
+/* ---------------------------------------------------------------------------------------------------------- geometry */
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* n += (q - o) x (r - o), of which the sum over a polygon is twice its area along its normal (Newell). */
+static void add_cross(double n[3], const sp_real *o, const sp_real *q, const sp_real *r)
+{
+    double a[3], b[3];
+    for (int k = 0; k < 3; k++) a[k] = (double)q[k] - (double)o[k], b[k] = (double)r[k] - (double)o[k];
+    for (int k = 0; k < 3; k++) n[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static void face_normal(const obj_file *f, int32_t i, double n[3])
+{
+    n[0] = n[1] = n[2] = 0;
+    for (int32_t k = 1; k + 1 < f->face[i].corners; k++) add_cross(n, at(f, i, 0), at(f, i, k), at(f, i, k + 1));
+}
+
+static void face_mean(const obj_file *f, int32_t i, double m[3])
+{
+    m[0] = m[1] = m[2] = 0;
+    for (int32_t k = 0; k < f->face[i].corners; k++)
+        for (int c = 0; c < 3; c++) m[c] += (double)at(f, i, k)[c] / f->face[i].corners;
+}
+
+/* Six times the volume under a face, seen from o; the sum over a block below 0: its faces look inwards. */
+static double face_volume(const obj_file *f, int32_t i, const sp_real *o)
+{
+    double n[3], d[3];
+    face_normal(f, i, n);
+    for (int c = 0; c < 3; c++) d[c] = (double)at(f, i, 0)[c] - (double)o[c];
+    return dot(n, d);
+}
+
+/* The box around faces. */
+typedef struct box { double low[3], high[3]; } box;
+
+static const box no_box = { { DBL_MAX, DBL_MAX, DBL_MAX }, { -DBL_MAX, -DBL_MAX, -DBL_MAX } };
+
+static void box_add(const obj_file *f, int32_t i, box *a)
+{
+    for (int32_t k = 0; k < f->face[i].corners; k++)
+        for (int c = 0; c < 3; c++) {
+            a->low[c] = fmin(a->low[c], (double)at(f, i, k)[c]);
+            a->high[c] = fmax(a->high[c], (double)at(f, i, k)[c]);
+        }
+}
+
+static double box_size(const box *a)
+{
+    return fmax(a->high[0] - a->low[0], fmax(a->high[1] - a->low[1], a->high[2] - a->low[2]));
+}
+
+static int box_holds(const box *a, const box *b)
+{
+    for (int c = 0; c < 3; c++) if (b->low[c] < a->low[c] || b->high[c] > a->high[c]) return 0;
+    return 1;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ warped */
+
+typedef struct placed { const sp_real *x; int32_t block, vertex; } placed;
+
+static int compare_places(const void *pa, const void *pb)
+{
+    const placed *a = pa, *b = pb;
+    if (a->block != b->block) return a->block < b->block ? -1 : 1;
+    for (int c = 0; c < 3; c++) if (a->x[c] < b->x[c] || a->x[c] > b->x[c]) return a->x[c] < b->x[c] ? -1 : 1;
+    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+/* How far a corner lies from the plane through the mean of all, across their normal. */
+static double warp_of(const obj_file *f, int32_t i)
+{
+    double n[3], m[3], d[3], most = 0;
+    if (f->face[i].corners == 3) return 0;
+    face_normal(f, i, n);
+    face_mean(f, i, m);
+    for (int32_t k = 0; k < f->face[i].corners; k++) {
+        for (int c = 0; c < 3; c++) d[c] = (double)at(f, i, k)[c] - m[c];
+        most = fmax(most, fabs(dot(d, n)));
+    }
+    return dot(n, n) > 0 ? most / sqrt(dot(n, n)) : 0;
+}
+
+/* Would triangles from corner k all look the way the face does? */
+static int fans_well(const obj_file *f, int32_t i, int32_t k)
+{
+    double n[3], t[3];
+    face_normal(f, i, n);
+    for (int32_t j = 1; j + 1 < f->face[i].corners; j++) {
+        t[0] = t[1] = t[2] = 0;
+        add_cross(t, at(f, i, k), at(f, i, k + j), at(f, i, k + j + 1));
+        if (!(dot(t, n) > 0)) return 0;
+    }
+    return 1;
+}
+
+/* Of the corners to fan from the one that is first by its coordinates, so that faces that meet are cut alike.   -1: none */
+static int32_t fan_corner(const obj_file *f, int32_t i)
+{
+    int32_t first = -1;
+    for (int32_t k = 0; k < f->face[i].corners; k++) {
+        const placed here = { at(f, i, k), 0, k }, best = { first < 0 ? here.x : at(f, i, first), 0, first };
+        if (fans_well(f, i, k) && (first < 0 || compare_places(&here, &best) < 0)) first = k;
+    }
+    return first;
+}
+
+/* Where a face is to be cut from, -1: it stays. */
+static int32_t cut_from(const obj_file *f, int32_t i, double size)
+{
+    return warp_of(f, i) > WARPED * size ? fan_corner(f, i) : -1;
+}
+
+static double block_size(const obj_file *f, int32_t b)
+{
+    box around = no_box;
+    for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) box_add(f, i, &around);
+    return box_size(&around);
+}
+
+/* Loads count the faces of their block. */
+static int is_pressed(const obj_file *f, int32_t b)
+{
+    for (int32_t i = 0; i < f->loads; i++) if (f->load[i].kind == OBJ_PRESSURE && f->load[i].block == b) return 1;
+    return 0;
+}
+
+/* Append face i, from corner `from` as a fan, as it is if that is -1. */
+static void copy_face(const obj_file *f, int32_t i, int32_t from, obj_face *face, int32_t *faces, int32_t *corner,
+                      int32_t *corners)
+{
+    const obj_face old = f->face[i];
+    const int32_t *c = f->corner + old.corner;
+    const int32_t pieces = from < 0 ? 1 : old.corners - 2;
+    for (int32_t j = 0; j < pieces; j++) {
+        const obj_face piece = { old.line, *corners, from < 0 ? old.corners : 3 };
+        face[(*faces)++] = piece;
+        if (from < 0) memcpy(corner + *corners, c, (size_t)old.corners * sizeof *c);
+        else for (int32_t k = 0; k < 3; k++) corner[*corners + k] = c[(from + (k ? j + k : 0)) % old.corners];
+        *corners += piece.corners;
+    }
+}
+
+static int cut_warped(obj_file *f, remarks *told, failure *error)
+{
+    int32_t *from = malloc(((size_t)f->faces + 1) * sizeof *from), cut = 0, blocks = 0, faces = 0, corners = 0, name = -1;
+    const size_t most = (size_t)f->corners * 3 + 1;     /* of faces and corners after */
+    obj_face *face = NULL;
+    int32_t *corner = NULL;
+
+    if (!from) return out_of_memory(f, error);
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const double size = block_size(f, b);
+        const int32_t before = cut;
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) cut += (from[i] = cut_from(f, i, size)) >= 0;
+        if (cut > before && is_pressed(f, b)) {
+            for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) from[i] = -1;
+            cut = before;
+        }
+        if (cut > before && !blocks++) name = b;
+    }
+    if (cut && (most > INT32_MAX || !(face = malloc(most * sizeof *face)) || !(corner = malloc(most * sizeof *corner)))) {
+        free(from);
+        free(face);
+        return out_of_memory(f, error);
+    }
+    for (int32_t b = 0, i = 0; cut && b < f->blocks; b++) {
+        const int32_t end = faces_end(f, b);
+        f->block[b].face = faces;
+        for (; i < end; i++) copy_face(f, i, from[i], face, &faces, corner, &corners);
+    }
+    free(from);
+    if (!cut) return 0;
+    free(f->face);
+    free(f->corner);
+    f->face = face;
+    f->corner = corner;
+    f->faces = faces;
+    f->corners = corners;
+    f->room.face = f->room.corner = (int32_t)most;
+    const text_word w = f->block[name].name;
+    remarks_add(told, NULL, "%ld warped face%s of %ld block%s, the first '%.*s', %s cut into triangles", (long)cut,
+                cut > 1 ? "s" : "", (long)blocks, blocks > 1 ? "s" : "", (int)(w.n < 60 ? w.n : 60), w.s,
+                cut > 1 ? "were" : "was");
+    return 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ shells */
+
+/* The shells of a block: faces that share vertices. */
+typedef struct shell { double volume; box around; int32_t into, number; } shell;
+
+typedef struct shells {
+    int32_t *root, *of;         /* of vertices; of each face the shell, counted within its block */
+    int32_t *count;             /* of each block, that move on their own */
+    shell *each;                /* of the block being looked at */
+} shells;
+
+static int32_t find_root(int32_t *root, int32_t v)
+{
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+}
+
+/* Volumes and boxes of the shells of block b; returns how many there are. */
+static int32_t measure_shells(const obj_file *f, int32_t b, shells *s)
+{
+    const int32_t first = f->block[b].face, end = faces_end(f, b);
+    int32_t n = 0;
+    for (int32_t i = first; i < end; i++)
+        for (int32_t k = 0; k < f->face[i].corners; k++) {
+            const int32_t v = f->corner[f->face[i].corner + k];
+            s->root[v] = v;
+        }
+    for (int32_t i = first; i < end; i++) {
+        const int32_t *c = f->corner + f->face[i].corner;
+        for (int32_t k = 1; k < f->face[i].corners; k++) s->root[find_root(s->root, c[k])] = find_root(s->root, c[0]);
+    }
+    for (int32_t i = first; i < end; i++) s->of[i] = find_root(s->root, f->corner[f->face[i].corner]);
+    for (int32_t i = first; i < end; i++) s->root[s->of[i]] = -1;
+    for (int32_t i = first; i < end; i++) {
+        int32_t *number = &s->root[s->of[i]];
+        const shell empty = { 0, no_box, -1, 0 };
+        if (*number < 0) s->each[*number = n++] = empty;
+        s->of[i] = *number;
+        s->each[*number].volume += face_volume(f, i, at(f, first, 0));
+        box_add(f, i, &s->each[*number].around);
+    }
+    return n;
+}
+
+/* A shell that looks inwards is a hollow in the smallest one around it. */
+static int32_t number_shells(shells *s, int32_t n)
+{
+    int32_t bodies = 0;
+    for (int32_t i = 0; i < n; i++) {
+        shell *e = &s->each[i];
+        for (int32_t j = 0; j < n && e->volume < 0; j++)
+            if (s->each[j].volume > 0 && box_holds(&s->each[j].around, &e->around)
+                && (e->into < 0 || box_size(&s->each[j].around) < box_size(&s->each[e->into].around))) e->into = j;
+        if (e->into < 0) e->number = bodies++;
+    }
+    for (int32_t i = 0; i < n; i++) if (s->each[i].into >= 0) s->each[i].number = s->each[s->each[i].into].number;
+    return bodies;
+}
+
+static void find_shells(const obj_file *f, shells *s)
+{
+    for (int32_t b = 0; b < f->blocks; b++) {
+        s->count[b] = number_shells(s, measure_shells(f, b, s));
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) s->of[i] = s->each[s->of[i]].number;
+    }
+}
+
+static void tell_shells(const obj_file *f, const shells *s, remarks *told)
+{
+    int32_t several = 0, first = -1;
+    for (int32_t b = 0; b < f->blocks; b++) if (s->count[b] > 1 && !several++) first = b;
+    if (!several) return;
+    const text_word name = f->block[first].name;
+    remarks_add(told, "--split",
+                "%ld object%s of several separate shells, the first '%.*s' of %ld, move as one; each shell a block",
+                (long)several, several > 1 ? "s" : "", (int)(name.n < 60 ? name.n : 60), name.s, (long)s->count[first]);
+}
+
+static int refuse_split(const obj_file *f, int32_t b, const char *what, failure *error)
+{
+    const text_word name = f->block[b].name;
+    return fail_with(error, EXIT_SCENE, f->path, f->block[b].line, "--split: the file tells %s of '%.*s', which would be split",
+                     what, (int)(name.n < 60 ? name.n : 60), name.s);
+}
+
+static int may_split(const obj_file *f, const shells *s, failure *error)
+{
+    for (int32_t i = 0; i < f->contacts; i++) {
+        if (s->count[f->contact[i].a] > 1) return refuse_split(f, f->contact[i].a, "contacts", error);
+        if (s->count[f->contact[i].b] > 1) return refuse_split(f, f->contact[i].b, "contacts", error);
+    }
+    for (int32_t i = 0; i < f->loads; i++)
+        if (s->count[f->load[i].block] > 1) return refuse_split(f, f->load[i].block, "loads", error);
+    return 0;
+}
+
+/* What a split makes, to take the place of the file's tables. */
+typedef struct tables { obj_block *block; obj_face *face; int32_t *corner; char *names; } tables;
+
+/* One block a shell, with the faces of each in their order. */
+static void split_block(const obj_file *f, int32_t b, const shells *s, tables *t, int32_t n[3], char **name)
+{
+    const obj_block old = f->block[b];
+    for (int32_t k = 0; k < s->count[b] || k == 0; k++) {
+        obj_block *piece = &t->block[n[0]++];
+        *piece = old;
+        piece->face = n[1];
+        if (s->count[b] > 1) {
+            memcpy(*name, old.name.s, old.name.n);
+            piece->name.s = *name;
+            piece->name.n = old.name.n + (size_t)sprintf(*name + old.name.n, ".%ld", (long)k + 1);
+            *name += piece->name.n;
+        }
+        for (int32_t i = old.face; i < faces_end(f, b); i++)
+            if (s->of[i] == k) copy_face(f, i, -1, t->face, &n[1], t->corner, &n[2]);
+    }
+}
+
+static int split_file(obj_file *f, const shells *s, failure *error)
+{
+    size_t blocks = 1, bytes = 1;
+    int32_t n[3] = { 0, 0, 0 };                         /* blocks, faces, corners so far */
+    for (int32_t b = 0; b < f->blocks; b++) {
+        blocks += (size_t)s->count[b] + 1;
+        if (s->count[b] > 1) bytes += (size_t)s->count[b] * (f->block[b].name.n + 12);
+    }
+    tables t = { malloc(blocks * sizeof *t.block), malloc(((size_t)f->faces + 1) * sizeof *t.face),
+                 malloc(((size_t)f->corners + 1) * sizeof *t.corner), malloc(bytes) };
+    if (!t.block || !t.face || !t.corner || !t.names || blocks > INT32_MAX) {
+        free(t.block);
+        free(t.face);
+        free(t.corner);
+        free(t.names);
+        return out_of_memory(f, error);
+    }
+    char *name = t.names;
+    for (int32_t b = 0; b < f->blocks; b++) split_block(f, b, s, &t, n, &name);
+    free(f->block);
+    free(f->face);
+    free(f->corner);
+    free(f->by_name);
+    f->block = t.block;
+    f->face = t.face;
+    f->corner = t.corner;
+    f->names = t.names;
+    f->by_name = NULL;
+    f->blocks = n[0];
+    f->room.block = (int32_t)blocks;
+    f->room.face = n[1] + 1;
+    f->room.corner = n[2] + 1;
+    const int status = obj_names_sort(f, error);
+    return status ? status : obj_names_resolve(f, error);
+}
+
+static int separate(obj_file *f, int split, remarks *told, failure *error)
+{
+    int32_t most = 0;
+    for (int32_t b = 0; b < f->blocks; b++)
+        if (faces_end(f, b) - f->block[b].face > most) most = faces_end(f, b) - f->block[b].face;
+    shells s = { malloc(((size_t)f->vertices + 1) * sizeof *s.root), malloc(((size_t)f->faces + 1) * sizeof *s.of),
+                 malloc(((size_t)f->blocks + 1) * sizeof *s.count), malloc(((size_t)most + 1) * sizeof *s.each) };
+    int status = 0;
+    if (!s.root || !s.of || !s.count || !s.each) status = out_of_memory(f, error);
+    if (!status) find_shells(f, &s);
+    if (!status && !split) tell_shells(f, &s, told);
+    if (!status && split) status = may_split(f, &s, error);
+    if (!status && split) status = split_file(f, &s, error);
+    free(s.root);
+    free(s.of);
+    free(s.count);
+    free(s.each);
+    return status;
+}
+
+int solids_mend(obj_file *f, int split, remarks *told, failure *error)
+{
+    const int status = cut_warped(f, told, error);
+    return status ? status : separate(f, split, told, error);
+}

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""formats: models in forms of others, sound and broken ones.      formats.py [build/stonepack]
+
+Sound ones get the verdict of the scene they hold. Broken ones give exit status 65, one line on standard error that starts with
+the file's name, and nothing on standard output. Files are made in a temporary folder. The last line is `N passed, N failed`.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+cli = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/stonepack")
+tally = {"passed": 0, "failed": 0}
+BOX = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]      # of 8 corners, bits x y z
+
+
+def box(x, y, z):
+    return [(x[k & 1], y[k >> 1 & 1], z[k >> 2]) for k in range(8)]
+
+
+def ends(name, why):
+    tally["failed" if why else "passed"] += 1
+    if why:
+        print("FAILED %s: %s" % (name, why))
+
+
+def run(*arguments):
+    p = subprocess.run([cli] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+    return p.returncode, p.stdout.decode("utf-8", "replace"), p.stderr.decode("utf-8", "replace")
+
+
+def write(path, data):
+    mode = "wb" if isinstance(data, bytes) else "w"
+    with open(path, mode) as out:
+        out.write(data)
+
+
+def sound(name, data, first, *arguments, remark="", joints=None):
+    """The first line of what check says of it, and a remark."""
+    write(name, data)
+    status, out, err = run("check", *arguments, name)
+    if not out.startswith("%s: %s" % (name, first)) or err:
+        return ends(name, "%d: %s %s" % (status, out.split("\n")[0], err))
+    if joints is not None and " %d joint" % joints not in out:
+        return ends(name, "want %d joints:\n%s" % (joints, out))
+    return ends(name, "" if remark in out else "no remark '%s':\n%s" % (remark, out))
+
+
+def broken(name, data, text="", *arguments, status=65):
+    write(name, data)
+    got, out, err = run("check", *arguments, name)
+    ends(name, "exit status %d: %s" % (got, err) if got != status else "something on standard output" if out
+         else "%d lines of message: %s" % (err.count("\n"), err) if err.count("\n") != 1
+         else "'%s' is not in: %s" % (text, err) if text not in err or not err.startswith(name) else "")
+
+
+PARTS = [box((0, .4), (0, .4), (0, 2)), box((1.6, 2), (0, .4), (0, 2)), box((0, 2), (0, .4), (2, 2.4))]      # a doorway
+
+
+def obj(blocks):
+    """(name, corners, faces)..."""
+    text, at = "", 1
+    for name, corners, faces in blocks:
+        text += "o %s\n" % name + "".join("v %.9g %.9g %.9g\n" % tuple(p) for p in corners)
+        text += "".join("f " + " ".join(str(at + v) for v in f) + "\n" for f in faces)
+        at += len(corners)
+    return text
+
+
+def joined(parts):
+    corners = [p for c in parts for p in c]
+    return corners, [[8 * k + v for v in f] for k in range(len(parts)) for f in BOX]
+
+
+def solids():
+    one = [("door", *joined(PARTS))]
+    hollow = (box((-1, 3), (-1, 1.4), (2.4, 4)) + box((0, 2), (0, .4), (3, 3.5)),
+              BOX + [tuple(8 + v for v in f[::-1]) for f in BOX])
+    tall = box((0, .4), (0, .4), (0, 1))
+    tall[7] = (.4, .4, 1.2)
+    cap = [(x, y, z + 1) for x, y, z in tall]
+    cap[:4] = tall[4:]
+    sound("shells.obj", obj(one), "STABLE", "--fixed", "ground", remark="'door' of 3, move as one; each shell a block: --split")
+    sound("split.obj", obj(one), "STABLE", "--split", "--fixed", "door.1,door.2", joints=2)
+    sound("hollow.obj", obj(one + [("roof", *hollow)]), "STABLE", "--split", "--fixed", "lowest", joints=3)
+    sound("warped.obj", obj([("foot", tall, BOX), ("cap", cap, BOX)]), "STABLE", "--fixed", "foot", "--mu", "2", joints=2,
+          remark="3 warped faces of 2 blocks, the first 'foot', were cut into triangles")
+    broken("loaded.obj", obj(one) + "#@ load door 0 0 -1 0 0 1\n", "tells loads of 'door'", "--split")
+    broken("pressed.obj", obj([("foot", tall, BOX)]) + "#@ pressure foot 2 10\n", "out of plane")
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    solids()
+    os.chdir("/")
+print("%d passed, %d failed" % (tally["passed"], tally["failed"]))
+sys.exit(tally["failed"] > 0)
