@@ -169,6 +169,24 @@ curved() {                                              # curved M Q D: found at
     first check curved.obj | grep -q '^curved.obj: UNSTABLE, but 1 pair of blocks nearly touches$'
 }
 
+told() { "$cli" check --json "$@" | grep -o '"touching": *[^}]*' | tr -d ' '; }
+distance_in_json() {                                    # the distance in force, and how many pairs nearly touch
+    jitter 7 1e-4 < whole.obj > jittered.obj
+    "$cli" check --json whole.obj | grep -q '"touching": *null' &&
+    same "$(told --contact-distance 5e-4 jittered.obj)" '"touching":{"distance":0.0005,"share":false,"angle":null,"near_pairs":0' &&
+    told --contact-distance 25% --contact-angle 30 jittered.obj | grep -q '"distance":0.25,"share":true,"angle":\(30\|29.99\).*"near_pairs":0' &&
+    told jittered.obj | grep -q '"share":true,.*"near_pairs":16'
+}
+in_millimetres() {                                      # the distance is in metres, whatever the unit of the model
+    jitter 7 1e-4 < whole.obj | y_up_in_mm > jittered.obj
+    same "$(first check --fixed b0,b16 --up y --unit mm --contact-distance 4e-4 jittered.obj)" "jittered.obj: STABLE" &&
+    printf '#@ unit mm\n#@ up y\n#@ supports b0,b16\n#@ contact_distance 0.0004\n' > jittered.obj.stonepack &&
+    same "$(first check jittered.obj)" "jittered.obj: STABLE"
+    status=$?
+    rm -f jittered.obj.stonepack
+    return $status
+}
+
 on_floor() {                                            # a cube on z = 0 whose bottom is at $1 where x = 0, at $2 where x = 1
     awk -v l="$1" -v r="$2" 'BEGIN { n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
         split("1 4 3 2,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")
@@ -217,6 +235,8 @@ part "curved: as many, at other places"     curved 100 100 0.0003
 part "contacts --sweep: a row a distance"   swept
 part "contacts --sweep: the one in force"   sweep_in_force
 part "contacts --sweep: nothing to find"    sweep_of_nothing
+part "the distance in JSON"                 distance_in_json
+part "the distance is in m, a model in mm"  in_millimetres
 part "contact_distance in a scene"          in_a_file
 part "contact distance: a wrong word: 64"   refuses 64 'needs a length' check --contact-distance 60% arch.obj
 part "contact distance: below 0: 64"        refuses 64 'needs a length' check --contact-distance -1 arch.obj

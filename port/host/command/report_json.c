@@ -2,6 +2,8 @@
 #include "../motion.h"
 #include "report.h"
 
+#include <math.h>
+
 static void json_joints(json_out *j, const report *r)
 {
     const sp_scene *s = &r->scene->scene;
@@ -50,6 +52,23 @@ static void json_overlaps(json_out *j, const host_scene *s)
         json_close(j, '}');
     }
     json_close(j, ']');
+}
+
+/* How near faces are that touch, where contacts were found; the angle in degrees, or null where it follows from the distance. */
+static void json_touching(json_out *j, const host_scene *s)
+{
+    const sp_contact_settings set = touching_settings(s->touching);
+    if (!s->found) {
+        json_null(j, "touching");
+        return;
+    }
+    json_open(j, "touching", '{');
+    json_real(j, "distance", (double)set.distance);
+    json_bool(j, "share", !set.absolute);
+    if (set.angle >= 0) json_real(j, "angle", asin((double)set.angle) * 180 / acos(-1.0));
+    else json_null(j, "angle");
+    json_int(j, "near_pairs", s->near);
+    json_close(j, '}');
 }
 
 /* What was simulated and what not. */
@@ -289,6 +308,7 @@ void report_json(FILE *out, const report *r)
     json_joints(&j, r);
     json_mechanism(&j, r);
     json_overlaps(&j, r->scene);
+    json_touching(&j, r->scene);
     json_effects(&j, &r->result);
     json_islands(&j, r);
     remarks_json(&j, &r->scene->remarks);

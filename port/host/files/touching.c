@@ -164,6 +164,7 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
     const sp_contact_settings set = settings_at(WIDEST, used);
     char option[64];
     touching_found p;
+    if (!used->absolute && used->distance >= set.distance) return 0;
     if (!touching_find(scene, &set, &p)) return 0;
     const int32_t missing = count_missing(scene, &p.scene);
     const double share = missing ? find_share(scene, &p.scene, used) : 0;
