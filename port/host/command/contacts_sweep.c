@@ -22,7 +22,7 @@ typedef struct sweep_row {
 typedef struct sweep {
     int rows;
     sweep_row row[ROWS];
-    int first, last;                            /* rows of the widest range with the same pairs and verdict; -1: nothing touches */
+    int first, last;                            /* rows of the widest range with the same pairs and verdict; -1: none touch */
 } sweep;
 
 /* ------------------------------------------------------------------------------------------------------------ distances */
@@ -177,7 +177,7 @@ int contacts_sweep(const host_scene *s, const options *o, failure *error)
     sweep w;
     int status = 0;
 
-    if (!(smallest > 0)) return fail_with(error, EXIT_SCENE, s->path, 0, "no block has faces: nothing is found at any distance");
+    if (!(smallest > 0)) return fail_with(error, EXIT_SCENE, s->path, 0, "no block has faces: nothing touches at any distance");
     set_distances(&w, (double)own.distance / (own.absolute ? smallest : 1), smallest);
     progress_begin(o->quiet);
     for (int k = 0; k < w.rows && !status; k++) {

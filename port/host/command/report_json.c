@@ -54,7 +54,7 @@ static void json_overlaps(json_out *j, const host_scene *s)
     json_close(j, ']');
 }
 
-/* How near faces are that touch, where contacts were found; the angle in degrees, or null where it follows from the distance. */
+/* How near faces are that touch, where contacts were found; the angle in degrees, null where it follows from the distance. */
 static void json_touching(json_out *j, const host_scene *s)
 {
     const sp_contact_settings set = touching_settings(s->touching);

@@ -20,8 +20,8 @@ int touching_read_angle(text_word w, touching *t);
 /* What is told first, and for what is left open what is told second. */
 touching touching_join(touching first, touching second);
 
-/* Settings of the library. The angle, if not told, follows from a distance that is: faces may rise by 8 of it across the narrower,
- * and as far as the library's own angle. */
+/* Settings of the library. The angle, if not told, follows from a distance that is: faces may rise by 8 of it across the
+ * narrower, and as far as the library's own angle. */
 sp_contact_settings touching_settings(touching t);
 
 /* Diameter of the smallest block with faces, 0: there is none. */

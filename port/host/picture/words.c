@@ -231,7 +231,8 @@ static void legend_remarks(const words *w, double y)
 int words_legend_lines(const words *w)
 {
     const int32_t more = w->of->scene->remarks.count;
-    return 1 + (int)(more < REMARKS ? more : REMARKS) + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
+    return 1 + (int)(more < REMARKS ? more : REMARKS)
+         + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
 }
 
 void words_legend(const words *w, double y)
