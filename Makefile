@@ -53,6 +53,15 @@ PLUG_C  += -DWITH_BULLET
 PLUG_L  += -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -lstdc++
 endif
 
+# STL, PLY, glTF and others: Assimp. `make ASSIMP=` leaves it out.
+ifeq ($(origin ASSIMP),undefined)
+ASSIMP  := $(shell pkg-config --exists assimp 2> /dev/null && echo assimp)
+endif
+ifneq ($(ASSIMP),)
+PLUG_C  += -DWITH_ASSIMP $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(ASSIMP)))
+PLUG_L  += $(shell pkg-config --libs $(ASSIMP))
+endif
+
 # Tests: all suites, or `make test ONLY=proof` those of a wing, ONLY=refute that one. tests/small/suites.txt: what SP_SMALL answers.
 # To `make check` and `make test-boards` ONLY means something else.
 THESE   := $(if $(filter test,$(MAKECMDGOALS)),$(ONLY))
@@ -158,7 +167,7 @@ RUN_L    = $(if $(LOOKS),$(PLUG_L)) -lm
 
 build/run$(OF) build/run_float$(OF) build/run_small$(OF): Makefile
 $(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o) \
-  $(foreach p,double float program,build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o): build/plugins
+  $(foreach p,double float program,build/$p/port/host/command/solvers.o build/$p/port/host/command/settle.o build/$p/port/host/files/meshes.o): build/plugins
 # In double library and objects of the program, which are there anyway; of one wing a library that is made sooner.
 OWN_O    = run.o $(SUITE_C:%.c=%.o)
 build/run$(OF): $(if $(THESE),$(RUN_O:%=build/double/%),$(OWN_O:%=build/double/%) $(filter-out %/main.o,$(PROGRAM_O)) build/stonepack.o) \

@@ -4,7 +4,10 @@
 Sound ones get the verdict of the scene they hold. Broken ones give exit status 65, one line on standard error that starts with
 the file's name, and nothing on standard output. Files are made in a temporary folder. The last line is `N passed, N failed`.
 """
+import base64
+import json
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -25,7 +28,7 @@ def ends(name, why):
 
 
 def run(*arguments):
-    p = subprocess.run([cli] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+    p = subprocess.run([cli] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=240)
     return p.returncode, p.stdout.decode("utf-8", "replace"), p.stderr.decode("utf-8", "replace")
 
 
@@ -89,9 +92,97 @@ def solids():
     broken("pressed.obj", obj([("foot", tall, BOX)]) + "#@ pressure foot 2 10\n", "out of plane")
 
 
+# -------------------------------------------------------------------------------------------------- by the importer
+
+def triangles(parts):
+    return [[c[f[0]], c[f[k]], c[f[k + 1]]] for c in parts for f in BOX for k in (1, 2)]
+
+
+def stl(parts):
+    """Binary: each triangle has corners of its own, shells are not told apart."""
+    t = triangles(parts)
+    return b"\0" * 80 + struct.pack("<I", len(t)) + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *[x for p in c for x in p], 0) for c in t)
+
+
+def stl_text(parts):
+    text = ""
+    for k, c in enumerate(parts):
+        text += "solid part%d\n" % k
+        for t in triangles([c]):
+            text += "facet normal 0 0 0\nouter loop\n" + "".join("vertex %.9g %.9g %.9g\n" % p for p in t) + "endloop\nendfacet\n"
+        text += "endsolid part%d\n" % k
+    return text
+
+
+def ply(parts, form="ascii"):
+    corners, faces = joined(parts)
+    head = ("ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face %d\nproperty list uchar int vertex_indices\nend_header\n" % (form, len(corners), len(faces)))
+    if form == "ascii":
+        return head + "".join("%.9g %.9g %.9g\n" % p for p in corners) + "".join("4 %d %d %d %d\n" % tuple(f) for f in faces)
+    way = "<" if "little" in form else ">"
+    return head.encode() + b"".join(struct.pack(way + "3f", *p) for p in corners) + b"".join(
+        struct.pack(way + "B4i", 4, *f) for f in faces)
+
+
+def off(parts):
+    corners, faces = joined(parts)
+    return "OFF\n%d %d 0\n" % (len(corners), len(faces)) + "".join("%g %g %g\n" % p for p in corners) + "".join(
+        "4 %d %d %d %d\n" % tuple(f) for f in faces)
+
+
+def gltf(parts, **change):
+    """Each part a node; y is up."""
+    data = b"".join(struct.pack("<3f", p[0], p[2], -p[1]) for c in parts for p in c)
+    index = [v for f in BOX for k in (1, 2) for v in (f[0], f[k], f[k + 1])]
+    at = len(data)
+    data += struct.pack("<%dH" % len(index), *index)
+    n = len(parts)
+    doc = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(n))}],
+           "nodes": [{"mesh": k, "name": "part%d" % k} for k in range(n)],
+           "meshes": [{"primitives": [{"attributes": {"POSITION": k}, "indices": n}]} for k in range(n)],
+           "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+           "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": at},
+                           {"buffer": 0, "byteOffset": at, "byteLength": 2 * len(index)}],
+           "accessors": [{"bufferView": 0, "byteOffset": 96 * k, "componentType": 5126, "count": 8, "type": "VEC3",
+                          "min": [-9, -9, -9], "max": [9, 9, 9]} for k in range(n)]
+           + [{"bufferView": 1, "componentType": 5123, "count": len(index), "type": "SCALAR"}]}
+    doc.update(change)
+    return json.dumps(doc)
+
+
+def meshes():
+    feet = ("--split", "--fixed", "*.1,*.2")
+    apart = PARTS[:2] + [box((-.1, 2.1), (-.1, .5), (2, 2.4))]          # no corner meets another
+    sound("door.stl", stl(apart), "STABLE", *feet, joints=2)
+    sound("text.stl", stl_text(PARTS), "STABLE", "--fixed", "part0*,part1*", joints=2)
+    for form in "ascii", "binary_little_endian", "binary_big_endian":
+        sound(form + ".ply", ply(apart, form), "STABLE", *feet, joints=2)
+    sound("door.off", off(apart), "STABLE", *feet, joints=2)
+    sound("door.gltf", gltf(PARTS), "STABLE", "--fixed", "part0*,part1*", joints=2, remark="y up, in metres")
+    sound("told.stl", stl(apart), "UNSTABLE", remark="separate shells")
+
+
+def bad_meshes():
+    """A few that take no time."""
+    for name, data in (("a.stl", stl(PARTS)), ("b.ply", ply(PARTS, "binary_little_endian")), ("a.gltf", gltf(PARTS).encode())):
+        broken("empty-" + name, b"")
+        broken("cut-" + name, data[:len(data) // 2])
+    broken("nan.stl", stl(PARTS)[:96] + struct.pack("<f", float("nan")) * 9 + stl(PARTS)[132:])
+    broken("many.stl", b"\0" * 80 + struct.pack("<I", 0xffffffff) + stl(PARTS)[84:])
+    broken("corner.ply", ply(PARTS).replace("4 0 2 3 1", "4 0 2 3 999"))
+    broken("node.gltf", gltf(PARTS, scenes=[{"nodes": [55]}]))
+    broken("nothing.dae", "<COLLADA></COLLADA>")
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     solids()
+    write("probe.off", off(PARTS))
+    if run("check", "probe.off")[0] != 69:             # built without the importer
+        meshes()
+        bad_meshes()
     os.chdir("/")
 print("%d passed, %d failed" % (tally["passed"], tally["failed"]))
 sys.exit(tally["failed"] > 0)

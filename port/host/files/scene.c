@@ -1,5 +1,6 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
 #include "../run.h"
+#include "meshes.h"
 #include "scene.h"
 #include "solids.h"
 #include "suspects.h"
@@ -365,8 +366,9 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
 {
     const host_scene empty = { 0 };
     obj_file f;
-    int status = obj_read(path, &f, error);
+    int status;
     *s = empty;
+    status = meshes_is_known(path) ? meshes_read(path, &f, &s->remarks, error) : obj_read(path, &f, error);
     if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
     if (!status) status = obj_read_beside(&f, error);
     return build_from(&f, status, set, s, error);

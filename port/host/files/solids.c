@@ -80,7 +80,7 @@ static int box_holds(const box *a, const box *b)
     return 1;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ warped */
+/* ------------------------------------------------------------------------------------------------------------- seams */
 
 typedef struct placed { const sp_real *x; int32_t block, vertex; } placed;
 
@@ -91,6 +91,142 @@ static int compare_places(const void *pa, const void *pb)
     for (int c = 0; c < 3; c++) if (a->x[c] < b->x[c] || a->x[c] > b->x[c]) return a->x[c] < b->x[c] ? -1 : 1;
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
+
+static int same_place(const placed *a, const placed *b)
+{
+    for (int c = 0; c < 3; c++) if (a->x[c] < b->x[c] || a->x[c] > b->x[c]) return 0;
+    return a->block == b->block;
+}
+
+/* Corners that follow their own vertex go, and faces with less than three left. */
+static void drop_empty_corners(obj_file *f)
+{
+    int32_t faces = 0, corners = 0;
+    for (int32_t b = 0, i = 0; b < f->blocks; b++) {
+        const int32_t end = faces_end(f, b);
+        f->block[b].face = faces;
+        for (; i < end; i++) {
+            const obj_face old = f->face[i];
+            obj_face new = { old.line, corners, 0 };
+            for (int32_t k = 0; k < old.corners; k++) {
+                const int32_t v = f->corner[old.corner + k];
+                const int32_t last = new.corners ? corners + new.corners - 1 : old.corner + old.corners - 1;
+                const int32_t before = f->corner[last];
+                if (v != before) f->corner[corners + new.corners++] = v;
+            }
+            if (new.corners < 3) continue;
+            f->face[faces++] = new;
+            corners += new.corners;
+        }
+    }
+    f->faces = faces;
+    f->corners = corners;
+}
+
+static int weld(obj_file *f)
+{
+    placed *sorted = malloc(((size_t)f->corners + 1) * sizeof *sorted);
+    int32_t *one = malloc(((size_t)f->vertices + 1) * sizeof *one), n = 0;
+
+    for (int32_t b = 0; sorted && one && b < f->blocks; b++)
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++)
+            for (int32_t k = 0; k < f->face[i].corners; k++) {
+                const placed p = { at(f, i, k), b, f->corner[f->face[i].corner + k] };
+                sorted[n++] = p;
+            }
+    if (sorted && one) {
+        qsort(sorted, (size_t)n, sizeof *sorted, compare_places);
+        for (int32_t i = 0; i < n; i++)
+            one[sorted[i].vertex] = i && same_place(&sorted[i], &sorted[i - 1]) ? one[sorted[i - 1].vertex] : sorted[i].vertex;
+        for (int32_t i = 0; i < f->corners; i++) f->corner[i] = one[f->corner[i]];
+        drop_empty_corners(f);
+    }
+    free(sorted);
+    free(one);
+    return sorted && one;
+}
+
+static void turn_face(obj_file *f, int32_t i)
+{
+    int32_t *c = f->corner + f->face[i].corner;
+    for (int32_t k = 0, m = f->face[i].corners - 1; k < m; k++, m--) {
+        const int32_t keep = c[k];
+        c[k] = c[m];
+        c[m] = keep;
+    }
+}
+
+static void turn_inward_block(obj_file *f, int32_t b)
+{
+    const int32_t first = f->block[b].face, end = faces_end(f, b);
+    double sum = 0;
+    for (int32_t i = first; i < end; i++) sum += face_volume(f, i, at(f, first, 0));
+    for (int32_t i = first; i < end && sum < 0; i++) turn_face(f, i);
+}
+
+/* ---------------------------------------------------------------------------------------------------------- contacts */
+
+/* Along n (a unit vector), the outward unit normal of the face of block b that lies best in the plane at m across n. */
+static double nearest_normal(const obj_file *f, int32_t b, const double m[3], const double n[3])
+{
+    double best = DBL_MAX, found = 0;
+    for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) {
+        double k[3], d[3];
+        face_normal(f, i, k);
+        const double size = sqrt(dot(k, k));
+        for (int c = 0; c < 3; c++) d[c] = m[c] - (double)at(f, i, 0)[c];
+        const double cosine = size > 0 ? dot(k, n) / size : 0, away = size > 0 ? fabs(dot(d, k)) / size : DBL_MAX;
+        const double score = away / (fabs(cosine) + 1e-9) + (1 - fabs(cosine));
+        if (score < best) best = score, found = cosine;
+    }
+    return found;
+}
+
+/* Does the polygon's normal leave A and enter B? By the faces in its plane, which holds for concave blocks, too. */
+static int points_into_b(const obj_file *f, const obj_contact *c)
+{
+    double n[3] = { 0, 0, 0 }, m[3] = { 0, 0, 0 }, between[3] = { 0, 0, 0 }, mean[3];
+    sp_real (*p)[3] = f->point + c->point;
+    for (int32_t k = 1; k + 1 < c->points; k++) add_cross(n, p[0], p[k], p[k + 1]);
+    for (int32_t k = 0; k < c->points; k++) for (int i = 0; i < 3; i++) m[i] += (double)p[k][i] / c->points;
+    const double size = sqrt(dot(n, n));
+    if (!(size > 0)) return 1;
+    for (int i = 0; i < 3; i++) n[i] /= size;
+    const double sign = nearest_normal(f, c->a, m, n) - nearest_normal(f, c->b, m, n);
+    if (fabs(sign) > 0.5) return sign > 0;
+    for (int side = 0; side < 2; side++) {
+        const int32_t b = side ? c->b : c->a;
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) {
+            face_mean(f, i, mean);
+            for (int k = 0; k < 3; k++) between[k] += (side ? mean[k] : -mean[k]) / (faces_end(f, b) - f->block[b].face);
+        }
+    }
+    return dot(n, between) > 0;
+}
+
+static void turn_contacts(obj_file *f)
+{
+    for (int32_t i = 0; i < f->contacts; i++) {
+        const obj_contact *c = &f->contact[i];
+        sp_real (*p)[3] = f->point + c->point, keep[3];
+        if (!c->polygon || points_into_b(f, c)) continue;
+        for (int32_t k = 0, m = c->points - 1; k < m; k++, m--) {
+            memcpy(keep, p[k], sizeof keep);
+            memcpy(p[k], p[m], sizeof keep);
+            memcpy(p[m], keep, sizeof keep);
+        }
+    }
+}
+
+int solids_tidy(obj_file *f)
+{
+    if (!weld(f)) return 0;
+    for (int32_t b = 0; b < f->blocks; b++) turn_inward_block(f, b);
+    turn_contacts(f);
+    return 1;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ warped */
 
 /* How far a corner lies from the plane through the mean of all, across their normal. */
 static double warp_of(const obj_file *f, int32_t i)
