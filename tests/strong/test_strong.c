@@ -154,7 +154,7 @@ TEST(no_start_moves_what_cases_prove_strong)
 {
     const sp_strong_settings no_starts = { 0 };
     int strong = 0, ambiguous = 0, stands = 0;
-    for (int k = 0; k < SOME_OF(2000, 60); k++) {
+    for (int k = 0; k < SOME_OF(500, 40); k++) {
         const sp_scene s = wedged();
         const size_t mark = test_arena.used;
         const sp_strong_result proved = ask(&s, &no_starts);
