@@ -91,7 +91,7 @@ static int try_distance(const host_scene *s, const options *o, sweep_row *row, f
 
 static int is_alike(const sweep_row *a, const sweep_row *b) { return a->pairs == b->pairs && a->verdict == b->verdict; }
 
-/* The widest range by the ratio of its ends, of equal ones the first. */
+/* The widest range by the ratio of its ends, of equal ones the last: that of larger distances. */
 static void find_steady(sweep *w)
 {
     double widest = 0;
@@ -99,7 +99,7 @@ static void find_steady(sweep *w)
     for (int k = 0, end; k < w->rows; k = end) {
         for (end = k + 1; end < w->rows && is_alike(&w->row[k], &w->row[end]); end++) { }
         const double ratio = w->row[end - 1].share / fmax(w->row[k].share, finest / 10);
-        if (w->row[k].pairs == 0 || !(ratio > widest)) continue;
+        if (w->row[k].pairs == 0 || !(ratio >= 0.99 * widest)) continue;
         widest = ratio;
         w->first = k;
         w->last = end - 1;
