@@ -73,13 +73,14 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
+.PHONY: bench-plan always all lib shared install-shared demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
 help:
 	@echo "make           the library build/libstonepack.a and the program build/stonepack"
 	@echo "make lib       the library alone"
+	@echo "make shared    the same as a shared library, build/libstonepack.so.VERSION; make install-shared puts it into PREFIX/lib"
 	@echo "make demo      checks some scenes, draws them into build/demo/, a page of them: index.html"
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
@@ -108,6 +109,23 @@ build/stonepack.o: $(PARTS)
 
 build/libstonepack.a: build/stonepack.o
 	$(AR) rcs $@ $<
+
+# The shared library: hidden but for the calls of the header. Until 1.0 every minor version has an interface of its own, hence the soname.
+VERSION := $(shell awk '$$2 ~ /^SP_VERSION_(MAJOR|MINOR|PATCH)$$/ { printf "%s%s", n++ ? "." : "", $$3 }' stonepack.h)
+SONAME   = libstonepack.so.$(basename $(VERSION))
+SHARED   = build/libstonepack.so.$(VERSION)
+SHARED_C = -fPIC -fvisibility=hidden '-DSP_API=__attribute__((visibility("default")))'
+
+shared: $(SHARED)
+
+build/shared.o: $(PARTS)
+	@mkdir -p build
+	$(Q)$(CC) $(ALL_C) $(SHARED_C) -c stonepack.c -o $@
+
+$(SHARED): build/shared.o
+	$(Q)$(CC) -shared -Wl,-soname,$(SONAME) -Wl,-z,defs $< -o $@
+	ln -sf $(@F) build/$(SONAME)
+	ln -sf $(SONAME) build/libstonepack.so
 
 build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h
 	@mkdir -p build
@@ -261,6 +279,12 @@ install: build/libstonepack.a build/stonepack docs
 	sh port/package/package.sh --fill port/package/stonepack.pc $(PREFIX) > $(TO)/lib/pkgconfig/stonepack.pc
 	for f in stonepackConfig stonepackConfigVersion; do \
 	    sh port/package/package.sh --fill port/package/$$f.cmake $(PREFIX) > $(TO)/lib/cmake/stonepack/$$f.cmake || exit 1; done
+
+install-shared: $(SHARED)
+	install -d $(TO)/lib
+	install $(SHARED) $(TO)/lib/
+	ln -sf $(notdir $(SHARED)) $(TO)/lib/$(SONAME)
+	ln -sf $(SONAME) $(TO)/lib/libstonepack.so
 
 # The library under sanitizers, for several groups of check.
 build/asan.o: $(PARTS)

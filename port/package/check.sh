@@ -74,7 +74,23 @@ sources() {
         ls src/stonepack.c src/stonepack.h zephyr/Kconfig zephyr/module.yml idf_component.yml && ! grep -rn '@[A-Z]*@' .)
 }
 
+# The shared library: every call of the header and nothing else, by its soname.
+exports() {
+    awk '/^SP_API/ { line = $0; while (line !~ /;/) { if ((getline more) <= 0) break; line = line more }
+                     sub(/\(.*/, "", line); n = split(line, w, /[ *]+/); print w[n] }' stonepack.h | sort > "$to/declared"
+    nm -D --defined-only "$1" | awk '{ print $3 }' | sort > "$to/exported"
+    [ "$(wc -l < "$to/declared")" -gt 50 ] && diff "$to/declared" "$to/exported"
+}
+shared() {
+    lib=$to/dest/opt/stonepack/lib
+    make -s install-shared DESTDIR="$to/dest" PREFIX=/opt/stonepack && exports "$lib/libstonepack.so" &&
+    ${CC:-gcc} "$to/user/main.c" -I"$to/dest/opt/stonepack/include" -L"$lib" -lstonepack -o "$to/by_soname" &&
+    rm "$lib/libstonepack.so" && LD_LIBRARY_PATH=$lib "$to/by_soname" && ! "$to/by_soname" 2> /dev/null
+}
+
 part "make install" installed
+part "shared library: exports the calls of the header and nothing else" shared
+part "shared library: the bits of the other" env DIFFER=1 LIBRARY=build/shared.o sh tests/corpus/corpus.sh double ${CC:-gcc} -O0
 if have pkg-config; then part "pkg-config" pkgconfig; else skip "pkg-config" pkg-config; fi
 if have cmake; then part "find_package after make install" cmake_user "$to/dest/opt/stonepack"; fi
 part "package" sh port/package/package.sh "$to/stonepack"
