@@ -364,17 +364,28 @@ undefined_scenes() {
         done
     done
 }
+# Assimp as make found it, that is in PLUG_C.
+case " ${PLUG_C:-} " in
+*' -DWITH_ASSIMP '*) assimp_c="-DWITH_ASSIMP $(pkg-config --cflags assimp | sed 's/-I/-isystem /g')" assimp_l=$(pkg-config --libs assimp) ;;
+*) assimp_c='' assimp_l='' ;;
+esac
 bad_sanitized() {
     # shellcheck disable=SC2086
-    $CC $plain -O0 $san port/host/main.c $host_c build/asan.o -lm -o $out/stonepack_san && sh tests/checks/bad.sh $out/stonepack_san
+    $CC $plain -O0 $san $assimp_c port/host/main.c $host_c build/asan.o $assimp_l -lm -o $out/stonepack_san &&
+        sh tests/checks/bad.sh $out/stonepack_san
 }
 valgrind_run() { valgrind -q --error-exitcode=9 build/run "$1"; }
 check_sanitizers() {
     count "tests under ASan and UBSan" sanitized
     count "tests under ASan and UBSan, float" sanitized_float
     count "bad scenes under ASan and UBSan" bad_sanitized
-    if have python3; then count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
-    else skip "models in other forms under ASan and UBSan" python3; fi
+    if have python3; then
+        count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
+        count "bad models in other forms under ASan and UBSan" python3 -B tests/checks/bad_formats.py $out/stonepack_san
+    else
+        skip "models in other forms under ASan and UBSan" python3
+    fi
+    if [ -z "$assimp_c" ]; then skip "STL, PLY, glTF and others" "pkg-config libassimp-dev"; fi
     count "models of COMPAS under ASan and UBSan" sh tests/checks/compas.sh $out/stonepack_san
     if have clang; then
         count "tests under clang's UBSan" undefined

@@ -39,7 +39,10 @@ begin header sh tests/checks/header.sh
 begin bad sh tests/checks/bad.sh build/stonepack
 begin models sh tests/checks/models.sh build/stonepack
 begin compas sh tests/checks/compas.sh build/stonepack
-if command -v python3 > /dev/null; then begin formats python3 -B tests/checks/formats.py build/stonepack; fi
+if command -v python3 > /dev/null; then
+    begin formats python3 -B tests/checks/formats.py build/stonepack
+    begin bad_formats python3 -B tests/checks/bad_formats.py build/stonepack
+fi
 begin readme sh tests/checks/readme.sh build/stonepack
 
 count "tests, double" end double
@@ -52,7 +55,13 @@ count "bad scenes" end bad
 count "program" end program
 count "models of others" end models
 count "models of COMPAS" end compas
-if command -v python3 > /dev/null; then count "models in other forms" end formats; else skip "models in other forms" python3; fi
+if command -v python3 > /dev/null; then
+    count "models in other forms" end formats
+    count "bad models in other forms" end bad_formats
+else
+    skip "models in other forms" python3
+fi
+if ! grep -q WITH_ASSIMP build/plugins; then skip "STL, PLY, glTF and others" "pkg-config libassimp-dev"; fi
 if [ -f build/bullet.o ]; then count "settle, as a program" end settle; else skip "settle" "g++ libbullet-dev"; fi
 count "README" end readme
 part "floors of the program" sh tests/checks/host_floors.sh

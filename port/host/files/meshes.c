@@ -107,9 +107,13 @@ static void write_node(writer *w, const struct aiScene *scene, const struct aiNo
     for (unsigned k = 0; k < node->mNumChildren; k++) write_node(w, scene, node->mChildren[k], above, depth + 1);
 }
 
+/* Never more than whoever started the program grants. */
 static void limit(int what, size_t most)
 {
-    const struct rlimit l = { (rlim_t)most, (rlim_t)most };
+    struct rlimit l;
+    if (getrlimit(what, &l)) return;
+    if (l.rlim_cur > (rlim_t)most) l.rlim_cur = (rlim_t)most;
+    if (l.rlim_max > (rlim_t)most) l.rlim_max = (rlim_t)most;
     setrlimit(what, &l);
 }
 
@@ -129,9 +133,13 @@ static void import(const char *path, int pipe_end)
     dup2(null, 2);
     const struct aiScene *scene = aiImportFile(path, 0);
     writer w = { out, 0, 0 };
-    if (!scene || !scene->mRootNode) give_up(out, aiGetErrorString());
+    if (!scene || !scene->mRootNode) {
+        const char *why = aiGetErrorString();
+        give_up(out, strstr(why, "bad_alloc") ? "it asks for more memory than there is for reading" : why);
+    }
     aiIdentityMatrix4(&unit);
     write_node(&w, scene, scene->mRootNode, unit, 0);
+    if (!w.blocks) give_up(out, "it holds no mesh");
     _exit(fflush(out) ? 2 : 0);
 }
 
