@@ -118,6 +118,11 @@ for page in $pages; do
         n=1000
     fi
     while [ -f "$dir/console.$n" ]; do
+        if grep -qE '\.(stl|ply)$' "$dir/console.$n" && ! grep -q WITH_ASSIMP build/plugins; then
+            skip "commands of $page, $n" "pkg-config libassimp-dev"
+            n=$((n + 1))
+            continue
+        fi
         part "$page: commands answer in its words, $n" same "$dir" "$dir/console.$n"
         n=$((n + 1))
     done

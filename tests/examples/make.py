@@ -58,21 +58,65 @@ def wall():
 
 
 def scanned():
-    """Twelve stones of a wall as a scanner gives them, in m: no two faces meet, gaps and overlaps up to 0.1 mm."""
+    """Twelve stones of a wall as a scanner gives them, y up, in m, one cloud of triangles: no two faces meet, gaps and overlaps
+    up to 0.1 mm."""
     state = 1
-    stones = []
+    corners, faces = [], []
     for row in range(4):
         for k in range(3):
             x = 0.5 * k + (0.25 if row % 2 else 0.0)
-            corners = []
+            faces += [[len(corners) + v for v in (f[0], f[i], f[i + 1])] for f in BOX for i in (1, 2)]
             for p in box((x, x + 0.5), (0.0, 0.3), (0.3 * row, 0.3 * row + 0.3)):
                 moved = []
                 for c in p:
                     state = state * 16807 % 2147483647      # the same everywhere
                     moved.append(c + 5e-5 * (2.0 * state / 2147483647 - 1.0))
-                corners.append(tuple(moved))
-            stones.append(("stone_%d_%d" % (row, k), corners))
-    write("scanned.obj", "# scanned\n", stones, "o %(name)s\n", "%d")
+                corners.append(y_up(moved))
+    with open("scanned.ply", "w", newline="\n") as out:
+        out.write("ply\nformat ascii 1.0\ncomment scanned\nelement vertex %d\n" % len(corners))
+        out.write("property float x\nproperty float y\nproperty float z\n")
+        out.write("element face %d\nproperty list uchar int vertex_indices\nend_header\n" % len(faces))
+        out.writelines("%.6f %.6f %.6f\n" % p for p in corners)
+        out.writelines("3 %d %d %d\n" % tuple(f) for f in faces)
+
+
+def ears(p):
+    """Triangles of a plane polygon that runs anticlockwise: ears are cut off until three corners are left."""
+    def turn(a, b, c): return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    left, found = list(range(len(p))), []
+    while len(left) > 3:
+        for k in range(len(left)):
+            a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
+            inside = [v for v in left if v not in (a, b, c) and turn(p[a], p[b], p[v]) >= 0 and turn(p[b], p[c], p[v]) >= 0
+                      and turn(p[c], p[a], p[v]) >= 0]
+            if turn(p[a], p[b], p[c]) > 0 and not inside:
+                found.append((a, b, c))
+                del left[k]
+                break
+    return found + [tuple(left)]
+
+
+def puzzle():
+    """Three printed pieces, in mm, z up: a post with a groove, a bar whose foot is held in it, a saddle over the bar's end, with
+    clearances of 0.1 mm."""
+    c = 0.1
+    post = [(0, 0), (40, 0), (40, 30), (10, 30), (10, 50 + 2 * c), (40, 50 + 2 * c), (40, 70), (0, 70)]
+    bar = [(10 + c, 30 + c), (120, 30 + c), (120, 50 + c), (10 + c, 50 + c)]
+    saddle = [(-5, 20), (5 - c, 20), (5 - c, 50 + 2 * c), (25 + c, 50 + 2 * c), (25 + c, 20), (35, 20), (35, 60), (-5, 60)]
+    text = "solid puzzle\n"
+    for outline, ends, place in ((post, (0, 30), lambda u, v, w: (u, w, v)), (bar, (5, 25), lambda u, v, w: (u, w, v)),
+                                 (saddle, (110, 90), lambda u, v, w: (w, u, v))):
+        n = len(outline)
+        sides = [((k, 0), (i, 0), (i, 1)) for i, k in zip(range(n), [*range(1, n), 0])]
+        sides += [((k, 0), (i, 1), (k, 1)) for i, k in zip(range(n), [*range(1, n), 0])]
+        flat = ears(outline)
+        for t in sides + [tuple((v, 0) for v in f) for f in flat] + [tuple((v, 1) for v in f[::-1]) for f in flat]:
+            text += "facet normal 0 0 0\nouter loop\n"
+            text += "".join("vertex %.4f %.4f %.4f\n" % place(*outline[v], ends[side]) for v, side in t)
+            text += "endloop\nendfacet\n"
+    with open("puzzle.stl", "w", newline="\n") as out:
+        out.write(text + "endsolid puzzle\n")
 
 
 def doorway():
@@ -93,4 +137,5 @@ def doorway():
 arch()
 wall()
 scanned()
+puzzle()
 doorway()
