@@ -73,7 +73,7 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib shared install-shared demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
+.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -81,6 +81,7 @@ help:
 	@echo "make           the library build/libstonepack.a and the program build/stonepack"
 	@echo "make lib       the library alone"
 	@echo "make shared    the same as a shared library, build/libstonepack.so.VERSION; make install-shared puts it into PREFIX/lib"
+	@echo "make python    a wheel for Python over it, build/stonepack-VERSION-....whl, and build/python to be used as it is"
 	@echo "make demo      checks some scenes, draws them into build/demo/, a page of them: index.html"
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
@@ -126,6 +127,29 @@ $(SHARED): build/shared.o
 	$(Q)$(CC) -shared -Wl,-soname,$(SONAME) -Wl,-z,defs $< -o $@
 	ln -sf $(@F) build/$(SONAME)
 	ln -sf $(SONAME) build/libstonepack.so
+
+# Python: structs and calls read from the header, asserted by the compiler; the program's reader and pictures as a second library.
+PYTHON  ?= python3
+DRAW     = $(wildcard port/host/picture/*.c) port/host/weakest.c port/host/motion.c
+PY_FILES = $(wildcard port/python/stonepack/*.py) port/python/stonepack/py.typed port/python/README.md LICENSE
+
+build/libstonepack_files.so: port/python/files.c $(READ) $(DRAW) $(HOST_H) $(SHARED)
+	$(Q)$(CC) $(ALL_C) -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -shared -Wl,--gc-sections -Wl,-z,defs \
+	    '-Wl,-rpath,$$ORIGIN' $(filter %.c,$^) -Lbuild -l:$(SONAME) -lm -o $@
+
+python: build/python/made
+	@cat $<
+
+build/python/made: $(SHARED) build/libstonepack_files.so port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h
+	@rm -rf build/python && mkdir -p build/python/stonepack
+	@cp $(filter %.py %/py.typed,$(PY_FILES)) build/python/stonepack/
+	@cp $(filter-out %.py %/py.typed,$(PY_FILES)) build/python/
+	@cp $(SHARED) build/python/stonepack/$(SONAME)
+	@cp build/libstonepack_files.so build/python/stonepack/
+	@$(CC) -E -dM stonepack.h > build/python/macros
+	$(Q)$(CC) -E -P stonepack.h | $(PYTHON) -B port/python/bind.py build/python/macros build/python/stonepack/_bindings.py build/python/layout.c
+	@$(CC) -std=c11 -I. -fsyntax-only build/python/layout.c
+	@$(PYTHON) -B port/python/wheel.py build/python build > $@.new && mv $@.new $@
 
 build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h
 	@mkdir -p build
@@ -291,7 +315,8 @@ build/asan.o: $(PARTS)
 	@mkdir -p build
 	$(CC) $(STRICTC) -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -c stonepack.c -o $@
 
-check: all pair build/run build/run_float build/run_small build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench
+check: all pair build/run build/run_float build/run_small build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench $(SHARED) \
+  $(if $(shell command -v $(PYTHON) 2> /dev/null),build/python/made)
 	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh
 
 nightly: all build/corpus-double.txt build/corpus-float.txt

@@ -8,7 +8,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 TIMES=1
-groups='long warnings switches combinations cpp symbols arm robot footprint pair package sanitizers settle bits instruments plugins static cases oracle bench demo'
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo'
 if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
     echo "no group of check is called $ONLY; there are $groups"
     exit 1
@@ -344,6 +344,48 @@ check_pair() {
 }
 
 check_package() { count "packages" sh port/package/check.sh; }
+
+# ---------------------------------------------------------------------------------------------------------- Python
+# The wheel is made by the standard library alone and tested where it was installed, with no compiler on the path.
+py=python3
+if /usr/bin/python3 -c 'import ensurepip' 2> /dev/null; then py=/usr/bin/python3; fi
+py_bin=$out/venv/bin/python
+py_wheel() {
+    make -s python PYTHON=$py && cp "$(cat build/python/made)" $out/first.whl && rm build/python/made &&
+    make -s python PYTHON=$py && cmp $out/first.whl "$(cat build/python/made)"
+}
+py_install() {
+    rm -rf $out/venv
+    $py -m venv $out/venv && $py_bin -m pip install -q --no-index --no-deps "$(cat build/python/made)"
+}
+py_alone() { env -i PATH=/nonexistent PYTHONDONTWRITEBYTECODE=1 "$(pwd)/$py_bin" -I "$@"; }
+# A field that became longer, one that moved: the layout of ctypes is not that of the header any more.
+py_drift() {
+    mkdir -p $out/drift
+    for dr in 's/^    int32_t verified; /    int64_t verified; /' 's/^    int32_t a, b;               .. blocks; n/    int32_t b, a;   \/* n/'; do
+        sed "$dr" stonepack.h > $out/drift/stonepack.h
+        ! cmp -s stonepack.h $out/drift/stonepack.h || { echo "nothing drifted: $dr"; return 1; }
+        ! $CC -std=c11 -I$out/drift -fsyntax-only build/python/layout.c 2> $out/drift.txt || { echo "not noticed: $dr"; return 1; }
+        grep -q 'static assertion' $out/drift.txt || { cat $out/drift.txt; return 1; }
+    done
+}
+py_warnings() {
+    for pw in gcc clang; do
+        # shellcheck disable=SC2086
+        if have $pw; then $pw $host -O1 -c port/python/files.c -o $out/warn.o || return 1; fi
+    done
+}
+check_python() {
+    if ! $py -c 'import ensurepip' 2> /dev/null; then skip "Python: wheel and its tests" "python3 python3-venv"; return; fi
+    part "Python: wheel, twice the same bytes" py_wheel
+    part "Python: a header that drifted is told" py_drift
+    part "Python: warnings of the reader's door" py_warnings
+    part "Python: installed without a compiler" py_install
+    count "Python: tests where it is installed" py_alone tests/python/run.py
+    if /usr/bin/python3 -c 'import numpy' 2> /dev/null; then
+        count "Python: tests with NumPy" env PYTHONPATH=build/python /usr/bin/python3 -B tests/python/run.py test_scene.Building
+    else skip "Python: arrays of NumPy" python3-numpy; fi
+}
 
 # ------------------------------------------------------------------------------------------------- sanitizers, valgrind
 san='-g -fsanitize=address,undefined -fno-sanitize-recover=all'

@@ -1,0 +1,55 @@
+"""Numbers as people have them, lists or arrays, as the library takes them."""
+from __future__ import annotations
+
+import ctypes
+from array import array
+from itertools import chain
+from typing import Iterable, Sequence, Tuple
+
+from ._library import SceneError
+
+Vector = Sequence[float]                                # three numbers
+
+
+def triple(values: Vector, what: str):
+    """Three numbers as C has them."""
+    try:
+        x, y, z = values
+        return (ctypes.c_double * 3)(x, y, z)
+    except (TypeError, ValueError):
+        raise SceneError("%s: three numbers are wanted, not %r" % (what, values)) from None
+
+
+def rows(values: Iterable[Vector], what: str):
+    """(n, n x 3 doubles) of an n x 3 array or a list of points."""
+    try:
+        view = memoryview(values)                       # an array of NumPy, or whatever has a buffer
+    except TypeError:
+        view = None
+    if view is not None and view.format == "d" and view.ndim == 2 and view.shape[1] == 3 and view.c_contiguous:
+        count = view.shape[0]
+        return count, (ctypes.c_double * (3 * count)).from_buffer_copy(view.cast("B"))
+    try:
+        points = list(values)
+        if set(map(len, points)) - {3}:
+            raise ValueError
+        flat = array("d", chain.from_iterable(points))
+    except (TypeError, ValueError):
+        raise SceneError("%s: points of three numbers are wanted, n x 3" % what) from None
+    if not flat:
+        raise SceneError("%s: no points" % what)
+    return len(points), (ctypes.c_double * len(flat)).from_buffer(flat)
+
+
+def polygons(faces: Iterable[Sequence[int]], what: str) -> Tuple[int, object, object, int]:
+    """(faces, their sizes, their corners, corners) of an m x k array or lists of vertex numbers."""
+    try:
+        each = faces.tolist() if hasattr(faces, "tolist") else [list(f) for f in faces]
+        sizes = array("i", [len(f) for f in each])
+        corners = array("i", chain.from_iterable(each))
+    except (TypeError, ValueError, OverflowError):
+        raise SceneError("%s: faces are wanted as lists of vertex numbers from 0" % what) from None
+    n, k = len(sizes), len(corners)
+    if not k:
+        raise SceneError("%s: no faces" % what)
+    return n, (ctypes.c_int32 * n).from_buffer(sizes), (ctypes.c_int32 * k).from_buffer(corners), k

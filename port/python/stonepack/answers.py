@@ -1,0 +1,399 @@
+"""Answers: plain objects with named fields. Forces are in N, moments in N m, lengths in m; they act on block b of a joint."""
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple
+
+from . import _bindings as c
+from ._library import StonepackError, lib, refuse, text
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+Vec3 = Tuple[float, float, float]
+Vec6 = Tuple[float, float, float, float, float, float]
+
+VERDICTS = {v: text(c.SP_WORDS_VERDICT, v) for v in (c.SP_STABLE, c.SP_UNSTABLE, c.SP_UNDECIDED)}
+LEVELS = {v: text(c.SP_WORDS_LEVEL, v) for v in (c.SP_NONE, c.SP_ADMISSIBLE, c.SP_COUPLED)}
+
+
+class Block(NamedTuple):
+    """A block of a scene."""
+    index: int
+    name: str
+    mass: float                 # [kg]
+    centroid: Vec3              # [m]
+    volume: float               # [m^3]
+    fixed: bool                 # held in all directions: a support
+
+
+class Joint(NamedTuple):
+    """A contact of two blocks."""
+    index: int
+    a: str
+    b: str                      # the normal points from a into b
+    normal: Vec3
+    t1: Vec3
+    t2: Vec3
+    area: float                 # [m^2], 0 of point and edge contacts
+    mu: float
+    points: List[Vec3]          # corners, anticlockwise seen from b [m]
+
+
+class Overlap(NamedTuple):
+    """Two blocks inside each other."""
+    a: str
+    b: str
+    depth: float                # [m]
+
+
+class JointForce(NamedTuple):
+    """What one joint passes on, as it acts on b."""
+    index: int
+    a: str
+    b: str
+    force: Vec3                 # world axes [N]
+    point: Vec3                 # where it acts [m]
+    min_fn: float
+    max_fn: float               # of its corners [N]
+    utilisation: float          # share of its friction that is used, of the joint as a whole
+    corner_utilisation: float   # and of the corner that uses most
+
+
+class Evidence(NamedTuple):
+    """What the evidence of a result proves, computed anew."""
+    verdict: str
+    final: bool
+    imbalance: float
+    least_imbalance: float
+    level: str
+    residual: float
+    margin: float
+
+
+class Effect(NamedTuple):
+    on: bool
+    why: str
+    unknowns: int               # saved by leaving it out, and so the next two
+    flops: int
+    bytes: int
+
+
+class Plan(NamedTuple):
+    """What a check will simulate, and what it leaves out."""
+    effects: Dict[str, Effect]
+    islands: int
+    unknowns: int
+    flops: int
+    bytes: int
+    full_unknowns: int
+    full_flops: int
+    full_bytes: int
+
+
+class Hinge(NamedTuple):
+    """What a joint does in a mechanism."""
+    a: str
+    b: str
+    kind: str                   # "hinge", "sliding", "open"
+    opening: float              # [m] of the motion as scaled
+    slip: float
+    line: Tuple[Vec3, Vec3]     # of a hinge or a sliding joint
+
+
+class Step(NamedTuple):
+    """One step of a build order."""
+    block: str                  # that came, went, is held or let go
+    verdict: str
+    stable: bool
+    reason: str
+    final: bool
+    falls: Optional[str]        # a block that goes, None: nothing does
+    moving: List[str]           # blocks of the mechanism, fastest first
+    imbalance: float
+    hold: Optional[List[str]]   # what must be held meanwhile, where it was asked
+
+
+class Held(NamedTuple):
+    blocks: List[str]
+    must: List[bool]            # it falls even when all others of its island are held
+    proof: str
+    checks: int
+
+
+class Strong(NamedTuple):
+    """Does it stand whatever friction does?"""
+    kind: str
+    reason: str
+    verified: bool
+    residual: float
+    moves: float
+    moving: Dict[str, Vec6]     # of an ambiguous: acceleration of centroid and turn [m/s^2, rad/s^2]
+
+
+def speeds(dq: Any, count: int) -> List[float]:
+    """How fast blocks move in a motion: displacement or rotation, the larger."""
+    return [max(max(abs(x) for x in dq[6 * b:6 * b + 6]), 0.0) for b in range(count)]
+
+
+def motion_of(names: List[str], dq: Any) -> Dict[str, Vec6]:
+    """{block: six numbers} of those that move, fastest first."""
+    speed = speeds(dq, len(names))
+    order = sorted((b for b in range(len(names)) if speed[b] > 0), key=lambda b: -speed[b])
+    return {names[b]: tuple(dq[6 * b:6 * b + 6]) for b in order}            # type: ignore[misc]
+
+
+class Result:
+    """The answer of a check. It keeps its own copy of all numbers; what needs the scene (joints, reactions, a picture) is there
+    as long as the scene is as it was checked."""
+
+    __slots__ = ("_c", "_memory", "_scene", "_version", "_settings", "_names", "_count")
+
+    def __init__(self, scene: "Scene", settings: Any):
+        self._c = c.sp_result()
+        self._scene, self._settings, self._version, self._names = scene, settings, scene._version, scene._names
+        self._count = len(scene._names)             # names are only ever added
+        self._memory: Any = None
+
+    @property
+    def verdict(self) -> str:
+        """"stable", "unstable" or "undecided"."""
+        return VERDICTS[self._c.verdict]
+
+    @property
+    def stable(self) -> bool:
+        return self._c.verdict == c.SP_STABLE
+
+    @property
+    def unstable(self) -> bool:
+        return self._c.verdict == c.SP_UNSTABLE
+
+    @property
+    def undecided(self) -> bool:
+        return self._c.verdict == c.SP_UNDECIDED
+
+    @property
+    def level(self) -> str:
+        """How far a stable goes: "admissible" (forces exist), "coupled" (a motion explains them), else "none"."""
+        return LEVELS[self._c.level]
+
+    @property
+    def reason(self) -> str:
+        return text(c.SP_WORDS_REASON, self._c.reason)
+
+    @property
+    def verified(self) -> bool:
+        """The evidence passed the certificate check."""
+        return bool(self._c.verified)
+
+    @property
+    def final(self) -> bool:
+        """Of an unstable: no forces of any size would do."""
+        return bool(self._c.final)
+
+    @property
+    def imbalance(self) -> float:
+        """Largest relative imbalance of the forces."""
+        return self._c.imbalance
+
+    @property
+    def least_imbalance(self) -> float:
+        """Proved by the motion: no admissible forces come below."""
+        return self._c.least_imbalance
+
+    @property
+    def tol(self) -> float:
+        return self._c.tol
+
+    @property
+    def force_bound(self) -> float:
+        return self._c.force_bound
+
+    @property
+    def max_compression(self) -> float:
+        """Largest force of a corner [N]."""
+        return self._c.extremes.compression
+
+    @property
+    def max_tension(self) -> float:
+        """Largest tension asked for [N]."""
+        return self._c.extremes.tension
+
+    @property
+    def max_utilisation(self) -> float:
+        return self._c.extremes.utilisation
+
+    @property
+    def flops(self) -> int:
+        return self._c.spent.total.flops
+
+    @property
+    def factorisations(self) -> int:
+        return self._c.spent.total.factorisations
+
+    @property
+    def peak_bytes(self) -> int:
+        return self._c.spent.peak_bytes
+
+    @property
+    def f(self) -> memoryview:
+        """Forces fn, ft1, ft2 of each corner, points x 3 [N]; numpy.asarray takes it without a copy."""
+        count = self._there()._c.count.points
+        if not count:
+            return memoryview(b"").cast("B")
+        block = ctypes.cast(self._c.f, ctypes.POINTER(ctypes.c_double * (3 * count))).contents
+        return memoryview(block).cast("B").cast("d", (count, 3))
+
+    @property
+    def forces(self) -> List[Vec3]:
+        """The same as a list of (fn, ft1, ft2) [N]."""
+        count = self._there()._c.count.points
+        flat = self._c.f[0:3 * count]
+        return list(zip(flat[0::3], flat[1::3], flat[2::3]))
+
+    @property
+    def motion(self) -> Dict[str, Vec6]:
+        """{block: displacement of its centroid and rotation} of an unstable's mechanism, fastest first, else {}."""
+        if self._c.verdict == c.SP_STABLE:
+            return {}
+        return motion_of(self._names[:self._count], self._c.dq)
+
+    @property
+    def moving(self) -> List[str]:
+        """Names of the blocks that go, fastest first; [] unless unstable."""
+        return list(self.motion) if self.unstable else []
+
+    @property
+    def joints(self) -> List[JointForce]:
+        """What each joint passes on."""
+        return [self._joint(k) for k in range(self._there()._c.count.joints)]
+
+    @property
+    def weakest(self) -> Optional[JointForce]:
+        """The joint that is worst off: most help wanted, else most of its friction used."""
+        return self._joint(self._c.extremes.weakest) if self._c.extremes.weakest >= 0 else None
+
+    @property
+    def reactions(self) -> Dict[str, Tuple[Vec3, Vec3]]:
+        """{support: (force on it [N], moment about its centroid [N m])}."""
+        scene = self._there()
+        out, force, moment = {}, (ctypes.c_double * 3)(), (ctypes.c_double * 3)()
+        for b in range(scene._c.count.blocks):
+            if scene._c.block[b].fixed == c.SP_FIXED:
+                lib.sp_block_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), b, force, moment)
+                out[self._names[b]] = (tuple(force), tuple(moment))
+        return out                                                          # type: ignore[return-value]
+
+    def verify(self) -> Evidence:
+        """Compute anew, by other code than the search's, what the evidence proves."""
+        return self._there().verify(self)
+
+    def svg(self, path: Optional[str] = None, *, names: bool = False) -> str:
+        """The picture of `stonepack check --svg`, as text and into a file."""
+        from . import pictures
+        return pictures.draw(self._there(), self._c, None, path, names)
+
+    def _there(self) -> "Scene":
+        if self._scene._version != self._version:
+            raise StonepackError("the scene has changed since this check")
+        return self._scene
+
+    def _joint(self, k: int) -> JointForce:
+        scene, out = self._there(), c.sp_joint_force()
+        status = lib.sp_joint_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), k, ctypes.byref(out))
+        if status:
+            raise refuse(status)
+        joint = scene._c.joint[k]
+        return JointForce(k, self._names[joint.a], self._names[joint.b], tuple(out.force), tuple(out.point), out.min_fn,
+                          out.max_fn, out.utilisation, out.corner_utilisation)
+
+    def __repr__(self) -> str:
+        more = "" if self.stable else ", moving %s" % ", ".join(self.moving[:3]) if self.unstable else ", %s" % self.reason
+        return "<%s%s%s>" % (self.verdict, "" if self.verified else ", not verified", more)
+
+
+class Limit:
+    """How much of the live loads a scene bears."""
+
+    __slots__ = ("_c", "_memory", "_scene", "_version", "_body", "_names", "_count")
+
+    def __init__(self, scene: "Scene", body: Any):
+        self._c = c.sp_limit_result()
+        self._scene, self._version, self._names, self._body = scene, scene._version, scene._names, body
+        self._count = len(scene._names)
+        self._memory: Any = None
+
+    @property
+    def kind(self) -> str:
+        """"found", "none" (no multiple works), "unbounded" or "undecided"."""
+        return text(c.SP_WORDS_LIMIT, self._c.kind)
+
+    @property
+    def multiplier(self) -> Optional[float]:
+        """The largest multiple; inf where unbounded, None where there is none or it is not known."""
+        if self._c.kind == c.SP_LIMIT_UNBOUNDED:
+            return float("inf")
+        return self._c.multiplier if self._c.kind == c.SP_LIMIT_FOUND else None
+
+    @property
+    def lower(self) -> float:
+        """Proved to stand at this multiple; -1: no such end."""
+        return self._c.lower
+
+    @property
+    def upper(self) -> float:
+        """Proved to fall at this multiple; -1: no such end."""
+        return self._c.upper
+
+    @property
+    def within(self) -> float:
+        """By so much the multiplier may be off."""
+        return self._c.within
+
+    @property
+    def dead(self) -> str:
+        """The verdict under the dead loads alone."""
+        return VERDICTS[self._c.dead]
+
+    @property
+    def reason(self) -> str:
+        return text(c.SP_WORDS_REASON, self._c.reason)
+
+    @property
+    def verified(self) -> bool:
+        return bool(self._c.verified)
+
+    @property
+    def motion(self) -> Dict[str, Vec6]:
+        """The collapse mechanism, {block: displacement and rotation}, fastest first."""
+        return motion_of(self._names[:self._count], self._c.dq) if self._c.upper >= 0 else {}
+
+    @property
+    def hinges(self) -> List[Hinge]:
+        """The joints that give way in the mechanism."""
+        scene, out, found = self._there(), c.sp_joint_motion(), []
+        if self._c.upper < 0:
+            return found
+        for k in range(scene._c.count.joints):
+            status = lib.sp_joint_moves(ctypes.byref(scene._c), self._c.dq, k, ctypes.byref(out))
+            if status:
+                raise refuse(status)
+            if out.kind != c.SP_JOINT_RIGID:
+                joint = scene._c.joint[k]
+                found.append(Hinge(self._names[joint.a], self._names[joint.b], text(c.SP_WORDS_JOINT, out.kind), out.opening,
+                                   out.slip, (tuple(out.a), tuple(out.b))))
+        return found
+
+    def svg(self, path: Optional[str] = None, *, names: bool = False) -> str:
+        """The picture of `stonepack limit --svg`, as text and into a file."""
+        from . import pictures
+        return pictures.draw_limit(self._there(), self._c, path, names)
+
+    def _there(self) -> "Scene":
+        if self._scene._version != self._version:
+            raise StonepackError("the scene has changed since this limit")
+        return self._scene
+
+    def __repr__(self) -> str:
+        return "<limit %s%s>" % (self.kind if self.multiplier is None else self.multiplier,
+                                 "" if self.verified else ", not verified")

@@ -1,0 +1,113 @@
+"""Scene files as the program reads them: OBJ with `#@` comments, JSON of COMPAS."""
+from __future__ import annotations
+
+import ctypes
+import os
+import tempfile
+from typing import Any, Iterable, Optional, Union
+
+from . import _bindings as c
+from ._library import FileError, files
+from ._numbers import Vector
+from .scene import Scene
+
+Names = Union[str, Iterable[str]]
+
+
+def _options(fixed: Names, up: Optional[str], unit: Optional[str], gravity: Optional[Vector], contact_distance: Any,
+             contact_angle: Optional[float], split: bool, mu: Optional[float]) -> list:
+    each = [fixed] if isinstance(fixed, str) else list(fixed)
+    told = [("fixed", name) for name in each if name]
+    told += [(k, v) for k, v in (("up", up), ("unit", unit), ("contact-distance", contact_distance),
+                                 ("contact-angle", contact_angle), ("mu", mu)) if v is not None]
+    if gravity is not None:
+        told += [("gravity-" + axis, "%.17g" % x) for axis, x in zip("xyz", gravity)]
+    if split:
+        told.append(("split", ""))
+    return told
+
+
+def _read(path: str, content: Optional[str], told: list) -> Scene:
+    reader = files()
+    handle = reader.files_new()
+    if not handle:
+        raise MemoryError
+    try:
+        kept = []                                       # the reader keeps the strings while it reads
+        for name, value in told:
+            text = (value if isinstance(value, str) else "%.17g" % value).encode()
+            kept.append(text)
+            if not reader.files_option(handle, name.encode(), text):
+                raise FileError("%s: %r is not understood" % (name, value))
+        raw = None if content is None else content.encode()
+        if reader.files_read(handle, os.fsencode(path), raw, len(raw) if raw is not None else 0):
+            raise FileError(reader.files_error(handle).decode(errors="replace"))
+        return _scene_of(reader, handle)
+    finally:
+        reader.files_free(handle)
+
+
+def _scene_of(reader: Any, handle: Any) -> Scene:
+    scene, parts = Scene(mu=reader.files_mu(handle)), reader.files_parts(handle).contents
+    capacity = c.sp_capacity.from_buffer_copy(parts.count)
+    capacity.blocks = max(capacity.blocks, 1)
+    scene._copy_of(parts, None, capacity)
+    scene._names = [reader.files_name(handle, k).decode(errors="replace") for k in range(parts.count.blocks)]
+    scene._index = {name: k for k, name in enumerate(scene._names)}
+    scene._given = True                                 # found or given, they are there
+    k = 0
+    while True:
+        said = reader.files_remark(handle, k)
+        if said is None:
+            break
+        scene.remarks.append(said.decode(errors="replace"))
+        k += 1
+    scene._touched()
+    return scene
+
+
+def read(path: Union[str, "os.PathLike[str]"], *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
+         gravity: Optional[Vector] = None, contact_distance: Union[float, str, None] = None,
+         contact_angle: Optional[float] = None, split: bool = False, mu: Optional[float] = None) -> Scene:
+    """Read a scene file: OBJ, or JSON of compas_assembly, compas_cra, compas_dem; PATH.stonepack beside it counts.
+
+    fixed             supports: names, patterns (`foot*`), "lowest", "ground"
+    up, unit          "y", "-x" ...; "mm", "cm", "m", "in"
+    gravity           [m/s^2]
+    contact_distance  faces nearer than this touch [m], or "0.1%" of the smaller block; contact_angle [degree]
+    split             each shell of an object is a block
+    mu                friction instead of all that the file says
+    """
+    return _read(os.fspath(path), None, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
+
+
+def parse(content: str, name: str = "text", *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
+          gravity: Optional[Vector] = None, contact_distance: Union[float, str, None] = None,
+          contact_angle: Optional[float] = None, split: bool = False, mu: Optional[float] = None) -> Scene:
+    """The same from text, as `read`: a scene file, or JSON, compas.json_dumps(assembly) for instance. name is for messages."""
+    return _read(name, content, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
+
+
+def c_names(scene: Scene) -> Any:
+    """Names for C, as files have them: without spaces."""
+    return (ctypes.c_char_p * len(scene))(*["_".join(name.split()).encode() for name in scene.names])
+
+
+def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:
+    message = ctypes.create_string_buffer(512)
+    if files().files_write(os.fsencode(path), ctypes.byref(scene._c), c_names(scene), message):
+        raise FileError(message.value.decode(errors="replace"))
+
+
+def by_file(put: Any, path: Optional[str], suffix: str) -> str:
+    """What put(path) writes, as text; the file stays if it was named."""
+    if path is not None:
+        put(os.fspath(path))
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+    with tempfile.TemporaryDirectory() as folder:
+        return by_file(put, os.path.join(folder, "out" + suffix), suffix)
+
+
+def text_of(scene: Scene) -> str:
+    return by_file(lambda path: write(scene, path), None, ".obj")

@@ -1,0 +1,355 @@
+"""Scenes, answers and refusals of the Python package; standard library alone, NumPy where it is there."""
+import math
+import threading
+import time
+import unittest
+import xml.etree.ElementTree
+
+import stonepack
+import towers
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+
+
+def overhang(by, mu=0.6):
+    """A block of 2 m that hangs over by so much."""
+    s = stonepack.Scene(mu=mu)
+    s.box((2, 1, 0.4), (1, 0.5, -0.2), name="table", fixed=True)
+    s.box((2, 1, 0.8), (1 + by, 0.5, 0.4), name="stone")
+    return s
+
+
+class Verdicts(unittest.TestCase):
+    def test_a_block_stands_until_its_middle_is_over_the_edge(self):
+        self.assertTrue(overhang(0.999).check().stable)
+        falls = overhang(1.001).check()
+        self.assertTrue(falls.unstable and falls.verified and falls.final)
+        self.assertEqual(falls.moving, ["stone"])
+
+    def test_its_limit_is_friction_or_width_over_height(self):
+        self.assertAlmostEqual(overhang(0).limit((1, 0, 0)).multiplier, 0.6, places=7)
+        self.assertAlmostEqual(overhang(0, mu=3).limit((1, 0, 0)).multiplier, 2 / 0.8, places=6)
+        self.assertEqual(overhang(0).limit((0, 0, -1)).kind, "unbounded")
+        self.assertEqual(overhang(0).limit((0, 0, -1)).multiplier, math.inf)
+        self.assertIsNone(overhang(1.1).limit((1, 0, 0)).multiplier)
+
+    def test_a_limit_tells_the_hinge(self):
+        limit = overhang(0, mu=3).limit((1, 0, 0))
+        self.assertTrue(limit.verified and limit.lower <= limit.multiplier <= limit.upper)
+        (hinge,) = limit.hinges
+        self.assertEqual((hinge.a, hinge.b, hinge.kind), ("table", "stone", "hinge"))
+        self.assertAlmostEqual(hinge.line[0][0], 2)
+        self.assertEqual(list(limit.motion), ["stone"])
+
+    def test_forces_and_reactions_carry_the_weight(self):
+        s = overhang(0.3)
+        r, weight = s.check(), s.blocks[1].mass * 9.80665
+        self.assertAlmostEqual(sum(fn for fn, _, _ in r.forces), weight, places=6)
+        force, _ = r.reactions["table"]
+        self.assertAlmostEqual(force[2], -weight, places=6)
+        (joint,) = r.joints
+        self.assertEqual((joint.a, joint.b), ("table", "stone"))
+        self.assertAlmostEqual(joint.force[2], weight, places=6)
+        self.assertAlmostEqual(joint.point[0], 1.3)
+
+    def test_random_towers_answer_as_the_closed_form(self):
+        for make, count in ((towers.Tower.bare, 3000), (towers.Tower.scene, 500)):
+            wrong, open_, stable, _ = towers.ask(count, 7, make)
+            self.assertEqual(wrong, [])
+            self.assertLess(max(open_, default=0), 1e-6)
+            self.assertTrue(count / 4 < stable < 3 * count / 4)
+
+    def test_verify_computes_the_same_verdict_anew(self):
+        for by in (0.5, 1.5):
+            r = overhang(by).check()
+            self.assertEqual(r.verify().verdict, r.verdict)
+
+    def test_verify_does_not_believe_forces_that_were_tampered_with(self):
+        r = overhang(0.5).check()
+        r._c.f[0] += 1
+        self.assertEqual(r.verify().verdict, "undecided")
+
+    def test_a_build_order_tells_what_falls_and_what_to_hold(self):
+        s = overhang(0.7)
+        s.box((2, 1, 0.8), (2.4, 0.5, 1.2), name="top")
+        steps = s.sequence(hold=True)
+        self.assertEqual([(x.block, x.verdict, x.hold) for x in steps],
+                         [("stone", "stable", []), ("top", "unstable", ["stone"])])
+        order = s.building()
+        self.assertTrue(order.add("stone").stable)
+        self.assertTrue(order.hold("top").stable)
+        self.assertEqual(order.remove("top").verdict, "stable")
+        self.assertIsNone(order.suggest())
+
+    def test_a_beam_between_posts_is_held_by_its_history_alone(self):
+        s = stonepack.read("tests/scenes/h-model.obj")
+        strong = s.strong()
+        self.assertEqual((strong.kind, strong.verified), ("ambiguous", True))
+        self.assertTrue(strong.moving)
+        self.assertTrue(s.check().stable)
+        self.assertTrue(s.check(coupled=True).unstable)
+        self.assertEqual(overhang(0).strong().kind, "strong")
+
+    def test_a_plan_says_what_is_left_out(self):
+        plan = overhang(0.2).plan()
+        self.assertFalse(plan.effects["depth"].on)
+        self.assertLess(plan.flops, plan.full_flops)
+
+    def test_settings_reach_the_check(self):
+        s = overhang(0.2)
+        self.assertEqual(s.check(tol=1e-3).tol, 1e-3)
+        self.assertEqual(s.check(coupled=True).level, "coupled")
+        self.assertTrue(s.check(budget=1).undecided)
+        self.assertTrue(s.check(cone="8i").stable)
+        with self.assertRaisesRegex(stonepack.SceneError, "cone"):
+            s.check(cone="round")
+        with self.assertRaises(TypeError):
+            s.check(tolerance=1)
+
+
+class Building(unittest.TestCase):
+    def test_whatever_has_vertices_and_faces_is_a_block(self):
+        class Attributes:
+            vertices, faces = TETRAHEDRON
+
+        class Compas:
+            def to_vertices_and_faces(self):
+                return [list(v) for v in TETRAHEDRON[0]], TETRAHEDRON[1]
+
+            def vertices(self):                         # of COMPAS: a generator of keys
+                return iter(range(4))
+
+            faces = vertices
+
+        for thing in (Attributes, Attributes(), Compas(), TETRAHEDRON):
+            s = stonepack.Scene(density=6)
+            s.add(thing)
+            self.assertAlmostEqual(s.blocks[0].mass, 1)
+            self.assertEqual(len(s.mesh(0)[0]), 4)
+        with self.assertRaisesRegex(stonepack.SceneError, "neither"):
+            stonepack.Scene().add(object())
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_arrays_of_numpy_give_the_same_bits_as_lists(self):
+        outline = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)]
+        answers = []
+        for array in (list, numpy.array, lambda v: numpy.array(v, dtype=numpy.float32), lambda v: numpy.array(v)[::1][:, ::1],
+                      lambda v: numpy.asfortranarray(numpy.array(v, dtype=float))):
+            s = stonepack.Scene()
+            vertices, faces = stonepack.meshes.box((2, 1, 0.5), (1, 0.5, 0.25))
+            s.body(0, (0, 0, 0), fixed=True)
+            s.add(array(vertices), numpy.array(faces) if array is not list else faces)
+            s.joint(0, 1, array(outline))
+            answers.append((s.blocks[1], s.check().forces))
+        for answer in answers[1:]:
+            self.assertEqual(answer, answers[0])
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_forces_are_an_array_without_a_copy(self):
+        r = overhang(0.3).check()
+        f = numpy.asarray(r.f)
+        self.assertEqual(f.shape, (4, 3))
+        self.assertEqual([tuple(row) for row in f.tolist()], r.forces)
+
+    def test_a_scene_grows(self):
+        s = stonepack.Scene()
+        s.box((1, 1, 0.5), (0, 0, -0.25), fixed=True)
+        for k in range(150):
+            s.box((1, 1, 0.5), (0, 0, 0.5 * k + 0.25))
+        self.assertEqual(len(s.joints), 150)
+        self.assertTrue(s.check().stable)
+        self.assertEqual(s.blocks[77].centroid[2], 0.5 * 76 + 0.25)
+
+    def test_joints_that_are_given_are_not_sought(self):
+        s = overhang(0.3)
+        self.assertEqual(s.joint("table", "stone", [(0.5, 0, 0), (1.5, 0, 0), (1.5, 1, 0)]), 0)
+        self.assertEqual([len(j.points) for j in s.joints], [3])
+
+    def test_contacts_across_a_gap_need_a_distance(self):
+        s = stonepack.Scene()
+        s.box((1, 1, 1), (0, 0, -0.5), fixed=True)
+        s.box((1, 1, 1), (0, 0, 0.501))
+        self.assertEqual(s.check().reason, "no contact")
+        self.assertEqual(s.find_contacts(distance=0.002), [])
+        self.assertTrue(s.check().stable)
+        s.box((1, 1, 1), (0, 0, 1.502))                 # later blocks are found the same way
+        self.assertTrue(s.check().stable)
+
+    def test_overlaps_are_told(self):
+        s = overhang(0)
+        s.box((2, 1, 0.8), (1, 0.5, 1.1), name="top")
+        ((a, b, depth),) = s.overlaps
+        self.assertEqual((a, b), ("stone", "top"))
+        self.assertAlmostEqual(depth, 0.1)
+
+    def test_loads_and_friction_change_the_answer(self):
+        s = overhang(0.5)
+        self.assertTrue(s.check().stable)
+        s.load("stone", (0, 0, -1e6), at=(2.4, 0.5, 0.8))
+        self.assertTrue(s.check().unstable)
+        s = overhang(0.5)
+        s.load("stone", (0.5 * s.blocks[1].mass * 9.80665, 0, 0), at=(1.5, 0.5, 0.01), live=True)
+        self.assertTrue(s.check().stable)
+        self.assertAlmostEqual(s.limit().multiplier, 1.2, places=6)
+        s.friction(0.45)
+        self.assertTrue(s.check().unstable)
+        s.live = 0.8
+        self.assertTrue(s.check().stable)
+        s.gravity = (4, 0, -8)
+        self.assertTrue(s.check().unstable)
+
+    def test_pressure_on_a_face_lifts_a_block(self):
+        s = overhang(0)
+        weight = s.blocks[1].mass * 9.80665
+        s.pressure("stone", 0, 0.99 * weight / 2)       # its face 0 looks down, 2 m^2
+        self.assertTrue(s.check().stable)
+        s.pressure("stone", 0, 0.02 * weight / 2)
+        self.assertTrue(s.check().unstable)
+
+    def test_a_block_held_in_some_directions_only(self):
+        s = stonepack.Scene()
+        s.box((1, 1, 1), fixed="x y z rx ry")
+        self.assertTrue(s.check().stable)
+        s = stonepack.Scene()
+        s.box((1, 1, 1), fixed=("x", "y"))
+        self.assertTrue(s.check().unstable)
+
+    def test_a_copy_is_a_scene_of_its_own(self):
+        s = overhang(0.5)
+        before = s.check().forces
+        t = s.copy()
+        t.friction(0.1)
+        t.box((1, 1, 1), (2, 0.5, 1.3), name="more")
+        self.assertEqual((len(s), len(t)), (2, 3))
+        self.assertEqual(s.check().forces, before)
+        self.assertEqual(t.joints[0].mu, 0.1)
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, block, words, call, *args, **more):
+        with self.assertRaisesRegex(stonepack.SceneError, words) as told:
+            call(*args, **more)
+        self.assertEqual(told.exception.block, block)
+        return told.exception
+
+    def test_an_exception_names_the_block(self):
+        s = overhang(0)
+        error = self.refused("open", "'open'.*open", s.add, TETRAHEDRON[0], TETRAHEDRON[1][:3], name="open")
+        self.assertEqual(error.status, -7)
+        self.refused("in", "'in'.*inward", s.add, TETRAHEDRON[0], [f[::-1] for f in TETRAHEDRON[1]], name="in")
+        self.refused("stone", "one of this name", s.box, (1, 1, 1), name="stone")
+        self.refused("b2", "'b2'.*range", s.box, (1, 1, 1), density=-1)
+        self.refused("keystone", "keystone", s.load, "keystone", (0, 0, 1))
+        self.refused("stone", "'table' 'stone'", s.joint, "table", "stone", [(0, 0, 0), (1, 0, 0), (2, 0, 0)])
+        self.refused("stone", "'stone'", s.load, "stone", (0, 0, float("nan")))
+        self.assertEqual(s.names, ["table", "stone"])   # what was refused is not there
+        self.assertTrue(s.check().stable)
+
+    def test_shapes_that_are_none(self):
+        s = stonepack.Scene()
+        self.refused(None, "n x 3", s.add, [(0, 0), (1, 1)], [(0, 1, 2)])
+        self.refused(None, "n x 3", s.add, [(0, 0, "x")], [(0, 1, 2)])
+        self.refused(None, "vertex numbers", s.add, TETRAHEDRON[0], [(0, 1.5, 2)])
+        self.refused("b0", "missing", s.add, TETRAHEDRON[0], [(0, 2, 9)] + TETRAHEDRON[1][1:])
+        self.refused(None, "three numbers", s.box, (1, 1))
+        self.refused(None, "three numbers", stonepack.Scene, gravity=(0, 0))
+        self.refused(None, "", s.check)                 # no block at all
+
+    def test_answers_of_a_scene_that_changed_say_so(self):
+        s = overhang(0.2)
+        r, limit, order = s.check(), s.limit((1, 0, 0)), s.building()
+        self.assertEqual(len(r.joints), 1)
+        s.box((1, 1, 1), (0.5, 0.5, 1.3), name="more")
+        for ask in (lambda: r.joints, lambda: r.forces, lambda: r.f, r.verify, lambda: limit.hinges,
+                    lambda: order.add("stone")):
+            with self.assertRaisesRegex(stonepack.StonepackError, "changed"):
+                ask()
+        self.assertEqual((r.verdict, r.moving), ("stable", []))             # its own numbers stay
+
+
+class Files(unittest.TestCase):
+    def test_a_scene_file_reads_back_as_the_same_scene(self):
+        for name in ("arch-falling", "wall", "rubble", "trilithon"):
+            s = stonepack.read("tests/scenes/%s.obj" % name)
+            t = stonepack.parse(s.to_obj())
+            self.assertEqual(s.names, t.names)
+            self.assertEqual(s.joints, t.joints)
+            self.assertEqual(s.check().forces, t.check().forces)
+
+    def test_json_of_compas_is_read(self):
+        with open("tests/examples/doorway.json") as file:
+            text = file.read()
+        s = stonepack.read("tests/examples/doorway.json", fixed="ground")
+        self.assertEqual(s.check().forces, stonepack.parse(text, "doorway.json", fixed=["ground"]).check().forces)
+        self.assertTrue(s.check().stable)
+
+    def test_options_of_the_program(self):
+        text = stonepack.parse("o a\n" + overhang(0).to_obj().split("o table")[1].split("#@ interface")[0], "y")
+        self.assertEqual(len(text), 2)
+        s = stonepack.parse(overhang(0).to_obj(), unit="mm", up="y", mu=0.2, fixed=("stone",))
+        self.assertAlmostEqual(s.blocks[1].volume, 1.6e-9)
+        self.assertTrue(s.blocks[1].fixed)
+        self.assertAlmostEqual(s.gravity[1], -9.80665)
+        s = stonepack.read("tests/scenes/arch.obj", mu=0.2)
+        self.assertEqual(s.mu, 0.2)
+        with self.assertRaisesRegex(stonepack.FileError, "unit"):
+            stonepack.read("tests/scenes/arch.obj", unit="miles")
+
+    def test_bad_files_are_one_line(self):
+        for text, words in (("o a\nv 1 2\n", "bad:2: "), ("{", "bad"), ("", "bad")):
+            with self.assertRaisesRegex(stonepack.FileError, words) as told:
+                stonepack.parse(text, "bad")
+            self.assertNotIn("\n", str(told.exception))
+        with self.assertRaisesRegex(stonepack.FileError, "can't open"):
+            stonepack.read("nowhere.obj")
+        s = stonepack.Scene()
+        s.body(1, (0, 0, 0), name="ball")
+        with self.assertRaisesRegex(stonepack.FileError, "no mesh"):
+            s.to_obj()
+
+    def test_pictures_are_svg(self):
+        for r in (overhang(0.5).check(), overhang(1.5).check(), overhang(0.5).limit((1, 0, 0))):
+            root = xml.etree.ElementTree.fromstring(r.svg(names=True))
+            self.assertTrue(root.tag.endswith("svg"))
+        self.assertIn("stone", overhang(1.5).check().svg())
+
+
+class Threads(unittest.TestCase):
+    def test_many_scenes_at_once_answer_as_one_by_one(self):
+        scenes = [overhang(0.02 * k) for k in range(100)]
+        alone = [s.copy().check().forces for s in scenes]
+        together = stonepack.check_many(scenes * 3, threads=4)
+        self.assertEqual([r.forces for r in together], alone * 3)
+        self.assertEqual(stonepack.check_many([]), [])
+        with self.assertRaises(stonepack.SceneError):
+            stonepack.check_many([overhang(0), stonepack.Scene()])
+
+    def test_others_run_while_a_check_is_under_way(self):
+        s = stonepack.Scene()
+        s.box((40, 40, 1), (0, 0, -0.5), fixed=True)
+        for k in range(300):
+            s.box((1, 1, 1), (2 * (k % 15) - 14, 2 * (k // 15 % 10) - 9, 0.5 + k // 150))
+        s.joints
+        turns, done = 0, threading.Event()
+
+        def work():
+            for _ in range(40):
+                s.check(without=("together",), coupled=False)
+            done.set()
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        while not done.is_set():
+            turns += 1
+            time.sleep(0.0005)
+        thread.join()
+        self.assertGreater(turns, 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
