@@ -359,6 +359,8 @@ py_install() {
     $py -m venv $out/venv && $py_bin -m pip install -q --no-index --no-deps "$(cat build/python/made)"
 }
 py_alone() { env -i PATH=/nonexistent PYTHONDONTWRITEBYTECODE=1 "$(pwd)/$py_bin" -I "$@"; }
+py_here() { PYTHONPATH=$(pwd)/build/python /usr/bin/python3 -B tests/python/run.py "$@"; }
+py_types() { mypy --python-version 3.8 --cache-dir $out/mypy build/python/stonepack; }
 # A field that became longer, one that moved: the layout of ctypes is not that of the header any more.
 py_drift() {
     mkdir -p $out/drift
@@ -383,8 +385,12 @@ check_python() {
     part "Python: installed without a compiler" py_install
     count "Python: tests where it is installed" py_alone tests/python/run.py
     if /usr/bin/python3 -c 'import numpy' 2> /dev/null; then
-        count "Python: tests with NumPy" env PYTHONPATH=build/python /usr/bin/python3 -B tests/python/run.py test_scene.Building
+        count "Python: arrays of NumPy" py_here test_scene.Building
     else skip "Python: arrays of NumPy" python3-numpy; fi
+    if /usr/bin/python3 -c 'import pytest, hypothesis' 2> /dev/null; then
+        count "Python: strategies shrink, a planted mistake is found" py_here test_kit.Strategies
+    else skip "Python: strategies, a planted mistake" "python3-pytest python3-hypothesis"; fi
+    if have mypy; then part "Python: types" py_types; else skip "Python: types" mypy; fi
 }
 
 # ------------------------------------------------------------------------------------------------- sanitizers, valgrind

@@ -8,7 +8,7 @@ import unittest
 
 os.environ.setdefault("PYTHONDONTWRITEBYTECODE", "1")
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-names = sys.argv[1:] or ["test_scene", "test_page"]
+names = sys.argv[1:] or ["test_scene", "test_page", "test_kit"]
 result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0).run(unittest.defaultTestLoader.loadTestsFromNames(names))
 bad = len(result.failures) + len(result.errors)
 for test, why in result.skipped:

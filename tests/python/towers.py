@@ -87,9 +87,10 @@ if __name__ == "__main__":
     count, seed = (int(sys.argv[1]) if len(sys.argv) > 1 else 1000000), (int(sys.argv[2]) if len(sys.argv) > 2 else 1)
     start = time.process_time()
     wrong, open_, stable, nearest = ask(count, seed, Tower.bare)
+    took = time.process_time() - start
     print("%d towers, seed %d: %d stand, %d fall, %d undecided (up to %.1e of a joint from its limit), %d wrong; nearest "
-          "decided %.1e; %.0f s of processor" % (count, seed, stable, count - stable - len(open_), len(open_), max(open_, default=0),
-                                         len(wrong), nearest, time.process_time() - start))
+          "decided %.1e; %.0f s of processor" % (count, seed, stable, count - stable - len(open_), len(open_),
+                                                 max(open_, default=0), len(wrong), nearest, took))
     for each in wrong[:20]:
         print("wrong: tower %d, margin %.3e, %s, verified %s" % each)
     sys.exit(bool(wrong))

@@ -4,14 +4,14 @@ from __future__ import annotations
 import ctypes
 from array import array
 from itertools import chain
-from typing import Iterable, Sequence, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
 from ._library import SceneError
 
 Vector = Sequence[float]                                # three numbers
 
 
-def triple(values: Vector, what: str):
+def triple(values: Vector, what: str) -> Any:
     """Three numbers as C has them."""
     try:
         x, y, z = values
@@ -20,13 +20,14 @@ def triple(values: Vector, what: str):
         raise SceneError("%s: three numbers are wanted, not %r" % (what, values)) from None
 
 
-def rows(values: Iterable[Vector], what: str):
+def rows(values: Any, what: str) -> Tuple[int, Any]:
     """(n, n x 3 doubles) of an n x 3 array or a list of points."""
     try:
-        view = memoryview(values)                       # an array of NumPy, or whatever has a buffer
+        view: Optional[memoryview] = memoryview(values)                    # an array of NumPy, or whatever has a buffer
     except TypeError:
         view = None
-    if view is not None and view.format == "d" and view.ndim == 2 and view.shape[1] == 3 and view.c_contiguous:
+    if view is not None and view.format == "d" and view.ndim == 2 and view.c_contiguous \
+            and view.shape is not None and view.shape[1] == 3:
         count = view.shape[0]
         return count, (ctypes.c_double * (3 * count)).from_buffer_copy(view.cast("B"))
     try:
@@ -41,7 +42,7 @@ def rows(values: Iterable[Vector], what: str):
     return len(points), (ctypes.c_double * len(flat)).from_buffer(flat)
 
 
-def polygons(faces: Iterable[Sequence[int]], what: str) -> Tuple[int, object, object, int]:
+def polygons(faces: Any, what: str) -> Tuple[int, Any, Any, int]:
     """(faces, their sizes, their corners, corners) of an m x k array or lists of vertex numbers."""
     try:
         each = faces.tolist() if hasattr(faces, "tolist") else [list(f) for f in faces]

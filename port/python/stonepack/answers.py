@@ -13,13 +13,18 @@ if TYPE_CHECKING:
 Vec3 = Tuple[float, float, float]
 Vec6 = Tuple[float, float, float, float, float, float]
 
+
+def vec3(x: Any) -> Vec3:
+    return x[0], x[1], x[2]
+
+
 VERDICTS = {v: text(c.SP_WORDS_VERDICT, v) for v in (c.SP_STABLE, c.SP_UNSTABLE, c.SP_UNDECIDED)}
 LEVELS = {v: text(c.SP_WORDS_LEVEL, v) for v in (c.SP_NONE, c.SP_ADMISSIBLE, c.SP_COUPLED)}
 
 
 class Block(NamedTuple):
     """A block of a scene."""
-    index: int
+    number: int
     name: str
     mass: float                 # [kg]
     centroid: Vec3              # [m]
@@ -29,7 +34,7 @@ class Block(NamedTuple):
 
 class Joint(NamedTuple):
     """A contact of two blocks."""
-    index: int
+    number: int
     a: str
     b: str                      # the normal points from a into b
     normal: Vec3
@@ -49,7 +54,7 @@ class Overlap(NamedTuple):
 
 class JointForce(NamedTuple):
     """What one joint passes on, as it acts on b."""
-    index: int
+    number: int
     a: str
     b: str
     force: Vec3                 # world axes [N]
@@ -140,7 +145,7 @@ def motion_of(names: List[str], dq: Any) -> Dict[str, Vec6]:
     """{block: six numbers} of those that move, fastest first."""
     speed = speeds(dq, len(names))
     order = sorted((b for b in range(len(names)) if speed[b] > 0), key=lambda b: -speed[b])
-    return {names[b]: tuple(dq[6 * b:6 * b + 6]) for b in order}            # type: ignore[misc]
+    return {names[b]: tuple(dq[6 * b:6 * b + 6]) for b in order}        # type: ignore[misc]
 
 
 class Result:
@@ -277,12 +282,13 @@ class Result:
     def reactions(self) -> Dict[str, Tuple[Vec3, Vec3]]:
         """{support: (force on it [N], moment about its centroid [N m])}."""
         scene = self._there()
-        out, force, moment = {}, (ctypes.c_double * 3)(), (ctypes.c_double * 3)()
+        out: Dict[str, Tuple[Vec3, Vec3]] = {}
+        force, moment = (ctypes.c_double * 3)(), (ctypes.c_double * 3)()
         for b in range(scene._c.count.blocks):
             if scene._c.block[b].fixed == c.SP_FIXED:
                 lib.sp_block_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), b, force, moment)
-                out[self._names[b]] = (tuple(force), tuple(moment))
-        return out                                                          # type: ignore[return-value]
+                out[self._names[b]] = (vec3(force), vec3(moment))
+        return out
 
     def verify(self) -> Evidence:
         """Compute anew, by other code than the search's, what the evidence proves."""
@@ -304,7 +310,7 @@ class Result:
         if status:
             raise refuse(status)
         joint = scene._c.joint[k]
-        return JointForce(k, self._names[joint.a], self._names[joint.b], tuple(out.force), tuple(out.point), out.min_fn,
+        return JointForce(k, self._names[joint.a], self._names[joint.b], vec3(out.force), vec3(out.point), out.min_fn,
                           out.max_fn, out.utilisation, out.corner_utilisation)
 
     def __repr__(self) -> str:
@@ -371,7 +377,8 @@ class Limit:
     @property
     def hinges(self) -> List[Hinge]:
         """The joints that give way in the mechanism."""
-        scene, out, found = self._there(), c.sp_joint_motion(), []
+        found: List[Hinge] = []
+        scene, out = self._there(), c.sp_joint_motion()
         if self._c.upper < 0:
             return found
         for k in range(scene._c.count.joints):
@@ -381,7 +388,7 @@ class Limit:
             if out.kind != c.SP_JOINT_RIGID:
                 joint = scene._c.joint[k]
                 found.append(Hinge(self._names[joint.a], self._names[joint.b], text(c.SP_WORDS_JOINT, out.kind), out.opening,
-                                   out.slip, (tuple(out.a), tuple(out.b))))
+                                   out.slip, (vec3(out.a), vec3(out.b))))
         return found
 
     def svg(self, path: Optional[str] = None, *, names: bool = False) -> str:

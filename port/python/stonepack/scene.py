@@ -13,7 +13,7 @@ from . import meshes
 from ._library import SceneError, arena, lib, refuse, text
 from ._numbers import Vector, polygons, rows, triple
 from .answers import (LEVELS, VERDICTS, Block, Effect, Evidence, Held, Joint, Limit, Overlap, Plan, Result, Step, Strong,
-                      motion_of, speeds)
+                      motion_of, speeds, vec3)
 
 GRAVITY = (0.0, 0.0, -9.80665)
 Name = Union[str, int, Block]
@@ -84,6 +84,7 @@ class Scene:
     def __init__(self, *, mu: float = 0.84, density: float = 2400.0, gravity: Vector = GRAVITY):
         self.mu, self.density = mu, density
         self.remarks: List[str] = []                # of the file it was read from
+        self.recipe: Optional[str] = None           # the call that made it, by stonepack.scenes
         self._c = c.sp_scene()
         self._memory: Any = None
         self._names: List[str] = []
@@ -187,7 +188,7 @@ class Scene:
         self._touched()
         return label
 
-    def index(self, block: Name) -> int:
+    def number(self, block: Name) -> int:
         """Number of a block, by its name, its number or as `blocks` tells it."""
         if isinstance(block, Block):
             block = block.name
@@ -211,12 +212,12 @@ class Scene:
         out = []
         for k, name in enumerate(self._names):
             b = self._c.block[k]
-            out.append(Block(k, name, b.mass, tuple(b.centroid), b.volume, b.fixed == c.SP_FIXED))
+            out.append(Block(k, name, b.mass, vec3(b.centroid), b.volume, b.fixed == c.SP_FIXED))
         return out
 
     def mesh(self, block: Name) -> meshes.Shape:
         """(vertices, faces) of a block; empty of one without a mesh."""
-        s, b = self._c, self._c.block[self.index(block)]
+        s, b = self._c, self._c.block[self.number(block)]
         vertices = [tuple(s.vertex[k]) for k in range(b.vertex, b.vertex + b.vertices)]
         faces = [tuple(k - b.vertex for k in s.corner[s.face[i].corner:s.face[i].corner + s.face[i].corners])
                  for i in range(b.face, b.face + b.faces)]
@@ -230,7 +231,7 @@ class Scene:
     def joint(self, a: Name, b: Name, polygon: Any, *, mu: Optional[float] = None, cohesion: float = 0, tension: float = 0,
               crushing: float = 0) -> int:
         """Add a contact polygon, n x 3 corners anticlockwise seen from b [m]; returns its number. Strength in Pa."""
-        i, j, what = self.index(a), self.index(b), "joint '%s' '%s'" % (self._label_of(a), self._label_of(b))
+        i, j, what = self.number(a), self.number(b), "joint '%s' '%s'" % (self._label_of(a), self._label_of(b))
         n, xyz = rows(polygon, what)
         strength = self._strength(mu, cohesion, tension, crushing)
         return self._append(n, what, self._label_of(b),
@@ -238,14 +239,14 @@ class Scene:
 
     def points(self, a: Name, b: Name, normal: Vector, points: Any, *, mu: Optional[float] = None) -> int:
         """Add a point or edge contact: n x 3 points [m] that share a normal from a into b; returns its number."""
-        i, j, what = self.index(a), self.index(b), "contact '%s' '%s'" % (self._label_of(a), self._label_of(b))
+        i, j, what = self.number(a), self.number(b), "contact '%s' '%s'" % (self._label_of(a), self._label_of(b))
         n, xyz = rows(points, what)
         along, strength = triple(normal, what), self._strength(mu, 0, 0, 0)
         return self._append(n, what, self._label_of(b),
                             lambda: lib.sp_scene_points(byref(self._c), i, j, along, n, xyz, byref(strength), None))
 
     def _label_of(self, block: Name) -> str:
-        return self._names[self.index(block)]
+        return self._names[self.number(block)]
 
     def _append(self, points: int, what: str, block: str, call: Callable[[], int]) -> int:
         """One more joint. From the first that is given on, those that were found are gone."""
@@ -328,8 +329,8 @@ class Scene:
         out = []
         for k in range(self._c.count.joints):
             j = self._c.joint[k]
-            points = [tuple(self._c.point[i]) for i in range(j.point, j.point + j.points)]
-            out.append(Joint(k, self._names[j.a], self._names[j.b], tuple(j.n), tuple(j.t1), tuple(j.t2), j.area,
+            points = [vec3(self._c.point[i]) for i in range(j.point, j.point + j.points)]
+            out.append(Joint(k, self._names[j.a], self._names[j.b], vec3(j.n), vec3(j.t1), vec3(j.t2), j.area,
                              j.strength.mu, points))
         return out
 
@@ -363,7 +364,7 @@ class Scene:
              mass: float = 0, live: bool = False) -> None:
         """Add a load: force [N] and mass [kg] at a point [m] (None: the centroid) that goes with the block, couple [N m].
         live: counts `live` times, and is what `limit` scales."""
-        k, what = self.index(block), "load on '%s'" % self._label_of(block)
+        k, what = self.number(block), "load on '%s'" % self._label_of(block)
         point = self._c.block[k].centroid if at is None else triple(at, what)
         each = c.sp_load(k, int(live), point, triple(force, what), triple(couple, what), mass)
         self._room(loads=1)
@@ -375,7 +376,7 @@ class Scene:
     def pressure(self, block: Name, face: int, pressure: float, *, live: bool = False) -> None:
         """Press on a face (its number within the block) [Pa]; below 0 it pulls."""
         self._room(loads=1)
-        status = lib.sp_scene_pressure(byref(self._c), self.index(block), face, pressure, int(live), None)
+        status = lib.sp_scene_pressure(byref(self._c), self.number(block), face, pressure, int(live), None)
         if status:
             raise refuse(status, "pressure on '%s'" % self._label_of(block), self._label_of(block))
         self._numbers_changed()
@@ -537,11 +538,37 @@ class Scene:
                           c.sp_contact_settings.from_buffer_copy(self._found[1]))
         return new
 
+    def part(self, blocks: Iterable[Name]) -> "Scene":
+        """A scene of its own of these blocks alone, with the joints between them and the loads on them."""
+        self._ready()
+        chosen = sorted({self.number(b) for b in blocks})
+        new, old = Scene(mu=self.mu, density=self.density, gravity=self.gravity), self._c
+        number: Dict[int, int] = {}
+        for k in chosen:
+            b, number[k] = old.block[k], len(number)
+            if b.faces:
+                new.add(*self.mesh(k), name=self._names[k], density=b.density, fixed=b.fixed)
+            else:
+                new.body(b.mass, tuple(b.centroid), name=self._names[k], fixed=b.fixed)
+        for j in self.joints:
+            a, b, s = old.joint[j.number].a, old.joint[j.number].b, old.joint[j.number].strength
+            if a in number and b in number and j.area > 0:
+                new.joint(number[a], number[b], j.points, mu=s.mu, cohesion=s.cohesion, tension=s.tension, crushing=s.crushing)
+            elif a in number and b in number:
+                new.points(number[a], number[b], j.normal, j.points, mu=s.mu)
+        new._given, new._c.live = True, old.live
+        for k in range(old.count.loads):
+            each = old.load[k]
+            if each.block in number:
+                new.load(number[each.block], tuple(each.force), tuple(each.point), couple=tuple(each.couple), mass=each.mass,
+                         live=bool(each.live))
+        return new
+
     def __len__(self) -> int:
         return len(self._names)
 
     def __repr__(self) -> str:
-        return "<scene of %d blocks, %d joints>" % (len(self._names), self._c.count.joints)
+        return self.recipe or "<scene of %d blocks, %d joints>" % (len(self._names), self._c.count.joints)
 
 
 class BuildOrder:
@@ -592,7 +619,7 @@ class BuildOrder:
         return self._c
 
     def _set(self, block: Name, presence: int, ask_hold: bool) -> Step:
-        out, names, k = c.sp_step(), self._scene._names, self._scene.index(block)
+        out, names, k = c.sp_step(), self._scene._names, self._scene.number(block)
         status = lib.sp_sequence_set(self._here(), k, presence, byref(out))
         if status:
             raise refuse(status, "step '%s'" % names[k], names[k])
