@@ -73,7 +73,7 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package docs install bench figures bench-coupled check nightly help clean
+.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package page docs install bench figures bench-coupled check nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -94,6 +94,7 @@ help:
 	@echo "make deps      installs what check can use (Debian, needs root)"
 	@echo "make pair      the library as two files, in build/pair/"
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
+	@echo "make page      one HTML file that reads a model, checks it as it is changed, and shows it in 3D: build/page/stonepack.html"
 	@echo "make docs      manual page, completions for bash and zsh, in build/doc/"
 	@echo "make install   library, header, program, manual and completions into PREFIX (/usr/local), under DESTDIR"
 	@echo "make bench     times and work as CSV"
@@ -280,6 +281,29 @@ build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
 
 package:
 	sh port/package/package.sh build/package/stonepack
+
+# The page: the library, the program's reader and its reports as WebAssembly, three.js, all in one file.
+PAGE_F   = $(filter-out $(addprefix port/host/files/,file.c meshes.c raster.c drawn.c done.c csv_out.c qps_read.c),$(wildcard port/host/files/*.c))
+PAGE_H   = $(addprefix port/host/,run.c tilt.c motion.c weakest.c $(addprefix command/,options.c solvers.c report.c report_text.c report_json.c))
+PAGE_C   = stonepack.c $(wildcard port/page/*.c port/host/picture/*.c) $(PAGE_F) $(PAGE_H)
+PAGE_O   = $(PAGE_C:%.c=build/page/%.o)
+WASM_CC ?= clang
+
+page:
+	@lacks=$$(sh port/page/build.sh --lacks) && if [ "$$lacks" ]; then echo "make page lacks"; echo "$$lacks"; echo "make deps installs it"; exit 1; fi
+	@$(MAKE) --no-print-directory build/page/stonepack.html
+
+build/page/stonepack.html: build/page/core.wasm $(wildcard port/page/*) tests/scenes tests/examples
+	@sh port/page/build.sh
+
+build/page/core.wasm: $(PAGE_O) port/page/build.sh
+	@sh port/page/build.sh --core $(PAGE_O)
+
+build/page/%.o: %.c
+	@mkdir -p $(@D)
+	$(Q)$(WASM_CC) --target=wasm32-wasi $(STRICTC) $(if $(filter stonepack.c,$<),-O2,-Os) $(WARN) -DSP_SQRT=__builtin_sqrt -MMD -MP -c $< -o $@
+
+-include $(PAGE_O:.o=.d)
 
 # Library, header, program, and what pkg-config and CMake look for.
 PREFIX ?= /usr/local
