@@ -8,7 +8,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 TIMES=1
-groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo'
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page'
 if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
     echo "no group of check is called $ONLY; there are $groups"
     exit 1
@@ -649,6 +649,22 @@ drawn() { python3 -B "tests/bench/$1.py" ${2:+"$2"} | cmp - "tests/bench/figures
 check_demo() {
     if have rsvg-convert; then part "demo, pictures are readable SVG" pictures
     else part "demo" sh tests/checks/demo.sh; skip "pictures as PNG" librsvg2-bin; fi
+}
+
+# The page: the program's answers to the bit, and the page in a browser.
+page_html() { make -s page; }
+page_warnings() {
+    # shellcheck disable=SC2086
+    for pw in port/page/*.c; do gcc $host -O1 -c "$pw" -o $out/warn.o || return 1; done
+}
+check_page() {
+    part "page: warnings" page_warnings
+    pa_lacks=$(sh port/page/build.sh --lacks | tr '\n' ' ')
+    if [ "$pa_lacks" ]; then skip "a page in a browser" "$pa_lacks"; return; fi
+    part "page: built" page_html
+    count "page: the program's answers to the bit" node tests/checks/page_bits.mjs build/page/core.wasm build/stonepack
+    if have chromium; then count "page: in a browser" node tests/checks/page_browser.mjs build/page/stonepack.html chromium $out/screens
+    else skip "page: in a browser" chromium; fi
 }
 
 side_by_side() {

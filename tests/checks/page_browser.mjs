@@ -1,0 +1,228 @@
+/* page_browser: the page in a browser.       node page_browser.mjs PAGE.html CHROMIUM [FOLDER for screens]
+ *
+ * Loads, decides, drags, draws; keys, drop, link, exports; no error on the console, nothing fetched. Times are told and judge
+ * nothing. Ends with `N passed, N failed`. */
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { Chromium } from './chromium.mjs';
+
+const [page, program, screens] = process.argv.slice(2), url = 'file://' + resolve(page), browser = new Chromium(program);
+let passed = 0, failed = 0;
+function test(name, good, more = '') {
+  if (good) passed++; else { failed++; console.log('FAILED  ' + name + ' ' + more); }
+}
+async function shot(tab, name) {
+  if (!screens) return;
+  mkdirSync(screens, { recursive: true });
+  writeFileSync(join(screens, name + '.png'), await tab.screen());
+}
+const P = 'window.stonepackPage', ready = tab => tab.until('document.body && document.body.dataset.ready');
+const verdict = tab => tab.value('document.body.dataset.verdict');
+/* Share of the picture that is not empty, and a number that differs where pictures differ. */
+const drawn = tab => tab.value(`(() => { const v = ${P}.view, c = document.createElement('canvas'), from = v.canvas;
+  v.renderer.render(v.scene, v.camera); c.width = 200; c.height = 150; const pen = c.getContext('2d');
+  pen.drawImage(from, 0, 0, 200, 150); const d = pen.getImageData(0, 0, 200, 150).data; let n = 0, h = 0;
+  for (let k = 0; k < d.length; k += 4) { if (d[k + 3] > 200) n++; h = (h * 31 + d[k] + 7 * d[k + 3]) % 1000000007; }
+  return { share: n / 30000, hash: h }; })()`);
+/* Where a stone is on the screen: its middle if that is what is hit there, else a place where it is. */
+const place = (tab, b) => tab.value(`(() => { const v = ${P}.view, box = v.canvas.getBoundingClientRect();
+  for (let i = 1; i < 60; i++) for (let j = 1; j < 60; j++) { const x = box.left + box.width * i / 60, y = box.top + box.height * j / 60;
+    const h = v.pick(x, y); if (h && h.block === ${b}) return [x, y]; } return null; })()`);
+const set = (tab, id, x) => tab.value(`(() => { const e = document.getElementById('${id}'); e.value = ${JSON.stringify(String(x))};
+  e.dispatchEvent(new Event('input', { bubbles: true })); e.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+const press = (tab, id) => tab.value(`document.getElementById('${id}').click()`);
+const example = (tab, k) => tab.value(`(() => { const e = document.getElementById('example'); e.selectedIndex = ${k} + 1;
+  e.dispatchEvent(new Event('change')); })()`);
+const drop = (tab, name, file) => tab.value(`(() => { const t = new DataTransfer();
+  t.items.add(new File([Uint8Array.from(atob('${Buffer.from(file).toString('base64')}'), c => c.charCodeAt(0))], '${name}'));
+  window.dropped = performance.now(); dispatchEvent(new DragEvent('drop', { dataTransfer: t, bubbles: true, cancelable: true })); })()`);
+
+async function begins() {
+  const tab = await browser.open(url);
+  test('it loads', await ready(tab));
+  test('WebGL draws here', await tab.value(`!!${P}.view`));
+  test('an arch stands', await verdict(tab) === 'stable');
+  await tab.frames();
+  const first = await drawn(tab);
+  test('it is drawn', first.share > 0.03 && first.share < 0.9, JSON.stringify(first));
+  console.log('from opening to the first verdict: ' + await tab.value('document.body.dataset.answered') + ' ms, to the picture: '
+    + await tab.value('document.body.dataset.ready') + ' ms');
+  await shot(tab, 'desktop-light');
+  return tab;
+}
+async function decides(tab) {
+  const texts = JSON.parse(await tab.value(`JSON.stringify(${P}.examples.map(e => e.title))`)), found = [];
+  for (let k = 0; k < texts.length; k++) {
+    await example(tab, k);
+    await tab.frames();
+    found.push(await verdict(tab));
+    test(texts[k] + ' is drawn', (await drawn(tab)).share > 0.02);
+    if (k) await shot(tab, 'example-' + k);
+  }
+  test('nine of ten examples stand', found.filter(v => v === 'stable').length === 9 && found[1] === 'unstable', found.join(' '));
+  await example(tab, 1);
+  await tab.frames();
+  const one = await drawn(tab);
+  await new Promise(f => setTimeout(f, 700));
+  test('what falls is seen to move', one.hash !== (await drawn(tab)).hash);
+  await press(tab, 'motion');
+  await tab.frames(3);
+  const rest = (await drawn(tab)).hash;
+  await tab.frames(6);
+  test('and rests when that is not asked', rest === (await drawn(tab)).hash);
+  await press(tab, 'motion');
+}
+async function changes(tab) {
+  await example(tab, 0);
+  await set(tab, 'mu', 0.1);
+  await tab.frames();
+  test('without friction it falls', await verdict(tab) === 'unstable');
+  test('a screen reader is told', await tab.until(`document.getElementById('say').textContent.includes('It falls')`));
+  await press(tab, 'mu-own');
+  await tab.frames();
+  test('with its own it stands', await verdict(tab) === 'stable');
+  await set(tab, 'tilt', 40);
+  await tab.frames();
+  test('tilted it falls', await verdict(tab) === 'unstable');
+  await press(tab, 'level');
+  await tab.frames();
+  await set(tab, 'stone', 'b8');
+  await set(tab, 'push', 2);
+  await tab.frames();
+  test('pushed it falls', await verdict(tab) === 'unstable');
+  await press(tab, 'ask-margin');
+  test('how much it bears is told', /bears 0\.\d+ times/.test(await tab.value(`document.getElementById('margin').textContent`)),
+    await tab.value(`document.getElementById('margin').textContent`));
+  await shot(tab, 'pushed');
+  await press(tab, 'no-push');
+  await press(tab, 'take');
+  await tab.frames();
+  test('with a stone less it falls', await verdict(tab) === 'unstable');
+  await press(tab, 'restore');
+  await tab.frames();
+  test('as it was it stands', await verdict(tab) === 'stable');
+}
+async function drags(tab) {
+  await example(tab, 5);
+  await tab.frames();
+  const before = await drawn(tab), last = await tab.value(`${P}.model.shape.blocks - 1`);
+  let at = await place(tab, last);
+  await tab.drag(at, [at[0] + 120, at[1] + 30]);
+  test('a drag turns the view', before.hash !== (await drawn(tab)).hash);
+  await tab.value(`document.querySelector('[value=move]').click(), ${P}.view.home()`);
+  await tab.frames();
+  at = await place(tab, last);
+  await tab.drag(at, [at[0] + 12, at[1]]);
+  const by = await tab.value(`${P}.model.state.change[${last}].by`);
+  test('a drag moves a stone, level', Math.hypot(by[0], by[1]) > 0 && Math.abs(by[2]) < 1e-9, String(by));
+  at = await place(tab, last);
+  await tab.drag(at, [at[0] + 400, at[1]]);
+  test('pulled off it falls', await verdict(tab) === 'unstable');
+  await shot(tab, 'moved');
+  await press(tab, 'restore');
+  await tab.value(`document.querySelector('[value=push]').click()`);
+  await tab.frames();
+  at = await place(tab, last);
+  await tab.drag(at, [at[0] + 90, at[1] + 10]);
+  test('a drag pushes', await tab.value(`${P}.model.state.push.share`) > 0.05);
+  test('and the arrow is drawn', await tab.value(`${P}.view.forces.arrow.visible`));
+  await tab.value(`document.querySelector('[value=turn]').click()`);
+}
+async function keys(tab) {
+  await example(tab, 0);
+  await tab.frames();
+  await tab.value(`document.getElementById('view').focus()`);
+  const before = (await drawn(tab)).hash;
+  await tab.key('ArrowLeft');
+  test('an arrow key turns the view', before !== (await drawn(tab)).hash);
+  await tab.key('0', 'Digit0');
+  test('0 goes back', before === (await drawn(tab)).hash);
+  for (let k = 0; k < 5; k++) await tab.key('n', 'KeyN');
+  test('n chooses stones', await tab.value(`document.getElementById('stone').selectedIndex`) === 5);
+  test('and says which', await tab.until(`/^b4, /.test(document.getElementById('say').textContent)`));
+  await tab.key('Delete');
+  test('Delete takes it out', await verdict(tab) === 'unstable');
+  await press(tab, 'restore');
+  await tab.frames();
+  await tab.key('Tab');
+  test('Tab leaves the picture', await tab.value(`document.activeElement.id !== 'view'`));
+  const bare = await tab.value(`Array.from(document.querySelectorAll('input, select, button')).filter(e => !(e.labels && e.labels.length)
+    && !e.getAttribute('aria-label') && !e.textContent.trim()).map(e => e.id).join(' ')`);
+  test('every control has a name', bare === '', bare);
+}
+async function files(tab) {
+  await drop(tab, 'wall.obj', readFileSync('tests/scenes/wall.obj'));
+  test('a model is dropped and answered', await tab.until(`document.getElementById('name').textContent === 'wall.obj'`)
+    && await verdict(tab) === 'stable');
+  console.log('from a drop to its verdict: ' + Math.round(await tab.value('performance.now() - window.dropped')) + ' ms');
+  await drop(tab, 'bad.obj', 'o a\nv 1 2\n');
+  test('a bad one is told with its line', await tab.until(`/bad\\.obj:2:/.test(document.getElementById('error').textContent)`));
+  test('and the model before is still there', await tab.value(`${P}.model.state.name`) === 'wall.obj' && await verdict(tab) === 'stable');
+  await drop(tab, 'rhino.obj', readFileSync('tests/examples/arch.obj'));
+  await tab.until(`document.getElementById('name').textContent === 'rhino.obj'`);
+  const help = () => tab.value(`Array.from(document.querySelectorAll('#remarks button'), b => b.textContent).join(' ')`);
+  test('a remark offers its option', (await help()).includes('--up y'), await help());
+  await set(tab, 'options', '--unit mm --up y --fixed Springer*');
+  await tab.value(`document.getElementById('apply').requestSubmit()`);
+  test('with options it stands', await verdict(tab) === 'stable', await verdict(tab));
+  const json = await tab.value(`${P}.core.json()`), obj = await tab.value(`${P}.core.scene()`), svg = await tab.value(`${P}.core.picture()`);
+  test('JSON, scene and picture are whole', JSON.parse(json).verdict === 'stable' && /^o Voussoir_01$/m.test(obj) && /<\/svg>\s*$/.test(svg));
+  await drop(tab, 'again.obj', obj);
+  await tab.until(`document.getElementById('name').textContent === 'again.obj'`);
+  test('the scene reads back', await verdict(tab) === 'stable' && JSON.parse(await tab.value(`${P}.core.json()`)).interfaces === 12);
+}
+async function link(tab) {
+  await example(tab, 5);
+  await set(tab, 'mu', 0.21);
+  await set(tab, 'tilt', 7);
+  await tab.frames();
+  await tab.value(`${P}.share()`);
+  const other = await browser.open(await tab.value('location.href'));
+  await ready(other);
+  test('a link holds the scene', await other.value(`${P}.model.state.name`) === 'tests/scenes/wall.obj'
+    && await other.value(`${P}.core.json()`) === await tab.value(`${P}.core.json()`));
+  test('no error on its console', other.errors.length === 0, other.errors.join('; '));
+  await other.close();
+}
+async function small() {
+  const tab = await browser.open(url, { width: 390, height: 780, phone: true, dark: true, still: true });
+  await ready(tab);
+  await tab.frames(3);
+  test('a phone needs no sideways scroll', await tab.value('document.documentElement.scrollWidth <= innerWidth'));
+  test('and shows picture and verdict at once', await tab.value(`document.getElementById('verdict').getBoundingClientRect().bottom < innerHeight
+    && document.getElementById('view').getBoundingClientRect().height > 200`));
+  test('it is drawn', (await drawn(tab)).share > 0.03);
+  await shot(tab, 'phone-dark');
+  await example(tab, 1);
+  await tab.frames(3);
+  const one = (await drawn(tab)).hash;
+  await tab.frames(6);
+  test('who wants less motion sees a state, not a motion', one === (await drawn(tab)).hash && await verdict(tab) === 'unstable');
+  await shot(tab, 'phone-dark-falls');
+  await tab.value('scrollTo(0, 600)');
+  await tab.frames();
+  await shot(tab, 'phone-dark-below');
+  test('no error on its console', tab.errors.length === 0, tab.errors.join('; '));
+  await tab.close();
+}
+async function dark() {
+  const tab = await browser.open(url, { dark: true });
+  await ready(tab);
+  await tab.frames(3);
+  test('dark has other colours', await tab.value(`getComputedStyle(document.body).backgroundColor`) === 'rgb(22, 24, 28)');
+  await shot(tab, 'desktop-dark');
+  await tab.close();
+}
+try {
+  const tab = await begins();
+  for (const part of [decides, changes, drags, keys, files, link]) await part(tab);
+  test('no error on the console', tab.errors.length === 0, tab.errors.join('; '));
+  test('nothing is fetched', tab.fetched.length === 0, tab.fetched.join(' '));
+  await small();
+  await dark();
+} catch (e) {
+  test('the browser answers', false, e.stack);
+}
+await browser.close();
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed ? 1 : 0);
