@@ -1,21 +1,27 @@
-"""What port/python/README.md shows is what happens: its pycon blocks, one session."""
+"""What the pages show is what happens: the pycon blocks of each, one session."""
 import doctest
 import os
 import re
 import unittest
 
-PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "port", "python", "README.md")
+PORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "port")
 
 
 class Page(unittest.TestCase):
-    def test_the_page_shows_what_happens(self):
-        with open(PAGE) as file:
+    def shows(self, *path):
+        with open(os.path.join(PORT, *path)) as file:
             session = "\n".join(re.findall(r"^```pycon\n(.*?)^```$", file.read(), re.S | re.M))
-        test = doctest.DocTestParser().get_doctest(session, {}, "README.md", PAGE, 0)
-        self.assertGreater(len(test.examples), 5)
+        test = doctest.DocTestParser().get_doctest(session, {}, path[-1], path[-1], 0)
+        self.assertGreater(len(test.examples), 4)
         said = []
-        doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=said.append)
+        doctest.DocTestRunner().run(test, out=said.append)
         self.assertEqual("".join(said), "")
+
+    def test_the_page_of_python_shows_what_happens(self):
+        self.shows("python", "README.md")
+
+    def test_the_page_of_the_oracle_shows_what_happens(self):
+        self.shows("ORACLE.md")
 
 
 if __name__ == "__main__":

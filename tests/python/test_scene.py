@@ -1,12 +1,15 @@
 """Scenes, answers and refusals of the Python package; standard library alone, NumPy where it is there."""
 import math
+import random
 import threading
 import time
 import unittest
 import xml.etree.ElementTree
 
 import stonepack
+import ties
 import towers
+from stonepack import scenes
 
 try:
     import numpy
@@ -37,6 +40,31 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(overhang(0).limit((0, 0, -1)).kind, "unbounded")
         self.assertEqual(overhang(0).limit((0, 0, -1)).multiplier, math.inf)
         self.assertIsNone(overhang(1.1).limit((1, 0, 0)).multiplier)
+
+    def test_a_check_below_a_limit_stands_and_above_it_falls(self):
+        for name in ("arch", "wall", "trilithon"):
+            s = stonepack.read("tests/scenes/%s.obj" % name)
+            limit = s.limit((1, 0, 0))
+            for share, verdict in ((1 - 1e-6, "stable"), (1 + 1e-6, "unstable")):
+                s.live_acceleration = (9.80665, 0, 0)
+                s.live = share * limit.multiplier
+                self.assertEqual(s.check().verdict, verdict, (name, share))
+
+    def test_a_thousand_tol_from_a_limit_every_answer_is_right(self):
+        distances = (1e-2, 1e-6)
+        counts = {d: [0, 0, 0, 0] for d in distances}
+        rng = random.Random(5)
+        asked = sum(ties.ask(s, distances, 1e-9, counts) for s in rng.sample(list(ties.families(rng)), 30))
+        self.assertGreater(asked, 20)
+        self.assertEqual(counts, {d: [2 * asked, 0, 0, 0] for d in distances})
+
+    def test_numbers_that_take_more_memory_are_answered_as_from_the_start(self):
+        s = scenes.stack([(1, 1, 1)] * 6, [(0, 0)] * 6)
+        first = s.check()
+        s.gravity = (1, 0.5, -9)
+        s.load("s3", (10, 20, -30), at=(0.1, 0.2, 2.9), couple=(1, 2, 3))
+        self.assertEqual(s.check().forces, s.copy().check().forces)
+        self.assertTrue(first.stable)
 
     def test_a_limit_tells_the_hinge(self):
         limit = overhang(0, mu=3).limit((1, 0, 0))

@@ -6,7 +6,7 @@ import os
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from . import _bindings as c
 from . import meshes
@@ -70,6 +70,25 @@ def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[
     return s
 
 
+_KEPT: Dict[Any, Any] = {}                              # settings by their words: most callers have a few
+
+
+def _settings_of(words: Dict[str, Any]) -> Tuple[Any, Any]:
+    """(key, sp_settings or None for the default ones) of the words of a call; the struct is not to be written."""
+    if not words:
+        return (), None
+    key = tuple(words.items())
+    try:
+        return key, _KEPT[key]
+    except KeyError:
+        if len(_KEPT) > 100:
+            _KEPT.clear()
+        _KEPT[key] = _settings(**words)
+        return key, _KEPT[key]
+    except TypeError:                                   # a list among them
+        return None, _settings(**words)
+
+
 class Scene:
     """An assembly of rigid blocks.
 
@@ -93,7 +112,7 @@ class Scene:
         self._given = False                         # joints were given, not found
         self._found: Any = None                     # how joints were found: settings; None: not yet
         self._overlaps: List[Overlap] = []
-        self._need: Optional[int] = None            # bytes of a check with the default settings
+        self._needs: Dict[Any, int] = {}            # bytes of a check by its settings
         self._lock = threading.Lock()
         self._create(c.sp_capacity(8, 64, 48, 192, 16, 64, 4))
         self.gravity = gravity                      # type: ignore[assignment]
@@ -133,7 +152,7 @@ class Scene:
     def _touched(self) -> None:
         """Something changed: answers before this are of another scene."""
         self._version += 1
-        self._need = None
+        self._needs.clear()
 
     # ------------------------------------------------------------------------------------------------------------ blocks
 
@@ -352,9 +371,9 @@ class Scene:
             self._found[1].strength.mu = mu
 
     def _numbers_changed(self) -> None:
-        """Joints stay what they are; answers before this do not."""
+        """Joints stay what they are, and most often the bytes of a check; answers before this do not."""
         found = self._found is not None and self._found[0] == self._version
-        self._touched()
+        self._version += 1
         if found:
             self._found = (self._version, self._found[1])
 
@@ -401,6 +420,16 @@ class Scene:
         self._c.live = multiple
         self._numbers_changed()
 
+    @property
+    def live_acceleration(self) -> Any:
+        """Acceleration of every block and every load's mass that counts `live` times [m/s^2]; limit(body) is of multiples of g."""
+        return tuple(self._c.body)
+
+    @live_acceleration.setter
+    def live_acceleration(self, a: Vector) -> None:
+        self._c.body = triple(a, "live_acceleration")
+        self._numbers_changed()
+
     # --------------------------------------------------------------------------------------------------------- questions
 
     def _bytes(self, what: int, settings: Any, scene: Any = None) -> int:
@@ -426,16 +455,16 @@ class Scene:
         without     effects to leave out: "friction", "depth", "together"
         """
         self._ready()
-        s = _settings(**settings) if settings else None
-        if s is None:
-            need = self._need
-            if need is None:
-                need = self._need = self._bytes(c.SP_FOR_CHECK, None)
-        else:
-            need = self._bytes(c.SP_FOR_CHECK, s)
-        result = Result(self, s)
-        result._memory, a = arena(need)
-        status = lib.sp_check(byref(self._c), byref(s) if s is not None else None, byref(a), byref(result._c))
+        key, s = _settings_of(settings)
+        p, result = (byref(s) if s is not None else None), Result(self, s)
+        need = self._needs.get(key)
+        if need is not None:
+            result._memory, a = arena(need)
+            status = lib.sp_check(byref(self._c), p, byref(a), byref(result._c))
+        if need is None or status == c.SP_E_MEMORY:     # not asked before, or numbers changed so that it takes more
+            need = self._needs[key] = self._bytes(c.SP_FOR_CHECK, s)
+            result._memory, a = arena(need)
+            status = lib.sp_check(byref(self._c), p, byref(a), byref(result._c))
         if status:
             raise refuse(status)
         return result
