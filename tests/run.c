@@ -7,13 +7,16 @@
  *
  * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
  * a board may choose fewer. TEST_LEAVE_OUT is a file of "stem/name", one a line: tests too large for a board; they are named,
- * each with its reason, by whoever left them out. The last line is `N passed, N failed`; the exit status is 1 if a test failed,
- * or none was run.
+ * each with its reason, by whoever left them out. With TEST_FIRST the first test that fails is the last one that is run. The last
+ * line is `N passed, N failed`; the exit status is 1 if a test failed, or none was run.
  */
 #include "test.h"
 
 #include <string.h>
 
+#ifndef TEST_FIRST
+#define TEST_FIRST 0
+#endif
 #ifndef TEST_SUITES
 #error "TEST_SUITES is missing: X(scene) X(clip) ..."
 #endif
@@ -184,7 +187,7 @@ int main(int argc, char **argv)
         for (const char *s = argv[2]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');
     }
     for (size_t i = 0; i < sizeof suite / sizeof suite[0]; i++)
-        for (const test_entry *e = suite[i].entry; e->run; e++) {
+        for (const test_entry *e = suite[i].entry; e->run && !(TEST_FIRST && failed); e++) {
             if (!contains(suite[i].stem, e->name, filter)) continue;
             if (leave_out(suite[i].stem, e->name)) continue;
             if (list) TEST_PRINT("%s/%s\n", suite[i].stem, e->name);

@@ -1,0 +1,60 @@
+/* A fence behind every piece of memory that is taken of an arena: what is written there is seen when the piece goes; built with
+ * AddressSanitizer it cannot be read either. To be included before the parts that take. All of it is static. */
+#ifndef FENCE_H
+#define FENCE_H
+
+#include "../../solvers/base/arena.c"
+
+#include <string.h>
+
+#ifdef __SANITIZE_ADDRESS__
+#define FENCED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FENCED 1
+#endif
+#endif
+#ifdef FENCED
+#include <sanitizer/asan_interface.h>
+#else
+#define ASAN_POISON_MEMORY_REGION(p, n) ((void)(p))
+#define ASAN_UNPOISON_MEMORY_REGION(p, n) ((void)(p))
+#endif
+
+enum { WIDTH = 32, BYTE = 0xd7, MOST = 1024 };
+
+static unsigned char *fence[MOST];                      /* standing, lowest first */
+static int fences, broken, built;
+
+static void fences_down(const unsigned char *from)
+{
+    while (fences && fence[fences - 1] + WIDTH > from) {
+        const unsigned char *at = fence[--fences];
+        ASAN_UNPOISON_MEMORY_REGION(at, WIDTH);
+        for (int k = 0; k < WIDTH; k++)
+            if (at[k] != BYTE) { broken++; break; }
+    }
+}
+
+/* sp__take with a fence behind the piece; counts it on a dry arena too, so sizes and layout still agree. */
+static void *fenced_take(sp_arena *a, size_t count, size_t size)
+{
+    if (size && count > (SIZE_MAX - WIDTH) / size) return sp__take(a, count, size);
+    unsigned char *piece = sp__take(a, 1, count * size + WIDTH);
+    if (!piece) return NULL;
+    fences_down(piece);
+    ASAN_UNPOISON_MEMORY_REGION(piece, count * size + WIDTH);
+    memset(piece, 0x5b, count * size);                  /* nothing may count on zeros */
+    if (fences < MOST) {
+        fence[fences] = piece + count * size;
+        memset(fence[fences], BYTE, WIDTH);
+        ASAN_POISON_MEMORY_REGION(fence[fences], WIDTH);
+        fences++;
+        built++;
+    }
+    return piece;
+}
+
+#define sp__take(a, count, size) fenced_take(a, count, size)
+
+#endif /* FENCE_H */

@@ -1,0 +1,347 @@
+#!/usr/bin/env python3
+"""mutate: does a test notice when one place of the library is wrong?
+
+    python3 -B tests/mutation/mutate.py [--of proof|verify|core|PATH...] [--sample N] [--seed N] [--jobs N] [--hashes]
+                                        [--line FILE:N] [--list] [--table FILE] [--least PERCENT]
+
+Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
+It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the
+changed file anew), and run until a test fails, quick tests first. Tests have SLACK times the processor time they take of the
+unchanged library, so what no longer ends is noticed too; those that take longer than SLOW are not asked. What no test noticed meets
+its white-box suites once more, with sanitizers and a fence behind every piece of memory. `survived` are those that
+no test noticed. What changes nothing that anyone could see is listed in equivalents.txt, one line of argument each, and left out.
+
+    --hashes    a second score: survivors that the stored hashes of tests/corpus notice
+    --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
+    --least     exit status 1 where fewer per cent are killed
+"""
+import argparse, os, random, re, resource, shutil, subprocess, sys, time
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = 'tests/mutation/'
+SLACK = 20
+QUICK, SLOW = 50, 250          # [ms]
+SETS = {
+    'proof': ['solvers/proof/*.c'],
+    'verify': ['solvers/check/verify.c', 'solvers/strong/strong.c'],
+    'core': ['solvers/*/*.c'],
+}
+# Suites by what is changed, quick ones first; `core` is asked by all of them.
+JUDGES = ['scale', 'leaf', 'refute', 'still', 'triple', 'island_claims', 'verify', 'claims', 'strong', 'shapes', 'spared',
+          'attack', 'exact', 'coupled', 'strength', 'closed']
+WHITE = ['scale', 'leaf', 'still', 'corner', 'islands_fenced']      # what a survivor is asked by once more, fenced
+FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
+
+
+def run(command, **more):
+    return subprocess.run(command, capture_output=True, text=True, errors='replace', **more)
+
+
+def blank_comments(text):
+    """The text with comments, strings and preprocessor lines blanked, columns kept."""
+    hide = lambda m: re.sub(r'[^\n]', ' ', m.group(0))
+    text = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\])*"', hide, text, flags=re.S)
+    return re.sub(r'(?m)^[ \t]*#.*(?:\\\n.*)*', hide, text)
+
+
+def compiled_lines(path):
+    """Numbers of the lines that the preprocessor keeps in a plain build."""
+    keep, file, number = set(), '', 0
+    for line in run(['gcc', '-E', '-std=c99', 'stonepack.c']).stdout.split('\n'):
+        mark = re.match(r'# (\d+) "([^"]*)"', line)
+        if mark:
+            number, file = int(mark.group(1)), os.path.normpath(mark.group(2))
+            continue
+        if file == path and line.strip(): keep.add(number)
+        number += 1
+    return keep
+
+
+RELATION = {'<': ['<=', '>='], '<=': ['<', '>'], '>': ['>=', '<='], '>=': ['>', '<'], '==': ['!='], '!=': ['==']}
+SWAP = {'+': '-', '-': '+', '*': '/', '/': '*', '&&': '||', '||': '&&'}
+
+
+def changes(code):
+    """(kind, from, to, new text) of every change of one line without comments."""
+    for m in re.finditer(r'(?<=[ ])(<=|>=|==|!=|<|>)(?=[ ])', code):
+        for new in RELATION[m.group(1)]: yield 'relation', m.start(1), m.end(1), new
+    for m in re.finditer(r'(?<=[ ])([+\-*/])(?=[ ])', code): yield 'arithmetic', m.start(1), m.end(1), SWAP[m.group(1)]
+    for m in re.finditer(r'(?<=[ ])(&&|\|\|)(?=[ ])', code): yield 'logic', m.start(1), m.end(1), SWAP[m.group(1)]
+    for m in re.finditer(r'([+\-*/])=', code): yield 'arithmetic', m.start(1), m.end(1), SWAP[m.group(1)]
+    for m in re.finditer(r'(?<=[=(?:,] )-(?=[\w(])|(?<=return )-(?=[\w(])|(?<=\()-(?=[a-z(])', code):
+        yield 'arithmetic', m.start(), m.end(), ''
+    for m in re.finditer(r'(?<![\w.])(\d+)(?![\w.])', code):
+        if re.search(r'return $', code[:m.start()]) and m.group(1) in '01' and code[m.end()] == ';':
+            yield 'number', m.start(), m.end(), '10'[int(m.group(1))]
+            continue
+        if re.match(r'\s*(static )?(const )?(sp_real|int32_t|int|size_t) (\w+(\[\w+\])*, )*\w+\[$', code[:m.start()]): continue
+        if re.match(r'\](\[\w+\])*[,;]', code[m.end():]) and '=' not in code and '(' not in code: continue
+        yield 'number', m.start(), m.end(), str(int(m.group(1)) + 1)
+    m = re.match(r'\s*(?:\} )?(?:else )?if \(', code)
+    if m:
+        depth, end = 1, m.end()
+        while end < len(code) and depth:
+            depth += {'(': 1, ')': -1}.get(code[end], 0)
+            end += 1
+        if not depth: yield 'condition', m.end(), end - 1, '!(' + code[m.end():end - 1] + ')'
+    m = re.match(r'\s*((?:\*?[a-z_][\w\->.\[\] +*()]*? [+\-*/|&]?= |[a-z_]\w*\().*;|[\w\->.\[\]]+(?:\+\+|--);|continue;|break;)\s*$', code)
+    if m and not re.match(r'(const|return|sp_\w+ \w|int32_t|size_t|int|for|if|while) ?', m.group(1)) and \
+            code.count('(') == code.count(')') and '{' not in code:
+        yield 'statement', m.start(1), m.end(1), ';'
+
+
+def mutants_of(path):
+    """(file, line number, kind, old line, new line)"""
+    with open(path) as f: text = f.read()
+    keep, lines, found = compiled_lines(path), text.split('\n'), []
+    for number, code in enumerate(blank_comments(text).split('\n'), 1):
+        if number not in keep or not code.startswith(' '): continue         # bodies of functions only
+        old = lines[number - 1]
+        for kind, a, b, new in changes(code): found.append((path, number, kind, old, old[:a] + new + old[b:]))
+    return found
+
+
+def equivalents():
+    """{(file, mutated line without its margins)} that change nothing anyone could see."""
+    listed = set()
+    for line in open(HERE + 'equivalents.txt'):
+        if line.startswith('#') or not line.strip(): continue
+        file, text, why = line.rstrip('\n').split(' :: ')
+        assert why.strip(), line
+        listed.add(('solvers/' + file, text.strip()))
+    return listed
+
+
+class Suites:
+    """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
+    def __init__(self, names, work, compiler):
+        self.work, self.compiler, self.parts, self.objects = work, compiler, {}, {}
+        os.makedirs(work, exist_ok=True)
+        where = {re.sub(r'.*/test_(\w+)\.c', r'\1', p): p for p in glob('tests/*/test_*.c')}
+        self.names = [n for n in names if n in where]
+        sources = [where[n] for n in self.names] + ['tests/scenes/gen.c']
+        with ThreadPoolExecutor(os.cpu_count()) as pool: list(pool.map(self.compile_once, sources))
+        self.runners = [self.runner('all', [])]
+
+    def compile_once(self, source):
+        self.objects[source] = self.gcc(source, source.replace('/', '_'), [])
+        self.parts[source] = includes(source)
+
+    def gcc(self, source, name, more):
+        o = os.path.join(self.work, name + '.o')
+        done = run(['gcc', *FLAGS, '-O0', '-w', *more, '-c', source, '-o', o])
+        assert done.returncode == 0, done.stderr
+        return o
+
+    def runner(self, name, left_out):
+        """run.c for all tests but these."""
+        with open(os.path.join(self.work, name + '.h'), 'w') as f: f.writelines('"%s",\n' % t for t in left_out)
+        return self.gcc('tests/run.c', name, ['-DTEST_SUITES=' + ' '.join('X(%s)' % n for n in self.names), '-DTEST_FIRST=1',
+                                              '-DTEST_LEAVE_OUT="%s"' % os.path.abspath(os.path.join(self.work, name + '.h'))])
+
+    def fence(self, name):
+        """run.c for one suite, with sanitizers."""
+        o = os.path.abspath(os.path.join(self.work, 'fenced_' + name + '.o'))
+        if not os.path.exists(o):
+            done = run(['gcc', *FLAGS, '-w', '-fsanitize=address', '-DTEST_SUITES=X(%s)' % name, '-c', 'tests/run.c', '-o', o])
+            assert done.returncode == 0, done.stderr
+        return o
+
+    def split(self, program):
+        """Times of the unchanged library; runners of quick tests and of slow ones."""
+        told = run([program, '-m']).stdout
+        assert told.rstrip().endswith(' 0 failed'), 'the unchanged library fails: ' + told
+        took = [(l.split()[0], int(l.split()[2])) for l in told.split('\n') if len(l.split()) == 3]
+        first = {n: sum(ms for t, ms in took if t.startswith(n + '/') and ms <= QUICK) for n in self.names}
+        self.names.sort(key=lambda n: first[n])
+        quick = [t for t, ms in took if ms <= QUICK]
+        slow = [t for t, ms in took if QUICK < ms <= SLOW]
+        self.runners = [self.runner('quick', [t for t, ms in took if t not in quick]),
+                        self.runner('slow', [t for t, ms in took if t not in slow])]
+        self.seconds = [sum(ms for t, ms in took if t in which) / 1000 for which in (quick, slow)]
+        return len(quick), len(slow), len(took)
+
+
+def glob(pattern):
+    import glob as g
+    return sorted(g.glob(pattern))
+
+
+def includes(source, seen=None):
+    """All files of solvers/ that a file includes."""
+    seen = set() if seen is None else seen
+    for name in re.findall(r'(?m)^#include "([^"]+)"', open(source).read()):
+        path = os.path.normpath(os.path.join(os.path.dirname(source), name))
+        if path in seen or not os.path.exists(path): continue
+        seen.add(path)
+        includes(path, seen)
+    return seen
+
+
+class Room:
+    """A copy of the tree, in which one mutant at a time is built."""
+    def __init__(self, number, suites):
+        self.suites, self.at = suites, 'build/mutation/room%d' % number
+        shutil.rmtree(self.at, ignore_errors=True)
+        os.makedirs(self.at)
+        for part in ('stonepack.c', 'stonepack.h', 'solvers', 'tests'):
+            if os.path.isdir(part):
+                keep = shutil.ignore_patterns('figures', 'results', 'examples', '*.svg', '*.csv')
+                shutil.copytree(part, os.path.join(self.at, part), ignore=keep)
+            else: shutil.copy(part, self.at)
+
+    def compile(self, source, object):
+        cc = self.suites.compiler
+        return run(cc + ['-std=c99', '-w', '-c', source, '-o', object], cwd=self.at).returncode == 0
+
+    def build(self, changed):
+        """The runners of the tree as it is now; None where it does not compile."""
+        if not self.compile('stonepack.c', 'library.o'): return None
+        objects = []
+        for source, object in self.suites.objects.items():
+            if changed in self.suites.parts[source]:
+                object = os.path.join(self.at, os.path.basename(source)[:-2] + '.o')
+                if not self.compile(source, os.path.basename(object)): return None
+            objects.append(object)
+        return [lambda k=k, r=r: self.link('run%d' % k, [r] + objects) for k, r in enumerate(self.suites.runners)]
+
+    def link(self, name, objects):
+        out = os.path.join(self.at, name)
+        done = run(['gcc', *objects, self.at + '/library.o', '-lm', '-z', 'noexecstack', '-o', out])
+        assert done.returncode == 0, done.stderr
+        return out
+
+    def ask(self, runners):
+        """The test that noticed, or None."""
+        for link, seconds in zip(runners, self.suites.seconds):
+            most = int(SLACK * seconds + 2)
+            limit = lambda: (resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1)),
+                             resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
+            try: done = run([link()], preexec_fn=limit, timeout=20 * most)
+            except subprocess.TimeoutExpired: return 'time'
+            if done.returncode: return (re.findall('FAILED (\\S+)', done.stdout) or ['crash or time'])[0]
+        return None
+
+    def fenced(self, changed):
+        """The white-box suites again, with sanitizers and a fence behind every piece of memory: what is read beyond an array."""
+        name = lambda source: re.sub(r'.*/test_(\w+)\.c', r'\1', source)
+        white = [s for s in self.suites.objects if changed in self.suites.parts[s] and name(s) in WHITE]
+        flags = [*FLAGS, '-O0', '-w', '-g0', '-fsanitize=address,undefined', '-fno-sanitize-recover=all', '-DSP_API=static', '-include',
+                 'tests/base/fence.h', '-DTEST_FIRST=1']
+        for source in white:
+            done = run(['gcc', *flags, '-DTEST_SUITES=X(%s)' % name(source), '-c', source, '-o', 'fenced.o'], cwd=self.at)
+            linked = run(['gcc', '-fsanitize=address,undefined', 'fenced.o', self.suites.fence(name(source)), 'library.o', '-lm',
+                          '-z', 'noexecstack', '-o', 'fenced'], cwd=self.at)
+            assert not done.returncode and not linked.returncode, done.stderr + linked.stderr
+            limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (60, 61))
+            if run(['./fenced'], cwd=self.at, preexec_fn=limit).returncode: return name(source) + ', fenced'
+        return None
+
+    def hashes(self):
+        """Do the stored hashes notice?"""
+        out = os.path.join(self.at, 'hashes')
+        done = run(['gcc', *FLAGS, '-O1', '-w', '-Ibuild', 'tests/corpus/hashes.c', 'tests/scenes/gen.c', self.at + '/library.o',
+                    '-lm', '-z', 'noexecstack', '-o', out])
+        if done.returncode: return True
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (120, 121))
+        done = run([out], preexec_fn=limit)
+        stored = [l[7:] for l in open('tests/corpus/hashes.txt').read().split('\n') if l.startswith('double ')]
+        return done.returncode != 0 or done.stdout.split('\n')[:-1] != stored
+
+    def judge(self, mutant, ask_hashes):
+        """(invalid, killed, survived; by which suite)"""
+        path, number, kind, old, new = mutant
+        there = os.path.join(self.at, path)
+        with open(there) as f: text = f.read()
+        lines = text.split('\n')
+        assert lines[number - 1] == old
+        lines[number - 1] = new
+        with open(there, 'w') as f: f.write('\n'.join(lines))
+        try:
+            runners = self.build(path)
+            if not runners: return 'invalid', ''
+            by = self.ask(runners) or self.fenced(path)
+            if by: return 'killed', by
+            return 'survived', 'hashes' if ask_hashes and self.hashes() else ''
+        finally:
+            with open(there, 'w') as f: f.write(text)
+
+
+def folder(path):
+    return path if path in ('solvers/check/verify.c',) else os.path.dirname(path)
+
+
+def main():
+    say = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    say.add_argument('--of', nargs='+', default=['proof', 'verify'])
+    say.add_argument('--sample', type=int, default=0)
+    say.add_argument('--seed', type=int, default=20)
+    say.add_argument('--jobs', type=int, default=os.cpu_count())
+    say.add_argument('--line', action='append', default=[])
+    say.add_argument('--suites', nargs='+')
+    say.add_argument('--hashes', action='store_true')
+    say.add_argument('--list', action='store_true')
+    say.add_argument('--quiet', action='store_true')
+    say.add_argument('--table')
+    say.add_argument('--least', type=float, default=0)
+    args = say.parse_args()
+
+    files = sorted({f for what in args.of for pattern in SETS.get(what, [what]) for f in glob(pattern)})
+    found, known = [m for f in files for m in mutants_of(f)], equivalents()
+    if args.line: found = [m for m in found if '%s:%d' % (m[0].replace('solvers/', ''), m[1]) in args.line]
+    same = [m for m in found if (m[0], m[4].strip()) in known]
+    used = {(m[0], m[4].strip()) for m in same}
+    for file, text in known - used:
+        if file in files and not args.line: print('no such mutant, listed as equivalent: %s: %s' % (file, text))
+    rest = [m for m in found if (m[0], m[4].strip()) not in known]
+    if args.sample: rest = random.Random(args.seed).sample(rest, min(args.sample, len(rest)))
+    if args.list:
+        for m in rest: print('%s:%d: %s: %s' % (m[0], m[1], m[2], m[4].strip()))
+        return 0
+
+    os.makedirs('build', exist_ok=True)
+    if args.hashes and not os.path.exists('build/scenes.h'):
+        with open('build/scenes.h', 'w') as f:
+            f.write(run(['awk', '-f', 'tests/corpus/scenes.awk', *glob('tests/scenes/*.obj')]).stdout)
+    compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
+    suites = Suites(args.suites or JUDGES, 'build/mutation/suites', compiler)
+    rooms = [Room(k, suites) for k in range(args.jobs)]
+    counts = suites.split(rooms[0].build(None)[0]())
+    print('%d quick tests, %.1f s, and %d slow ones, %.1f s, of %d' % (counts[0], suites.seconds[0], counts[1], suites.seconds[1],
+                                                                       counts[2]), flush=True)
+
+    free, results = list(rooms), {}
+
+    def one(mutant):
+        room = free.pop()
+        status, by = room.judge(mutant, args.hashes)
+        free.append(room)
+        if not args.quiet and status == 'survived':
+            print('survived%s  %s:%d: %s\n    %s\n    %s' % (', hashes notice' if by else '', mutant[0], mutant[1], mutant[2],
+                                                           mutant[3].strip(), mutant[4].strip()), flush=True)
+        return mutant, status, by
+
+    with ThreadPoolExecutor(args.jobs) as pool: judged = list(pool.map(one, rest))
+    rows = {}
+    for mutant, status, by in judged:
+        row = rows.setdefault(folder(mutant[0]), dict(killed=0, survived=0, hashes=0, invalid=0, same=0))
+        row[status] += 1
+        row['hashes'] += by == 'hashes'
+    for m in same: rows.setdefault(folder(m[0]), dict(killed=0, survived=0, hashes=0, invalid=0, same=0))['same'] += 1
+    all_killed = all_mutants = 0
+    for name in sorted(rows):
+        r = rows[name]
+        n = r['killed'] + r['survived']
+        all_killed, all_mutants = all_killed + r['killed'], all_mutants + n
+        print('%-24s %5d mutants, %5d killed = %.1f %%%s; %d equivalent, %d do not compile' % (
+            name, n, r['killed'], 100 * r['killed'] / max(n, 1),
+            ', with hashes %.1f %%' % (100 * (r['killed'] + r['hashes']) / max(n, 1)) if args.hashes else '', r['same'], r['invalid']))
+        if args.table:
+            with open(args.table, 'a') as f:
+                f.write('%s,%d,%d,%d,%d,%d\n' % (name, n, r['killed'], r['hashes'], r['same'], r['invalid']))
+    share = 100 * all_killed / max(all_mutants, 1)
+    print('%d mutants, %d killed = %.1f %%' % (all_mutants, all_killed, share))
+    return share < args.least
+
+
+if __name__ == '__main__': sys.exit(main())
