@@ -2,7 +2,8 @@
 const FREE = 0, FIXED = 63;
 export const VERDICTS = ['undecided', 'stable', 'unstable'];
 export const BLOCK = { row: 10, read: 0, fixed: 1, mass: 2, centroid: 3, diameter: 6, face: 7, faces: 8, vertices: 9 };
-export const JOINT = { row: 16, a: 0, b: 1, force: 2, at: 5, used: 8, tension: 9, normal: 10, point: 13, points: 14, area: 15 };
+export const JOINT = { row: 17, a: 0, b: 1, force: 2, at: 5, used: 8, tension: 9, normal: 10, point: 13, points: 14, area: 15,
+  mu: 16 };
 
 /* bytes: of the .wasm. It imports nothing. */
 export async function openCore(bytes) {
@@ -60,7 +61,7 @@ export async function openCore(bytes) {
     push: (block, f, x) => c.page_push(block, f[0], f[1], f[2], x[0], x[1], x[2]),
     block: (b, by, out, fixed) => c.page_block(b, by[0], by[1], by[2], out ? 1 : 0, fixed),
     margin: () => c.page_margin(),
-    report: () => string(c.page_report()), json: () => string(c.page_json()),
+    report: () => string(c.page_report()), json: () => string(c.page_json()), remarks: () => string(c.page_remarks()),
     scene: () => string(c.page_scene()), picture: () => string(c.page_picture()),
     imports: WebAssembly.Module.imports(new WebAssembly.Module(bytes)).length, FREE, FIXED,
   };

@@ -76,12 +76,11 @@ function tellControls() {
   $('ask-margin').disabled = $('no-push').disabled = !push;
   $('restore').disabled = !model.isChanged();
 }
-/* Friction of the joints as read, two of them where they differ. */
-let friction = { of: null, values: [] };
+/* Friction of the joints as read, each value once. */
 function ownFriction() {
-  if (friction.of !== model.state.text)
-    friction = { of: model.state.text, values: [...new Set((core.scene().match(/^#@ mu \S+/gm) || []).map(l => +l.slice(6)))].slice(0, 2) };
-  return friction.values;
+  const { rows, joints } = core.answer(), all = new Set();
+  for (let k = 0; k < joints && all.size < 2; k++) all.add(rows[JOINT.row * k + JOINT.mu]);
+  return [...all];
 }
 function tellStone() {
   const b = selected(), x = b < 0 ? null : model.shape.rows.subarray(BLOCK.row * b, BLOCK.row * (b + 1));
@@ -139,7 +138,6 @@ function askMargin() {
 function open(name, words, text, changes) {
   const keep = { ...model.state };
   chosen = -1;
-  friction.of = null;
   try {
     model.open(name, words, text, changes);
   } catch (e) {
@@ -161,7 +159,7 @@ function open(name, words, text, changes) {
   return true;
 }
 function tellRemarks() {
-  const all = model.verdict ? remarksOf(core.json()) : [];
+  const all = model.verdict ? remarksOf(core.remarks()) : [];
   $('remarks').replaceChildren(...all.map(([text, words]) => {
     const li = element('li', text + ' ');
     if (words.length) {

@@ -19,7 +19,7 @@
 #define CALLED(name) name
 #endif
 
-enum { WORDS = 64, BLOCK_ROW = 10, JOINT_ROW = 16 };
+enum { WORDS = 64, BLOCK_ROW = 10, JOINT_ROW = 17 };
 
 static struct page {
     char *in;                   /* what the page writes: options, path, model */
@@ -67,6 +67,14 @@ static const char *told(put_text *put)
 
 static int put_report(FILE *out) { report_text(out, &page.report); return 0; }
 static int put_json(FILE *out) { report_json(out, &page.report); return 0; }
+static int put_remarks(FILE *out)
+{
+    json_out j = { out, 0 };
+    json_open(&j, NULL, '{');
+    remarks_json(&j, &page.read.remarks);
+    json_close(&j, '}');
+    return 0;
+}
 static int put_scene(FILE *out)
 {
     const host_scene *s = &page.changed.now;
@@ -79,9 +87,10 @@ static int put_picture(FILE *out)
     return !svg_write(out, &of);
 }
 
-/* The report of `check`, its JSON with all forces, the scene as a file, its picture as SVG.       NULL: none, see page_error */
+/* The report of `check`, its JSON with all forces, of that the remarks alone, the scene as a file, its picture as SVG.       NULL: none, see page_error */
 const char *CALLED(page_report)(void) { return page.has_result ? told(put_report) : NULL; }
 const char *CALLED(page_json)(void) { return page.has_result ? told(put_json) : NULL; }
+const char *CALLED(page_remarks)(void) { return told(put_remarks); }
 const char *CALLED(page_scene)(void) { return page.changed.now.memory ? told(put_scene) : NULL; }
 const char *CALLED(page_picture)(void) { return page.has_result ? told(put_picture) : NULL; }
 
@@ -247,7 +256,7 @@ int32_t CALLED(page_check)(void)
     return (int32_t)page.report.result.verdict;
 }
 
-/* Blocks a and b, force on b, its point, utilisation, largest tension, normal, first point, points, area of each joint. */
+/* Blocks a and b, force on b, its point, utilisation, largest tension, normal, first point, points, area, own friction of each joint. */
 const double *CALLED(page_joints)(void)
 {
     const sp_scene *s = &page.changed.now.scene;
@@ -261,7 +270,8 @@ const double *CALLED(page_joints)(void)
         const double row[JOINT_ROW] = { j->a, j->b, (double)f.force[0], (double)f.force[1], (double)f.force[2],
                                         (double)f.point[0], (double)f.point[1], (double)f.point[2], (double)f.utilisation,
                                         (double)page.report.result.demand[i].tension, (double)j->n[0], (double)j->n[1],
-                                        (double)j->n[2], j->point, j->points, (double)j->area };
+                                        (double)j->n[2], j->point, j->points, (double)j->area,
+                                        (double)page.changed.own_mu[i] };
         memcpy(more + (size_t)i * JOINT_ROW, row, sizeof row);
     }
     return page.joints;
