@@ -94,6 +94,8 @@ help:
 	@echo "make deps      installs what check can use (Debian, needs root)"
 	@echo "make pair      the library as two files, in build/pair/"
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
+	@echo "make dist      a release as one tarball, build/dist/; the same files make the same bytes"
+	@echo "make deb       Debian packages of it, build/deb/; needs dpkg-dev and debhelper"
 	@echo "make page      one HTML file that reads a model, checks it as it is changed, and shows it in 3D: build/page/stonepack.html"
 	@echo "make docs      manual page, completions for bash and zsh, in build/doc/"
 	@echo "make install   library, header, program, manual and completions into PREFIX (/usr/local), under DESTDIR"
@@ -281,6 +283,14 @@ build/pair/stonepack.c: $(PARTS) port/pair/pair.sh
 
 package:
 	sh port/package/package.sh build/package/stonepack
+
+# A release: one tarball, and Debian packages of it.
+.PHONY: dist deb
+dist: docs
+	@sh port/package/dist.sh
+
+deb: dist
+	@sh port/package/deb.sh
 
 # The page: the library, the program's reader and its reports as WebAssembly, three.js, all in one file.
 PAGE_F   = $(filter-out $(addprefix port/host/files/,file.c meshes.c raster.c drawn.c done.c csv_out.c qps_read.c),$(wildcard port/host/files/*.c))

@@ -88,15 +88,44 @@ shared() {
     rm "$lib/libstonepack.so" && LD_LIBRARY_PATH=$lib "$to/by_soname" && ! "$to/by_soname" 2> /dev/null
 }
 
+# The release: the same bytes made twice, elsewhere and otherwise; checksums; the tarball makes itself.
+version=$(sh port/package/dist.sh --version)
+twice() {
+    make -s dist && (umask 077 && TZ=Asia/Tokyo LC_ALL=C.UTF-8 sh port/package/dist.sh "$to/again") &&
+    cmp "build/dist/stonepack-$version.tar.gz" "$to/again/stonepack-$version.tar.gz"
+}
+unpacked() {
+    tar -xzf "build/dist/stonepack-$version.tar.gz" -C "$to" && mv "$to/stonepack-$version/package" "$to/stonepack" &&
+    cp -r "$to/stonepack" "$to/stonepack-$version/package" &&
+    (cd "$to/stonepack-$version" && sha256sum -c --quiet SHA256SUMS && mkdir build && cp -r doc build/ &&
+        export SOURCE_DATE_EPOCH="$(stat -c %Y SHA256SUMS)" && sh port/package/dist.sh) &&
+    cmp "build/dist/stonepack-$version.tar.gz" "$to/stonepack-$version/build/dist/stonepack-$version.tar.gz"
+}
+# Of the Debian packages, without installing them.
+deb_user() {
+    rm -rf "$to/root"
+    for du_deb in build/deb/*.deb; do dpkg-deb -x "$du_deb" "$to/root" || return 1; done
+    "$to/root/usr/bin/stonepack" check --quiet tests/scenes/arch.obj && ls "$to/root/usr/share/man/man1/stonepack.1.gz" &&
+    export PKG_CONFIG_LIBDIR="$to/root/usr/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$to/root" &&
+    # shellcheck disable=SC2046
+    ${CC:-gcc} "$to/user/main.c" $(pkg-config --cflags --libs stonepack) -o "$to/by_deb" && LD_LIBRARY_PATH="$to/root/usr/lib" "$to/by_deb"
+}
+
 part "make install" installed
 part "shared library: exports the calls of the header and nothing else" shared
 part "shared library: the bits of the other" env DIFFER=1 LIBRARY=build/shared.o sh tests/corpus/corpus.sh double ${CC:-gcc} -O0
 if have pkg-config; then part "pkg-config" pkgconfig; else skip "pkg-config" pkg-config; fi
 if have cmake; then part "find_package after make install" cmake_user "$to/dest/opt/stonepack"; fi
-part "package" sh port/package/package.sh "$to/stonepack"
+part "tarball: the same bytes twice" twice
+part "tarball: checksums hold, and it makes itself" unpacked
 if have cmake; then part "CMake project, double and float" cmake_package; else skip "CMake" cmake; fi
 if have meson; then part "Meson subproject" meson_package; else skip "Meson" meson; fi
 if have arm-none-eabi-g++; then part "Arduino library" arduino; else skip "Arduino library" gcc-arm-none-eabi; fi
 if have python3; then part "PlatformIO library.json" platformio; else skip "PlatformIO library.json" python3; fi
 part "ESP-IDF and Zephyr: files named are there" sources
+if have dpkg-buildpackage && have dh && have lintian; then
+    part "Debian packages" make -s deb
+    part "Debian packages: lintian finds no error" lintian --allow-root --fail-on error "build/deb/stonepack_$version-1_$(dpkg --print-architecture).changes"
+    part "Debian packages: they work" deb_user
+else skip "Debian packages" "dpkg-dev debhelper lintian"; fi
 total
