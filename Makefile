@@ -347,7 +347,7 @@ install-shared: $(SHARED)
 # The library under sanitizers, for several groups of check.
 build/asan.o: $(PARTS)
 	@mkdir -p build
-	$(CC) $(STRICTC) -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -c stonepack.c -o $@
+	$(CC) $(STRICTC) -O1 -g -fPIC -fsanitize=address,undefined -fno-sanitize-recover=all -c stonepack.c -o $@
 
 check: all pair build/run build/run_float build/run_small build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench $(SHARED) \
   $(if $(shell command -v $(PYTHON) 2> /dev/null),build/python/made)

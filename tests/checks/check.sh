@@ -361,6 +361,18 @@ py_install() {
 py_alone() { env -i PATH=/nonexistent PYTHONDONTWRITEBYTECODE=1 "$(pwd)/$py_bin" -I "$@"; }
 py_here() { PYTHONPATH=$(pwd)/build/python /usr/bin/python3 -B tests/python/run.py "$@"; }
 py_types() { mypy --python-version 3.8 --cache-dir $out/mypy build/python/stonepack; }
+# Memory that Python owns and C writes: both libraries under sanitizers, arrays from malloc.
+py_sanitized() {
+    ps=$out/sanitized/stonepack
+    rm -rf $out/sanitized && mkdir -p $out/sanitized && cp -r build/python/stonepack $ps || return 1
+    ps_lib=$(echo $ps/libstonepack.so.*)
+    # shellcheck disable=SC2086,SC2016
+    $CC -shared $san -Wl,-soname,"$(basename "$ps_lib")" build/asan.o -o "$ps_lib" &&
+    $CC $plain -O0 -fPIC -shared $san '-Wl,-rpath,$ORIGIN' port/python/files.c port/host/run.c port/host/clock.c port/host/weakest.c \
+        port/host/motion.c port/host/files/*.c port/host/picture/*.c "$ps_lib" -lm -o $ps/libstonepack_files.so &&
+    env LD_PRELOAD="$($CC -print-file-name=libasan.so) $($CC -print-file-name=libubsan.so)" PYTHONMALLOC=malloc \
+        ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=$out/sanitized $py -B tests/python/run.py test_scene test_kit.Assertions
+}
 # A field that became longer, one that moved: the layout of ctypes is not that of the header any more.
 py_drift() {
     mkdir -p $out/drift
@@ -390,6 +402,7 @@ check_python() {
     if /usr/bin/python3 -c 'import pytest, hypothesis' 2> /dev/null; then
         count "Python: strategies shrink, a planted mistake is found" py_here test_kit.Strategies
     else skip "Python: strategies, a planted mistake" "python3-pytest python3-hypothesis"; fi
+    if nm build/asan.o | grep -q __asan_init; then count "Python: tests under ASan and UBSan" py_sanitized; fi
     if have mypy; then part "Python: types" py_types; else skip "Python: types" mypy; fi
 }
 

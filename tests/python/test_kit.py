@@ -1,5 +1,7 @@
-"""The testing kit: assertions that name the stone, strategies and their shrinking, the planted mistake. Needs Hypothesis and pytest."""
+"""The testing kit: assertions that name the stone; strategies, their shrinking, the planted mistake where Hypothesis and pytest
+are installed."""
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -119,8 +121,8 @@ class Strategies(unittest.TestCase):
         self.each(stones.orders(wall), lambda order: self.assertEqual(sorted(order), sorted(wall.names[1:])))
 
     def smallest(self, strategy, condition):
-        return hypothesis.find(strategy, condition, settings=hypothesis.settings(database=None, max_examples=2000, deadline=None),
-                               random=__import__("random").Random(1))
+        how = hypothesis.settings(database=None, max_examples=2000, deadline=None)
+        return hypothesis.find(strategy, condition, settings=how, random=random.Random(1))
 
     def test_stacks_shrink_to_the_fewest_stones(self):
         """No stone alone on its own size can fall, so two are the fewest; of three the top one is asked to stay."""

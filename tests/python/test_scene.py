@@ -5,6 +5,7 @@ import threading
 import time
 import unittest
 import xml.etree.ElementTree
+from concurrent.futures import ThreadPoolExecutor
 
 import stonepack
 import ties
@@ -357,17 +358,27 @@ class Threads(unittest.TestCase):
         with self.assertRaises(stonepack.SceneError):
             stonepack.check_many([overhang(0), stonepack.Scene()])
 
-    def test_others_run_while_a_check_is_under_way(self):
-        s = stonepack.Scene()
-        s.box((40, 40, 1), (0, 0, -0.5), fixed=True)
-        for k in range(300):
-            s.box((1, 1, 1), (2 * (k % 15) - 14, 2 * (k // 15 % 10) - 9, 0.5 + k // 150))
-        s.joints
-        turns, done = 0, threading.Event()
+    def test_files_and_pictures_from_many_threads_are_those_of_one(self):
+        names = ["arch", "wall", "rubble", "trilithon"] * 6
+
+        def work(name):
+            s = stonepack.read("tests/scenes/%s.obj" % name)
+            return s.check().svg(names=True), s.to_obj()
+
+        alone = {name: work(name) for name in names[:4]}
+        with ThreadPoolExecutor(4) as pool:
+            self.assertEqual(list(pool.map(work, names)), [alone[name] for name in names])
+
+    def test_others_run_while_a_call_is_under_way(self):
+        """One call of a tenth of a second or more: a lock that it kept would let the other thread turn once or twice."""
+        s = scenes.wall(16, 16)
+        s.check()
+        turns, done, took = 0, threading.Event(), []
 
         def work():
-            for _ in range(40):
-                s.check(without=("together",), coupled=False)
+            start = time.perf_counter()
+            s.limit((1, 0, 0))
+            took.append(time.perf_counter() - start)
             done.set()
 
         thread = threading.Thread(target=work)
@@ -376,7 +387,8 @@ class Threads(unittest.TestCase):
             turns += 1
             time.sleep(0.0005)
         thread.join()
-        self.assertGreater(turns, 3)
+        self.assertGreater(took[0], 0.02)
+        self.assertGreater(turns, 5)
 
 
 if __name__ == "__main__":

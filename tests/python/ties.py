@@ -29,7 +29,8 @@ def families(rng):
 
 
 def ask(scene, distances, tol, counts):
-    """Verdicts at so much below and above the scene's limit; counts[distance] = [right, undecided, stable beyond, unstable below]"""
+    """Verdicts at so much below and above the scene's limit; counts[distance]: right, undecided, stable beyond, unstable below.
+    Returns 1, of a scene without a limit 0."""
     multiple = scene.limit((1, 0.3, 0)).multiplier
     if not multiple or multiple == math.inf:
         return 0

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import threading
 
 from . import _bindings as c
 
@@ -52,6 +53,7 @@ _FILES_CALLS = {
                         ctypes.POINTER(c.sp_limit_result), _I, ctypes.c_char_p]),
 }
 _files = None
+files_lock = threading.Lock()                           # the reader and the pictures are made for one caller at a time
 
 
 def files() -> ctypes.CDLL:

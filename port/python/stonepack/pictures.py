@@ -6,7 +6,7 @@ import os
 from typing import Any, Optional
 
 from . import _bindings as c
-from ._library import FileError, files
+from ._library import FileError, files, files_lock
 from .scene import Scene
 from .scenefiles import by_file, c_names
 
@@ -14,8 +14,11 @@ from .scenefiles import by_file, c_names
 def draw(scene: Scene, result: Any, limit: Any, path: Optional[str], names: bool, title: str = "scene") -> str:
     def put(where: str) -> None:
         message = ctypes.create_string_buffer(512)
-        if files().files_draw(os.fsencode(where), ctypes.byref(scene._c), c_names(scene), title.encode(), ctypes.byref(result),
-                              ctypes.byref(limit) if limit is not None else None, int(names), message):
+        with files_lock:
+            failed = files().files_draw(os.fsencode(where), ctypes.byref(scene._c), c_names(scene), title.encode(),
+                                        ctypes.byref(result), ctypes.byref(limit) if limit is not None else None, int(names),
+                                        message)
+        if failed:
             raise FileError(message.value.decode(errors="replace"))
     return by_file(put, path, ".svg")
 

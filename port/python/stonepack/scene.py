@@ -422,7 +422,7 @@ class Scene:
 
     @property
     def live_acceleration(self) -> Any:
-        """Acceleration of every block and every load's mass that counts `live` times [m/s^2]; limit(body) is of multiples of g."""
+        """Acceleration of every block and of the mass of loads that counts `live` times [m/s^2]."""
         return tuple(self._c.body)
 
     @live_acceleration.setter

@@ -7,7 +7,7 @@ import tempfile
 from typing import Any, Iterable, Optional, Union
 
 from . import _bindings as c
-from ._library import FileError, files
+from ._library import FileError, files, files_lock
 from ._numbers import Vector
 from .scene import Scene
 
@@ -28,7 +28,11 @@ def _options(fixed: Names, up: Optional[str], unit: Optional[str], gravity: Opti
 
 
 def _read(path: str, content: Optional[str], told: list) -> Scene:
-    reader = files()
+    with files_lock:
+        return _read_alone(files(), path, content, told)
+
+
+def _read_alone(reader: Any, path: str, content: Optional[str], told: list) -> Scene:
     handle = reader.files_new()
     if not handle:
         raise MemoryError
@@ -95,7 +99,9 @@ def c_names(scene: Scene) -> Any:
 
 def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:
     message = ctypes.create_string_buffer(512)
-    if files().files_write(os.fsencode(path), ctypes.byref(scene._c), c_names(scene), message):
+    with files_lock:
+        failed = files().files_write(os.fsencode(path), ctypes.byref(scene._c), c_names(scene), message)
+    if failed:
         raise FileError(message.value.decode(errors="replace"))
 
 
