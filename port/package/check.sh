@@ -48,6 +48,29 @@ meson_package() {
     cp -r "$to/stonepack" "$to/user/subprojects/" && cp "$to/stonepack/stonepack.wrap" "$to/user/subprojects/" &&
     meson setup "$to/meson" "$to/user" --wrap-mode=nodownload && meson compile -C "$to/meson" && "$to/meson/user"
 }
+# Switches reach the library and whoever uses it.
+uses_without_qp() {                                     # uses_without_qp LIBRARY
+    ! nm "$1" | grep -q ' T sp_qp_solve$' && nm "$1" | grep -q ' T sp_check$'
+}
+cmake_switches() {
+    cmake -S "$to/stonepack" -B "$to/cmake_qp" -DSTONEPACK_NO_QP=ON -DSTONEPACK_SMALL=ON -DCMAKE_INSTALL_PREFIX="$to/cmake_qp/to" &&
+    cmake --build "$to/cmake_qp" && cmake --install "$to/cmake_qp" && uses_without_qp "$to/cmake_qp/libstonepack.a" &&
+    grep -q 'SP_NO_QP' "$to/cmake_qp/to/lib/cmake/stonepack/stonepackConfig.cmake"
+}
+meson_switches() {
+    meson setup "$to/meson_qp" "$to/user" --wrap-mode=nodownload -Dstonepack:no_qp=true -Dstonepack:small=true &&
+    meson compile -C "$to/meson_qp" && uses_without_qp "$to/meson_qp/subprojects/stonepack/libstonepack.a"
+}
+# Every switch of switches.sh is an option of each.
+every_switch() {
+    for es in $(sed -n "s/^features='\(.*\)'$/\1/p" tests/checks/switches.sh); do
+        es_low=$(echo "${es#SP_}" | tr '[:upper:]' '[:lower:]')
+        grep -q "option('$es_low'" "$to/stonepack/meson_options.txt" && grep -q "'$es_low'" "$to/stonepack/meson.build" &&
+        grep -q "^config STONEPACK_${es#SP_}$" "$to/stonepack/Kconfig" && grep -q "^config STONEPACK_${es#SP_}$" "$to/stonepack/zephyr/Kconfig" &&
+        [ "$(grep -cw "${es#SP_}" "$to/stonepack/CMakeLists.txt")" -eq 2 ] && grep -qw "${es#SP_}" "$to/stonepack/zephyr/CMakeLists.txt" ||
+            { echo "$es is no option of some"; return 1; }
+    done
+}
 # As the Arduino builder does it: every source below src/, the sketch as C++ with <Arduino.h> before it.
 arduino() {
     cat > "$to/Arduino.h" <<'E2'
@@ -120,6 +143,9 @@ part "tarball: the same bytes twice" twice
 part "tarball: checksums hold, and it makes itself" unpacked
 if have cmake; then part "CMake project, double and float" cmake_package; else skip "CMake" cmake; fi
 if have meson; then part "Meson subproject" meson_package; else skip "Meson" meson; fi
+part "switches: each is an option of CMake, Meson, ESP-IDF and Zephyr" every_switch
+if have cmake; then part "CMake: switches" cmake_switches; fi
+if have meson; then part "Meson: switches" meson_switches; fi
 if have arm-none-eabi-g++; then part "Arduino library" arduino; else skip "Arduino library" gcc-arm-none-eabi; fi
 if have python3; then part "PlatformIO library.json" platformio; else skip "PlatformIO library.json" python3; fi
 part "ESP-IDF and Zephyr: files named are there" sources

@@ -7,7 +7,27 @@
 set -eu
 here=$(dirname "$0")
 version=$(awk '$2 ~ /^SP_VERSION_(MAJOR|MINOR|PATCH)$/ { v = v (v == "" ? "" : ".") $3 } END { print v }' stonepack.h)
-fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" "$1"; }
+# Switches of the header's table, and what each leaves out: NAME TEXT, without SP_.
+switches() {
+    awk '/^\/\* Switches: what is lost/ { on = 1 } /Calls left out/ { on = 0 }
+         on && $2 ~ /^SP_/ { name = substr($2, 4); $1 = $2 = ""; sub(/ +[0-9]+ +[0-9]+$/, ""); sub(/^ +/, ""); print name, $0 }' stonepack.h
+    echo "REAL_MIXED factors in float, refined in double"
+}
+names=$(switches | awk '{ printf "%s%s", n++ ? " " : "", $1 }')
+lower=$(echo "$names" | tr '[:upper:] ' '[:lower:]\n' | sed "s/.*/'&'/" | paste -sd, | sed 's/,/, /g')
+fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" -e "s|@SWITCHES@|$names|g" -e "s|@switches@|$lower|g" "$1"; }
+# Each switch as an option of Meson, of Kconfig.
+meson_options() {
+    switches | while read -r name text; do
+        echo "option('$(echo "$name" | tr '[:upper:]' '[:lower:]')', type : 'boolean', value : false, description : 'SP_$name; lost: $text')"
+    done | sed 's/SP_REAL_MIXED; lost:/SP_REAL_MIXED:/'
+}
+kconfig() {                                             # kconfig [what it depends on]
+    switches | while read -r name text; do
+        printf '\nconfig STONEPACK_%s\n\tbool "SP_%s; lost: %s"\n' "$name" "$name" "$text"
+        [ $# -eq 0 ] || printf '\tdepends on %s\n' "$1"
+    done | sed 's/SP_REAL_MIXED; lost:/SP_REAL_MIXED:/'
+}
 if [ "${1:-}" = --fill ]; then
     fill "$2" "$3"
     exit
@@ -17,6 +37,13 @@ mkdir -p "$out/src" "$out/zephyr" "$out/examples/verdict"
 sh port/pair/pair.sh stonepack.c "$out/src"
 cp LICENSE "$out/"
 for file in CMakeLists.txt meson.build meson_options.txt stonepack.wrap library.properties library.json idf_component.yml \
-    zephyr/module.yml zephyr/CMakeLists.txt zephyr/Kconfig examples/verdict/verdict.ino; do
+    zephyr/module.yml zephyr/CMakeLists.txt zephyr/Kconfig README.md examples/verdict/verdict.ino; do
     fill "$here/$file" '' > "$out/$file"
 done
+meson_options >> "$out/meson_options.txt"
+kconfig STONEPACK >> "$out/zephyr/Kconfig"
+{
+    printf 'menu "stonepack"\n\nconfig STONEPACK_FLOAT\n\tbool "float instead of double"\n'
+    kconfig
+    printf '\nendmenu\n'
+} > "$out/Kconfig"

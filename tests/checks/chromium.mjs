@@ -35,7 +35,7 @@ export class Chromium {
     this.process.stdio[3].write(JSON.stringify({ id, method, params, sessionId }) + '\0');
     return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject, method }));
   }
-  /* how: { width, height, phone, dark, still } */
+  /* how: { width, height, phone, dark, still, first: a script before the page's own } */
   async open(url, how = {}) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
@@ -62,11 +62,12 @@ class Tab {
     if (method === 'Log.entryAdded' && p.entry.level === 'error') this.errors.push(p.entry.text);
     if (method === 'Network.requestWillBeSent' && !/^(file|data|blob):/.test(p.request.url)) this.fetched.push(p.request.url);
   }
-  async begin(url, { width = 1280, height = 800, phone = false, dark = false, still = false }) {
+  async begin(url, { width = 1280, height = 800, phone = false, dark = false, still = false, first = '' }) {
     for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await this.send(domain + '.enable');
     await this.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: phone });
     await this.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
       { name: 'prefers-reduced-motion', value: still ? 'reduce' : 'no-preference' }] });
+    if (first) await this.send('Page.addScriptToEvaluateOnNewDocument', { source: first });
     await this.send('Page.navigate', { url });
   }
   /* The value of an expression; a promise is waited for. */

@@ -213,6 +213,17 @@ async function dark() {
   await shot(tab, 'desktop-dark');
   await tab.close();
 }
+async function flat() {
+  const tab = await browser.open(url, { first: 'HTMLCanvasElement.prototype.getContext = () => null' });
+  await ready(tab);
+  test('without WebGL it answers', await verdict(tab) === 'stable' && await tab.value(`!document.getElementById('no-view').hidden`));
+  await set(tab, 'mu', 0.1);
+  test('at every change', await verdict(tab) === 'unstable');
+  await set(tab, 'stone', 'b3');
+  await press(tab, 'take');
+  test('of stones, too', await tab.value(`${P}.model.shape.blocks`) === 16);
+  await tab.close();
+}
 try {
   const tab = await begins();
   for (const part of [decides, changes, drags, keys, files, link]) await part(tab);
@@ -220,6 +231,7 @@ try {
   test('nothing is fetched', tab.fetched.length === 0, tab.fetched.join(' '));
   await small();
   await dark();
+  await flat();
 } catch (e) {
   test('the browser answers', false, e.stack);
 }
