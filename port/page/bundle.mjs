@@ -12,7 +12,8 @@ const read = name => readFileSync(join(here, name), 'utf8');
 
 const script = buildSync({ entryPoints: [join(here, 'main.js')], bundle: true, minify: true, write: false, format: 'iife',
   target: 'es2022', legalComments: 'eof', nodePaths: [resolve(modules, 'node_modules')] }).outputFiles[0].text;
-const style = buildSync({ stdin: { contents: read('page.css'), loader: 'css' }, minify: true, write: false }).outputFiles[0].text;
+const css = { contents: read('page.css'), loader: 'css' };
+const style = buildSync({ stdin: css, minify: true, write: false }).outputFiles[0].text;
 const examples = read('examples.txt').split('\n').filter(l => l && !l.startsWith('#')).map(line => {
   const [title, words, file] = line.split('|').map(x => x.trim());
   return { title, words: words ? words.split(/\s+/) : [], file, text: readFileSync(file, 'utf8') };

@@ -32,7 +32,8 @@ export class Hands {
     const h = this.held;
     if (!h || this.mode === 'turn' || Math.hypot(e.clientX - this.start.x, e.clientY - this.start.y) < 3 && !h.moved) return;
     const plane = this.mode === 'push' ? 'facing' : e.shiftKey ? 'upright' : 'level';
-    const from = this.view.meet(this.start.x, this.start.y, h.at, plane), at = this.view.meet(e.clientX, e.clientY, h.at, plane);
+    const from = this.view.meet(this.start.x, this.start.y, h.at, plane);
+    const at = this.view.meet(e.clientX, e.clientY, h.at, plane);
     if (!at || !from) return;
     h.moved = true;
     const by = at.sub(from);

@@ -14,14 +14,16 @@ const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 /* From a state of model.js to letters, and back; null: no such link. */
 export async function toLink(state) {
   const { text, ...rest } = state, model = letters(text);
-  const packed = await through(new TextEncoder().encode(JSON.stringify({ ...rest, model })), new CompressionStream('deflate-raw'));
+  const json = new TextEncoder().encode(JSON.stringify({ ...rest, model }));
+  const packed = await through(json, new CompressionStream('deflate-raw'));
   return letters(packed).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 export async function fromLink(hash) {
   if (hash.length < 8) return null;
   try {
     const packed = bytesOf(hash.replaceAll('-', '+').replaceAll('_', '/'));
-    const { model, ...rest } = JSON.parse(new TextDecoder().decode(await through(packed, new DecompressionStream('deflate-raw'))));
+    const json = await through(packed, new DecompressionStream('deflate-raw'));
+    const { model, ...rest } = JSON.parse(new TextDecoder().decode(json));
     return { ...rest, text: bytesOf(model) };
   } catch (e) {
     return null;

@@ -30,7 +30,8 @@ function answer() {
   } catch (e) { model.verdict = ''; model.error = e.message; }
   if (view && model.verdict) view.tell(core.answer(), shownPush());
   tell();
-  free = performance.now() + (performance.now() - began > 40 ? performance.now() - began : 0);   /* half of the time is for drawing */
+  const end = performance.now(), took = end - began;
+  free = end + (took > 40 ? took : 0);                  /* half of the time is for drawing */
 }
 function shownPush() {
   const p = model.pushForce() && model.state.push;
@@ -40,7 +41,8 @@ function tell() {
   const v = model.verdict;
   document.body.dataset.verdict = v || 'none';
   $('verdict').textContent = SAYS[v];
-  $('took').textContent = model.error || `${model.shape.blocks} stones, ${core.joints()} joints, checked in ${+model.took.toPrecision(2)} ms`;
+  $('took').textContent = model.error
+    || `${model.shape.blocks} stones, ${core.joints()} joints, checked in ${+model.took.toPrecision(2)} ms`;
   $('rows').replaceChildren(...(v ? rowsOf(core.report()) : []).flatMap(([a, b]) => [element('dt', a), element('dd', b)]));
   tellControls();
   tellStone();
@@ -69,7 +71,8 @@ function tellControls() {
   $('tilt-out').textContent = s.tilt.toFixed(1) + '°';
   $('azimuth-out').textContent = Math.round(s.azimuth) + '°';
   $('push').value = s.push ? Math.min(2, s.push.share) : 0;
-  $('push-out').textContent = push ? scaled(Math.hypot(...push), 'N') + ' on ' + model.shape.names[model.number.get(s.push.block)]
+  $('push-out').textContent = push
+    ? scaled(Math.hypot(...push), 'N') + ' on ' + model.shape.names[model.number.get(s.push.block)]
     : chosen < 0 ? 'no stone' : 'none';
   $('mu-own').disabled = s.mu === null;
   $('level').disabled = !s.tilt;
@@ -93,7 +96,8 @@ function tellStone() {
   $('about').textContent = x ? (x[BLOCK.mass] > 0 ? scaled(1000 * x[BLOCK.mass], 'g') : 'no mass') + (x[BLOCK.fixed] === 63
     ? ', a support' : x[BLOCK.fixed] ? ', partly held' : '') : 'Click a stone, or choose one here.';
   $('hold').textContent = x && x[BLOCK.fixed] === 63 ? 'Let go' : 'Hold';
-  for (const id of ['take', 'hold', 'push', 'push-azimuth']) $(id).disabled = b < 0 && !(id.startsWith('push') && model.state.push);
+  for (const id of ['take', 'hold']) $(id).disabled = b < 0;
+  for (const id of ['push', 'push-azimuth']) $(id).disabled = b < 0 && !model.state.push;
 }
 let chosen = -1;                                        /* its number as read, so that it stays the same stone */
 const selected = () => chosen < 0 || !model.number.has(chosen) ? -1 : model.number.get(chosen);
@@ -120,10 +124,11 @@ function setPush(along, share) {
   model.state.push = { block, along: along || (p ? p.along : level(0)), share, from: p ? p.from : null };
   ask();
 }
-/* The level direction of an azimuth, as `check --tilt` counts it: from x (y, where gravity is near x) towards the one across. */
+/* The level direction of an azimuth, as `check --tilt` counts it: from x (y, where gravity is near x) towards the one
+ * across. */
 function level(degrees) {
   const g = model.shape.gravity, size = Math.hypot(...g), u = g.map(x => x / size), first = Math.abs(u[0]) > 0.9 ? 1 : 0;
-  const a = u.map((x, k) => (k === first ? 1 : 0) - u[first] * x), n = Math.hypot(...a).valueOf(), h = a.map(x => x / n);
+  const a = u.map((x, k) => (k === first ? 1 : 0) - u[first] * x), n = Math.hypot(...a), h = a.map(x => x / n);
   const w = [0, 1, 2].map(k => h[(k + 1) % 3] * u[(k + 2) % 3] - h[(k + 2) % 3] * u[(k + 1) % 3]);
   const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
   return h.map((x, k) => c * x + s * w[k]);
@@ -196,7 +201,8 @@ function listen() {
   number('tilt', x => { model.state.tilt = x; });
   number('azimuth', x => { model.state.azimuth = x; });
   $('push').addEventListener('input', () => setPush(null, +$('push').value));
-  $('push-azimuth').addEventListener('input', () => setPush(level(+$('push-azimuth').value), (model.state.push || { share: 0.2 }).share));
+  $('push-azimuth').addEventListener('input', () =>
+    setPush(level(+$('push-azimuth').value), (model.state.push || { share: 0.2 }).share));
   $('mu-own').onclick = () => { model.state.mu = null; ask(); };
   $('level').onclick = () => { model.state.tilt = model.state.azimuth = 0; ask(); };
   $('no-push').onclick = () => { model.state.push = null; $('margin').textContent = ''; ask(); };

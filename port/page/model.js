@@ -36,7 +36,10 @@ export class Model {
   }
   /* Weight of a block, by its number now [N]. */
   weight(k) { return this.shape.rows[BLOCK.row * k + BLOCK.mass] * Math.hypot(...this.shape.gravity); }
-  centroid(k) { return Array.from(this.shape.rows.subarray(BLOCK.row * k + BLOCK.centroid, BLOCK.row * k + BLOCK.centroid + 3)); }
+  centroid(k) {
+    const at = BLOCK.row * k + BLOCK.centroid;
+    return Array.from(this.shape.rows.subarray(at, at + 3));
+  }
   /* The force of the push [N], null: none. */
   pushForce() {
     const p = this.state.push, k = p && this.number ? this.number.get(p.block) : undefined;

@@ -9,7 +9,8 @@ function triangles(polygon) {
   polygon.forEach((p, k) => n.add(cross.crossVectors(p, polygon[(k + 1) % polygon.length])));
   if (polygon.length === 4) {
     const diagonal = mid.subVectors(polygon[2], polygon[0]), side = k => new THREE.Vector3().subVectors(polygon[k], polygon[0]);
-    const one = cross.crossVectors(side(1), diagonal).dot(n), other = new THREE.Vector3().crossVectors(diagonal, side(3)).dot(n);
+    const one = cross.crossVectors(side(1), diagonal).dot(n);
+    const other = cross.crossVectors(diagonal, side(3)).dot(n);
     if (one > 0 && other > 0) return [[0, 1, 2], [0, 2, 3]];
   }
   const e = new THREE.Vector3(Math.abs(n.x) < Math.abs(n.y) ? 1 : 0, Math.abs(n.x) < Math.abs(n.y) ? 0 : 1, 0);

@@ -185,12 +185,17 @@ export class View {
   /* Where the ray through a place meets a plane through a point of the model: level, upright facing the eye, or facing it.
    * null: it does not. */
   meet(x, y, through, plane) {
-    const at = this.world.localToWorld(through.clone().sub(this.solids.origin)), eye = this.camera.getWorldDirection(new THREE.Vector3());
+    const at = this.world.localToWorld(through.clone().sub(this.solids.origin));
+    const eye = this.camera.getWorldDirection(new THREE.Vector3());
     const level = this.up.clone().applyQuaternion(this.world.quaternion);
     const normal = plane === 'level' && Math.abs(eye.dot(level)) > 0.12 ? level
       : plane === 'upright' ? eye.clone().addScaledVector(level, -eye.dot(level)).normalize() : eye;
-    const hit = this.ray(x, y).ray.intersectPlane(new THREE.Plane().setFromNormalAndCoplanarPoint(normal, at), new THREE.Vector3());
+    const flat = new THREE.Plane().setFromNormalAndCoplanarPoint(normal, at);
+    const hit = this.ray(x, y).ray.intersectPlane(flat, new THREE.Vector3());
     return hit ? this.toModel(hit) : null;
   }
-  picture() { this.renderer.render(this.scene, this.camera); return new Promise(done => this.canvas.toBlob(done, 'image/png')); }
+  picture() {
+    this.renderer.render(this.scene, this.camera);
+    return new Promise(done => this.canvas.toBlob(done, 'image/png'));
+  }
 }

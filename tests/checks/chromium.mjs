@@ -50,6 +50,8 @@ export class Chromium {
   }
 }
 
+const said = details => details.exception?.description || details.text;
+
 class Tab {
   constructor(browser, session, target) {
     Object.assign(this, { browser, session, target, errors: [], fetched: [] });
@@ -57,8 +59,9 @@ class Tab {
   }
   send(method, params) { return this.browser.send(method, params, this.session); }
   hear(method, p) {
-    if (method === 'Runtime.exceptionThrown') this.errors.push(p.exceptionDetails.exception?.description || p.exceptionDetails.text);
-    if (method === 'Runtime.consoleAPICalled' && p.type === 'error') this.errors.push(p.args.map(a => a.value || a.description).join(' '));
+    if (method === 'Runtime.exceptionThrown') this.errors.push(said(p.exceptionDetails));
+    if (method === 'Runtime.consoleAPICalled' && p.type === 'error')
+      this.errors.push(p.args.map(a => a.value || a.description).join(' '));
     if (method === 'Log.entryAdded' && p.entry.level === 'error') this.errors.push(p.entry.text);
     if (method === 'Network.requestWillBeSent' && !/^(file|data|blob):/.test(p.request.url)) this.fetched.push(p.request.url);
   }
@@ -73,7 +76,7 @@ class Tab {
   /* The value of an expression; a promise is waited for. */
   async value(expression) {
     const r = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
-    if (r.exceptionDetails) throw new Error(expression + ': ' + (r.exceptionDetails.exception?.description || r.exceptionDetails.text));
+    if (r.exceptionDetails) throw new Error(expression + ': ' + said(r.exceptionDetails));
     return r.result.value;
   }
   /* Wait until it is true; a minute is granted.     returns whether it came true */
@@ -86,8 +89,8 @@ class Tab {
     return this.value(`new Promise(done => { let n = ${n}; const f = () => n-- ? requestAnimationFrame(f) : done(1); f(); })`);
   }
   mouse(type, x, y, more = {}) {
-    return this.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1,
-      ...more });
+    const buttons = type === 'mouseReleased' ? 0 : 1;
+    return this.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons, clickCount: 1, ...more });
   }
   async drag(from, to, steps = 6) {
     await this.mouse('mousePressed', from[0], from[1]);
@@ -99,7 +102,8 @@ class Tab {
   }
   async key(key, code = key) {
     const known = { ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Delete: 46, Tab: 9 };
-    const p = { key, code, windowsVirtualKeyCode: known[key] || key.toUpperCase().charCodeAt(0), text: key.length === 1 ? key : undefined };
+    const text = key.length === 1 ? key : undefined;
+    const p = { key, code, windowsVirtualKeyCode: known[key] || key.toUpperCase().charCodeAt(0), text };
     await this.send('Input.dispatchKeyEvent', { type: 'keyDown', ...p });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', ...p });
     await this.frames();

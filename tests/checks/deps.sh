@@ -15,4 +15,4 @@ $sudo apt-get install -y -qq --no-install-recommends \
     lld wasi-libc libclang-rt-14-dev-wasm32 chromium dpkg-dev debhelper lintian
 # Node and npm, where neither is there from elsewhere; then what the page takes from npm.
 command -v npm > /dev/null || $sudo apt-get install -y -qq --no-install-recommends nodejs npm
-sh port/page/build.sh --modules
+sh port/page/build.sh --modules || echo "npm did not bring three and esbuild: no page"

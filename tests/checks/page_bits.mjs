@@ -14,8 +14,10 @@ let passed = 0, failed = 0;
 function test(name, good, more = '') {
   if (good) passed++; else { failed++; console.log('FAILED  ' + name + ' ' + more); }
 }
-const plain = json => json.replace(/"(seconds|peak_bytes|memory_bytes)": ?[-+.e0-9]+/g, '"$1":0').replace(/^\{"scene":\s*"[^"]*"/, '{');
-const native = (words, file) => spawnSync(program, ['check', '--json', '--forces', ...words, file], { encoding: 'utf8' }).stdout;
+const plain = json => json.replace(/"(seconds|peak_bytes|memory_bytes)": ?[-+.e0-9]+/g, '"$1":0')
+  .replace(/^\{"scene":\s*"[^"]*"/, '{');
+const native = (words, file) =>
+  spawnSync(program, ['check', '--json', '--forces', ...words, file], { encoding: 'utf8' }).stdout;
 function differ(a, b) {
   let k = 0;
   while (k < a.length && a[k] === b[k]) k++;
@@ -30,8 +32,8 @@ function sameScene(name, words = []) {
   const file = join(folder, 'now.obj');
   writeFileSync(file, core.scene());
   const page = JSON.parse(core.json()), here = JSON.parse(native(words, file));
-  test(name, page.verdict === here.verdict && page.interfaces === here.interfaces && JSON.stringify(page.forces) === JSON.stringify(here.forces),
-    page.verdict + ' ' + here.verdict);
+  const told = x => JSON.stringify([x.verdict, x.interfaces, x.forces]);
+  test(name, told(page) === told(here), page.verdict + ' ' + here.verdict);
 }
 
 test('it imports nothing', core.imports === 0, String(core.imports));
@@ -84,10 +86,27 @@ test('0.999 of its limit is borne', core.check() === 'stable');
 core.push(last, [1.001 * most, 0, 0], at);
 test('1.001 of its limit is not', core.check() === 'unstable');
 
-const refused = text => { try { core.open([], 'bad.obj', Buffer.from(text)); return ''; } catch (e) { return e.message; } };
+/* Loads and strength of joints. */
+const loaded = readFileSync('tests/scenes/two-cubes.obj', 'utf8') + '#@ cohesion 1000\n#@ load b1 50 0 0 0.8 0.5 1.9\n'
+  + '#@ live b1 0 10 0 0 0 3 couple\n#@ mass b1 20 0.7 0.5 2\n';
+writeFileSync(join(folder, 'loaded.obj'), loaded);
+core.open([], 'loaded.obj', Buffer.from(loaded));
+core.check();
+same('loads and strength', [], join(folder, 'loaded.obj'));
+core.block(1, [0.1, 0, 0], false, 0);
+core.build();
+test('a load moves with its stone', /^#@ load b1 50 0 0 0\.9 0\.5 1\.9$/m.test(core.scene()));
+core.block(1, [0, 0, 0], true, 0);
+core.build();
+test('and goes with it', !/^#@ (load|live|mass)/m.test(core.scene()));
+
+function refused(text, words = []) {
+  try { core.open(words, 'bad.obj', Buffer.from(text)); return ''; } catch (e) { return e.message; }
+}
 test('a bad line is told with its number', /^bad\.obj:2: /.test(refused('o a\nv 1 2\n')), refused('o a\nv 1 2\n'));
 test('no text is refused', /not a text file/.test(refused('\x00\x01')));
-test('a word of the program it does not know is refused', (() => { try { core.open(['--nonsense', '1'], 'x', Buffer.from('')); return 0; } catch (e) { return 1; } })());
+const unknown = refused('o a\n', ['--nonsense', '1']);
+test('an option that the program does not know is refused', /unknown option '--nonsense'/.test(unknown), unknown);
 core.open([], 'wall', readFileSync('tests/scenes/wall.obj'));
 core.check();
 same('after refusals', [], 'tests/scenes/wall.obj');

@@ -26,16 +26,19 @@ const drawn = tab => tab.value(`(() => { const v = ${P}.view, c = document.creat
   return { share: n / 30000, hash: h }; })()`);
 /* Where a stone is on the screen: its middle if that is what is hit there, else a place where it is. */
 const place = (tab, b) => tab.value(`(() => { const v = ${P}.view, box = v.canvas.getBoundingClientRect();
-  for (let i = 1; i < 60; i++) for (let j = 1; j < 60; j++) { const x = box.left + box.width * i / 60, y = box.top + box.height * j / 60;
-    const h = v.pick(x, y); if (h && h.block === ${b}) return [x, y]; } return null; })()`);
-const set = (tab, id, x) => tab.value(`(() => { const e = document.getElementById('${id}'); e.value = ${JSON.stringify(String(x))};
+  for (let i = 1; i < 60; i++) for (let j = 1; j < 60; j++) {
+    const x = box.left + box.width * i / 60, y = box.top + box.height * j / 60, h = v.pick(x, y);
+    if (h && h.block === ${b}) return [x, y]; } return null; })()`);
+const set = (tab, id, x) => tab.value(`(() => { const e = document.getElementById('${id}');
+  e.value = ${JSON.stringify(String(x))};
   e.dispatchEvent(new Event('input', { bubbles: true })); e.dispatchEvent(new Event('change', { bubbles: true })); })()`);
 const press = (tab, id) => tab.value(`document.getElementById('${id}').click()`);
 const example = (tab, k) => tab.value(`(() => { const e = document.getElementById('example'); e.selectedIndex = ${k} + 1;
   e.dispatchEvent(new Event('change')); })()`);
 const drop = (tab, name, file) => tab.value(`(() => { const t = new DataTransfer();
   t.items.add(new File([Uint8Array.from(atob('${Buffer.from(file).toString('base64')}'), c => c.charCodeAt(0))], '${name}'));
-  window.dropped = performance.now(); dispatchEvent(new DragEvent('drop', { dataTransfer: t, bubbles: true, cancelable: true })); })()`);
+  window.dropped = performance.now();
+  dispatchEvent(new DragEvent('drop', { dataTransfer: t, bubbles: true, cancelable: true })); })()`);
 
 async function begins() {
   const tab = await browser.open(url);
@@ -45,8 +48,8 @@ async function begins() {
   await tab.frames();
   const first = await drawn(tab);
   test('it is drawn', first.share > 0.03 && first.share < 0.9, JSON.stringify(first));
-  console.log('from opening to the first verdict: ' + await tab.value('document.body.dataset.answered') + ' ms, to the picture: '
-    + await tab.value('document.body.dataset.ready') + ' ms');
+  console.log('from opening to the first verdict: ' + await tab.value('document.body.dataset.answered')
+    + ' ms, to the picture: ' + await tab.value('document.body.dataset.ready') + ' ms');
   await shot(tab, 'desktop-light');
   return tab;
 }
@@ -59,7 +62,7 @@ async function decides(tab) {
     test(texts[k] + ' is drawn', (await drawn(tab)).share > 0.02);
     if (k) await shot(tab, 'example-' + k);
   }
-  test('nine of ten examples stand', found.filter(v => v === 'stable').length === 9 && found[1] === 'unstable', found.join(' '));
+  test('nine of ten examples stand', found.every((v, k) => v === (k === 1 ? 'unstable' : 'stable')), found.join(' '));
   await example(tab, 1);
   await tab.frames();
   const one = await drawn(tab);
@@ -146,8 +149,9 @@ async function keys(tab) {
   await tab.frames();
   await tab.key('Tab');
   test('Tab leaves the picture', await tab.value(`document.activeElement.id !== 'view'`));
-  const bare = await tab.value(`Array.from(document.querySelectorAll('input, select, button')).filter(e => !(e.labels && e.labels.length)
-    && !e.getAttribute('aria-label') && !e.textContent.trim()).map(e => e.id).join(' ')`);
+  const bare = await tab.value(`Array.from(document.querySelectorAll('input, select, button'))
+    .filter(e => !(e.labels && e.labels.length) && !e.getAttribute('aria-label') && !e.textContent.trim())
+    .map(e => e.id).join(' ')`);
   test('every control has a name', bare === '', bare);
 }
 async function files(tab) {
@@ -157,7 +161,8 @@ async function files(tab) {
   console.log('from a drop to its verdict: ' + Math.round(await tab.value('performance.now() - window.dropped')) + ' ms');
   await drop(tab, 'bad.obj', 'o a\nv 1 2\n');
   test('a bad one is told with its line', await tab.until(`/bad\\.obj:2:/.test(document.getElementById('error').textContent)`));
-  test('and the model before is still there', await tab.value(`${P}.model.state.name`) === 'wall.obj' && await verdict(tab) === 'stable');
+  test('and the model before is still there', await tab.value(`${P}.model.state.name`) === 'wall.obj'
+    && await verdict(tab) === 'stable');
   await drop(tab, 'rhino.obj', readFileSync('tests/examples/arch.obj'));
   await tab.until(`document.getElementById('name').textContent === 'rhino.obj'`);
   const help = () => tab.value(`Array.from(document.querySelectorAll('#remarks button'), b => b.textContent).join(' ')`);
@@ -165,11 +170,13 @@ async function files(tab) {
   await set(tab, 'options', '--unit mm --up y --fixed Springer*');
   await tab.value(`document.getElementById('apply').requestSubmit()`);
   test('with options it stands', await verdict(tab) === 'stable', await verdict(tab));
-  const json = await tab.value(`${P}.core.json()`), obj = await tab.value(`${P}.core.scene()`), svg = await tab.value(`${P}.core.picture()`);
-  test('JSON, scene and picture are whole', JSON.parse(json).verdict === 'stable' && /^o Voussoir_01$/m.test(obj) && /<\/svg>\s*$/.test(svg));
+  const told = what => tab.value(`${P}.core.${what}()`), json = await told('json'), obj = await told('scene');
+  const svg = await told('picture');
+  test('JSON, scene and picture are whole', JSON.parse(json).verdict === 'stable'
+    && /^o Voussoir_01$/m.test(obj) && /<\/svg>\s*$/.test(svg));
   await drop(tab, 'again.obj', obj);
   await tab.until(`document.getElementById('name').textContent === 'again.obj'`);
-  test('the scene reads back', await verdict(tab) === 'stable' && JSON.parse(await tab.value(`${P}.core.json()`)).interfaces === 12);
+  test('the scene reads back', await verdict(tab) === 'stable' && JSON.parse(await told('json')).interfaces === 12);
 }
 async function link(tab) {
   await example(tab, 5);
@@ -189,7 +196,8 @@ async function small() {
   await ready(tab);
   await tab.frames(3);
   test('a phone needs no sideways scroll', await tab.value('document.documentElement.scrollWidth <= innerWidth'));
-  test('and shows picture and verdict at once', await tab.value(`document.getElementById('verdict').getBoundingClientRect().bottom < innerHeight
+  test('and shows picture and verdict at once', await tab.value(`
+    document.getElementById('verdict').getBoundingClientRect().bottom < innerHeight
     && document.getElementById('view').getBoundingClientRect().height > 200`));
   test('it is drawn', (await drawn(tab)).share > 0.03);
   await shot(tab, 'phone-dark');
@@ -197,7 +205,8 @@ async function small() {
   await tab.frames(3);
   const one = (await drawn(tab)).hash;
   await tab.frames(6);
-  test('who wants less motion sees a state, not a motion', one === (await drawn(tab)).hash && await verdict(tab) === 'unstable');
+  test('who wants less motion sees a state, not a motion', one === (await drawn(tab)).hash
+    && await verdict(tab) === 'unstable');
   await shot(tab, 'phone-dark-falls');
   await tab.value('scrollTo(0, 600)');
   await tab.frames();
@@ -216,7 +225,8 @@ async function dark() {
 async function flat() {
   const tab = await browser.open(url, { first: 'HTMLCanvasElement.prototype.getContext = () => null' });
   await ready(tab);
-  test('without WebGL it answers', await verdict(tab) === 'stable' && await tab.value(`!document.getElementById('no-view').hidden`));
+  test('without WebGL it answers', await verdict(tab) === 'stable'
+    && await tab.value(`!document.getElementById('no-view').hidden`));
   await set(tab, 'mu', 0.1);
   test('at every change', await verdict(tab) === 'unstable');
   await set(tab, 'stone', 'b3');
