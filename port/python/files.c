@@ -1,6 +1,6 @@
 /* Scene files and pictures of the program for other languages: what `convert` reads and writes, what `check --svg` draws.
  *
- * A shared library of its own over the library. Strings, structs of stonepack.h and a handle cross, no struct of the program. */
+ * A shared library over the other one. Strings, structs of stonepack.h and a handle cross, no struct of the program. */
 #include "../host/files/drawn.h"
 #include "../host/files/file.h"
 #include "../host/files/obj_write.h"
@@ -23,7 +23,8 @@ typedef struct files_scene {
 FILES_API files_scene *files_new(void);
 
 /* What is told beside the file, as options of the program: fixed LIST, up AXIS, unit NAME, contact-distance D,
- * contact-angle DEG, mu X, gravity-x, gravity-y, gravity-z X, split "". value must live until files_read.      returns 1, 0: not that */
+ * contact-angle DEG, mu X, gravity-x, gravity-y, gravity-z X, split "". value must live until files_read.
+ *   returns   1, 0: not understood */
 FILES_API int files_option(files_scene *f, const char *name, const char *value);
 
 /* Read a file, or text in memory if there is one (copied).     returns 0, else files_error tells */
@@ -33,7 +34,9 @@ FILES_API const char *files_error(const files_scene *f);
 FILES_API const sp_scene *files_parts(const files_scene *f);
 FILES_API const char *files_name(const files_scene *f, int32_t block);
 FILES_API const char *files_remark(const files_scene *f, int32_t k);       /* NULL: there are fewer */
-FILES_API int files_found(const files_scene *f);                           /* its joints were found, not given */
+
+/* Where its joints were found, not given: 1, how, and the blocks inside each other; else 0. */
+FILES_API int files_found(const files_scene *f, sp_contact_settings *how, int32_t *overlaps, const sp_overlap **overlap);
 FILES_API double files_mu(const files_scene *f);
 FILES_API void files_free(files_scene *f);
 
@@ -92,8 +95,17 @@ int files_read(files_scene *f, const char *path, const char *text, size_t length
 const char *files_error(const files_scene *f) { return f->error.line; }
 const sp_scene *files_parts(const files_scene *f) { return &f->scene.scene; }
 const char *files_name(const files_scene *f, int32_t block) { return f->scene.name[block]; }
-int files_found(const files_scene *f) { return f->scene.found; }
 double files_mu(const files_scene *f) { return (double)f->scene.mu; }
+
+int files_found(const files_scene *f, sp_contact_settings *how, int32_t *overlaps, const sp_overlap **overlap)
+{
+    if (!f->scene.found) return 0;
+    *how = touching_settings(f->scene.touching);
+    how->strength = f->scene.strength;
+    *overlaps = f->scene.overlaps;
+    *overlap = f->scene.overlap;
+    return 1;
+}
 
 const char *files_remark(const files_scene *f, int32_t k)
 {

@@ -82,6 +82,16 @@ class Assertions(unittest.TestCase):
         props = [b.name for b in arch.blocks if not b.fixed]
         self.assertEqual(len(assert_build_order(arch, held=props)), 15)
 
+    def test_a_scene_that_was_changed_is_made_by_no_recipe(self):
+        wall = scenes.wall(2, 2)
+        wall.check()
+        self.assertEqual(repr(wall), repr(wall.copy()))
+        self.assertTrue(repr(wall).startswith("stonepack.scenes.wall("))
+        other = wall.copy()
+        other.gravity = (1, 0, -9)
+        wall.box((1, 1, 1), (5, 5, 5))
+        self.assertEqual((wall.recipe, other.recipe), (None, None))
+
     def test_a_part_is_the_scene_without_the_rest(self):
         wall = scenes.wall(3, 3)
         wall.load("c2b1", (0, 0, -500), live=True)

@@ -1,4 +1,5 @@
 """Scenes, answers and refusals of the Python package; standard library alone, NumPy where it is there."""
+import copy
 import math
 import random
 import threading
@@ -251,7 +252,7 @@ class Building(unittest.TestCase):
     def test_a_copy_is_a_scene_of_its_own(self):
         s = overhang(0.5)
         before = s.check().forces
-        t = s.copy()
+        t = copy.deepcopy(s)
         t.friction(0.1)
         t.box((1, 1, 1), (2, 0.5, 1.3), name="more")
         self.assertEqual((len(s), len(t)), (2, 3))
@@ -309,6 +310,33 @@ class Files(unittest.TestCase):
             self.assertEqual(s.names, t.names)
             self.assertEqual(s.joints, t.joints)
             self.assertEqual(s.check().forces, t.check().forces)
+
+    def test_blocks_added_to_a_file_are_found_with_its_own(self):
+        s = stonepack.parse(overhang(0).to_obj().split("#@ interface")[0])
+        self.assertEqual(len(s.joints), 1)
+        s.box((2, 1, 0.8), (1, 0.5, 1.15), name="top")
+        self.assertEqual(len(s.joints), 1)              # 5 cm inside is no touch
+        self.assertEqual([(o.a, o.b) for o in s.overlaps], [("stone", "top")])
+        t = stonepack.parse(s.to_obj().split("#@ interface")[0])
+        self.assertEqual(t.overlaps, s.overlaps)
+        t = stonepack.parse(overhang(0).to_obj())       # its own joint is given: no others are sought
+        t.box((2, 1, 0.8), (1, 0.5, 1.2), name="top")
+        self.assertEqual((len(t.joints), t.check().moving), (1, ["top"]))
+
+    def test_a_found_scene_keeps_its_distance(self):
+        text = overhang(0).to_obj().split("#@ interface")[0]
+        s = stonepack.parse(text, contact_distance=0.01, mu=0.3)
+        s.box((2, 1, 0.8), (1, 0.5, 1.205), name="top")
+        self.assertEqual([(j.a, j.b, j.mu) for j in s.joints], [("table", "stone", 0.3), ("stone", "top", 0.3)])
+
+    def test_names_are_those_of_files(self):
+        s = stonepack.Scene()
+        self.assertEqual(s.box((1, 1, 1), name="key stone", fixed=True), "key_stone")
+        self.assertEqual(stonepack.parse(s.to_obj()).names, ["key_stone"])
+        with self.assertRaises(stonepack.SceneError):
+            s.box((1, 1, 1), name=" ")
+        with self.assertRaises(stonepack.SceneError):
+            s.box((1, 1, 1), name="key_stone")
 
     def test_json_of_compas_is_read(self):
         with open("tests/examples/doorway.json") as file:

@@ -294,10 +294,10 @@ class Result:
         """Compute anew, by other code than the search's, what the evidence proves."""
         return self._there().verify(self)
 
-    def svg(self, path: Optional[str] = None, *, names: bool = False) -> str:
+    def svg(self, path: Optional[str] = None, *, names: bool = False, title: str = "scene") -> str:
         """The picture of `stonepack check --svg`, as text and into a file."""
         from . import pictures
-        return pictures.draw(self._there(), self._c, None, path, names)
+        return pictures.draw(self._there(), self._c, None, path, names, title)
 
     def _there(self) -> "Scene":
         if self._scene._version != self._version:
@@ -391,10 +391,10 @@ class Limit:
                                    out.slip, (vec3(out.a), vec3(out.b))))
         return found
 
-    def svg(self, path: Optional[str] = None, *, names: bool = False) -> str:
+    def svg(self, path: Optional[str] = None, *, names: bool = False, title: str = "scene") -> str:
         """The picture of `stonepack limit --svg`, as text and into a file."""
         from . import pictures
-        return pictures.draw_limit(self._there(), self._c, path, names)
+        return pictures.draw_limit(self._there(), self._c, path, names, title)
 
     def _there(self) -> "Scene":
         if self._scene._version != self._version:

@@ -11,7 +11,7 @@ from .scene import Scene
 from .scenefiles import by_file, c_names
 
 
-def draw(scene: Scene, result: Any, limit: Any, path: Optional[str], names: bool, title: str = "scene") -> str:
+def draw(scene: Scene, result: Any, limit: Any, path: Optional[str], names: bool, title: str) -> str:
     def put(where: str) -> None:
         message = ctypes.create_string_buffer(512)
         with files_lock:
@@ -23,10 +23,10 @@ def draw(scene: Scene, result: Any, limit: Any, path: Optional[str], names: bool
     return by_file(put, path, ".svg")
 
 
-def draw_limit(scene: Scene, limit: Any, path: Optional[str], names: bool) -> str:
+def draw_limit(scene: Scene, limit: Any, path: Optional[str], names: bool, title: str) -> str:
     """A result that has the forces and the motion of the limit alone."""
     r = c.sp_result()
     r.f, r.dq = limit.f, limit.dq
     r.verdict = c.SP_UNSTABLE if limit.upper >= 0 else c.SP_UNDECIDED
     r.extremes.weakest, r.verified, r.tol = -1, limit.verified, limit.tol
-    return draw(scene, r, limit, path, names)
+    return draw(scene, r, limit, path, names, title)

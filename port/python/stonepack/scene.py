@@ -149,10 +149,11 @@ class Scene:
         new.count, new.live = old.count, old.live
         new.gravity[:], new.body[:] = old.gravity[:], old.body[:]
 
-    def _touched(self) -> None:
-        """Something changed: answers before this are of another scene."""
+    def _touched(self, recipe: Optional[str] = None) -> None:
+        """Something changed: answers before this are of another scene, which no recipe makes."""
         self._version += 1
         self._needs.clear()
+        self.recipe = recipe
 
     # ------------------------------------------------------------------------------------------------------------ blocks
 
@@ -196,7 +197,9 @@ class Scene:
         return self._named(label)
 
     def _label(self, name: Optional[str]) -> str:
-        label = "b%d" % len(self._names) if name is None else str(name)
+        label = "b%d" % len(self._names) if name is None else "_".join(str(name).split())      # as in files
+        if not label:
+            raise SceneError("a name of a block is empty")
         if label in self._index:
             raise SceneError("block '%s': there is one of this name" % label, 0, label)
         return label
@@ -326,7 +329,7 @@ class Scene:
         if status:
             raise refuse(status, "contacts")
         self._overlaps = [Overlap(self._names[o.a], self._names[o.b], o.depth) for o in over] if over else []
-        self._touched()
+        self._touched(self.recipe)                      # finding joints is part of it
         self._found = (self._version, s)
 
     def _ready(self) -> None:
@@ -374,6 +377,7 @@ class Scene:
         """Joints stay what they are, and most often the bytes of a check; answers before this do not."""
         found = self._found is not None and self._found[0] == self._version
         self._version += 1
+        self.recipe = None
         if found:
             self._found = (self._version, self._found[1])
 
@@ -562,10 +566,16 @@ class Scene:
         new._copy_of(self._c, self._memory, c.sp_capacity.from_buffer_copy(self._c.capacity))
         new._names, new._index = list(self._names), dict(self._index)
         new._given, new._overlaps, new.remarks = self._given, list(self._overlaps), list(self.remarks)
+        new.recipe = self.recipe
         if self._found is not None:
             new._found = (new._version if self._found[0] == self._version else -1,
                           c.sp_contact_settings.from_buffer_copy(self._found[1]))
         return new
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Any) -> "Scene":
+        return self.copy()
 
     def part(self, blocks: Iterable[Name]) -> "Scene":
         """A scene of its own of these blocks alone, with the joints between them and the loads on them."""

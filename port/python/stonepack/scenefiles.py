@@ -9,6 +9,7 @@ from typing import Any, Iterable, Optional, Union
 from . import _bindings as c
 from ._library import FileError, files, files_lock
 from ._numbers import Vector
+from .answers import Overlap
 from .scene import Scene
 
 Names = Union[str, Iterable[str]]
@@ -58,7 +59,7 @@ def _scene_of(reader: Any, handle: Any) -> Scene:
     scene._copy_of(parts, None, capacity)
     scene._names = [reader.files_name(handle, k).decode(errors="replace") for k in range(parts.count.blocks)]
     scene._index = {name: k for k, name in enumerate(scene._names)}
-    scene._given = True                                 # found or given, they are there
+    _contacts_of(reader, handle, scene)
     k = 0
     while True:
         said = reader.files_remark(handle, k)
@@ -66,8 +67,17 @@ def _scene_of(reader: Any, handle: Any) -> Scene:
             break
         scene.remarks.append(said.decode(errors="replace"))
         k += 1
-    scene._touched()
     return scene
+
+
+def _contacts_of(reader: Any, handle: Any, scene: Scene) -> None:
+    """Joints of the file are there, given or found; those that were found are found anew when blocks are added."""
+    how, count, overlap = c.sp_contact_settings(), ctypes.c_int32(), ctypes.POINTER(c.sp_overlap)()
+    scene._touched()
+    scene._given = not reader.files_found(handle, ctypes.byref(how), ctypes.byref(count), ctypes.byref(overlap))
+    if not scene._given:
+        scene._found = (scene._version, how)
+        scene._overlaps = [Overlap(scene._names[o.a], scene._names[o.b], o.depth) for o in overlap[0:count.value]]
 
 
 def read(path: Union[str, "os.PathLike[str]"], *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
@@ -93,8 +103,7 @@ def parse(content: str, name: str = "text", *, fixed: Names = (), up: Optional[s
 
 
 def c_names(scene: Scene) -> Any:
-    """Names for C, as files have them: without spaces."""
-    return (ctypes.c_char_p * len(scene))(*["_".join(name.split()).encode() for name in scene.names])
+    return (ctypes.c_char_p * len(scene))(*[name.encode() for name in scene.names])
 
 
 def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -40,7 +40,7 @@ class _Told(AssertionError):
         try:
             os.makedirs(folder, exist_ok=True)
             self.scene.write(base + ".obj")
-            self.result.svg(base + ".svg", names=True)
+            self.result.svg(base + ".svg", names=True, title=self.test)
         except (OSError, StonepackError) as error:
             return ["  scene     could not be written: %s" % error]
         return ["  scene     %s.obj, for stonepack.read and the program" % base, "  picture   %s.svg" % base]
