@@ -14,12 +14,12 @@ if [ "${1:-}" = --version ]; then echo "$version"; exit; fi
 out=${1:-build/dist}
 to=$out/stonepack-$version
 
-# What is kept under version control; in an unpacked tarball, all that was not built.
+# What is kept under version control; where nothing is, as in an unpacked tarball, all that was not built.
 files() {
-    if [ -e .git ]; then git ls-files
-    else find . -type f ! -path './build/*' ! -path './package/*' ! -path './doc/*' ! -path './debian/*' ! -path './.pc/*' \
-        ! -name SHA256SUMS | sed 's|^\./||'
-    fi | grep -v '^\.ci/'
+    { git ls-files 2> /dev/null | grep . ||
+        find . -type f ! -path './build/*' ! -path './package/*' ! -path './doc/*' ! -path './debian/*' ! -path './.pc/*' \
+            ! -path './.git/*' ! -path '*/__pycache__/*' ! -name SHA256SUMS | sed 's|^\./||'
+    } | grep -v '^\.ci/'
 }
 moment() {                                              # of the last commit
     if [ "${SOURCE_DATE_EPOCH:-}" ]; then echo "$SOURCE_DATE_EPOCH"
