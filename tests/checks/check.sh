@@ -389,7 +389,22 @@ py_warnings() {
         if have $pw; then $pw $host -O1 -c port/python/files.c -o $out/warn.o || return 1; fi
     done
 }
+# The example of port/ORACLE.md in C: its mistake is found by a plain loop, shrunk to 4 boxes, and by libFuzzer.
+oracle_loop() {
+    # shellcheck disable=SC2086
+    $CC $host -O2 -I. port/oracle/packer.c build/libstonepack.a -lm -o $out/packer || return 1
+    $out/packer > $out/packer.txt
+    [ $? -eq 1 ] && cat $out/packer.txt && [ "$(grep -c '^  box' $out/packer.txt)" -eq 4 ]
+}
+oracle_fuzzer() {
+    clang $plain -O1 -I. -fsanitize=fuzzer -DPACKER_FUZZER port/oracle/packer.c build/libstonepack.a -lm -o $out/packer_fuzzer || return 1
+    (cd $out && ./packer_fuzzer -seed=1 -max_len=16 -max_total_time=60 -artifact_prefix=packer- > fuzzer.txt 2>&1)
+    grep 'what was packed falls' $out/fuzzer.txt || { cat $out/fuzzer.txt; return 1; }
+}
 check_python() {
+    part "oracle: a plain loop in C finds the planted mistake" oracle_loop
+    if have clang; then part "oracle: libFuzzer finds it" oracle_fuzzer
+    else skip "oracle: libFuzzer finds a planted mistake" "clang libclang-rt-14-dev"; fi
     if ! $py -c 'import ensurepip' 2> /dev/null; then skip "Python: wheel and its tests" "python3 python3-venv"; return; fi
     part "Python: wheel, twice the same bytes" py_wheel
     part "Python: a header that drifted is told" py_drift
