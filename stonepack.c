@@ -63,6 +63,8 @@
 #include "solvers/linear/ldl.c"                 /* factors of a sparse quasi-definite matrix, K = L D L' */
 #include "solvers/linear/cg.c"                  /* conjugate gradients, preconditioned by the diagonal */
 #include "solvers/linear/lp.c"                  /* is there an x within bounds of its rows and its own? */
+#include "solvers/linear/simplex.c"             /* and the least of a sum of costs, from any point within its bounds */
+#include "solvers/linear/band.c"                /* a band without symmetry, by elimination with row exchanges */
 
 #include "solvers/qp/ruiz.c"                    /* scales that bring every row and column of the KKT matrix near 1 */
 #include "solvers/qp/qp.c"                      /* a quadratic program, a point of it, and how good that point is */
@@ -111,6 +113,7 @@
 #include "solvers/proof/scale.c"                /* f0 and what each block's imbalance is measured by */
 #include "solvers/proof/forces.c"               /* what forces prove, and what a motion proves */
 #include "solvers/proof/moving.c"               /* what pressure alone proves, and what moves for all that friction does */
+#include "solvers/proof/sliding.c"              /* a state in which a scene slides, its joints without dilatancy */
 #include "solvers/proof/still.c"                /* what a tree of multipliers proves: whatever friction does, nothing moves */
 #include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
 #include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
@@ -184,6 +187,11 @@
 #include "solvers/strong/starts.c"              /* from many starts: is there a motion that friction does not hinder? */
 #include "solvers/strong/cases.c"               /* cases of sticking and slipping, a linear program each */
 #include "solvers/strong/strong.c"              /* sp_strong: pressure alone, then a motion; sp_strong_verify */
+
+#include "solvers/sliding/plane.c"              /* a planar scene in 3 rows a block */
+#include "solvers/sliding/push.c"               /* a history: live loads pushed on until forces stay as they are */
+#include "solvers/sliding/descend.c"            /* from its end to an exact state at a lower multiple */
+#include "solvers/sliding/sliding.c"            /* sp_sliding: limits without dilatancy; sp_sliding_verify */
 
 #include "solvers/sequence/state.c"             /* a build order under way */
 #include "solvers/sequence/part.c"              /* some blocks of what is there, as a part */

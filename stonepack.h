@@ -178,11 +178,17 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 #undef SP_NO_QP
 #define SP_NO_QP
 #endif
+#ifdef SP_NO_IPM
+#undef SP_NO_SLIDING
+#define SP_NO_SLIDING
+#endif
 #ifdef SP_SMALL
 #undef SP_NO_CRA
 #define SP_NO_CRA
 #undef SP_NO_STRONG
 #define SP_NO_STRONG
+#undef SP_NO_SLIDING
+#define SP_NO_SLIDING
 #undef SP_QP_NO_CG
 #define SP_QP_NO_CG
 #undef SP_QP_NO_POLISH
@@ -647,7 +653,9 @@ typedef enum sp_memory_for {
     SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
     SP_FOR_PROBLEM,             /* sp_problem_build */
     SP_FOR_STRONG,              /* sp_strong; SP_E_ARGUMENT where it is left out */
-    SP_FOR_STRONG_VERIFY        /* sp_strong_verify's scratch; likewise */
+    SP_FOR_STRONG_VERIFY,       /* sp_strong_verify's scratch; likewise */
+    SP_FOR_SLIDING,             /* sp_sliding; likewise */
+    SP_FOR_SLIDING_VERIFY       /* sp_sliding_verify's scratch; likewise */
 } sp_memory_for;
 
 /* Bytes that a call with this scene and these settings (NULL: the default ones) takes from its arena.
@@ -800,6 +808,87 @@ SP_API sp_status sp_limit_verify(const sp_scene *scene, const sp_settings *setti
                                  sp_arena scratch, int32_t *held);
 
 static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_WORDS_LIMIT, (int32_t)kind); }
+
+#ifndef SP_NO_SLIDING
+/* ----------------------------------------------------------------------------------------------- sliding without dilatancy
+ *
+ * The limit above has friction that opens joints as they slide. Real sliding does not. A sliding state at lambda is (f, v) with
+ *
+ *     p + lambda q + Aeq f = 0,  fn >= 0, dn >= 0, fn dn = 0,  |ft| <= mu fn,  dt != 0 => ft = -mu fn dt / |dt|
+ *     d = Aeq' v,  q . v > 0                                                      [q: live loads; Ferris, Tin-Loi 2001]
+ *
+ *     upper          a verified state exists there: the scene may slide at that multiple. Without one the associative value,
+ *                    called so. Nothing is said between it and the associative value, where states may exist or not
+ *     lower          no such state in [0, lower), proved for the whole interval: pressure alone carries lower, so whatever the
+ *                    friction does. 0 where nothing is proved
+ *     lower_strong   strong on all of [0, it] (whatever friction does): pressure alone carries 0, too. The number for safety
+ */
+#define SP_SLIDING_STARTS 32            /* histories, at most */
+
+typedef enum sp_sliding_kind {
+    SP_SLIDING_NONE = 0,        /* no state was found: upper is the associative value; -1: it has none */
+    SP_SLIDING_STATE            /* (f, v) is a state at upper */
+} sp_sliding_kind;
+
+typedef enum sp_sliding_reason {
+    SP_SLIDING_FOUND = 0,
+    SP_SLIDING_NOTHING_FOUND,   /* histories came to no state: there may be none */
+    SP_SLIDING_NOT_ASKED        /* not planar, a joint with strength, or more than 400 free blocks */
+} sp_sliding_reason;
+
+typedef struct sp_sliding_settings {
+    int32_t starts;             /* histories, joints more or less stiff: 0 .. SP_SLIDING_STARTS                           8 */
+    int32_t work;               /* 0 .. 1000: so many times the flops of the limit may be spent, at least 1e7            90 */
+    uint32_t seed;              /* of the first history, whose joints are alike; others have the next ones                1 */
+} sp_sliding_settings;
+SP_API sp_sliding_settings sp_sliding_settings_default(void);
+
+/* Where one history ends. */
+typedef struct sp_sliding_end {
+    uint32_t seed;
+    sp_real steady;             /* multiple at which its forces stay as they are; -1: it did not come to that */
+    sp_real least;              /* of the states that it leads to; -1: to none */
+} sp_sliding_end;
+
+typedef struct sp_sliding_result {
+    sp_sliding_kind kind;
+    sp_sliding_reason reason;
+    sp_real upper, associative; /* associative: upper of the limit; -1: none */
+    sp_real lower, lower_strong;
+    sp_real residual;           /* of a STATE: largest violation of its conditions, relative, <= tol                     [1] */
+    sp_real share;              /* of a STATE: q . v / sum |q_i| |v_i|, >= 1e-3                                          [1] */
+    sp_real tol;                /* in force */
+    int32_t ends;               /* histories */
+    sp_sliding_end *end;        /* ends */
+    sp_real *f, *v;             /* 3 x scene.count.points [N], 6 x scene.count.blocks [m, 1]: the state; else 0 */
+    sp_real *pressed, *resting; /* 3 x scene.count.points: pressure at lower, at 0; else 0                             [N] */
+    sp_cost cost;
+    size_t peak_bytes;          /* of the arena */
+} sp_sliding_result;
+
+/* Histories of a planar scene: live loads are pushed on, step by step, joints being a little soft, until forces stay; what is
+ * found is made exact and led to lower multiples by linear programs in forces and in the motion, and judged.
+ *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0
+ *   how       NULL: the default
+ *   limit     of sp_limit for the same scene; read are kind, upper, cost
+ *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_SLIDING
+ *   returns   SP_OK (whatever the kind), SP_E_RANGE (how), SP_E_NOT_FINITE (limit), SP_E_UNSUPPORTED (faces),
+ *             else as sp_limit */
+SP_API sp_status sp_sliding(const sp_scene *scene, const sp_settings *settings, const sp_sliding_settings *how,
+                            const sp_limit_result *limit, sp_arena *arena, sp_sliding_result *result);
+
+typedef struct sp_sliding_evidence {
+    int32_t state;              /* 1: (f, v) is a sliding state at upper */
+    sp_real residual, share;    /* its */
+    sp_real lower, lower_strong;        /* as far as pressed and resting prove them; 0: not */
+} sp_sliding_evidence;
+
+/* What upper, f, v, lower, pressed, lower_strong and resting of a claim prove, recomputed from the scene by the certificate
+ * check; nothing else of it is read.
+ *   scratch: sp_memory, SP_FOR_SLIDING_VERIFY; overwritten      returns as sp_limit_verify, SP_E_UNSUPPORTED (faces) */
+SP_API sp_status sp_sliding_verify(const sp_scene *scene, const sp_settings *settings, const sp_sliding_result *claim,
+                                   sp_arena scratch, sp_sliding_evidence *evidence);
+#endif
 
 /* What a joint does in a motion. Friction is associative: what slides opens by mu times its slip at most, else it is open. */
 typedef enum sp_joint_kind {
@@ -1448,6 +1537,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; depth left out: SP_E_UNSUPPORTED
  *   SP_NO_CRA       defined: no coupled check; settings.coupled is refused with SP_E_UNSUPPORTED
  *   SP_NO_STRONG    defined: no sp_strong, no calls of its own; SP_SMALL is without, too
+ *   SP_NO_SLIDING   defined: no sp_sliding, no calls of its own; SP_SMALL and SP_NO_IPM are without, too
  *   SP_NO_ADMM      defined: no preset of the seed (the seed, below); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
  *   SP_NO_QP        defined: no quadratic programs, none of the two above

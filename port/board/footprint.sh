@@ -136,7 +136,7 @@ all() {
     linked 'smallest check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
     linked 'smallest check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
     linked 'smallest verification, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_verify
-    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH; do
+    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_SLIDING SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH; do
         build $a_switch -D$a_switch
     done
     build 'everything, SP_SMALL' -DSP_SMALL

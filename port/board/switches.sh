@@ -31,6 +31,7 @@ table() {                                               # table comment|page
             alone("SP_NO_PLAN", "sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out")
             alone("SP_NO_CRA", "the coupled check: settings.coupled.asked")
             alone("SP_NO_STRONG", "sp_strong: what friction holds whatever it does")
+            alone("SP_NO_SLIDING", "sp_sliding: limits without dilatancy")
             alone("SP_NO_ADMM", "the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds")
             alone("SP_NO_DYKSTRA", "sp_qp_dykstra")
             alone("SP_NO_QP", "all quadratic programs; with SP_NO_ADMM, SP_NO_DYKSTRA")

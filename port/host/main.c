@@ -71,7 +71,9 @@ static const char help_limit[] =
 "loads are the scene's `#@ live` lines and --body. With friction the multiplier is an upper value: forces are necessary for\n"
 "standing, not sufficient, and sliding that does not open joints may fall at less.\n\n"
 "  --body DX,DY,DZ    live load of every block: its weight times this vector\n"
+"  --sliding real     also without dilatancy: a sliding state at a lower multiple, and what stays whatever friction does\n"
 "  --tilt-margin      instead: how far gravity may turn, towards every azimuth; the worst one\n"
+"  --forces           with --json and --sliding real: the evidence, so that `verify` can re-check it\n"
 "  --json             one JSON object; multiplier: a number, null (it falls at any), \"unbounded\", \"undecided\"\n"
 "  --svg FILE         draws the mechanism with its hinges and sliding joints; with --tilt-margin a polar plot\n"
 "  --png FILE         the same as PNG, by rsvg-convert where that is installed, else exit status 69\n"
@@ -101,7 +103,8 @@ static const char help_verify[] =
 "the result either but from these options, as they were given to check; where the result's was another, the line says so:\n\n"
 "  --tol X            1e-9; the bound on forces follows from it\n"
 "  --cone KIND        true\n"
-"  --tilt DEG[,AZ]    0\n\n"
+"  --tilt DEG[,AZ]    0\n"
+"  --body DX,DY,DZ    0,0,0; of what `limit --sliding real --json --forces` wrote, whose state and pressure are judged\n\n"
 "Of a coupled check the lengths eps and eta are the result's, and printed. Exit status by the verdict proved.\n";
 
 static const char help_sequence[] =

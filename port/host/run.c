@@ -99,6 +99,33 @@ sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit
     return status;
 }
 
+#ifndef SP_NO_SLIDING
+sp_status run_sliding(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *limit,
+                      sp_sliding_result *result, run_cost *cost, void **memory)
+{
+    sp_arena arena;
+    const double start = now();
+    sp_status status;
+
+    cost->bytes = run_bytes(scene, SP_FOR_SLIDING, settings);
+    status = run_arena(cost->bytes, &arena, memory);
+    if (status == SP_OK) status = sp_sliding(scene, settings, NULL, limit, &arena, result);
+    cost->seconds = now() - start;
+    return status;
+}
+
+sp_status run_sliding_verify(const sp_scene *scene, const sp_settings *settings, const sp_sliding_result *claim,
+                             sp_sliding_evidence *evidence)
+{
+    void *memory;
+    sp_arena scratch;
+    sp_status status = run_arena(run_bytes(scene, SP_FOR_SLIDING_VERIFY, NULL), &scratch, &memory);
+    if (status == SP_OK) status = sp_sliding_verify(scene, settings, claim, scratch, evidence);
+    free(memory);
+    return status;
+}
+#endif
+
 sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
                        void **memory)
 {

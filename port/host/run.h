@@ -34,6 +34,14 @@ sp_status run_strong_verify(const sp_scene *scene, const sp_settings *settings, 
 /* sp_limit */
 sp_status run_limit(const sp_scene *scene, const sp_settings *settings, sp_limit_result *result, run_cost *cost, void **memory);
 
+#ifndef SP_NO_SLIDING
+/* sp_sliding after a limit; sp_sliding_verify */
+sp_status run_sliding(const sp_scene *scene, const sp_settings *settings, const sp_limit_result *limit,
+                      sp_sliding_result *result, run_cost *cost, void **memory);
+sp_status run_sliding_verify(const sp_scene *scene, const sp_settings *settings, const sp_sliding_result *claim,
+                             sp_sliding_evidence *evidence);
+#endif
+
 /* sp_sequence_open; the sequence lies in *memory. */
 sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
                        void **memory);

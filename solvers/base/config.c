@@ -84,6 +84,11 @@
 #else
 #define SP__WITH_STRONG 1
 #endif
+#if !SP__WITH_INTERIOR || defined SP_NO_SLIDING
+#define SP__WITH_SLIDING 0
+#else
+#define SP__WITH_SLIDING 1
+#endif
 
 /* A function whose frame stays its own: merged into its only caller it would cost that caller's whole call tree its stack. */
 #ifdef __GNUC__

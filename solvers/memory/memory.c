@@ -8,6 +8,7 @@
 #include "../check/plan.c"
 #include "../limit/limit.c"
 #include "../strong/strong.c"
+#include "../sliding/sliding.c"
 #include "../sequence/calls.c"
 
 /* Of a call whose memory follows from counts alone; 0: too large to count. */
@@ -31,6 +32,8 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
     if (!scene || !bytes) return SP_E_ARGUMENT;
     if (SP__WITH_STRONG && what == SP_FOR_STRONG) return sp__memory_counted(sp__holds_memory(scene), bytes);
     if (SP__WITH_STRONG && what == SP_FOR_STRONG_VERIFY) return sp__memory_counted(sp__holds_verify_memory(scene), bytes);
+    if (SP__WITH_SLIDING && (what == SP_FOR_SLIDING || what == SP_FOR_SLIDING_VERIFY))
+        return sp__memory_counted(sp__sliding_bytes(scene, what == SP_FOR_SLIDING), bytes);
     switch (what) {
     case SP_FOR_CHECK: return sp__check_memory(scene, settings, scratch, bytes);
     case SP_FOR_WORK: return sp__work_memory(scene, settings, scratch, bytes);
@@ -42,7 +45,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
         return SP__WITH_LIMIT ? sp__memory_counted(sp__limit_verify_memory(scene), bytes) : SP_E_UNSUPPORTED;
     case SP_FOR_SEQUENCE: return sp__sequence_memory(scene, settings, scratch, bytes);
     case SP_FOR_PROBLEM: return scene->count.blocks < 1 ? SP_E_EMPTY : sp__memory_counted(sp__problem_memory(scene), bytes);
-    case SP_FOR_STRONG: case SP_FOR_STRONG_VERIFY: break;
+    case SP_FOR_STRONG: case SP_FOR_STRONG_VERIFY: case SP_FOR_SLIDING: case SP_FOR_SLIDING_VERIFY: break;
     }
     return SP_E_ARGUMENT;
 }

@@ -11,7 +11,7 @@
 #include "../scene/inertia.c"
 #include "forces.c"
 
-#if SP__WITH_STRONG
+#if SP__WITH_STRONG || SP__WITH_SLIDING
 
 #define SP__MOVES ((sp_real)1e-3)       /* acceleration of a block, in all its forces / mass, from which on it moves */
 
@@ -69,6 +69,10 @@ static sp_real sp__moving_contacts(sp__certifier *j, const sp_real *f, const sp_
     j->sweeps += 2;
     return worst;
 }
+
+#endif
+
+#if SP__WITH_STRONG
 
 /* Largest violation of (f, a), in proportion to what each block's forces and each joint's acceleration are. a: 6b, held
  * directions 0. *moves: the largest acceleration of a block, in its forces / mass. */

@@ -90,7 +90,7 @@ without() {                                             # without GONE-REGEX FLA
 tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
 check_switches() {
     no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
-    no_ipm=$(echo "$core" | grep -vxE 'limit|bracket')
+    no_ipm=$(echo "$core" | grep -vxE 'limit|bracket|sliding')
     no_plan=$(echo "$core" | grep -vxE 'plan|map|spared')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
@@ -100,6 +100,7 @@ check_switches() {
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
     part "SP_NO_STRONG: no motion of strong verdicts left" without 'sp__(holds|starts|sweep|inertia|certify_moving)|sp_strong' -DSP_NO_STRONG
+    part "SP_NO_SLIDING: no simplex, no history left" without 'sp__(simplex|band|slab|push|descend|sliding|slide|certify_sliding)|sp_sliding' -DSP_NO_SLIDING
     part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
@@ -121,6 +122,7 @@ check_switches() {
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
     count "tests, SP_NO_IPM, float" tests_without 'stages custom settings closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
     count "tests, SP_NO_STRONG" tests_without 'strong memory custom verify' -DSP_NO_STRONG
+    count "tests, SP_NO_SLIDING" tests_without 'sliding strong limit memory verify' -DSP_NO_SLIDING
     count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
     count "tests, SP_NO_PLAN, float" tests_without 'limit bracket memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA

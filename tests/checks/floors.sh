@@ -14,12 +14,12 @@
 #   9. a test that is written is run
 . tests/checks/tally.sh
 most=${1:-700}
-floors='base linear qp geometry cone scene contacts proof statics seed coupled check small limit strong sequence memory'
+floors='base linear qp geometry cone scene contacts proof statics seed coupled check small limit strong sliding sequence memory'
 
 # What proof/ offers to those above: making a certificate check, asking it, what its answers are measured by.
 offered='sp__certifier sp__scale sp__certifier_need sp__certifier_carve sp__certifier_open sp__certifier_begin sp__certifier_scales
  sp__certifier_cone sp__certifier_load sp__certifier_force_cap sp__certify_forces sp__certify_mechanism sp__certify_motion
- sp__certify_rest sp__certifier_make_admissible sp__certify_coupled sp__certifier_remove_spin sp__certify_refutation sp__certify_pressure sp__certify_moving SP__MOVES sp__certify_still sp__still_need sp__still_delta sp__still_row sp__still_sign sp__still_children
+ sp__certify_rest sp__certifier_make_admissible sp__certify_coupled sp__certifier_remove_spin sp__certify_refutation sp__certify_pressure sp__certify_moving sp__certify_sliding SP__SLIDES SP__MOVES sp__certify_still sp__still_need sp__still_delta sp__still_row sp__still_sign sp__still_children
  SP__STILL_FORCE SP__STILL_RUB SP__STILL_ENDS SP__STILL_CONE SP__STILL_NEAR SP__STILL_ROWS SP__STILL_DEPTH SP__STILL_DEEP SP__STILL_POINTS sp__motion_write
  sp__motion_read sp__lengths sp__coupled_lengths sp__refute sp__refute_need sp__budget_sweeps SP__FLOPS_CERTIFICATE
  SP__COUPLED_TOL SP__GIVE SP__SLIP SP__PROOF_DEPTH'
@@ -70,7 +70,7 @@ through() {
               line = substr(line, RSTART + RLENGTH)
               if (name in hidden) { print FILENAME " uses " name " of " hidden[name] ", which proof/ does not offer"; bad = 1 }
           } }
-        END { exit bad }' - solvers/coupled/*.c solvers/check/*.c solvers/limit/*.c solvers/strong/*.c solvers/sequence/*.c solvers/small/*.c solvers/memory/*.c
+        END { exit bad }' - solvers/coupled/*.c solvers/check/*.c solvers/limit/*.c solvers/strong/*.c solvers/sliding/*.c solvers/sequence/*.c solvers/small/*.c solvers/memory/*.c
 }
 unconditional() {
     awk '

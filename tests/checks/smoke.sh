@@ -120,6 +120,15 @@ strong() {                                              # what friction holds or
     sed 's/-9.80665, 0, 0, 0\]\]}}/-5, 0, 0, 0]]}}/' "$tmp/result.json" > "$tmp/damaged.json"
     says 'whatever friction does: admissible' "$cli" verify "$tmp/scene.obj" "$tmp/damaged.json"
 }
+sliding() {                                             # a limit without dilatancy is told in full and judged again; damaged it proves nothing
+    gen wall rows=3 && "$cli" limit --body 1,0,0 --sliding real --json --forces "$tmp/scene.obj" > "$tmp/result.json" &&
+    says '"kind": *"state"' cat "$tmp/result.json" &&
+    says 'a sliding state at' "$cli" verify --body 1,0,0 "$tmp/scene.obj" "$tmp/result.json" &&
+    says 'for safety' "$cli" limit --body 1,0,0 --sliding real "$tmp/scene.obj" || return 1
+    says 'no sliding state by' "$cli" verify --body 0.9,0,0 "$tmp/scene.obj" "$tmp/result.json" &&
+    sed 's/"motion": *\[\[/"motion": [[1, /;s/"upper": *0\./"upper": 1./' "$tmp/result.json" > "$tmp/damaged.json"
+    exits 65 "$cli" verify --body 1,0,0 "$tmp/scene.obj" "$tmp/damaged.json"
+}
 another() {                                             # a result says what it was asked; that is not what verify is asked
     gen wall && "$cli" check --json --forces --tilt 5 --tol 1e-3 "$tmp/scene.obj" > "$tmp/result.json"
     says 'undecided by .* the result.s tol is 0.001, the result.s gravity is' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" &&
@@ -333,6 +342,9 @@ part "admm by ours, named"          says ", by ADMM$" "$cli" check --net --cone 
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
 part "strong: a worker can't: 64"   exits 64 "$cli" check --strong --worker 5 x
 part "strong: verify judges it"     strong
+part "sliding: verify judges it"    sliding
+part "sliding: real alone: 64"      exits 64 "$cli" limit --body 1,0,0 --sliding dry x
+part "sliding: no pyramid: 64"      exits 64 "$cli" limit --body 1,0,0 --sliding real --cone 8i x
 gen arch
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"

@@ -8,6 +8,7 @@
 #include "report.h"
 #include "report_csv.h"
 #include "report_html.h"
+#include "sliding.h"
 #include "tilt_report.h"
 
 #include <math.h>
@@ -126,6 +127,7 @@ static void print_json(const report *r)
     json_real(&j, "force_bound", (double)x->force_bound);
     json_real(&j, "omega", (double)x->imbalance);
     json_real(&j, "least_imbalance", (double)x->least_imbalance);
+    if (r->sliding) sliding_json(&j, r, r->sliding, &r->sliding_cost);
     json_mechanism(&j, r->scene, x->dq);
     json_joints(&j, r->scene, x->dq);
     json_cost(&j, r);
@@ -202,6 +204,7 @@ static void print_text(FILE *out, const report *r)
     print_multiplier(out, r);
     if (r->options->quiet) return;
     print_reservations(out, r);
+    if (r->sliding) sliding_text(out, r, r->sliding, &r->sliding_cost);
     for (int32_t b = 0; b < n->blocks; b++) moving += motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL;
     if (moving) {
         report_row(out, "mechanism");
@@ -222,16 +225,12 @@ static void print_text(FILE *out, const report *r)
 
 /* ------------------------------------------------------------------------------------------------------------- command */
 
-/* The live load of every block as --body asks: its weight times that vector. */
+/* The live load of every block as --body asks; there must be one. */
 static int set_body(host_scene *s, const options *o, failure *error)
 {
-    double g = 0, body = 0;
+    const double body = fabs(o->body[0]) + fabs(o->body[1]) + fabs(o->body[2]);
     int live = 0;
-    for (int k = 0; k < 3; k++) {
-        g += (double)s->scene.gravity[k] * (double)s->scene.gravity[k];
-        body += fabs(o->body[k]);
-    }
-    for (int k = 0; k < 3; k++) s->scene.body[k] = (sp_real)(sqrt(g) * o->body[k]);
+    scene_body(s, o->body);
     for (int32_t k = 0; k < s->scene.count.loads; k++) live |= s->scene.load[k].live;
     if (live || body > 0) return 0;
     return fail_with(error, EXIT_USAGE, s->path, 0, "limit needs a live load: `#@ live` lines, or --body");
@@ -240,7 +239,8 @@ static int set_body(host_scene *s, const options *o, failure *error)
 static int limit_command(report *r, failure *error)
 {
     sp_limit_result x;
-    void *memory = NULL;
+    sp_sliding_result sliding;
+    void *memory = NULL, *more = NULL;
     int status = 0;
     const sp_status e = run_limit(&r->scene->scene, &r->options->settings, &x, &r->cost, &memory);
     progress_end();
@@ -253,13 +253,18 @@ static int limit_command(report *r, failure *error)
         r->result.extremes.weakest = -1;
         r->result.verified = x.verified;
         r->result.tol = x.tol;
-        status = report_draw(r, error);
+        if (r->options->sliding) {
+            r->sliding = &sliding;
+            status = sliding_ask(r, &sliding, &r->sliding_cost, &more, error);
+        }
+        if (!status) status = report_draw(r, error);
         if (!status) status = report_html(r, print_text, error);
         if (!status && r->options->csv) status = report_csv(r, error);
     }
     if (!status && r->options->json) print_json(r);
     if (!status && !r->options->json) print_text(stdout, r);
     free(memory);
+    free(more);
     return status ? status : x.kind == SP_LIMIT_UNDECIDED ? EXIT_UNDECIDED : 0;
 }
 
@@ -271,8 +276,8 @@ int command_limit(int argc, char **argv)
     report r;
     int status;
 
-    status = options_read(argc, argv, " --json --svg --png --html --out-obj --csv --view --names"
-                          " --tol --cone --body --tilt --tilt-margin --budget"
+    status = options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
+                          " --tol --cone --body --tilt --tilt-margin --budget --sliding"
                           SCENE_OPTIONS, &o,
                           &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
@@ -286,6 +291,8 @@ int command_limit(int argc, char **argv)
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
+        if (!status && o.tilt_margin && o.sliding)
+            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --sliding exclude each other");
         if (!status && o.tilt_margin && (o.csv || o.model || o.html))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: %s has nothing to tell of --tilt-margin",
                                o.csv ? "--csv" : o.model ? "--out-obj" : "--html");

@@ -177,6 +177,12 @@ static int take_stages(options *o, const char *name, const char *value, failure 
     }
 }
 
+static int take_sliding(options *o, const char *name, const char *value, failure *error)
+{
+    o->sliding = strcmp(value, "real") == 0;
+    return o->sliding || strcmp(value, "associative") == 0 ? 0 : usage(error, name, "needs real or associative");
+}
+
 static int take_body(options *o, const char *name, const char *value, failure *error)
 {
     return read_three(value, o->body) ? 0 : usage(error, name, "needs DX,DY,DZ");
@@ -308,6 +314,7 @@ static const struct {
     { "--contact-distance", take_contact_distance }, { "--contact-angle", take_contact_angle },
     { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
+    { "--sliding", take_sliding },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
     { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },
     { "--preset", take_preset }, { "--view", take_view },
@@ -455,5 +462,6 @@ int options_read(int argc, char **argv, const char *allowed, options *o, failure
     if (!status) status = choose_solver(o, error);
     if (!status && o->strong && o->worker > 0) status = usage(error, "--strong", "can't go to a worker");
     if (!status && o->strong && o->settings.faces) status = usage(error, "--strong", "asks for the true cone");
+    if (!status && o->sliding && o->settings.faces) status = usage(error, "--sliding", "asks for the true cone");
     return status ? status : join_coupled(o, coupled_only, error);
 }

@@ -32,6 +32,7 @@ typedef struct options {
     sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
     int strong;                 /* of check */
+    int sliding;                /* of limit: real sliding, without dilatancy */
     sp_choice couple;           /* of --effects: coupled */
     char cone[16];              /* "true", "8i", "4c" */
     const char *program;        /* argv[0]: what a worker is started as */

@@ -16,6 +16,8 @@ typedef struct report {
     run_cost cost;              /* of the check itself, without reading and contacts */
     size_t coupled_bytes;       /* by so much its arena is larger for the coupled check */
     const sp_limit_result *limit;           /* a limit instead: result has its forces and motion only; NULL: a check */
+    const sp_sliding_result *sliding;       /* of a limit: without dilatancy; NULL: not asked */
+    run_cost sliding_cost;
     const sp_strong_result *strong;         /* whether friction holds it whatever it does; NULL: not asked */
     run_cost strong_cost;
     const solvers_published *published;     /* the coupled question by another solver; NULL: not asked */

@@ -224,6 +224,54 @@ static int judge_strong(const reading *r, const options *o, sp_strong_kind *prov
     return status;
 }
 
+/* A number of `sliding`, 0 where it is null. */
+static int read_multiple(const reading *r, const json_value *in, const char *key, sp_real *x)
+{
+    const json_value *v = json_member(&r->tree, in, key);
+    if (!v || (v->kind != JSON_NUMBER && v->kind != JSON_NULL)) return fail(r, in, "a multiple of `sliding` is missing");
+    *x = v->kind == JSON_NUMBER ? (sp_real)v->as.number : 0;
+    return 0;
+}
+
+/* State, pressure and multiples of `sliding`, into x: 9 numbers of a point, 6 of a block. */
+static int read_sliding(const reading *r, sp_real *x, sp_sliding_result *claim)
+{
+    const json_value *sliding = json_member(&r->tree, r->all, "sliding"), *proof = json_member(&r->tree, sliding, "proof");
+    const sp_capacity *n = &r->scene->scene.count;
+    int status;
+
+    if (!proof) return fail(r, sliding, "no proof in `sliding`: make it with limit --json --forces --sliding real");
+    claim->f = x;
+    claim->pressed = x + 3 * (size_t)n->points;
+    claim->resting = x + 6 * (size_t)n->points;
+    claim->v = x + 9 * (size_t)n->points;
+    status = read_rows(r, proof, "forces", n->points, 3, claim->f);
+    if (!status) status = read_rows(r, proof, "pressed", n->points, 3, claim->pressed);
+    if (!status) status = read_rows(r, proof, "resting", n->points, 3, claim->resting);
+    if (!status) status = read_rows(r, proof, "motion", n->blocks, 6, claim->v);
+    if (!status) status = read_multiple(r, sliding, "upper", &claim->upper);
+    if (!status) status = read_multiple(r, sliding, "lower", &claim->lower);
+    return status ? status : read_multiple(r, sliding, "lower_strong", &claim->lower_strong);
+}
+
+/* What the evidence of limit --sliding real proves. */
+static int judge_sliding(const reading *r, const options *o, sp_sliding_result *claim, sp_sliding_evidence *evidence)
+{
+    const sp_capacity *n = &r->scene->scene.count;
+    sp_real *x = calloc(9 * (size_t)n->points + 6 * (size_t)n->blocks, sizeof *x);
+    int status;
+
+    if (!x) return fail_status(r->error, SP_E_MEMORY, r->path, 0, "");
+    memset(claim, 0, sizeof *claim);
+    status = read_sliding(r, x, claim);
+    if (!status) {
+        const sp_status made = run_sliding_verify(&r->scene->scene, &o->settings, claim, evidence);
+        if (made != SP_OK) status = fail_status(r->error, made, r->path, r->all->line, "");
+    }
+    free(x);
+    return status;
+}
+
 /* Blocks stand in the mechanism in the order of the scene; others are at rest. */
 static int read_mechanism(const reading *r, sp_real *dq)
 {
@@ -288,6 +336,9 @@ typedef struct verified {
     options told;               /* that of the result: cone, friction */
     sp_real tol, gravity[3];    /* and its tol and gravity */
     sp_real turned[3];          /* the caller's gravity */
+    int sliding;                /* the result is a limit's without dilatancy */
+    sp_sliding_result slid;     /* its claim: multiples alone */
+    sp_sliding_evidence slides;
     int strong;                 /* the result was asked whether friction holds it whatever it does */
     sp_strong_kind proved;
     int proof;                  /* the result has a proof that there is no triple */
@@ -302,7 +353,8 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
 
     if (!status) {
         r.all = &r.tree.value[0];
-        status = read_asked(&r, &v->told, v->gravity);
+        v->sliding = json_member(&r.tree, r.all, "sliding") != NULL;
+        if (!v->sliding) status = read_asked(&r, &v->told, v->gravity);
         if (!status) status = read_coupled(&r, &v->o);
     }
     if (!status) {
@@ -312,7 +364,9 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
     if (!status) {
         tilt_turn(v->o.tilt, v->o.azimuth, s.scene.gravity);
         memcpy(v->turned, s.scene.gravity, sizeof v->turned);
-        status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
+        scene_body(&s, v->o.body);
+        if (v->sliding) status = judge_sliding(&r, &v->o, &v->slid, &v->slides);
+        else status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
         v->strong = json_member(&r.tree, r.all, "strong") != NULL;
         if (!status && v->strong) status = judge_strong(&r, &v->o, &v->proved);
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
@@ -359,6 +413,18 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     putchar('\n');
 }
 
+/* Is what the result says of its state proved, whatever else?     returns an exit status */
+static int print_sliding(const char *scene_path, const char *path, const verified *v)
+{
+    const sp_sliding_evidence *e = &v->slides;
+    printf("%s: ", scene_path);
+    if (e->state) printf("a sliding state at %.9g by %s, residual %.2g", (double)v->slid.upper, path, (double)e->residual);
+    else printf("no sliding state by %s", path);
+    printf(", none below %.9g, strong up to %.9g, tol %.2g\n", (double)e->lower, (double)e->lower_strong,
+           (double)v->o.settings.tol);
+    return e->state ? 0 : EXIT_UNDECIDED;
+}
+
 int command_verify(int argc, char **argv)
 {
     failure error = { 0, "" };
@@ -366,12 +432,13 @@ int command_verify(int argc, char **argv)
     sp_evidence *e = &v.evidence;
 
     memset(&v, 0, sizeof v);
-    if (options_read(argc, argv, " --tol --cone --tilt" SCENE_OPTIONS, &v.o, &error) == 0 && v.o.files != 2)
+    if (options_read(argc, argv, " --tol --cone --tilt --body" SCENE_OPTIONS, &v.o, &error) == 0 && v.o.files != 2)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
     }
+    if (v.sliding) return print_sliding(v.o.file[0], v.o.file[1], &v);
     if (v.o.settings.coupled.asked && e->verdict == SP_STABLE && e->level != SP_COUPLED) e->verdict = SP_UNDECIDED;
     print_evidence(v.o.file[0], v.o.file[1], &v);
     return report_exit(e->verdict);

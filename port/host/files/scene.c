@@ -6,6 +6,7 @@
 #include "suspects.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -454,6 +455,13 @@ int scene_refused(const host_scene *s, const sp_settings *settings, sp_status wh
         return fail_with(error, EXIT_SCENE, OBJ_AT(s, s->strength_line), "strength of joints (cohesion, tension, crushing): a "
                          "coupled check knows friction alone");
     return fail_status(error, why, s->path, 0, "");
+}
+
+void scene_body(host_scene *s, const double body[3])
+{
+    double g = 0;
+    for (int k = 0; k < 3; k++) g += (double)s->scene.gravity[k] * (double)s->scene.gravity[k];
+    for (int k = 0; k < 3; k++) s->scene.body[k] = (sp_real)(sqrt(g) * body[k]);
 }
 
 void scene_free(host_scene *s)

@@ -1,0 +1,258 @@
+/* Limits without dilatancy: closed forms, walls of the literature, claims that prove nothing, memory. */
+#include "../test.h"
+
+#ifndef SP_NO_SLIDING
+#include "sliding.h"
+
+#include <math.h>
+
+#define NEAR TOL(1e-7, 2e-3)
+static const sp_sliding_settings one_start = { 1, 90, 1 };
+enum { EXACT = TOL(1, 0) };             /* float has no digits left for walls */
+
+TEST(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
+{
+    static const double mu[] = { 0.1, 0.5, 0.9, 1.1, 3 };
+    for (int k = 0; k < 5; k++) {
+        sp_scene s = pushed("two-cubes", "offset", 0, 1, 0);
+        s.joint[0].strength.mu = R(mu[k]);
+        const sp_sliding_result r = slide(&s, &one_start);
+        CHECK_INT(r.kind, SP_SLIDING_STATE);
+        CHECK(fabs((double)r.upper - (mu[k] < 1 ? mu[k] : 1)) < NEAR);
+        CHECK(!(r.lower > 0));                          /* nothing but friction resists */
+    }
+}
+
+/* A cube .2 m from its edge tips under a load P .3 m beyond it at lambda P = 2/3 of its weight; pressure alone tells so. */
+TEST(what_tips_is_strong_up_to_where_it_tips)
+{
+    const sp_capacity cap = { 2, 16, 12, 48, 2, 12, 1 };
+    sp_contact_report report;
+    sp_load load;
+    sp_scene s;
+    test_arena.used = 0;
+    memset(&report, 0, sizeof report);
+    memset(&load, 0, sizeof load);
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    brick(&s, 0, 1, -1, 0, SP_FIXED);
+    brick(&s, 0.3, 1.3, 0, 1, 0);
+    CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_OK);
+    load.block = 1;
+    load.live = 1;
+    load.point[0] = R(1.3);
+    load.point[1] = load.point[2] = R(0.5);
+    load.force[2] = -s.block[1].mass * R(9.80665);
+    CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK_INT(r.kind, SP_SLIDING_STATE);
+    CHECK(fabs((double)r.upper - 2.0 / 3) < NEAR);
+    CHECK(fabs((double)r.lower - 2.0 / 3) < NEAR && fabs((double)r.lower_strong - 2.0 / 3) < NEAR);
+}
+
+/* Twice its weight on top of a cube: whatever is pushed down on a floor stays. */
+TEST(no_state_is_claimed_where_there_is_none)
+{
+    const sp_scene s = pushed("two-cubes", "offset", 0.2, 0, -1);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK_INT(r.kind, SP_SLIDING_NONE);
+    CHECK_INT(r.reason, SP_SLIDING_NOTHING_FOUND);
+    CHECK(r.upper < 0 && r.associative < 0);
+}
+
+/* A beam between two walls: down it goes at once, its squeeze being any; up it goes when its weight is lifted off. */
+TEST(a_beam_held_by_squeezing_alone_slides_at_once)
+{
+    for (int up = 0; up < 2; up++) {
+        const sp_scene s = pushed("h-model", "mu", 0.6, 0, up ? 1 : -1);
+        const sp_sliding_result r = slide(&s, &one_start);
+        CHECK_INT(r.kind, SP_SLIDING_STATE);
+        CHECK(fabs((double)r.upper - up) < NEAR);
+        CHECK(!(r.lower > 0) && !(r.lower_strong > 0));
+    }
+}
+
+/* Pushed up a slope of 20 degrees: (mu - tan) / (1 + mu tan), down it: (mu + tan) / (1 - mu tan). */
+TEST(a_block_on_a_slope_slides_up_and_down_at_its_closed_form)
+{
+    const double mu = 0.84, tan = 0.36397023426620234;
+    for (int up = 0; up < 2; up++) {
+        const sp_scene s = pushed("incline", "angle", 20, up ? -1 : 1, 0);
+        const sp_sliding_result r = slide(&s, &one_start);
+        CHECK_INT(r.kind, SP_SLIDING_STATE);
+        CHECK(fabs((double)r.upper - (up ? (mu + tan) / (1 - mu * tan) : (mu - tan) / (1 + mu * tan))) < NEAR);
+    }
+}
+
+/* Published: .640 (.643 with dilatancy). The state lies below. */
+TEST(a_wall_of_ferris_and_tin_loi_slides_below_its_published_multiple)
+{
+    if (!EXACT) return;
+    const sp_scene s = bond(6);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK_INT(r.kind, SP_SLIDING_STATE);
+    CHECK(fabs((double)r.upper - 0.638982) < 2e-6);
+    CHECK(fabs((double)r.associative - 0.642859) < 2e-6);
+    CHECK(r.residual < R(1e-12) && r.share > R(0.1));
+    CHECK(r.ends == 1 && r.end[0].steady > R(0.638));
+}
+
+/* Published: .563. More starts find no higher state than fewer. */
+TEST(more_starts_find_no_higher_state)
+{
+    if (!EXACT || !test_long) return;
+    const sp_sliding_settings more = { 3, 200, 1 };
+    sp_scene s = bond(10);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK(fabs((double)r.upper - 0.557416) < 2e-6);
+    s = bond(10);
+    const sp_sliding_result x = slide(&s, &more);
+    CHECK(x.ends > 1 && x.upper <= r.upper);
+}
+
+TEST(a_state_does_not_depend_on_how_the_scene_is_written)
+{
+    for (int round = 0; round < SOME_OF(20, 4); round++) {
+        int32_t place[MOST], name[MOST];
+        sp_scene s = pushed("tower", "n", 4, 1, 0), t;
+        change c = none();
+        const sp_sliding_result r = slide(&s, &one_start);
+        any_turn(&c);
+        c.scale = round % 2 ? 100 : 0.1;
+        c.gravity = round % 3 ? 1 : 7;
+        c.permute = c.turn = c.swap = 1;
+        copy(&s, &c, &t, place, name);
+        for (int k = 0; k < 3; k++) t.body[k] = R(c.gravity * c.q[k][0] * 9.80665);
+        const sp_sliding_result x = slide(&t, &one_start);
+        CHECK_INT(r.kind, SP_SLIDING_STATE);
+        CHECK_INT(x.kind, SP_SLIDING_STATE);
+        CHECK(fabs((double)x.upper / (double)r.upper - 1) < NEAR);
+    }
+}
+
+TEST(a_state_that_is_changed_proves_nothing)
+{
+    sp_scene s = pushed("two-cubes", "offset", 0, 1, 0);
+    sp_sliding_result r = slide(&s, &one_start), x;
+    sp_sliding_evidence e;
+    const int32_t points = s.count.points;
+    for (int what = 0; what < 6; what++) {
+        x = r;
+        if (what == 0) x.upper *= R(1.01);
+        if (what == 1) for (int k = 0; k < 6; k++) r.v[6 + k] = -r.v[6 + k];
+        if (what == 2) for (int32_t k = 0; k < 3 * points; k++) r.f[k] = -r.f[k];
+        if (what == 3) r.v[6 + 2] += R(0.01);           /* it would open where it presses */
+        if (what == 4) memset(r.v, 0, 12 * sizeof *r.v);
+        if (what == 5) memset(r.f, 0, 3 * (size_t)points * sizeof *r.f);
+        CHECK_INT(sp_sliding_verify(&s, NULL, &x, test_arena, &e), SP_OK);
+        if (!CHECK_INT(e.state, 0)) TEST_PRINT("    change %d\n", what);
+        s = pushed("two-cubes", "offset", 0, 1, 0);
+        r = slide(&s, &one_start);
+    }
+    x = r;
+    x.lower = x.lower_strong = R(0.5);                  /* no pressure carries that */
+    CHECK_INT(sp_sliding_verify(&s, NULL, &x, test_arena, &e), SP_OK);
+    CHECK(!(e.lower > 0) && !(e.lower_strong > 0));
+}
+
+TEST(scenes_that_are_not_planar_keep_the_associative_value)
+{
+    sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
+    s.body[1] = R(2);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK_INT(r.kind, SP_SLIDING_NONE);
+    CHECK_INT(r.reason, SP_SLIDING_NOT_ASKED);
+    CHECK(r.upper >= r.associative && r.upper > 0);
+}
+
+TEST(strength_of_joints_is_not_asked)
+{
+    sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
+    s.joint[0].strength.cohesion = 10;
+    CHECK_INT(slide(&s, &one_start).reason, SP_SLIDING_NOT_ASKED);
+}
+
+TEST(the_same_seed_gives_the_same_bits)
+{
+    const sp_sliding_settings how = { 2, 90, 77 };
+    sp_scene s = pushed("wall", "rows", 3, 1, 0);
+    const sp_sliding_result a = slide(&s, &how), b = slide(&s, &how);
+    CHECK(memcmp(&a.upper, &b.upper, sizeof a.upper) == 0 && a.ends == b.ends && a.end[0].seed == 77);
+    CHECK(memcmp(a.f, b.f, 3 * (size_t)s.count.points * sizeof *a.f) == 0);
+    CHECK(memcmp(a.v, b.v, 6 * (size_t)s.count.blocks * sizeof *a.v) == 0);
+}
+
+TEST(sliding_takes_the_memory_it_says_and_no_byte_less)
+{
+    static const char *const name[] = { "two-cubes", "wall", "h-model" };
+    for (int k = 0; k < 3; k++) {
+        sp_scene s = pushed(name[k], NULL, 0, 1, 0);
+        sp_limit_result limit;
+        sp_sliding_result r;
+        sp_sliding_evidence e;
+        size_t bytes = 0;
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &limit), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_SLIDING, NULL, test_arena, &bytes), SP_OK);
+        sp_arena a = test_arena;
+        a.used = (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        a.base += a.used;
+        a.used = a.peak = 0;
+        a.capacity = bytes - 1;
+        CHECK_INT(sp_sliding(&s, NULL, &one_start, &limit, &a, &r), SP_E_MEMORY);
+        CHECK(a.used == 0);
+        a.capacity = bytes;
+        CHECK_INT(sp_sliding(&s, NULL, &one_start, &limit, &a, &r), SP_OK);
+        CHECK(a.peak == bytes && r.peak_bytes == bytes);
+        CHECK_INT(sp_memory(&s, SP_FOR_SLIDING_VERIFY, NULL, test_arena, &bytes), SP_OK);
+        a.base += (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+        a.used = 0;
+        a.capacity = bytes;
+        CHECK_INT(sp_sliding_verify(&s, NULL, &r, a, &e), SP_OK);
+        a.capacity = bytes - 1;
+        CHECK_INT(sp_sliding_verify(&s, NULL, &r, a, &e), SP_E_MEMORY);
+    }
+}
+
+TEST(sliding_questions_that_make_no_sense_are_refused)
+{
+    static const sp_sliding_settings bad[] = { { -1, 90, 1 }, { SP_SLIDING_STARTS + 1, 90, 1 }, { 1, -1, 1 }, { 1, 1001, 1 } };
+    sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
+    sp_settings set = sp_settings_default();
+    sp_limit_result limit;
+    sp_sliding_result r;
+    sp_sliding_evidence e;
+    CHECK_INT(sp_limit(&s, NULL, &test_arena, &limit), SP_OK);
+    for (int k = 0; k < 4; k++) CHECK_INT(sp_sliding(&s, NULL, &bad[k], &limit, &test_arena, &r), SP_E_RANGE);
+    CHECK_INT(sp_sliding(NULL, NULL, NULL, &limit, &test_arena, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_sliding(&s, NULL, NULL, NULL, &test_arena, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_sliding(&s, NULL, NULL, &limit, NULL, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_sliding(&s, NULL, NULL, &limit, &test_arena, NULL), SP_E_ARGUMENT);
+    set.faces = 8;
+    CHECK_INT(sp_sliding(&s, &set, NULL, &limit, &test_arena, &r), SP_E_UNSUPPORTED);
+    CHECK_INT(sp_sliding(&s, NULL, &one_start, &limit, &test_arena, &r), SP_OK);
+    CHECK_INT(sp_sliding_verify(&s, &set, &r, test_arena, &e), SP_E_UNSUPPORTED);
+    r.v[0] = R(1e300) * R(1e300);
+    CHECK_INT(sp_sliding_verify(&s, NULL, &r, test_arena, &e), SP_E_NOT_FINITE);
+    limit.upper = r.v[0];
+    CHECK_INT(sp_sliding(&s, NULL, NULL, &limit, &test_arena, &r), SP_E_NOT_FINITE);
+}
+
+#endif
+
+TEST_LIST(sliding)
+#ifndef SP_NO_SLIDING
+    RUN(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
+    RUN(what_tips_is_strong_up_to_where_it_tips)
+    RUN(no_state_is_claimed_where_there_is_none)
+    RUN(a_beam_held_by_squeezing_alone_slides_at_once)
+    RUN(a_block_on_a_slope_slides_up_and_down_at_its_closed_form)
+    RUN(a_wall_of_ferris_and_tin_loi_slides_below_its_published_multiple)
+    RUN(more_starts_find_no_higher_state)
+    RUN(a_state_does_not_depend_on_how_the_scene_is_written)
+    RUN(a_state_that_is_changed_proves_nothing)
+    RUN(scenes_that_are_not_planar_keep_the_associative_value)
+    RUN(strength_of_joints_is_not_asked)
+    RUN(the_same_seed_gives_the_same_bits)
+    RUN(sliding_takes_the_memory_it_says_and_no_byte_less)
+    RUN(sliding_questions_that_make_no_sense_are_refused)
+#endif
+TEST_END
