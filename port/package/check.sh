@@ -27,12 +27,13 @@ executable('user', 'main.c', dependencies : dependency('stonepack'))
 E2
 
 installed() { make -s install DESTDIR="$to/dest" PREFIX=/opt/stonepack && "$to/dest/opt/stonepack/bin/stonepack" --version; }
-pkgconfig() {
+# In parentheses, for what it exports would have Meson take the installed library for its subproject.
+pkgconfig() (
     export PKG_CONFIG_LIBDIR="$to/dest/opt/stonepack/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$to/dest"
     pkg-config --exists 'stonepack >= 0.2' &&
     # shellcheck disable=SC2046
     ${CC:-gcc} "$to/user/main.c" $(pkg-config --cflags --libs --static stonepack) -o "$to/by_pkgconfig" && "$to/by_pkgconfig"
-}
+)
 cmake_user() {                                          # cmake_user PREFIX: find_package there, build, run
     cmake -S "$to/user" -B "$1.user" -DCMAKE_PREFIX_PATH="$1" && cmake --build "$1.user" && "$1.user/user"
 }
@@ -46,7 +47,8 @@ cmake_package() {
 meson_package() {
     mkdir -p "$to/user/subprojects" &&
     cp -r "$to/stonepack" "$to/user/subprojects/" && cp "$to/stonepack/stonepack.wrap" "$to/user/subprojects/" &&
-    meson setup "$to/meson" "$to/user" --wrap-mode=nodownload && meson compile -C "$to/meson" && "$to/meson/user"
+    meson setup "$to/meson" "$to/user" --wrap-mode=nodownload --force-fallback-for=stonepack &&
+    meson compile -C "$to/meson" && ls "$to/meson/subprojects/stonepack/libstonepack.a" && "$to/meson/user"
 }
 # Switches reach the library and whoever uses it.
 uses_without_qp() {                                     # uses_without_qp LIBRARY
@@ -58,7 +60,8 @@ cmake_switches() {
     grep -q 'SP_NO_QP' "$to/cmake_qp/to/lib/cmake/stonepack/stonepackConfig.cmake"
 }
 meson_switches() {
-    meson setup "$to/meson_qp" "$to/user" --wrap-mode=nodownload -Dstonepack:no_qp=true -Dstonepack:small=true &&
+    meson setup "$to/meson_qp" "$to/user" --wrap-mode=nodownload --force-fallback-for=stonepack \
+        -Dstonepack:no_qp=true -Dstonepack:small=true &&
     meson compile -C "$to/meson_qp" && uses_without_qp "$to/meson_qp/subprojects/stonepack/libstonepack.a"
 }
 # Every switch of switches.sh is an option of each.
@@ -125,14 +128,14 @@ unpacked() {
     cmp "build/dist/stonepack-$version.tar.gz" "$to/stonepack-$version/build/dist/stonepack-$version.tar.gz"
 }
 # Of the Debian packages, without installing them.
-deb_user() {
+deb_user() (
     rm -rf "$to/root"
     for du_deb in build/deb/*.deb; do dpkg-deb -x "$du_deb" "$to/root" || return 1; done
     "$to/root/usr/bin/stonepack" check --quiet tests/scenes/arch.obj && ls "$to/root/usr/share/man/man1/stonepack.1.gz" &&
     export PKG_CONFIG_LIBDIR="$to/root/usr/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$to/root" &&
     # shellcheck disable=SC2046
     ${CC:-gcc} "$to/user/main.c" $(pkg-config --cflags --libs stonepack) -o "$to/by_deb" && LD_LIBRARY_PATH="$to/root/usr/lib" "$to/by_deb"
-}
+)
 
 part "make install" installed
 part "shared library: exports the calls of the header and nothing else" shared
