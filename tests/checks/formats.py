@@ -94,6 +94,10 @@ def solids():
     sound("hollow.obj", obj(one + [("roof", *hollow)]), "STABLE", "--split", "--fixed", "lowest", joints=3)
     sound("warped.obj", obj([("foot", tall, BOX), ("cap", cap, BOX)]), "STABLE", "--fixed", "foot", "--mu", "2", joints=2,
           remark="3 warped faces of 2 blocks, the first 'foot', were cut into triangles")
+    loose = "".join("v %g %g %g\n" % c[v] for c in PARTS for f in BOX for v in f)
+    loose += "".join("f %d %d %d %d\n" % tuple(range(k, k + 4)) for k in range(1, 24 * len(PARTS), 4))
+    sound("loose.obj", "o door\n" + loose, "STABLE", "--split", "--fixed", "door.1,door.2", joints=2)
+    sound("loose-one.obj", "o door\n" + loose, "STABLE", "--fixed", "ground", remark="the first 'door' of 3, move as one")
     broken("loaded.obj", obj(one) + "#@ load door 0 0 -1 0 0 1\n", "tells loads of 'door'", "--split")
     broken("pressed.obj", obj([("foot", tall, BOX)]) + "#@ pressure foot 2 10\n", "out of plane")
 
@@ -172,6 +176,9 @@ def meshes():
         sound(form + ".ply", ply(apart, form), "STABLE", *feet, joints=2)
     sound("door.off", off(apart), "STABLE", *feet, joints=2)
     sound("door.gltf", gltf(PARTS), "STABLE", "--fixed", "part0*,part1*", joints=2, remark="y up, in metres")
+    sound("touching.stl", stl(PARTS), "STABLE", *feet, joints=2)       # corners and edges of posts and lintel are one
+    stack = [box((x, x + 1), (0, 1), (z, z + 1)) for z in range(3) for x in range(3)]
+    sound("stack.stl", stl(stack), "STABLE", "--split", "--fixed", "lowest", joints=10)     # whole faces are shared
     sound("told.stl", stl(apart), "UNSTABLE", remark="separate shells")
 
 

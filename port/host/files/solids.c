@@ -348,13 +348,18 @@ static int cut_warped(obj_file *f, remarks *told, failure *error)
 
 /* ------------------------------------------------------------------------------------------------------------ shells */
 
-/* The shells of a block: faces that share vertices. */
+/* The shells of a block: faces that meet at edges. */
 typedef struct shell { double volume; box around; int32_t into, number; } shell;
 
+/* An edge of a face between two places, p before q; forward: the face runs from p to q. */
+typedef struct side { const sp_real *p, *q; int32_t face, corner; int forward; } side;
+
 typedef struct shells {
-    int32_t *root, *of;         /* of vertices; of each face the shell, counted within its block */
+    int32_t *root, *of;         /* of faces: of those that are joined the same; the shell, counted within its block */
+    int32_t *at;                /* of vertices: a face with an edge that no other has */
     int32_t *count;             /* of each block, that move on their own */
-    shell *each;                /* of the block being looked at */
+    side *side;                 /* of the block being looked at */
+    shell *each;                /* likewise */
 } shells;
 
 static int32_t find_root(int32_t *root, int32_t v)
@@ -363,21 +368,104 @@ static int32_t find_root(int32_t *root, int32_t v)
     return v;
 }
 
+static void join(shells *s, int32_t i, int32_t j) { s->root[find_root(s->root, i)] = find_root(s->root, j); }
+
+static int compare_place(const sp_real *x, const sp_real *y)
+{
+    for (int c = 0; c < 3; c++) if (x[c] < y[c] || x[c] > y[c]) return x[c] < y[c] ? -1 : 1;
+    return 0;
+}
+
+static int compare_sides(const void *pa, const void *pb)
+{
+    const side *a = pa, *b = pb;
+    const int p = compare_place(a->p, b->p), q = p ? p : compare_place(a->q, b->q);
+    return q ? q : (a->corner > b->corner) - (a->corner < b->corner);
+}
+
+static int32_t list_sides(const obj_file *f, int32_t first, int32_t end, side *list)
+{
+    int32_t n = 0;
+    for (int32_t i = first; i < end; i++)
+        for (int32_t k = 0; k < f->face[i].corners; k++) {
+            const sp_real *p = at(f, i, k), *q = at(f, i, k + 1);
+            const int forward = compare_place(p, q) < 0;
+            const side e = { forward ? p : q, forward ? q : p, i, f->face[i].corner + k, forward };
+            list[n++] = e;
+        }
+    qsort(list, (size_t)n, sizeof *list, compare_sides);
+    return n;
+}
+
+/* About the edge of side a, by how much one turns from its face through the stone to the face of b: 0 .. 2 pi.
+ * Into a face from its edge: n x edge; into the stone: -n. */
+static double turn_to(const obj_file *f, const side *a, const side *b)
+{
+    double n[3], m[3], u[3], w[3], x = 0, y = 0;
+    face_normal(f, a->face, n);
+    face_normal(f, b->face, m);
+    for (int c = 0; c < 3; c++) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        const double ed = (double)a->q[d] - (double)a->p[d], ee = (double)a->q[e] - (double)a->p[e];
+        u[c] = (n[d] * ee - n[e] * ed) * (a->forward ? 1 : -1);
+        w[c] = (m[d] * ee - m[e] * ed) * (b->forward ? 1 : -1);
+    }
+    x = dot(u, w) * sqrt(dot(n, n));
+    y = -dot(n, w) * sqrt(dot(u, u));
+    const double turn = atan2(y, x);
+    return turn > 0 ? turn : turn + 2 * acos(-1.0);
+}
+
+/* The faces at one edge: each that runs forward goes with the first backward one through the stone. */
+static void join_sides(const obj_file *f, const side *e, int32_t n, shells *s)
+{
+    int32_t forward = 0;
+    for (int32_t i = 0; i < n; i++) forward += e[i].forward;
+    for (int32_t i = 0; i < n; i++) {
+        int32_t best = -1;
+        double least = DBL_MAX;
+        if (forward == 0 || forward == n) { join(s, e[i].face, e[0].face); continue; }
+        if (!e[i].forward) continue;
+        for (int32_t j = 0; j < n; j++) {
+            const double turn = e[j].forward ? DBL_MAX : n == 2 ? 0 : turn_to(f, &e[i], &e[j]);
+            if (turn < least) { least = turn; best = j; }
+        }
+        if (best >= 0) join(s, e[i].face, e[best].face);
+    }
+}
+
+/* A face with an edge of its own goes with others that have such at the same vertex. */
+static void join_lone(const obj_file *f, const side *e, shells *s)
+{
+    const obj_face *face = &f->face[e->face];
+    const int32_t next = e->corner + 1 < face->corner + face->corners ? e->corner + 1 : face->corner;
+    const int32_t ends[2] = { f->corner[e->corner], f->corner[next] };
+    for (int k = 0; k < 2; k++) {
+        if (s->at[ends[k]] >= 0) join(s, e->face, s->at[ends[k]]);
+        s->at[ends[k]] = e->face;
+    }
+}
+
+static void join_faces(const obj_file *f, int32_t first, int32_t end, shells *s)
+{
+    const int32_t n = list_sides(f, first, end, s->side);
+    for (int32_t i = first; i < end; i++) s->root[i] = i;
+    for (int32_t i = 0; i < n; i++) s->at[f->corner[s->side[i].corner]] = -1;
+    for (int32_t i = 0, j; i < n; i = j) {
+        const side *e = &s->side[i];
+        for (j = i + 1; j < n && !compare_place(e->p, s->side[j].p) && !compare_place(e->q, s->side[j].q); ) j++;
+        if (j > i + 1) join_sides(f, e, j - i, s);
+        else join_lone(f, e, s);
+    }
+}
+
 /* Volumes and boxes of the shells of block b; returns how many there are. */
 static int32_t measure_shells(const obj_file *f, int32_t b, shells *s)
 {
     const int32_t first = f->block[b].face, end = faces_end(f, b);
     int32_t n = 0;
-    for (int32_t i = first; i < end; i++)
-        for (int32_t k = 0; k < f->face[i].corners; k++) {
-            const int32_t v = f->corner[f->face[i].corner + k];
-            s->root[v] = v;
-        }
-    for (int32_t i = first; i < end; i++) {
-        const int32_t *c = f->corner + f->face[i].corner;
-        for (int32_t k = 1; k < f->face[i].corners; k++) s->root[find_root(s->root, c[k])] = find_root(s->root, c[0]);
-    }
-    for (int32_t i = first; i < end; i++) s->of[i] = find_root(s->root, f->corner[f->face[i].corner]);
+    join_faces(f, first, end, s);
+    for (int32_t i = first; i < end; i++) s->of[i] = find_root(s->root, i);
     for (int32_t i = first; i < end; i++) s->root[s->of[i]] = -1;
     for (int32_t i = first; i < end; i++) {
         int32_t *number = &s->root[s->of[i]];
@@ -505,16 +593,19 @@ static int separate(obj_file *f, int split, remarks *told, failure *error)
     int32_t most = 0;
     for (int32_t b = 0; b < f->blocks; b++)
         if (faces_end(f, b) - f->block[b].face > most) most = faces_end(f, b) - f->block[b].face;
-    shells s = { malloc(((size_t)f->vertices + 1) * sizeof *s.root), malloc(((size_t)f->faces + 1) * sizeof *s.of),
-                 malloc(((size_t)f->blocks + 1) * sizeof *s.count), malloc(((size_t)most + 1) * sizeof *s.each) };
+    shells s = { malloc(((size_t)f->faces + 1) * sizeof *s.root), malloc(((size_t)f->faces + 1) * sizeof *s.of),
+                 malloc(((size_t)f->vertices + 1) * sizeof *s.at), malloc(((size_t)f->blocks + 1) * sizeof *s.count),
+                 malloc(((size_t)f->corners + 1) * sizeof *s.side), malloc(((size_t)most + 1) * sizeof *s.each) };
     int status = 0;
-    if (!s.root || !s.of || !s.count || !s.each) status = out_of_memory(f, error);
+    if (!s.root || !s.of || !s.at || !s.count || !s.side || !s.each) status = out_of_memory(f, error);
     if (!status) find_shells(f, &s);
     if (!status && !split) tell_shells(f, &s, told);
     if (!status && split) status = may_split(f, &s, error);
     if (!status && split) status = split_file(f, &s, error);
     free(s.root);
     free(s.of);
+    free(s.at);
+    free(s.side);
     free(s.count);
     free(s.each);
     return status;
