@@ -73,7 +73,7 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package page docs install bench figures bench-coupled check nightly help clean
+.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package page docs install bench figures bench-coupled check fuzz nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -86,6 +86,7 @@ help:
 	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
 	@echo "make check     everything else this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
+	@echo "make fuzz      any bytes into every reader and question, FUZZ_SECONDS (30) each; tests/fuzz/fuzz.sh TARGET one of them"
 	@echo "make nightly   what takes longer still (ONLY=text: those lines); rows of tests/NIGHTLY.md"
 	@echo "make test-boards  the tests on simulated microcontrollers and foreign machines; see port/board/README.md"
 	@echo "make robot     a gripper asks a simulated Cortex-M4F, then an M7, whether it may let go of a stone"
@@ -352,6 +353,9 @@ build/asan.o: $(PARTS)
 check: all pair build/run build/run_float build/run_small build/corpus-double.txt build/corpus-float.txt build/asan.o build/bench $(SHARED) \
   $(if $(shell command -v $(PYTHON) 2> /dev/null),build/python/made)
 	@PLUGINS='$(PLUGINS)' PLUG_C='$(PLUG_C)' PLUG_L='$(PLUG_L)' sh tests/checks/check.sh
+
+fuzz: build/stonepack
+	@sh tests/fuzz/fuzz.sh
 
 nightly: all build/corpus-double.txt build/corpus-float.txt
 	@sh tests/checks/nightly.sh

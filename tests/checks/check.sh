@@ -8,7 +8,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 TIMES=1
-groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page'
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page fuzz mutants'
 if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
     echo "no group of check is called $ONLY; there are $groups"
     exit 1
@@ -666,6 +666,16 @@ check_instruments() {                                   # the battery of hard sc
         SHOW=
         part "cases: mixed" sh tests/instruments/instruments.sh cases-mixed
     elif have python3; then lack "cases of known truth in other arithmetic" ../shared/cases; fi
+}
+# Both with a seed of their own, so that a failure comes again; nightly.sh has more.
+check_fuzz() { count "any bytes into every reader and question" env FUZZ_SEED=1 sh tests/fuzz/fuzz.sh --quick; }
+check_mutants() {
+    if have python3 && have tcc; then
+        SHOW=1
+        part "40 mutants of the certificate check are noticed, but for two" \
+            python3 -B tests/mutation/mutate.py --of proof --sample 40 --seed 1 --least 92
+        SHOW=
+    else skip "mutants" "python3 tcc"; fi
 }
 check_bench() {
     part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"

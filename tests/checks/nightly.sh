@@ -70,6 +70,11 @@ if [ -d ../shared/cases ]; then
     if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi
     if have clang-19; then line "cases: shadows of 113 bits" sh "$0" instrument cases-shadows; fi
 else lack "cases of known truth" ../shared/cases; fi
+if have python3 && have tcc; then
+    line "300 mutants of the certificate check" python3 -B tests/mutation/mutate.py --of proof --sample 300 --seed "$(date +%Y%m%d)" --hashes --quiet
+    line "100 mutants of verify" python3 -B tests/mutation/mutate.py --of verify --sample 100 --seed "$(date +%Y%m%d)" --hashes --quiet
+else skip "mutants" "python3 tcc"; fi
+line "any bytes, five minutes each" env FUZZ_SECONDS=300 sh tests/fuzz/fuzz.sh
 line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c stonepack.c -o $out/analyzed.o
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "boards" "qemu-system-arm"; fi

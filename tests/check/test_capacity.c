@@ -1,0 +1,126 @@
+/* Every capacity from nothing to what a call needs: it refuses with SP_E_MEMORY, touches neither result nor arena and no byte
+ * behind, until it has enough; from there on it answers. */
+#include "../test.h"
+#include "../scenes/gen.h"
+
+#include <string.h>
+
+enum { FENCE = 64, PAINT = 0x5a };
+
+/* What is asked, with a scene, its result of an ordinary check, and a result that is painted before every call. */
+typedef struct question {
+    const sp_scene *scene;
+    const sp_result *checked;
+    const sp_limit_result *limited;
+    union {
+        sp_result check;
+        sp_evidence verify;
+        sp_limit_result limit;
+        int32_t held;
+        sp_sequence *sequence;
+        sp_problem problem;
+        size_t bytes;
+        sp_qp_result qp;
+#ifndef SP_NO_STRONG
+        sp_strong_result strong;
+#endif
+    } answer;
+} question;
+
+typedef sp_status (*call)(question *q, sp_arena *a);
+
+static sp_status ask_check(question *q, sp_arena *a) { return sp_check(q->scene, NULL, a, &q->answer.check); }
+static sp_status ask_verify(question *q, sp_arena *a) { return sp_verify(q->scene, NULL, q->checked, *a, &q->answer.verify); }
+static sp_status ask_limit(question *q, sp_arena *a) { return sp_limit(q->scene, NULL, a, &q->answer.limit); }
+static sp_status ask_held(question *q, sp_arena *a)
+{
+    return sp_limit_verify(q->scene, NULL, q->limited, *a, &q->answer.held);
+}
+static sp_status ask_sequence(question *q, sp_arena *a) { return sp_sequence_open(q->scene, NULL, a, &q->answer.sequence); }
+static sp_status ask_problem(question *q, sp_arena *a) { return sp_problem_build(q->scene, a, &q->answer.problem); }
+static sp_status ask_memory(question *q, sp_arena *a) { return sp_memory(q->scene, SP_FOR_CHECK, NULL, *a, &q->answer.bytes); }
+#ifndef SP_NO_STRONG
+static sp_status ask_strong(question *q, sp_arena *a)
+{
+    const sp_strong_settings few = { 2 };
+    return sp_strong(q->scene, NULL, &few, q->checked->f, NULL, a, &q->answer.strong);
+}
+#endif
+
+static sp_status ask_qp(question *q, sp_arena *a)
+{
+    static const sp_real x[2] = { 1, 1 }, c[2] = { -1, 2 }, l[1] = { 0 }, u[1] = { 1 };
+    static const int32_t start[3] = { 0, 1, 2 }, rows[2] = { 0, 0 }, first[3] = { 0, 1, 1 }, diagonal[1] = { 0 };
+    static const sp_real p[1] = { 1 };
+    const sp_qp qp = { 2, 1, first, diagonal, p, c, start, rows, x, l, u };
+    return sp_qp_solve(&qp, NULL, a, NULL, NULL, &q->answer.qp);
+}
+
+/* All capacities up to `most` by `step`, then on until it answers.     returns the least that is enough */
+static size_t sweep(question *q, call ask, size_t most, size_t step)
+{
+    const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    unsigned char *base = test_arena.base + from, painted[sizeof q->answer];
+    size_t enough = SIZE_MAX;
+    memset(painted, PAINT, sizeof painted);
+    for (size_t bytes = 0; bytes <= most; bytes += step) {
+        sp_arena a = { base, bytes, 0, 0 };
+        memset(base + bytes, PAINT, FENCE);
+        memset(&q->answer, PAINT, sizeof q->answer);
+        const sp_status status = ask(q, &a);
+        for (int k = 0; k < FENCE; k++) if (!CHECK_INT(base[bytes + (size_t)k], PAINT)) return 0;
+        if (status == SP_OK) { if (bytes < enough) enough = bytes; continue; }
+        if (!CHECK_INT(status, SP_E_MEMORY) || !CHECK(enough == SIZE_MAX)) return 0;
+        if (!CHECK(memcmp(&q->answer, painted, sizeof painted) == 0) || !CHECK_INT(a.used, 0)) return 0;
+    }
+    return enough;
+}
+
+static const struct { const char *what; call ask; sp_memory_for need; int exact; } table[] = {
+    { "check", ask_check, SP_FOR_CHECK, 1 }, { "verify", ask_verify, SP_FOR_VERIFY, 0 },
+    { "problem", ask_problem, SP_FOR_PROBLEM, 1 },
+    { "limit", ask_limit, SP_FOR_LIMIT, 0 }, { "limit_verify", ask_held, SP_FOR_LIMIT_VERIFY, 0 },
+    { "sequence", ask_sequence, SP_FOR_SEQUENCE, 1 },
+#ifndef SP_NO_STRONG
+    { "strong", ask_strong, SP_FOR_STRONG, 0 },
+#endif
+};
+
+/* With every byte where the need is small, in steps of a word's length and one otherwise. */
+TEST(every_capacity_is_refused_or_enough)
+{
+    static const char *const name[] = { "two-cubes", "arch" };
+    for (int s = 0; s < SOME_OF(2, 1); s++) {
+        sp_scene scene;
+        sp_result r;
+        sp_limit_result limited;
+        test_arena.used = 0;
+        NEED(gen_make(name[s], NULL, 0, &test_arena, &scene) == SP_OK);
+        scene.body[0] = 1;
+        NEED(sp_check(&scene, NULL, &test_arena, &r) == SP_OK);
+        NEED(sp_limit(&scene, NULL, &test_arena, &limited) == SP_OK);
+        question q;
+        memset(&q, 0, sizeof q);
+        q.scene = &scene;
+        q.checked = &r;
+        q.limited = &limited;
+        for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
+            size_t need = 0;
+            NEED(sp_memory(&scene, table[k].need, NULL, test_arena, &need) == SP_OK);
+            const size_t step = need < 6000 ? SOME_OF(1, 3) : need / 400 | 1;
+            const size_t enough = sweep(&q, table[k].ask, need, step);
+            if (enough == SIZE_MAX) {                   /* the last step ended before it */
+                sp_arena a = { test_arena.base + (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN, need, 0, 0 };
+                if (!CHECK_INT(table[k].ask(&q, &a), SP_OK)) TEST_PRINT("    %s of %s\n", table[k].what, name[s]);
+            } else if (!CHECK(enough > 0 && (!table[k].exact || enough + SP_ALIGN > need)))
+                TEST_PRINT("    %s of %s: %ld of %ld bytes\n", table[k].what, name[s], (long)enough, (long)need);
+        }
+        const size_t scratch = sweep(&q, ask_memory, sp_memory_scratch(&scene, SP_FOR_CHECK, NULL), 7);
+        CHECK(scratch > 0);
+        CHECK(sweep(&q, ask_qp, 8000, 1) < 8000);
+    }
+}
+
+TEST_LIST(capacity)
+    RUN_FULL(every_capacity_is_refused_or_enough)
+TEST_END

@@ -1,0 +1,101 @@
+#!/bin/sh
+# fuzz: any bytes into every reader and every question.
+#
+#     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, FUZZ_SECONDS (30) of clock each; without
+#                                               clang as --quick
+#     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that ask
+#                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each
+#
+#     scene   a small scene by port/fuzz, every question, its invariants          obj    scene files, JSON of COMPAS
+#     qp      sp_qp_solve                                                         qps    files of quadratic programs
+#     json    stored answers into `verify`                                        blob   requests and results of the worker
+#
+# Found inputs go to build/fuzz/; run `build/fuzz/TARGET FILE` again. FUZZ_SEED: of the loop, else the day.
+set -eu
+out=build/fuzz
+mkdir -p $out
+quick=
+if [ "${1:-}" = --quick ]; then quick=1; shift; fi
+targets=${*:-scene qp obj qps json blob}
+host="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
+plain='-std=c99 -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -w'
+seconds=${FUZZ_SECONDS:-}
+bad=0 passed=0
+
+seeds() {                                               # seeds TARGET: a folder of them
+    mkdir -p "$out/seeds/$1"
+    case $1 in
+    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/examples/doorway.json tests/scenes/arch.obj "$out/seeds/obj" 2> /dev/null || : ;;
+    qps) cp tests/fuzz/seeds/qps/* "$out/seeds/qps" ;;
+    json) [ ! -x build/stonepack ] || build/stonepack check --json --forces tests/scenes/two-cubes.obj > "$out/seeds/json/two-cubes" || : ;;
+    *) cp tests/fuzz/seeds/scene/* "$out/seeds/$1" ;;
+    esac
+}
+needs() { case $1 in scene) echo port/fuzz/bytes.c ;; qp) ;; blob) echo "port/fuzz/bytes.c" ;; esac; }
+alone() { case $1 in scene | qp) true ;; *) false ;; esac; }
+
+# Objects of the program, compiled once for all targets that read files.
+program() {                                             # program FOLDER COMPILER FLAGS...
+    pr_to=$1
+    shift
+    mkdir -p "$pr_to"
+    for pr_c in $host; do
+        pr_o=$pr_to/$(echo "$pr_c" | tr / _ | sed 's/c$/o/')
+        [ "$pr_o" -nt "$pr_c" ] && continue
+        # shellcheck disable=SC2086
+        printf '%s\0' "$* $plain -c $pr_c -o $pr_o"
+    done | xargs -0 -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c '{}'
+}
+link() {                                                # link TARGET PROGRAM LIBRARY DRIVER OUTPUT COMPILER FLAGS...
+    li_t=$1 li_prog=$2 li_lib=$3 li_drive=$4 li_out=$5
+    shift 5
+    li_more=
+    alone "$li_t" || li_more=$(ls "$li_prog"/*.o | tr '\n' ' ')
+    # shellcheck disable=SC2086,SC2046
+    "$@" $plain "tests/fuzz/fuzz_$li_t.c" $(needs "$li_t") $li_drive $li_more "$li_lib" -lm -o "$li_out"
+}
+said() {                                                # said TARGET HOW: the last line of its log; counts
+    if [ "$3" -eq 0 ]; then passed=$((passed + 1)); echo "ok      $1, $2: $(grep -oE '[0-9]+ executions|Done [0-9]+ runs' "$4" | tail -n 1)"
+    else bad=$((bad + 1)); echo "FAILED  $1, $2"; grep -vE '^#[0-9]+' "$4" | head -n 30 | sed 's/^/        /'; fi
+}
+loop() {                                                # loop TARGET HOW PROGRAM: seeds, then the time
+    lo_status=0
+    LAST=$out/last-$1 UBSAN_OPTIONS=halt_on_error=1 "$3" "${seconds:-4}" "${FUZZ_SEED:-$(date +%Y%m%d)}" $out/seeds/"$1"/* \
+        > "$out/$1.log" 2>&1 || lo_status=$?
+    said "$1" "$2" $lo_status "$out/$1.log"
+}
+
+for t in $targets; do seeds "$t"; done
+if [ -z "$quick" ] && command -v clang > /dev/null; then
+    san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
+    # shellcheck disable=SC2086
+    [ $out/clang.o -nt stonepack.c ] || clang $plain $san -fsanitize=fuzzer-no-link -c stonepack.c -o $out/clang.o
+    for t in $targets; do alone "$t" || { program $out/clang clang $san -fsanitize=fuzzer-no-link; break; }; done
+    for t in $targets; do
+        # shellcheck disable=SC2086
+        link "$t" $out/clang $out/clang.o '' "$out/$t" clang $san -fsanitize=fuzzer
+        mkdir -p "$out/corpus/$t"
+        status=0
+        "$out/$t" -max_total_time="${seconds:-30}" -timeout=25 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$t-" \
+            -print_final_stats=1 "$out/corpus/$t" "$out/seeds/$t" > "$out/$t.log" 2>&1 || status=$?
+        said "$t" "libFuzzer, ASan, UBSan" $status "$out/$t.log"
+    done
+else
+    san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
+    # shellcheck disable=SC2086
+    [ build/asan.o -nt stonepack.c ] || gcc $plain $san -c stonepack.c -o build/asan.o
+    for t in $targets; do alone "$t" || { program $out/gcc gcc $san; break; }; done
+    for t in $targets; do
+        # shellcheck disable=SC2086
+        link "$t" $out/gcc build/asan.o tests/fuzz/loop.c "$out/$t" gcc $san
+        loop "$t" "ASan, UBSan" "$out/$t"
+    done
+    [ -f build/stonepack.o ] || make -s build/stonepack.o
+    for t in $targets; do
+        alone "$t" || continue
+        link "$t" '' build/stonepack.o tests/fuzz/loop.c "$out/$t-fast" gcc -O2
+        loop "$t" "optimised" "$out/$t-fast"
+    done
+fi
+echo "$passed passed, $bad failed"
+[ $bad -eq 0 ]
