@@ -102,11 +102,20 @@ SP__NOINLINE static int32_t sp__bchol_count(sp__bchol *f, const int32_t *xadj, c
     return (int32_t)nnz;
 }
 
-/* Order and count. Scratch: what sp__order_carve takes. */
+#define SP__BCHOL_FEW  50               /* rows that have nothing to gain from nodes that merge */
+#define SP__BCHOL_LONG 30000            /* squares (see sp__order_run) beyond which every way to break ties is tried */
+
+/* Order and count: the way to break ties that gives the fewest flops. Scratch: what sp__order_carve takes. */
 static int32_t sp__bchol_analyse(sp__bchol *f, const int32_t *xadj, const int32_t *adj, int32_t *parent, int32_t *mark,
                                  sp_arena scratch)
 {
-    sp__order_run(f->n, xadj, adj, scratch, mark, f->perm);
+    int best = f->n >= SP__BCHOL_FEW, last = best;
+    int64_t least = sp__order_run(f->n, xadj, adj, best, scratch, mark, f->perm);
+    while (last && least >= SP__BCHOL_LONG && last < SP__ORDER_WAYS) {
+        const int64_t squares = sp__order_run(f->n, xadj, adj, ++last, scratch, mark, f->perm);
+        if (squares < least) { least = squares; best = last; }
+    }
+    if (best != last) sp__order_run(f->n, xadj, adj, best, scratch, mark, f->perm);
     return sp__bchol_count(f, xadj, adj, parent, mark);
 }
 

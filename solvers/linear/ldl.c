@@ -157,7 +157,7 @@ SP__NOINLINE static int32_t sp__ldl_analyse(sp__ldl *f, sp__walk walk, const voi
 {
     sp__ldl_carve_graph(f, &scratch);
     sp__ldl_graph(f, walk, what);
-    sp__order_run(f->n, f->xadj, f->adj, scratch, f->mark, f->perm);
+    sp__order_run(f->n, f->xadj, f->adj, 0, scratch, f->mark, f->perm);
     for (int32_t k = 0; k < f->n; k++) f->inv[f->perm[k]] = k;
     sp__ldl_values(f, walk, what);
     sp__ldl_tree(f);

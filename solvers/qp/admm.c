@@ -284,7 +284,7 @@ static void sp__qp_carve_symbolic(sp__ldl *f, sp_arena *a)
 {
     sp__order o;
     sp__ldl_carve_graph(f, a);
-    sp__order_carve(&o, f->n, 2 * f->entries, a);
+    sp__order_carve(&o, f->n, 2 * f->entries, 0, a);
 }
 
 /* Everything but the factor of the sparse back end, in the order of sp__qp_bytes. NULL: it does not fit. */

@@ -266,7 +266,7 @@ SP__NOINLINE static void sp__system_graph(sp__system *w)
 SP__NOINLINE static void sp__system_carve_order(const sp_problem *pb, sp_arena *a)
 {
     sp__order order;
-    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, a);
+    sp__order_carve(&order, pb->blocks, 2 * pb->contacts, 1, a);
 }
 
 /* Symbolic step in `a`, whose peak then covers it.     returns blocks of L below the diagonal, -1: does not fit */

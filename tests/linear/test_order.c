@@ -52,18 +52,29 @@ static int32_t added(const int32_t *perm)
     return count;
 }
 
-static int32_t run_order(void)
+static int32_t fill_of(int way)
 {
     int32_t perm[NODES], stamp[NODES];
-    finish();
     sp_arena a = test_arena;
     sp_arena dry = sp__arena_dry();
     sp__order o;
-    sp__order_carve(&o, g.n, g.xadj[g.n], &dry);
+    sp__order_carve(&o, g.n, g.xadj[g.n], way, &dry);
     a.capacity = a.used + dry.used;                     /* what it counts is what it takes */
     for (int32_t k = 0; k < g.n; k++) perm[k] = -1;
-    sp__order_run(g.n, g.xadj, g.adj, a, stamp, perm);
+    sp__order_run(g.n, g.xadj, g.adj, way, a, stamp, perm);
     return added(perm);
+}
+
+/* The most of all ways: every node by itself, and those that are alike together with four ways to break ties. */
+static int32_t run_order(void)
+{
+    finish();
+    int32_t most = 0;
+    for (int way = 0; way <= SP__ORDER_WAYS && most >= 0; way++) {
+        const int32_t edges = fill_of(way);
+        if (edges < 0 || edges > most) most = edges;
+    }
+    return most;
 }
 
 TEST(chain_has_no_fill)
@@ -128,6 +139,36 @@ TEST(any_graph_gets_a_permutation)
     }
 }
 
+#if SP__WITH_LARGE
+/* Every node of a grid six times: blocks of equal columns, as six rows of a stone are. */
+TEST(nodes_that_are_alike_fill_no_more_than_one_of_them)
+{
+    const int32_t side = 5, times = 6;
+    start(side * side * times);
+    for (int32_t i = 0; i < g.n; i++)
+        for (int32_t j = 0; j < i; j++) {
+            const int32_t a = i / times, b = j / times, dx = a % side - b % side, dy = a / side - b / side;
+            if (dx * dx + dy * dy <= 1) edge(i, j);
+        }
+    finish();
+    const int32_t alone = fill_of(0), merged = fill_of(1);
+    CHECK(merged >= 0);
+    CHECK(merged <= alone);
+}
+
+/* 10 sqrt(400) = 200 neighbours: the hub waits, the chain through which it reaches everything goes first. */
+TEST(hubs_come_last)
+{
+    start(NODES);
+    for (int32_t i = 1; i < g.n; i++) { edge(0, i); edge(i - 1, i); }
+    finish();
+    int32_t perm[NODES], stamp[NODES];
+    sp__order_run(g.n, g.xadj, g.adj, 1, test_arena, stamp, perm);
+    CHECK_INT(perm[NODES - 1], 0);
+    CHECK_INT(added(perm), 0);
+}
+#endif
+
 TEST_LIST(order)
     RUN(chain_has_no_fill)
     RUN(tree_has_no_fill)
@@ -135,4 +176,8 @@ TEST_LIST(order)
     RUN(lone_nodes_are_ordered_too)
     RUN(grid_fill_is_well_below_that_of_the_natural_order)
     RUN(any_graph_gets_a_permutation)
+#if SP__WITH_LARGE
+    RUN(nodes_that_are_alike_fill_no_more_than_one_of_them)
+    RUN(hubs_come_last)
+#endif
 TEST_END
