@@ -5,8 +5,11 @@
 #ifndef SP__CONTACTS_BODY_C
 #define SP__CONTACTS_BODY_C
 
+#include "inside.c"
 #include "patch.c"
 #include "small_patch.c"
+
+#if SP__WITH_SMALL
 
 /* Is the block closed and convex, no corner of it in front of any of its faces? */
 static int sp__touch_convex(const sp__touch *t, const sp__body *body)
@@ -22,6 +25,33 @@ static int sp__touch_convex(const sp__touch *t, const sp__body *body)
         }
     return 1;
 }
+
+#else
+
+/* Is a corner of the block more than `flat` in front of a plane? */
+static int sp__touch_before(const sp__touch *t, const sp__body *body, const sp__patch *p, sp_real flat)
+{
+    if (t->inside.block == t->own.block + 1) return sp__inside_before(t, &t->scene->block[t->own.block], p, flat);
+    for (int32_t e = body->edge; e < body->edge + body->edges; e++) {
+        sp_real d[3];
+        sp__sub3(t->scene->vertex[t->all.bound[e][0]], p->o, d);
+        if (sp__dot3(d, p->n) > flat) return 1;
+    }
+    return 0;
+}
+
+/* Is the block closed and convex, no corner of it in front of any of its faces? */
+static int sp__touch_convex(sp__touch *t, const sp__body *body)
+{
+    const sp_real flat = sp__plane_tolerance(t, body) + 2 * body->warp;
+    if (!(t->scene->block[t->own.block].volume > 0)) return 0;
+    if (sp__inside_large(t, t->own.block)) sp__inside_build(t, t->own.block);
+    for (int32_t p = body->patch; p < body->patch + body->patches; p++)
+        if (sp__touch_before(t, body, &t->all.patch[p], flat)) return 0;
+    return 1;
+}
+
+#endif
 
 /* Box and noise of a block from its patches. */
 static void sp__touch_size(sp__touch *t, sp__body *body)

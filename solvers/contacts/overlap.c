@@ -6,7 +6,9 @@
 #ifndef SP__CONTACTS_OVERLAP_C
 #define SP__CONTACTS_OVERLAP_C
 
-#include "face.c"
+#include "inside.c"
+
+#if SP__WITH_SMALL
 
 /* By how much the blocks' shadows on an axis overlap, of any length; below 0 they are apart. */
 static sp_real sp__shadow(const sp__touch *t, const sp_real axis[3])
@@ -45,6 +47,91 @@ static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
     return least;
 }
 
+#else
+
+/* Where some vertices lie on an axis, from o: least and largest, and which they are. */
+typedef struct sp__span { sp_real lo, hi; int32_t first, last; } sp__span;
+
+/* Of column `side` of a list. */
+static sp__span sp__span_of(const sp__touch *t, const sp_real axis[3], const int32_t (*list)[2], int32_t n, int side)
+{
+    const sp_real *o = t->all.body[t->now.a].lo;
+    sp__span s = { 0, 0, list[0][side], list[0][side] };
+    for (int32_t i = 0; i < n; i++) {
+        sp_real d[3];
+        sp__sub3(t->scene->vertex[list[i][side]], o, d);
+        const sp_real x = sp__dot3(axis, d);
+        if (i == 0 || x < s.lo) { s.lo = x; s.first = list[i][side]; }
+        if (i == 0 || x > s.hi) { s.hi = x; s.last = list[i][side]; }
+    }
+    return s;
+}
+
+static sp_real sp__spans_share(sp__span p, sp__span q)
+{
+    const sp_real one = p.hi - q.lo, two = q.hi - p.lo;
+    return one < two ? one : two;
+}
+
+static sp__span sp__span_body(const sp__touch *t, const sp_real axis[3], int32_t block)
+{
+    const sp__body *k = &t->all.body[block];
+    return sp__span_of(t, axis, (const int32_t (*)[2])t->all.bound + k->edge, k->edges, 0);
+}
+
+/* By how much the blocks' shadows on an axis overlap, of any length; below 0 they are apart. */
+static sp_real sp__shadow(const sp__touch *t, const sp_real axis[3])
+{
+    return sp__spans_share(sp__span_body(t, axis, t->now.a), sp__span_body(t, axis, t->now.b));
+}
+
+#define SP__OUTER 64                    /* vertices of each block that are asked first */
+
+/* Vertices that were outermost before, in the array `edge`: A's in column 0, B's in 1. */
+typedef struct sp__outermost { int32_t room, kept, next; } sp__outermost;
+
+/* The shadow along n, unless those vertices alone share as much as `least`. */
+static sp_real sp__shadow_below(const sp__touch *t, const sp_real n[3], sp_real least, sp__outermost *o)
+{
+    int32_t (*list)[2] = t->all.edge;
+    const int32_t (*seen)[2] = (const int32_t (*)[2])list;
+    if (o->kept) {
+        const sp__span p = sp__span_of(t, n, seen, o->kept, 0), q = sp__span_of(t, n, seen, o->kept, 1);
+        if (sp__spans_share(p, q) >= least) return least;
+    }
+    const sp__span p = sp__span_body(t, n, t->now.a), q = sp__span_body(t, n, t->now.b);
+    list[o->next][0] = p.first;
+    list[o->next][1] = q.first;
+    list[o->next + 1][0] = p.last;
+    list[o->next + 1][1] = q.last;
+    o->next = (o->next + 2) % o->room;
+    if (o->kept < o->room) o->kept += 2;
+    return sp__spans_share(p, q);
+}
+
+/* Least overlap of the shadows along the normals of both blocks' patches. At most `flat`: a plane keeps them apart, which is
+ * proof for blocks of any shape. In the order of every 2^k-th, and those between, which is soon near the least; then few axes
+ * are asked of all vertices. */
+SP__NOINLINE static sp_real sp__shadow_faces(const sp__touch *t, sp_real flat)
+{
+    const sp__body *a = &t->all.body[t->now.a], *b = &t->all.body[t->now.b];
+    const int32_t most = a->edges > b->edges ? a->edges : b->edges, patches = a->patches + b->patches;
+    sp__outermost o = { (most < SP__OUTER ? most : SP__OUTER) / 2 * 2, 0, 0 };
+    sp_real least = SP__HUGE;
+    int32_t way = 1;
+    while (way < patches) way *= 2;
+    for (int32_t from = 0; way > 0; from = way /= 2)
+        for (int32_t i = from; i < patches; i += 2 * way) {
+            const sp__patch *p = &t->all.patch[i < a->patches ? a->patch + i : b->patch + i - a->patches];
+            const sp_real x = sp__shadow_below(t, p->n, least, &o);
+            if (x < least) least = x;
+            if (least <= flat) return least;
+        }
+    return least;
+}
+
+#endif
+
 /* One of an edge and its opposite? */
 static int sp__edge_is_first(const sp__touch *t, const int32_t *e)
 {
@@ -76,66 +163,7 @@ static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
     return least;
 }
 
-/* Does the upward ray from x pass right of the directed edge p q, seen from above? +1, -1 or 0, the same for q p but for the
- * sign. Half-open in y. */
-static int sp__ray_edge(const sp_real x[3], const sp_real p[3], const sp_real q[3])
-{
-    const int up = p[1] <= x[1], to = q[1] <= x[1];
-    if (up == to) return 0;
-    const sp_real *lo = up ? p : q, *hi = up ? q : p;
-    const sp_real side = (hi[0] - lo[0]) * (x[1] - lo[1]) - (hi[1] - lo[1]) * (x[0] - lo[0]);
-    return side > 0 ? (up ? 1 : -1) : 0;
-}
-
-/* Squared distance of x from the triangle v[0] v[1] v[2] with normal n (not 0): from its plane over its inside, else from the
- * nearest edge, d - s e with s = clamp(d . e / e . e). */
-static sp_real sp__triangle_distance2(const sp_real x[3], const sp_real *const v[3], const sp_real n[3])
-{
-    sp_real e[3], d[3], c[3], least = -1, h = 0;
-    int inside = 1;
-    for (int k = 0; k < 3; k++) {
-        sp__sub3(v[(k + 1) % 3], v[k], e);
-        sp__sub3(x, v[k], d);
-        h = sp__dot3(d, n);
-        sp__cross3(e, d, c);
-        if (sp__dot3(c, n) < 0) inside = 0;
-        const sp_real len2 = sp__dot3(e, e), along = sp__dot3(d, e);
-        const sp_real s = along <= 0 || !(len2 > 0) ? 0 : along >= len2 ? (sp_real)1 : along / len2;
-        for (int i = 0; i < 3; i++) d[i] -= s * e[i];
-        const sp_real far2 = sp__dot3(d, d);
-        if (least < 0 || far2 < least) least = far2;
-    }
-    return inside ? h * h / sp__dot3(n, n) : least;
-}
-
-/* How deep x lies inside a closed block: 0 if outside, or not deeper than `flat`. Inside: the faces above wind round it. */
-static sp_real sp__depth(const sp__touch *t, int32_t block, const sp_real x[3], sp_real flat)
-{
-    const sp_scene *s = t->scene;
-    const sp_block *k = &s->block[block];
-    sp_real least2 = k->diameter * k->diameter;
-    int wind = 0;
-    if (!(k->volume > 0)) return 0;
-    const sp__body *body = &t->all.body[block];
-    for (int c = 0; c < 3; c++) if (x[c] < body->lo[c] + flat || x[c] > body->hi[c] - flat) return 0;
-    for (int32_t f = k->face; f < k->face + k->faces; f++)
-        for (int32_t i = 1; i + 1 < s->face[f].corners; i++) {
-            const int32_t *corner = s->corner + s->face[f].corner;
-            const sp_real *const v[3] = { s->vertex[corner[0]], s->vertex[corner[i]], s->vertex[corner[i + 1]] };
-            sp_real d[3], n[3];
-            sp__sub3(v[1], v[0], d);
-            sp__sub3(v[2], v[0], n);
-            sp__cross3(d, n, n);
-            if (!(sp__dot3(n, n) > 0)) continue;
-            const sp_real far2 = sp__triangle_distance2(x, v, n);
-            if (far2 <= flat * flat) return 0;
-            if (far2 < least2) least2 = far2;
-            const int w = sp__ray_edge(x, v[0], v[1]) + sp__ray_edge(x, v[1], v[2]) + sp__ray_edge(x, v[2], v[0]);
-            sp__sub3(v[0], x, d);
-            if (w && (n[2] > 0 ? sp__dot3(d, n) > 0 : sp__dot3(d, n) < 0)) wind += w;
-        }
-    return wind > 0 ? SP_SQRT(least2) : 0;
-}
+#if !SP__WITH_SMALL
 
 /* Part of the edge p q in a box: from s[0] to s[1], empty if s[0] > s[1].                          [Liang, Barsky 1984] */
 static void sp__edge_in_box(const sp_real p[3], const sp_real q[3], const sp__body *k, sp_real s[2])
@@ -155,12 +183,13 @@ static void sp__edge_in_box(const sp_real p[3], const sp_real q[3], const sp__bo
 }
 
 /* Deepest of the vertices of `inner`, and of points along its edges, inside `outer`. */
-static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer, sp_real flat)
+static sp_real sp__depth_edges(sp__touch *t, int32_t inner, int32_t outer, sp_real flat)
 {
     const sp__body *k = &t->all.body[inner];
     const int64_t work = (int64_t)k->edges * t->scene->block[outer].faces;
     const int steps = work < 20000 ? 8 : 2;
     sp_real most = 0;
+    if (sp__inside_large(t, outer) && t->inside.block != outer + 1) sp__inside_build(t, outer);
     for (int32_t e = k->edge; e < k->edge + k->edges; e++) {
         const sp_real *p = t->scene->vertex[t->all.bound[e][0]], *q = t->scene->vertex[t->all.bound[e][1]];
         sp_real s[2], x[3];
@@ -176,13 +205,31 @@ static sp_real sp__depth_edges(const sp__touch *t, int32_t inner, int32_t outer,
     return most;
 }
 
+/* The deepest vertex, point on an edge or centroid of one block inside the other. */
+SP__NOINLINE static sp_real sp__depth_points(sp__touch *t, sp_real flat)
+{
+    sp_real most = sp__max(sp__depth_edges(t, t->now.a, t->now.b, flat), sp__depth_edges(t, t->now.b, t->now.a, flat));
+    for (int side = 0; side < 2; side++) {
+        const sp_real *x = t->scene->block[side ? t->now.b : t->now.a].centroid;
+        const sp_real d = sp__depth(t, t->now.a, x, flat), e = sp__depth(t, t->now.b, x, flat);
+        most = sp__max(most, d < e ? d : e);
+    }
+    return most;
+}
+
+#else
+
+static sp_real sp__depth_points(sp__touch *t, sp_real flat) { (void)t; return flat; }    /* not asked: convex blocks only */
+
+#endif
+
 /* Depth of the present pair inside each other, at most `flat` if none is seen.
  *   convex, closed   separating axes: always seen, least way out
  *   other shapes     only what is certain: no plane along a face keeps them apart, and a vertex, a point on an edge, or a
  *                    centroid of one is inside the other; depth of that point. Thin crossings may be missed; touching blocks
  *                    are never reported
  *   open or flat     supports have no inside: only their vertices and edges inside the other are seen */
-static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
+static sp_real sp__pair_depth(sp__touch *t, sp_real flat)
 {
     const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[t->now.b];
     const int64_t work = (int64_t)p->edges * q->edges * (p->edges + q->edges) / 4;
@@ -191,17 +238,12 @@ static sp_real sp__pair_depth(const sp__touch *t, sp_real flat)
     if (least <= flat) return 0;
     if (p->convex && q->convex && work <= 10000000) return sp__shadow_edges(t, least, flat);
     if (!SP__HAS_STRENGTH) return 0;
-    sp_real most = sp__max(sp__depth_edges(t, t->now.a, t->now.b, flat), sp__depth_edges(t, t->now.b, t->now.a, flat));
-    for (int side = 0; side < 2; side++) {
-        const sp_real *x = t->scene->block[side ? t->now.b : t->now.a].centroid;
-        const sp_real d = sp__depth(t, t->now.a, x, flat), e = sp__depth(t, t->now.b, x, flat);
-        most = sp__max(most, d < e ? d : e);
-    }
+    const sp_real most = sp__depth_points(t, flat);
     return most < least ? most : least;
 }
 
 /* Report the pair if it overlaps by more than its distance and what its faces are warped by. */
-SP__NOINLINE_SMALL static void sp__pair_overlap(sp__touch *t)
+SP__NOINLINE static void sp__pair_overlap(sp__touch *t)
 {
     const sp_real flat = t->now.gap + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);
     const sp_real depth = sp__pair_depth(t, flat);

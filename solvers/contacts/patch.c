@@ -50,10 +50,92 @@ static void sp__touch_weld(sp__touch *t)
     }
 }
 
+/* Perimeter of a face. */
+static sp_real sp__face_round(const sp__touch *t, int32_t f)
+{
+    const sp_face *face = &t->scene->face[t->own.face0 + f];
+    const int32_t *corner = t->scene->corner + face->corner;
+    sp_real sum = 0, d[3];
+    for (int32_t k = 0; k < face->corners; k++) {
+        sp__sub3(t->scene->vertex[corner[k + 1 < face->corners ? k + 1 : 0]], t->scene->vertex[corner[k]], d);
+        sum += sp__norm3(d);
+    }
+    return sum;
+}
+
+/* Patches by their normals: a grid of side^3 cells over -1 .. 1 in the array `edge`; in each the last patch, behind them to
+ * each patch the one before. */
+typedef struct sp__normals { int32_t *last, *before, side; } sp__normals;
+
+static sp__normals sp__normals_start(const sp__touch *t, int32_t faces)
+{
+    sp__normals g = { t->all.edge[0], NULL, 1 };
+    while (8 * (int64_t)g.side * g.side * g.side <= faces) g.side *= 2;
+    g.before = g.last + g.side * g.side * g.side;
+    for (int32_t *c = g.last; c < g.before; c++) *c = -1;
+    return g;
+}
+
+static int32_t sp__normals_step(const sp__normals *g, sp_real x)
+{
+    const int32_t i = (int32_t)((x + 1) / 2 * (sp_real)g->side);
+    return i < 0 ? 0 : i < g->side ? i : g->side - 1;
+}
+
+static int32_t sp__normals_cell(const sp__normals *g, int32_t x, int32_t y, int32_t z)
+{
+    return (x * g->side + y) * g->side + z;
+}
+
+/* Do all corners of face f keep to the plane of patch p? If so their mean does. */
+static int sp__patch_holds(const sp__touch *t, const sp__patch *p, int32_t f, sp_real flat)
+{
+    sp_real d[3];
+    if (!(sp__dot3(p->n, t->all.normal[f]) > 0)) return 0;
+    sp__sub3(t->all.middle[f], p->o, d);
+    return sp__abs(sp__dot3(p->n, d)) <= 2 * flat && sp__face_distance(t, f, p->n, p->o) <= flat;
+}
+
+/* The first patch whose plane holds all corners of face f; its normal then differs from n by
+ *   sin = |n_p x integral of x over the boundary| / area <= flat perimeter / area
+ * and lies in a neighbouring cell, where that is less than one. */
+static int32_t sp__patch_of(const sp__touch *t, const sp__normals *g, const sp__body *body, int32_t f, sp_real flat)
+{
+    const sp_real *n = t->all.normal[f];
+    const int near = 4 * flat * sp__face_round(t, f) * (sp_real)g->side <= t->all.area[f];
+    const int32_t x = sp__normals_step(g, n[0]), y = sp__normals_step(g, n[1]), z = sp__normals_step(g, n[2]);
+    const int32_t end = g->side - 1;
+    int32_t first = t->patches;
+    if (!near || g->side == 1) {
+        for (int32_t p = body->patch; p < t->patches; p++) if (sp__patch_holds(t, &t->all.patch[p], f, flat)) return p;
+        return first;
+    }
+    for (int32_t i = x > 0 ? x - 1 : 0; i <= (x < end ? x + 1 : end); i++)
+        for (int32_t j = y > 0 ? y - 1 : 0; j <= (y < end ? y + 1 : end); j++)
+            for (int32_t k = z > 0 ? z - 1 : 0; k <= (z < end ? z + 1 : end); k++)
+                for (int32_t p = g->last[sp__normals_cell(g, i, j, k)]; p >= 0; p = g->before[p - body->patch])
+                    if (p < first && sp__patch_holds(t, &t->all.patch[p], f, flat)) first = p;
+    return first;
+}
+
+static void sp__patch_start(sp__touch *t, const sp__normals *g, const sp__body *body, int32_t f)
+{
+    const sp_real *n = t->all.normal[f];
+    const int32_t x = sp__normals_step(g, n[0]), y = sp__normals_step(g, n[1]), z = sp__normals_step(g, n[2]);
+    int32_t *last = &g->last[sp__normals_cell(g, x, y, z)];
+    sp__patch *p = &t->all.patch[t->patches];
+    memcpy(p->n, n, sizeof p->n);
+    memcpy(p->o, t->all.middle[f], sizeof p->o);
+    g->before[t->patches - body->patch] = *last;
+    *last = t->patches++;
+}
+
 /* Give each face with area its patch: the first whose plane all its corners keep to, or a new one. */
-static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
+SP__NOINLINE static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
 {
     const sp_real flat = sp__plane_tolerance(t, body);
+    if (!faces) return;
+    const sp__normals g = sp__normals_start(t, faces);
     for (int32_t f = 0; f < faces; f++) {
         t->all.area[f] = sp__face_plane(t, f, t->all.normal[f], t->all.middle[f]);
         body->warp = sp__max(body->warp, sp__face_distance(t, f, t->all.normal[f], t->all.middle[f]));
@@ -62,19 +144,10 @@ static void sp__touch_group(sp__touch *t, sp__body *body, int32_t faces)
     sp__sort(t->all.order, faces, sp__face_before, t);
     for (int32_t i = 0; i < faces; i++) {
         const int32_t f = t->all.order[i];
-        int32_t p = body->patch;
         t->all.mine[f] = -1;
         if (!(t->all.area[f] > 0)) continue;
-        for (; p < t->patches; p++)
-            if (sp__dot3(t->all.patch[p].n, t->all.normal[f]) > 0
-                && sp__face_distance(t, f, t->all.patch[p].n, t->all.patch[p].o) <= flat) break;
-        t->all.mine[f] = p;
-        if (p < t->patches) continue;
-        for (int c = 0; c < 3; c++) {
-            t->all.patch[p].n[c] = t->all.normal[f][c];
-            t->all.patch[p].o[c] = t->all.middle[f][c];
-        }
-        t->patches++;
+        t->all.mine[f] = sp__patch_of(t, &g, body, f, flat);
+        if (t->all.mine[f] == t->patches) sp__patch_start(t, &g, body, f);
     }
 }
 
@@ -115,14 +188,22 @@ static void sp__touch_boundary(sp__touch *t, sp__patch *p)
     sp__bound_box(t, p->edge, t->bounds, p->lo, p->hi);
 }
 
-/* Patches of a block: its faces by plane. */
+/* Patches of a block: its faces by plane. Of each patch the first face, of each face the next, where normals were. */
 static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
 {
+    int32_t *next = (int32_t *)t->all.normal;
+    t->inside.block = 0;
     sp__touch_weld(t);
     sp__touch_group(t, body, faces);
+    for (int32_t p = body->patch; p < t->patches; p++) t->all.patch[p].edge = -1;
+    for (int32_t f = faces; f-- > 0; ) {
+        if (t->all.mine[f] < 0) continue;
+        next[f] = t->all.patch[t->all.mine[f]].edge;
+        t->all.patch[t->all.mine[f]].edge = f;
+    }
     for (int32_t p = body->patch; p < t->patches; p++) {
         t->own.edges = 0;
-        for (int32_t f = 0; f < faces; f++) if (t->all.mine[f] == p) sp__touch_edges(t, f);
+        for (int32_t f = t->all.patch[p].edge; f >= 0; f = next[f]) sp__touch_edges(t, f);
         sp__touch_boundary(t, &t->all.patch[p]);
     }
 }

@@ -5,24 +5,10 @@
 
 #include "body.c"
 #include "memory.c"
+#include "morton.c"
 #include "polygon.c"
 
 #if !SP__WITH_SMALL
-
-/* Every third bit from bit 0. */
-static uint32_t sp__every_third_bit(uint32_t x)
-{
-    x = (x | x << 16) & UINT32_C(0x030000ff);
-    x = (x | x << 8) & UINT32_C(0x0300f00f);
-    x = (x | x << 4) & UINT32_C(0x030c30c3);
-    return (x | x << 2) & UINT32_C(0x09249249);
-}
-
-static int sp__code_before(const void *what, int32_t i, int32_t j)
-{
-    const uint32_t *code = what;
-    return code[i] != code[j] ? code[i] < code[j] : i < j;
-}
 
 static int sp__number_before(const void *what, int32_t i, int32_t j)
 {
@@ -30,7 +16,7 @@ static int sp__number_before(const void *what, int32_t i, int32_t j)
     return i < j;
 }
 
-/* Leaves: the blocks with faces along a Morton curve through the middles of their boxes, 1024 steps a side. */
+/* Leaves: the blocks with faces along a Morton curve. */
 static void sp__tree_leaves(sp__touch *t)
 {
     sp__tree *tree = &t->all.tree;
@@ -46,13 +32,7 @@ static void sp__tree_leaves(sp__touch *t)
     }
     for (int32_t l = 0; l < tree->leaves; l++) {
         const sp__body *k = &t->all.body[tree->leaf[l]];
-        uint32_t code = 0;
-        for (int c = 0; c < 3; c++) {
-            const sp_real wide = hi[c] - lo[c], at = (k->lo[c] - lo[c]) / 2 + (k->hi[c] - lo[c]) / 2;
-            const uint32_t step = wide > 0 ? (uint32_t)(int32_t)(1023 * (at / wide)) : 0;
-            code |= sp__every_third_bit(step < 1023 ? step : 1023) << c;
-        }
-        tree->code[tree->leaf[l]] = code;
+        tree->code[tree->leaf[l]] = sp__morton(k->lo, k->hi, lo, hi);
     }
     sp__sort(tree->leaf, tree->leaves, sp__code_before, tree->code);
 }

@@ -18,7 +18,7 @@
  *              left out
  *
  * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything
- * costs its own pairs and no more.
+ * costs its own pairs and no more. The faces of a block of many stand in such a tree, too, its patches in a grid of normals.
  *
  * SP_SMALL takes every face for a patch, and for what the patches of one plane share with a block its convex hull: that carries
  * the same, for a force at a point of it is a sum of forces at its corners. How narrow it is, is asked of the hull, for faces
@@ -119,6 +119,7 @@ typedef struct sp__touch {
     sp__pair_buffer pair;
 #if !SP__WITH_SMALL
     sp__top_sizes most;
+    struct { int32_t block, width; } inside;    /* whose faces stand in a tree: 1 more than its number; its leaves */
 #endif
     int32_t patches, bounds;                    /* made so far */
     sp__own_block own;
