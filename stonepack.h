@@ -193,6 +193,8 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 #define SP_QP_NO_CG
 #undef SP_QP_NO_POLISH
 #define SP_QP_NO_POLISH
+#undef SP_QP_NO_INTERIOR
+#define SP_QP_NO_INTERIOR
 #endif
 
 typedef enum sp_words {       /* which enumeration sp_text is asked about */
@@ -1326,7 +1328,8 @@ typedef struct sp_stage {
  *     min 1/2 x'Px + q'x   subject to   l <= Ax <= u                              P positive semidefinite
  *
  * A solver on its own; it has never heard of a stone. SP_NO_QP leaves its calls out, SP_QP_NO_CG the matrix-free back end,
- * SP_QP_NO_POLISH the polish and the sharpening of certificates.                         [Stellato et al. 2020, "OSQP"]
+ * SP_QP_NO_POLISH the polish and the sharpening of certificates [Stellato et al. 2020, "OSQP"], SP_QP_NO_INTERIOR interior
+ * points.                                                                                 [Schwan et al. 2023, "PIQP"]
  */
 #define SP_QP_INFINITY ((sp_real)1e20)  /* l <= -1e20, u >= 1e20 (also IEEE infinities): no bound */
 
@@ -1349,6 +1352,12 @@ typedef enum sp_qp_backend {
     SP_QP_CG                    /* no matrix: conjugate gradients on the same; least memory, most time */
 } sp_qp_backend;
 
+typedef enum sp_qp_method {
+    SP_QP_ADMM = 0,             /* ADMM, then the method of multipliers for the last digits */
+    SP_QP_INTERIOR,             /* interior points; ADMM from the start where they give up, or with SP_QP_CG */
+    SP_QP_AUTO                  /* likewise, but from a guess 100 iterations of ADMM first. SP_QP_NO_INTERIOR: ADMM */
+} sp_qp_method;
+
 typedef enum sp_qp_status {
     SP_QP_SOLVED = 0,           /* residuals within eps, and the objective (strict), on the data as given */
     SP_QP_INACCURATE,           /* stopped (iterations, budget), all within 10 eps */
@@ -1362,14 +1371,16 @@ typedef enum sp_qp_status {
 /* Get them from sp_qp_default() and change what you must. */
 typedef struct sp_qp_settings {
     sp_qp_backend backend;      /*                                                                                 sparse */
+    sp_qp_method method;        /*                                                                                   auto */
     sp_real eps_abs, eps_rel;   /* >= 0, not both 0: residual <= eps_abs + eps_rel x its terms       1e-6 1e-5, float 1e-4 */
     sp_real eps_pinf, eps_dinf; /* certificates looser than this, > 0, are not looked at                             1e-4 */
     sp_real radius;             /* >= 1: a certificate must rule out solutions so many times the iterate  1e6, float 1e3 */
     int32_t strict;             /* also: the objective right to eps_abs + eps_rel |objective| (see gap), and residuals within
                                    eps in equilibrated units, so that small rows count as large ones                    1 */
     int32_t polish;             /* method of multipliers from the iterate for the last digits, and where ADMM takes long;
-                                   about as much work as ADMM's                                  1 (0: SP_QP_NO_POLISH) */
-    int32_t iterations;         /* at most, > 0                                                                      8000 */
+                                   about as much work as was done before. Interior points go on while a step
+                                   halves the residuals, before that                             1 (0: SP_QP_NO_POLISH) */
+    int32_t iterations;         /* at most, of all together, > 0; interior points take 200 at most                   8000 */
     int64_t budget;             /* most flops of a run, >= 0; one too small for an iteration judges the guess; 0: none 0 */
     int32_t check;              /* iterations between looks at the residuals, > 0                                      10 */
     int32_t passes;             /* of equilibration, >= 0                                                              10 */
@@ -1418,8 +1429,11 @@ typedef struct sp_qp_solver {
 } sp_qp_solver;
 
 #ifndef SP_NO_QP
-/* Ours: sp_qp_solve and sp_qp_memory. */
+/* Ours: sp_qp_solve and sp_qp_memory by SP_QP_ADMM or SP_QP_INTERIOR, whatever the settings say. */
 SP_API sp_qp_solver sp_qp_admm(void);
+#ifndef SP_QP_NO_INTERIOR
+SP_API sp_qp_solver sp_qp_interior(void);
+#endif
 
 #ifndef SP_NO_DYKSTRA
 /* The seed's first one, to compare with: alternating projections, for a diagonal P; another, rows of very different scale or
@@ -1440,7 +1454,7 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
 /* Solve. settings NULL: the default ones. x0 (n), y0 (m): a guess, each may be NULL.
  *   returns SP_OK (whatever result->status), and on failure with arena and result untouched: SP_E_ARGUMENT, SP_E_EMPTY (n = 0),
  *           SP_E_INDEX (rows out of range or out of order, P below its diagonal), SP_E_NOT_FINITE, SP_E_RANGE (l > u,
- *           settings), SP_E_UNSUPPORTED (a back end or polish that this build leaves out),
+ *           settings), SP_E_UNSUPPORTED (a back end, method or polish that this build leaves out),
  *           SP_E_INDEFINITE (P, scaled, has an eigenvalue below about -1e-9 of its largest entry, float -2.5e-7 n; the
  *           matrix-free back end can only look for one and may miss one that is small), SP_E_MEMORY */
 SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
@@ -1531,7 +1545,7 @@ SP_API sp_settings sp_settings_seed(void);
  *                   sp_limit leaves more undecided, and has no y0; what another build's sp_limit claims is for that build's
  *                   sp_limit_verify, for this one may leave it open. sp_sequence checks all that is there at every step, and
  *                   sp_sequence_hold searches no other sets than those it comes to by letting go. Quadratic programs: the dense
- *                   back end whichever is chosen, no polish; sp_qp_dykstra takes one row at a time
+ *                   back end and ADMM whichever are chosen, no polish; sp_qp_dykstra takes one row at a time
  *   SP_NO_IPM       defined: no interior-point method and no sp_limit; the exact stage leaves more of what is about to fall
  *                   undecided
  *   SP_NO_PLAN      defined: no sp_plan, no search of planar and level scenes in 3 rows; depth left out: SP_E_UNSUPPORTED
@@ -1540,7 +1554,8 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_NO_SLIDING   defined: no sp_sliding, no calls of its own; SP_SMALL and SP_NO_IPM are without, too
  *   SP_NO_ADMM      defined: no preset of the seed (the seed, below); SP_STAGE_ADMM is refused with SP_E_UNSUPPORTED
  *   SP_NO_DYKSTRA   defined: no sp_qp_dykstra
- *   SP_NO_QP        defined: no quadratic programs, none of the two above
+ *   SP_QP_NO_INTERIOR  defined: no interior points for quadratic programs: sp_qp_solve by ADMM, whatever it is used for
+ *   SP_NO_QP        defined: no quadratic programs, none of all these
  *   SP_QP_ONLY      defined: quadratic programs and nothing else
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */

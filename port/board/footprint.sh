@@ -43,7 +43,7 @@ compare() {
             most = /given/ ? 16384 : 24576
             for (k = n - 1; k <= n; k++) if (f[k] + 0 > most) { print key ": more than " most; bad = 1 }
         }
-        /linked: quadratic programs/ {                  # dense and sparse, no conjugate gradients, no polish
+        /linked: quadratic programs/ {                  # dense and sparse; no conjugate gradients, polish, interior points
             for (k = n - 1; k <= n; k++) if (f[k] + 0 > 12288) { print key ": more than 12288"; bad = 1 }
         }
         /everything, SP_SMALL/ {                        # every public call in its smallest form
@@ -127,7 +127,7 @@ costs() {                                               # costs KIND AWK-PROGRAM
 all() {
     echo "\"bytes, -Os, arm-none-eabi-gcc $(compiler)\",M7 double,M4F float"
     build SP_QP_ONLY -DSP_QP_ONLY
-    build 'SP_QP_ONLY, no Dykstra, CG, polish' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH
+    build 'SP_QP_ONLY, no Dykstra, CG, polish, interior points' -DSP_QP_ONLY -DSP_NO_DYKSTRA -DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_QP_NO_INTERIOR
     linked 'quadratic programs' sp_qp_default sp_qp_memory sp_qp_solve
     build 'SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN' -DSP_NO_QP -DSP_NO_CRA -DSP_NO_IPM -DSP_NO_PLAN
     linked 'check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
@@ -136,7 +136,7 @@ all() {
     linked 'smallest check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
     linked 'smallest check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
     linked 'smallest verification, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_verify
-    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_SLIDING SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH; do
+    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_SLIDING SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH SP_QP_NO_INTERIOR; do
         build $a_switch -D$a_switch
     done
     build 'everything, SP_SMALL' -DSP_SMALL

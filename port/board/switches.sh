@@ -14,7 +14,7 @@ table() {                                               # table comment|page
             if (!(row in m7)) { print "switches: no row " row > "/dev/stderr"; bad = 1 }
             a = m7["text: all"] - m7[row]
             b = m4f["text: all"] - m4f[row]
-            if (as == "comment") { printf " *   %-15s   %-78s %6d  %6d\n", name, lost, a, b; return }
+            if (as == "comment") { printf " *   %-17s %-78s %6d  %6d\n", name, lost, a, b; return }
             gsub(/(sp|SP)_[A-Za-z_]+(\.[a-z.]+)?|settings\.[a-z.]+/, "`&`", lost)
             printf "| `%s` | %s | %.1f | %.1f |\n", name, lost, a / 1024, b / 1024
         }
@@ -37,8 +37,9 @@ table() {                                               # table comment|page
             alone("SP_NO_QP", "all quadratic programs; with SP_NO_ADMM, SP_NO_DYKSTRA")
             alone("SP_QP_NO_CG", "SP_QP_CG, the back end without a matrix")
             alone("SP_QP_NO_POLISH", "sp_qp_settings.polish: the last digits, sharper certificates")
+            alone("SP_QP_NO_INTERIOR", "interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior")
             alone("SP_QP_ONLY", "all that knows of stones")
-            saved("SP_SMALL", "text: everything, SP_SMALL", "all but the smallest form; with SP_NO_CRA, SP_QP_NO_CG, SP_QP_NO_POLISH")
+            saved("SP_SMALL", "text: everything, SP_SMALL", "all but the smallest form; with SP_NO_CRA, and each SP_QP_NO_ above")
             alone("SP_EXACT_ONLY", "as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN")
             if (as == "comment") {
                 print " *"

@@ -43,7 +43,7 @@ static const char help_check[] =
 "  --preset NAME      quick, standard, precise: --tol 1e-3, 1e-6, 1e-9;\n"
 "                     seed: its stages gates,least-squares,polish,admm, with its pyramid, constants and gates, tol 1e-3;\n"
 "                     its alternation for --coupled; other options change it       default\n"
-"  --solver NAME      admm: who solves it: admm, dykstra; osqp, ipopt if built in; auto: osqp if built in, else admm;\n"
+"  --solver NAME      admm: who solves it; interior, dykstra; osqp, ipopt if built in; auto: osqp if built in, else admm;\n"
 "                     the default, but for the preset seed, whose default is auto  admm\n"
 "  --net              admm: friction on fp - fm, not on fp alone\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out; where the scene calls for it: undecided),\n"
@@ -157,7 +157,7 @@ static const char help_qp[] =
 "The optimiser on its own: the least of 1/2 x'Px + q'x with l <= Ax <= u, from a QPS file (fixed or free).\n\n"
 "  --eps X            largest residual, absolute and relative    1e-6 and 1e-5\n"
 "  --backend NAME     sparse, dense or cg                        sparse\n"
-"  --solver NAME      admm, dykstra; osqp, ipopt where built in; auto: osqp if built in, else admm  admm\n"
+"  --solver NAME      interior, admm, dykstra; osqp, ipopt where built in; auto: osqp if built in, else admm  interior\n"
 "  --json             one JSON object, with x\n\n"
 "Exit status: 0 solved, 1 proved to have no solution (infeasible or unbounded), 2 not decided, 65 a bad file,\n"
 "69 a solver that is not in this build.\n";

@@ -28,6 +28,11 @@
 #else
 #define SP__WITH_QP_POLISH 1
 #endif
+#if defined SP_NO_QP || defined SP_QP_NO_INTERIOR
+#define SP__WITH_QP_INTERIOR 0
+#else
+#define SP__WITH_QP_INTERIOR 1
+#endif
 #if defined SP_NO_QP || defined SP_NO_DYKSTRA
 #define SP__WITH_DYKSTRA 0
 #else

@@ -224,7 +224,7 @@ static size_t sp__alt_scratch(const sp_problem *pb, const sp_settings *set)
     sp__explain_size(pb, &qp);
     const int32_t entries = 43 * pb->points;
     const size_t n = (size_t)qp.n, m = (size_t)qp.m;
-    const size_t solver = sp__qp_bytes(&qp, entries + qp.n + 2 * pb->points, sp__seed_of(set)->native.backend, 0);
+    const size_t solver = sp__qp_bytes(&qp, entries + qp.n + 2 * pb->points, sp__seed_of(set)->native.backend, 0, 0);
     if (!solver) return 0;
     sp__take(&dry, 1, sizeof(sp__explain) + 16 * SP_ALIGN);
     sp__take(&dry, 6 * n + 2 * m + 8, sizeof(sp_real));

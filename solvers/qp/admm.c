@@ -3,13 +3,12 @@
  *     min 1/2 x'Px + q'x   subject to   Ax = z,  l <= z <= u                       [OSQP, alg. 1; seed 4.2, 4.3]
  *
  * Scale, factor, then: step, look; a look ends the run with a solution, a proof that there is none, or at a limit. Letters as
- * in qp.c. Linear systems: kkt.c. Proofs: certificate.c. Last digits: auglag.c.
+ * in qp.c. Linear systems: kkt.c. Proofs: certificate.c. Last digits: auglag.c. Before all this, by default: proximal.c.
  */
 #ifndef SP__ADMM_C
 #define SP__ADMM_C
 
-#include "certificate.c"
-#include "auglag.c"
+#include "proximal.c"
 
 #if SP__WITH_QP
 
@@ -82,6 +81,9 @@ static int64_t sp__qp_decide_flops(const sp__qp *w)
     return 8 * w->cost.products + 50 * w->cost.vectors;
 }
 
+/* Iterations that are left to ADMM. */
+static int32_t sp__qp_most(const sp__qp *w) { return w->set.iterations - sp__proximal_steps(w); }
+
 /* Iterate until the next look, as far as the budget goes. Returns whether it went that far. */
 static int sp__qp_advance(sp__qp *w)
 {
@@ -91,7 +93,7 @@ static int sp__qp_advance(sp__qp *w)
         if (w->cost.factoring + sp__qp_step_flops(w) > w->cost.limit - w->cost.flops) return 0;
         sp__qp_refactor(w);
     }
-    for (int32_t k = 0; k < w->set.check && w->iterations < w->set.iterations; k++, w->iterations++) {
+    for (int32_t k = 0; k < w->set.check && w->iterations < sp__qp_most(w); k++, w->iterations++) {
         if (sp__qp_step_flops(w) > w->cost.limit - w->cost.flops) return 0;
         sp__qp_step(w);
     }
@@ -101,7 +103,7 @@ static int sp__qp_advance(sp__qp *w)
 /* One look at the iterate: 1 and a status when the run is over. The costly attempts come at 100, 200, 400 .. iterations. */
 static int sp__qp_decide(sp__qp *w, int spent, sp_qp_result *out)
 {
-    const int last = w->iterations >= w->set.iterations;
+    const int last = w->iterations >= sp__qp_most(w);
     const int32_t k = w->iterations / 100;
     sp__qp_unscale(w);
     sp__qp_residuals(w, w->z);
@@ -142,7 +144,7 @@ static void sp__qp_write_result(const sp__qp *w, sp_qp_result *out)
     out->dual = sp__qp_finite(w->residual.dual);
     out->gap = sp__qp_finite(w->residual.gap);
     out->rho = w->kkt.rho;
-    out->iterations = w->iterations;
+    out->iterations = w->iterations + sp__proximal_steps(w);
     out->factorisations = w->factorisations;
     out->flops = w->cost.flops;
 }
@@ -161,6 +163,19 @@ static void sp__qp_finish(sp__qp *w, sp_qp_result *out)
     sp__qp_write_result(w, out);
 }
 
+/* x <- x0 / D, y <- c y0 / E but for bounds that are not there, z <- Ax onto [l, u]; s: a guess for conjugate gradients. */
+static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
+{
+    for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = x0 ? x0[j] : (sp_real)0;
+    for (int32_t i = 0; i < w->qp.m; i++) {
+        const sp_real y = y0 ? y0[i] : (sp_real)0;
+        w->y[i] = sp__qp_no_bound(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
+    }
+    sp__qp_A(&w->qp, w->X, w->Ax, 0);
+    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->kkt.s[j] = w->X[j] / w->D[j];
+    for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_clip(&w->qp, i, w->E[i] * w->Ax[i], w->E[i]);
+}
+
 static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
 {
     int spent;
@@ -168,8 +183,14 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
     w->cost.flops = 0;
     w->factorisations = w->iterations = w->changes = 0;
     w->cost.limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_decide_flops(w) : INT64_MAX / 4;
-    do spent = !sp__qp_advance(w);
-    while (!sp__qp_decide(w, spent, out));
+    do {
+        if (sp__proximal_due(w)) {
+            if (sp__proximal_run(w, out)) break;
+            sp__qp_start(w, NULL, NULL);
+        }
+        spent = !sp__qp_advance(w);
+    } while (!sp__qp_decide(w, spent, out));
+    sp__proximal_prefer(w, out);
     sp__qp_finish(w, out);
 }
 
@@ -204,12 +225,14 @@ static sp_status sp__qp_check_vectors(const sp_qp *qp)
 /* Do they ask for what this build leaves out? */
 static int sp__qp_settings_unsupported(const sp_qp_settings *s)
 {
+    if (!SP__WITH_QP_INTERIOR && !SP__WITH_SMALL && s->method == SP_QP_INTERIOR) return 1;
     return (!SP__WITH_QP_CG && !SP__WITH_SMALL && s->backend == SP_QP_CG) || (!SP__WITH_QP_POLISH && s->polish);
 }
 
 static int sp__qp_settings_fit(const sp_qp_settings *s)
 {
     if (s->backend != SP_QP_SPARSE && s->backend != SP_QP_DENSE && s->backend != SP_QP_CG) return 0;
+    if (SP__WITH_QP_INTERIOR && s->method != SP_QP_ADMM && s->method != SP_QP_INTERIOR && s->method != SP_QP_AUTO) return 0;
     if (!(s->eps_abs >= 0 && s->eps_rel >= 0 && s->eps_abs + s->eps_rel > 0 && sp__finite(s->eps_abs + s->eps_rel))) return 0;
     if (!(s->eps_pinf > 0 && s->eps_dinf > 0 && s->radius >= 1 && s->cg_tol > 0)) return 0;
     if (!(s->sigma > 0 && s->sigma <= 1 && s->relax > 0 && s->relax < 2 && s->rho_equal >= 1 && s->adapt_factor > 1)) return 0;
@@ -304,8 +327,9 @@ SP__NOINLINE static sp__qp *sp__qp_carve(const sp_qp *qp, sp_qp_backend backend,
     return sp__failed(a) ? NULL : w;
 }
 
-/* Bytes of everything for n, m of *qp and so many `entries`, the factor having `fill`; 0: too many. */
-SP__NOINLINE static size_t sp__qp_bytes(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill)
+/* Bytes of everything for n, m of *qp and so many `entries`, the factor having `fill`, for interior points, too, or not; 0: too
+ * many. */
+SP__NOINLINE static size_t sp__qp_bytes(const sp_qp *qp, int32_t entries, sp_qp_backend backend, int32_t fill, int interior)
 {
     sp_arena a = sp__arena_dry();
     if (entries < 0) return 0;
@@ -317,9 +341,12 @@ SP__NOINLINE static size_t sp__qp_bytes(const sp_qp *qp, int32_t entries, sp_qp_
         sp_arena symbolic = a;
         sp__qp_carve_symbolic(&f, &symbolic);
         sp__ldl_carve_factor(&f, fill, &a);
+        if (interior) sp__proximal_carve(NULL, qp, &a);
         if (sp__failed(&symbolic) || symbolic.used > a.used) a = symbolic;
-    } else if (backend == SP_QP_DENSE) sp__qp_carve_dense(qp, &a);
-    else sp__kkt_carve_cg(qp, NULL, &a);
+    } else if (backend == SP_QP_DENSE) {
+        sp__qp_carve_dense(qp, &a);
+        if (interior) sp__proximal_carve(NULL, qp, &a);
+    } else sp__kkt_carve_cg(qp, NULL, &a);
     return sp__failed(&a) ? 0 : a.used;
 }
 
@@ -352,7 +379,7 @@ SP__NOINLINE static sp__qp *sp__qp_open(const sp_qp *qp, const sp_qp_settings *s
 /* ------------------------------------------------------------------------------------------------------------ public calls */
 
 static const sp_qp_settings sp__qp_usual = {
-    .backend = SP_QP_SPARSE,
+    .backend = SP_QP_SPARSE, .method = SP_QP_AUTO,
 #ifdef SP_REAL_FLOAT
     .eps_abs = (sp_real)1e-4, .eps_rel = (sp_real)1e-4, .eps_pinf = (sp_real)1e-4, .eps_dinf = (sp_real)1e-4,
     .radius = (sp_real)1e3,
@@ -382,7 +409,7 @@ SP_API sp_qp_settings sp_qp_default(void)
 SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settings)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
-    return sp__qp_check(qp, set) == SP_OK ? sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), 0) : 0;
+    return sp__qp_check(qp, set) == SP_OK ? sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), 0, 0) : 0;
 }
 
 SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
@@ -395,7 +422,7 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
         if (!scratch.base) return SP_E_ARGUMENT;
         if (!sp__qp_open(qp, set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), fill);
+    const size_t need = sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), fill, sp__proximal_used(set));
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;
@@ -411,6 +438,7 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     sp__qp *w = sp__qp_open(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
     if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->kkt.ldl, fill, &a);
+    if (sp__proximal_used(set)) sp__proximal_carve(w, qp, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     if (!sp__finite(w->c) || !sp__qp_numbers(w->D, qp->n) || !sp__qp_numbers(w->E, qp->m)) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;
@@ -445,24 +473,12 @@ SP_API sp_status sp_qp_rho(sp_qp_work *work, sp_real rho)
     return SP_OK;
 }
 
-/* x <- x0 / D, y <- c y0 / E but for bounds that are not there, z <- Ax onto [l, u]; s: a guess for conjugate gradients. */
-static void sp__qp_start(sp__qp *w, const sp_real *x0, const sp_real *y0)
-{
-    for (int32_t j = 0; j < w->qp.n; j++) w->X[j] = x0 ? x0[j] : (sp_real)0;
-    for (int32_t i = 0; i < w->qp.m; i++) {
-        const sp_real y = y0 ? y0[i] : (sp_real)0;
-        w->y[i] = sp__qp_no_bound(&w->qp, i, y) ? (sp_real)0 : w->c * y / w->E[i];
-    }
-    sp__qp_A(&w->qp, w->X, w->Ax, 0);
-    for (int32_t j = 0; j < w->qp.n; j++) w->x[j] = w->kkt.s[j] = w->X[j] / w->D[j];
-    for (int32_t i = 0; i < w->qp.m; i++) w->z[i] = sp__qp_clip(&w->qp, i, w->E[i] * w->Ax[i], w->E[i]);
-}
-
 SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
     if (!work || !result) return SP_E_ARGUMENT;
     if (!sp__qp_numbers(x0, work->qp.n) || !sp__qp_numbers(y0, work->qp.m)) return SP_E_NOT_FINITE;
     sp__qp_start(work, x0, y0);
+    sp__proximal_begin(work, x0 || y0);
     sp__qp_iterate(work, result);
     return SP_OK;
 }
@@ -480,27 +496,65 @@ SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp
     return status;
 }
 
-static sp_status sp__qp_plug_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
-                                   const sp_real *x0, const sp_real *y0, sp_qp_result *result)
+/* The settings, with this method. */
+static const sp_qp_settings *sp__qp_with(const sp_qp_settings *settings, sp_qp_method method, sp_qp_settings *out)
 {
-    (void)self;
-    return sp_qp_solve(qp, settings, arena, x0, y0, result);
+    if (!SP__WITH_QP_INTERIOR) return settings;
+    memcpy(out, settings, sizeof *out);
+    out->method = method;
+    return out;
 }
 
-static sp_status sp__qp_plug_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+static sp_status sp__qp_admm_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                                   const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
+    sp_qp_settings set;
     (void)self;
-    return sp_qp_memory(qp, settings, scratch, bytes);
+    return sp_qp_solve(qp, sp__qp_with(settings, SP_QP_ADMM, &set), arena, x0, y0, result);
+}
+
+static sp_status sp__qp_admm_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    sp_qp_settings set;
+    (void)self;
+    return sp_qp_memory(qp, sp__qp_with(settings, SP_QP_ADMM, &set), scratch, bytes);
 }
 
 SP_API sp_qp_solver sp_qp_admm(void)
 {
     sp_qp_solver s;
     s.self = NULL;
-    s.solve = sp__qp_plug_solve;
-    s.need = sp__qp_plug_need;
+    s.solve = sp__qp_admm_solve;
+    s.need = sp__qp_admm_need;
     return s;
 }
+
+#if SP__WITH_QP_INTERIOR
+static sp_status sp__qp_interior_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
+                                       const sp_real *x0, const sp_real *y0, sp_qp_result *result)
+{
+    sp_qp_settings set;
+    (void)self;
+    return sp_qp_solve(qp, sp__qp_with(settings, SP_QP_INTERIOR, &set), arena, x0, y0, result);
+}
+
+static sp_status sp__qp_interior_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch,
+                                      size_t *bytes)
+{
+    sp_qp_settings set;
+    (void)self;
+    return sp_qp_memory(qp, sp__qp_with(settings, SP_QP_INTERIOR, &set), scratch, bytes);
+}
+
+SP_API sp_qp_solver sp_qp_interior(void)
+{
+    sp_qp_solver s;
+    s.self = NULL;
+    s.solve = sp__qp_interior_solve;
+    s.need = sp__qp_interior_need;
+    return s;
+}
+#endif
 
 #endif
 #endif /* SP__ADMM_C */

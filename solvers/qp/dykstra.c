@@ -111,7 +111,7 @@ static sp_status sp__dykstra_solve(void *self, const sp_qp *qp, const sp_qp_sett
 
 static sp_status sp__dykstra_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
 {
-    return sp__qp_plug_need(self, qp, settings, scratch, bytes);
+    return sp__qp_admm_need(self, qp, settings, scratch, bytes);
 }
 #else
 typedef struct sp__dykstra {

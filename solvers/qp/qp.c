@@ -38,6 +38,17 @@ typedef struct sp__kkt {
 #endif
 } sp__kkt;
 
+#if SP__WITH_QP_INTERIOR
+/* Slacks and multipliers of the bounds, first all l, then all u; s = 0: none (proximal.c). */
+typedef struct sp__proximal {
+    sp_real *s, *y, *c, *v;             /* 2 m, 2 m, 2 m, m: c_t, v as there */
+    sp_real *x, *Y;                     /* n, m: x, y of the best iterate */
+    sp_real best, rho, delta, least;    /* how far off that is; least: of delta */
+    int32_t sides, steps, idle, turn;   /* bounds there are, but for equations; idle: steps since it got better; turn: the
+                                           iteration of ADMM before which it is their turn */
+} sp__proximal;
+#endif
+
 /* How good X, Y are. */
 typedef struct sp__qp_residual {
     sp_real primal, dual, gap, objective;
@@ -64,6 +75,9 @@ struct sp_qp_work {                     /* pointers first: near offsets make sho
     sp__qp_residual residual;           /* of X, Y */
     sp_real c;
     signed char *side;                  /* m, polish: the row is outside its bounds */
+#if SP__WITH_QP_INTERIOR
+    sp__proximal ip;
+#endif
 };
 typedef struct sp_qp_work sp__qp;
 

@@ -270,7 +270,7 @@ static size_t sp__admm_scratch(const sp_problem *pb, const sp_settings *set)
     sp__program_arrays at;
     sp_arena dry = sp__arena_dry();
     const int32_t entries = sp__program_size(pb, set, &qp);
-    const size_t solver = entries < 0 ? 0 : sp__qp_bytes(&qp, entries, sp__program_backend(pb, set, &qp), 0);
+    const size_t solver = entries < 0 ? 0 : sp__qp_bytes(&qp, entries, sp__program_backend(pb, set, &qp), 0, 0);
     if (solver == 0) return 0;
     sp__take(&dry, 1, sizeof(sp__program));
     sp__program_carve(&at, &qp, pb->blocks, entries, &dry);

@@ -89,30 +89,31 @@ without() {                                             # without GONE-REGEX FLA
 }
 tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
 check_switches() {
-    no_qp=$(echo "$core" | grep -vxE 'qp|cg|ldl|ruiz')
+    no_qp=$(echo "$core" | grep -vxE 'qp|proximal|cg|ldl|ruiz')
     no_ipm=$(echo "$core" | grep -vxE 'limit|bracket|sliding')
     no_plan=$(echo "$core" | grep -vxE 'plan|map|spared')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
     part "SP_NO_DYKSTRA: no projections left" without 'dykstra' -DSP_NO_DYKSTRA
+    part "SP_QP_NO_INTERIOR: no interior points left" without 'sp_qp_interior|sp__(proximal_|side_)' -DSP_QP_NO_INTERIOR
     part "SP_NO_IPM: no interior points, no limit left" without 'sp__(ipm|soc|ray_step|bchol_.*balance|bracket|limit|strong_|interior_|engine)|sp_limit|sp_joint_moves' -DSP_NO_IPM
     part "SP_NO_PLAN: no plan, no smaller search left" without 'sp_plan|sp__(plan_(flat|whole|reduces)|flat|check_flat)' -DSP_NO_PLAN
     part "SP_NO_CRA: no coupled check left" without 'sp__(cra|coupled)' -DSP_NO_CRA
     part "SP_NO_STRONG: no motion of strong verdicts left" without 'sp__(holds|starts|sweep|inertia|certify_moving)|sp_strong' -DSP_NO_STRONG
     part "SP_NO_SLIDING: no simplex, no history left" without 'sp__(simplex|band|slab|push|descend|sliding|slide|certify_sliding)|sp_sliding' -DSP_NO_SLIDING
-    part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|cg|ldl)' \
+    part "SP_SMALL: no engine but the smallest left" without 'sp__(polish|penalty|rigid|dense|sparse|yield|admm_|ipm|cra|flat|dual|newton|bchol|island|gates|auglag|proximal_|cg|ldl)' \
         -DSP_SMALL
     part "SP_EXACT_ONLY: no other stage left" without \
         'sp_sequence|sp__(polish|penalty|rigid|dense|sparse|yield|chol_|admm|ipm|cra|flat|dual|newton|bchol|order|island|gates)' \
         -DSP_EXACT_ONLY
     part "SP_NO_QP, SP_NO_CRA: both gone" without 'sp_qp|sp__(qp|cra)' -DSP_NO_QP -DSP_NO_CRA
-    for sw in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_REAL_FLOAT'; do
+    for sw in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' -DSP_QP_NO_INTERIOR '-DSP_QP_NO_CG -DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_QP_NO_INTERIOR -DSP_REAL_FLOAT'; do
         # shellcheck disable=SC2086
-        count "tests of quadratic programs, $sw" tests_without qp $sw
+        count "tests of quadratic programs, $sw" tests_without 'qp proximal' $sw
     done
     for sw_real in '' -DSP_REAL_FLOAT; do
-        count "tests, SP_QP_ONLY $sw_real" tests_without 'qp dykstra chol ldl cg order ruiz' -DSP_QP_ONLY $sw_real
+        count "tests, SP_QP_ONLY $sw_real" tests_without 'qp proximal dykstra chol ldl cg order ruiz' -DSP_QP_ONLY $sw_real
         count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene mesh joint contacts patch matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
     done
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT

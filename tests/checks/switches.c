@@ -177,12 +177,15 @@ static void program(void)
     sp_qp qp = { 0 };
     sp_qp_result result;
     sp_qp_settings settings = sp_qp_default();
-    int polish = SP_OK, cg = SP_OK;
+    int polish = SP_OK, cg = SP_OK, interior = SP_OK;
     qp.n = qp.m = 1;
     qp.Pp = qp.Ap = p;
     qp.Pi = qp.Ai = i;
     qp.Px = qp.Ax = qp.q = qp.u = one;
     qp.l = none;
+#if defined SP_QP_NO_INTERIOR && !defined SP_SMALL
+    interior = SP_E_UNSUPPORTED;
+#endif
 #ifdef SP_QP_NO_POLISH
     polish = SP_E_UNSUPPORTED;
 #endif
@@ -194,6 +197,9 @@ static void program(void)
     expect("program solved", result.status, SP_QP_SOLVED);
     settings.polish = 1;
     expect("polish", sp_qp_solve(&qp, &settings, &arena, NULL, NULL, &result), polish);
+    settings = sp_qp_default();
+    settings.method = SP_QP_INTERIOR;
+    expect("interior points", sp_qp_solve(&qp, &settings, &arena, NULL, NULL, &result), interior);
     settings = sp_qp_default();
     settings.backend = SP_QP_CG;
     expect("matrix-free", sp_qp_solve(&qp, &settings, &arena, NULL, NULL, &result), cg);

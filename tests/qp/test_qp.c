@@ -16,6 +16,12 @@ static const sp_qp_backend all[] = { SP_QP_SPARSE, SP_QP_DENSE,
 };
 enum { BACKENDS = sizeof all / sizeof *all };
 
+#ifdef SP_QP_NO_INTERIOR
+#define LACKS(method) (!TEST_SMALL && (method) == SP_QP_INTERIOR)
+#else
+#define LACKS(method) ((void)(method), 0)
+#endif
+
 #ifdef SP_QP_NO_POLISH                                  /* ADMM by itself: residuals as asked for, no digits beyond, more iterations */
 #define EPS(real, small) TOL(1e-6, small)
 #define EXACT(real, small) TOL(1e-4, 1e-3)
@@ -313,11 +319,11 @@ TEST(a_point_on_a_line_is_found)
         sp_qp_result r;
         NEED(sp_qp_solve(&small, &set, &test_arena, NULL, NULL, &r) == SP_OK);
         CHECK_INT(r.status, SP_QP_SOLVED);
-        CHECK_NEAR(r.x[0], 0.5, EXACT(1e-9, 5e-5));
-        CHECK_NEAR(r.x[1], 1.5, EXACT(1e-9, 5e-5));
+        CHECK_NEAR(r.x[0], 0.5, EXACT(1e-9, 5e-4));
+        CHECK_NEAR(r.x[1], 1.5, EXACT(1e-9, 5e-4));
         CHECK_NEAR(r.objective, 0.25 + 0.25 - 5, EXACT(1e-9, 2e-5));
         CHECK_WITHIN(r.y[1], 0, EXACT(1e-6, 1e-4));       /* x1 is free, so y0 = 2 - 2 x1 = 1, y2 = 4 - 2 x2 - y0 = 0 */
-        CHECK_NEAR(r.y[0], 1, EXACT(1e-6, 1e-4));
+        CHECK_NEAR(r.y[0], 1, EXACT(1e-6, 1e-3));
         CHECK(r.flops > 0 && r.factorisations > 0);
     }
 }
@@ -591,6 +597,7 @@ TEST(warm_start_and_updates_cost_less)
         sp_qp_settings set = with(all[k]);
         sp_qp_work *work;
         sp_qp_result cold, warm, moved;
+        set.method = SP_QP_ADMM;                        /* which keeps its factor; interior points have no use for a guess */
         set.polish = 0;
         make(STRICT);
         NEED(sp_qp_setup(&s.qp, &set, &test_arena, &work) == SP_OK);
@@ -647,10 +654,14 @@ TEST(the_limit_of_iterations_is_told)
     set.polish = 0;
     set.eps_abs = set.eps_rel = R(TOL(1e-14, 1e-7));
     make(LINEAR);
-    set.iterations = 20;
-    NEED(sp_qp_solve(&s.qp, &set, &test_arena, NULL, NULL, &r) == SP_OK);
-    CHECK(r.status == SP_QP_ITERATIONS || r.status == SP_QP_INACCURATE);
-    CHECK_INT(r.iterations, 20);
+    for (int method = SP_QP_ADMM; method <= SP_QP_AUTO; method++) {
+        set.method = (sp_qp_method)method;
+        if (LACKS(set.method)) continue;
+        set.iterations = method == SP_QP_ADMM ? 20 : 4;
+        NEED(sp_qp_solve(&s.qp, &set, &test_arena, NULL, NULL, &r) == SP_OK);
+        CHECK(r.status == SP_QP_ITERATIONS || r.status == SP_QP_INACCURATE);
+        CHECK_INT(r.iterations, set.iterations);
+    }
 }
 
 TEST(same_input_same_bits)
@@ -667,9 +678,10 @@ TEST(same_input_same_bits)
 TEST(plugged_in_our_solver_is_the_same)
 {
     const sp_qp_solver own = sp_qp_admm();
-    const sp_qp_settings set = with(SP_QP_SPARSE);
+    sp_qp_settings set = with(SP_QP_SPARSE);
     size_t bytes = 0, again = 1;
     sp_qp_result a, b;
+    set.method = SP_QP_ADMM;
     make(STRICT);
     NEED(sp_qp_memory(&s.qp, &set, test_arena, &bytes) == SP_OK);
     CHECK_INT(own.need(own.self, &s.qp, &set, test_arena, &again), SP_OK);

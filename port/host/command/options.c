@@ -237,6 +237,7 @@ static int take_solver(options *o, const char *name, const char *value, failure 
 {
     (void)name;
     o->solver_name = value;
+    o->solver_asked = 1;
     if (strcmp(value, "auto") == 0) return 0;           /* chosen when all options are read */
     o->settings.penalty.solver = strcmp(value, "admm") ? &o->solver : NULL;          /* ours: by NULL */
     return solvers_find(value, &o->solver, error);

@@ -29,6 +29,7 @@ typedef struct options {
     sp_real eps;                /* of qp; 0: not given */
     int backend;                /* of qp: an sp_qp_backend */
     const char *solver_name;    /* "admm", ours, unless --solver or the preset of the seed says otherwise; never "auto" */
+    int solver_asked;           /* by --solver */
     sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
     int strong;                 /* of check */

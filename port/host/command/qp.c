@@ -101,8 +101,8 @@ int command_qp(int argc, char **argv)
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: qp needs one QPS file");
     if (!status) status = qps_read(o.file[0], &r.file, &error);
     r.set = sp_qp_default();
-    r.solver_name = o.solver_name;
-    r.solver = o.solver;
+    r.solver_name = o.solver_asked ? o.solver_name : "interior";
+    r.solver = o.solver_asked ? o.solver : sp_qp_interior();
     r.set.iterations = ITERATIONS;
     r.set.adapt_most = ITERATIONS;
     r.set.adapt_factor = 2;

@@ -14,6 +14,7 @@
 /* Who solves quadratic programs: made by `make`, NULL where this build is without it, and what brings it. */
 static const struct { const char *name; sp_qp_solver (*make)(void); const char *install; } solver[] = {
     { "admm", sp_qp_admm, "" },
+    { "interior", sp_qp_interior, "" },
     { "dykstra", sp_qp_dykstra, "" },
 #ifdef WITH_OSQP
     { "osqp", osqp_qp_solver, "" },
@@ -44,7 +45,7 @@ int solvers_find(const char *name, sp_qp_solver *out, failure *error)
         *out = solver[k].make();
         return 0;
     }
-    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs auto, admm, dykstra, osqp or ipopt");
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --solver needs auto, admm, interior, dykstra, osqp or ipopt");
 }
 
 #ifdef WITH_IPOPT

@@ -5,7 +5,7 @@
 #include "../files/failure.h"
 #include "../../ipopt/ipopt_cra.h"
 
-/* The solver of this name: "admm", "dykstra", "osqp" or "ipopt".
+/* The solver of this name: "admm", "interior", "dykstra", "osqp" or "ipopt".
  * returns 0; EXIT_USAGE: no such solver, or it is not in this build, and what to install */
 int solvers_find(const char *name, sp_qp_solver *out, failure *error);
 
