@@ -261,12 +261,13 @@ SP__NOINLINE static int sp__certifier_open(sp__certifier *j, const sp_problem *p
 }
 
 #ifndef SP_SMALL
-/* How many sweeps the certificate check may take to find the scales, out of a budget of flops. */
+/* How many sweeps the certificate check may take to find the scales, out of a budget of flops: 2 at least, though a stage spent
+ * more than it was left, for with fewer there are no scales that a motion could be judged by. */
 static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, int64_t flops)
 {
     if (set->budget <= 0 || pb->points == 0) return INT32_MAX;
     const int64_t sweeps = flops / (SP__FLOPS_CERTIFICATE * (int64_t)pb->points) - 8;
-    return sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
+    return sweeps < 2 ? 2 : sweeps < INT32_MAX ? (int32_t)sweeps : INT32_MAX;
 }
 #endif
 

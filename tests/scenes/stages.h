@@ -78,6 +78,7 @@ static struct plan {
     sp_reason reason;
     sp_status status;
     size_t takes;                                       /* [byte] */
+    int64_t overspends;                                 /* flops beyond what it was left; 0: spends a thousand */
     int runs;
 } plan;
 
@@ -97,7 +98,7 @@ static sp_status custom_run(const sp_problem *problem, const sp_settings *settin
     if (plan.dq)
         for (int32_t k = 0; k < 6 * problem->blocks; k++) state->dq[k] = R((double)plan.dq[k] * plan.value);
     state->reason = plan.reason;
-    state->cost.flops += 1000;
+    state->cost.flops += plan.overspends ? state->left + plan.overspends : 1000;
     state->cost.iterations += 3;
     *claim = plan.claim;
     return plan.status;

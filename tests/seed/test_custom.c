@@ -308,6 +308,31 @@ TEST(a_stage_that_cannot_tell_its_need_says_so)
     CHECK_INT(bytes, 7);
 }
 
+/* A tower of cubes sinks into the ground, says a stage that spends more than it was left. A cube's own weight is a small part of
+ * what it carries: caps by weights alone would prove that forces below twice as much cannot hold it. */
+TEST(a_stage_that_overspends_its_budget_proves_no_fall)
+{
+    static const int64_t over[] = { 1, 5, 9, 10, 11, 20, 1000000 };     /* sweeps of the certificate check */
+    static sp_real down[NUMBERS];
+    for (size_t k = 0; k < sizeof over / sizeof over[0]; k++)
+        for (int paint = 0; paint < 2; paint++) {
+            sp_scene s;
+            sp_result r;
+            test_arena.used = 0;
+            columns(20, 0, &s);
+            sp_settings set = own(SP_STAGE_NONE);
+            set.force_bound = 2;
+            set.budget = 100000000;
+            for (int i = 0; i < 19; i++) down[6 * i + 2] = -1;
+            plan_for(NULL, down, 1, SP_UNSTABLE);
+            plan.overspends = over[k] * 90 * s.count.points;
+            sp_real *left = (sp_real *)(void *)(test_arena.base + (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN);
+            for (int i = 0; i < 20000; i++) left[i] = R(paint);         /* what was in the arena before */
+            CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
+            CHECK_INT(r.verdict, SP_UNDECIDED);
+        }
+}
+
 TEST_LIST(custom)
     RUN(a_stage_that_is_right_is_believed)
     RUN(a_stage_that_lies_with_forces_is_not_believed)
@@ -321,4 +346,5 @@ TEST_LIST(custom)
     RUN(a_stage_without_memory_ends_the_check)
     RUN(a_stage_gets_the_memory_it_needs)
     RUN(a_stage_that_cannot_tell_its_need_says_so)
+    RUN_FULL(a_stage_that_overspends_its_budget_proves_no_fall)
 TEST_END
