@@ -6,6 +6,7 @@
 #include "../scenes/gen.h"
 #include "../scenes/change.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The answer of a scene; sp_sliding_verify proves the same from the evidence alone. */
@@ -69,6 +70,32 @@ static sp_scene bond(int rows)
     found.strength = rough;
     CHECK_INT(sp_contacts_find(&s, &found, test_arena, &report), SP_OK);
     s.body[0] = R(9.80665);
+    return s;
+}
+
+/* A body of weight 1 N on two points of a support in the plane of x and z, normals at so many radians from x; live load q: force
+ * along x and z, moment from x to z. */
+static sp_scene two_points(const double at[2][2], const double angle[2], double mu, const double q[3])
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 2, 2, 1 };
+    const sp_real below[3] = { 0, 0, -9 }, middle[3] = { 0, 0, 0 };
+    const sp_strength rough = sp_strength_friction(R(mu));
+    sp_load load;
+    sp_scene s;
+    test_arena.used = 0;
+    memset(&load, 0, sizeof load);
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 0, below, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, R(1 / 9.80665), middle, 0, NULL), SP_OK);
+    for (int k = 0; k < 2; k++) {
+        const sp_real point[3] = { R(at[k][0]), 0, R(at[k][1]) }, n[3] = { R(cos(angle[k])), 0, R(sin(angle[k])) };
+        CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, point, &rough, NULL), SP_OK);
+    }
+    load.block = load.live = 1;
+    load.force[0] = R(q[0]);
+    load.force[2] = R(q[1]);
+    load.couple[1] = R(-q[2]);
+    CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
     return s;
 }
 

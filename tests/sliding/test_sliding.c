@@ -83,6 +83,36 @@ TEST(a_block_on_a_slope_slides_up_and_down_at_its_closed_form)
     }
 }
 
+/* Two such bodies, all patterns of whose corners were told apart by linear programs: limits .132719 and .836841 with dilatancy,
+ * without it nothing at any multiple >= 0. */
+TEST(a_finite_associative_limit_may_have_no_state_at_all)
+{
+    static const double at[2][2][2] = { { { -0.96, 0.41 }, { -1, 0.01 } }, { { -0.62, 0.65 }, { -0.69, -0.19 } } };
+    static const double angle[2][2] = { { 1.3007963267948965, 0.6307963267948966 }, { 1.1407963267948966, 0.9207963267948965 } };
+    static const double q[2][3] = { { -0.4, -1.09, -1.36 }, { -0.52, 0.16, -0.38 } }, limit[2] = { 0.13271922, 0.83684117 };
+    for (int k = 0; k < 2; k++) {
+        const sp_scene s = two_points(at[k], angle[k], 2, q[k]);
+        const sp_sliding_result r = slide(&s, NULL);
+        if (EXACT) CHECK(fabs((double)r.associative - limit[k]) < 1e-6);
+        CHECK_INT(r.kind, SP_SLIDING_NONE);
+        CHECK_INT(r.reason, SP_SLIDING_NOTHING_FOUND);
+        CHECK(r.upper >= r.associative && r.upper <= r.associative);
+    }
+}
+
+/* Another one: states at .8534 and at 1.998 alone; strong at samples between. So a state says nothing of what lies above it. */
+TEST(a_state_below_multiples_that_are_strong_is_a_state)
+{
+    static const double at[2][2] = { { 0.431, -0.923 }, { 0.786, 0.465 } }, angle[2] = { 2.485, 1.405 };
+    static const double q[3] = { -1.054, -0.657, -0.42 };
+    const sp_scene s = two_points(at, angle, 1, q);
+    const sp_sliding_result r = slide(&s, NULL);
+    if (EXACT) CHECK(fabs((double)r.associative - 1.998) < 2e-3);
+    CHECK_INT(r.kind, SP_SLIDING_STATE);
+    CHECK(fabs((double)r.upper - 0.8534) < 1e-3 || fabs((double)r.upper - 1.998) < 2e-3);
+    CHECK(!(r.lower_strong > 0));
+}
+
 /* Published: .640 (.643 with dilatancy). The state lies below. */
 TEST(a_wall_of_ferris_and_tin_loi_slides_below_its_published_multiple)
 {
@@ -245,6 +275,8 @@ TEST_LIST(sliding)
     RUN(no_state_is_claimed_where_there_is_none)
     RUN(a_beam_held_by_squeezing_alone_slides_at_once)
     RUN(a_block_on_a_slope_slides_up_and_down_at_its_closed_form)
+    RUN(a_finite_associative_limit_may_have_no_state_at_all)
+    RUN(a_state_below_multiples_that_are_strong_is_a_state)
     RUN(a_wall_of_ferris_and_tin_loi_slides_below_its_published_multiple)
     RUN(more_starts_find_no_higher_state)
     RUN(a_state_does_not_depend_on_how_the_scene_is_written)
