@@ -19,6 +19,7 @@ typedef struct reader {
     char *text;
     size_t length, room;
     int32_t *line, lines, line_room;    /* of the JSON, for each line of the text */
+    long edges, whole;                  /* asked for polygons; those that have them */
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------- values */
@@ -440,8 +441,14 @@ static int read_pair(const table *node, text_word key, int32_t pair[2])
     return pair[0] >= 0 && pair[1] >= 0;
 }
 
-/* Every edge, of { a: { b: attributes } } or { "(a, b)": attributes }: writes its joints, or asks whether all have polygons. */
-static int walk_edges(reader *r, const table *node, int writes, int *all)
+static void ask_edge(reader *r, const json_value *edge)
+{
+    r->edges++;
+    r->whole += have_polygons(r, edge);
+}
+
+/* Every edge, of { a: { b: attributes } } or { "(a, b)": attributes }: writes its joints, or asks whether it has polygons. */
+static int walk_edges(reader *r, const table *node, int writes)
 {
     table from, to;
     int status = sort_table(r, r->edge, &from);
@@ -451,14 +458,14 @@ static int walk_edges(reader *r, const table *node, int writes, int *all)
         int32_t pair[2] = { find(node, from.each[i].key), -1 };
         if (joined && !read_pair(node, from.each[i].key, pair)) status = fail(r, from.each[i].value, "an edge of no two nodes");
         else if (joined && writes) status = put_edge(r, node, pair, v);
-        else if (joined) *all &= have_polygons(r, v);
+        else if (joined) ask_edge(r, v);
         if (status || joined) continue;
         status = sort_table(r, v, &to);
         for (int32_t k = 0; k < to.count && !status; k++) {
             pair[1] = find(node, to.each[k].key);
             if (pair[0] < 0 || pair[1] < 0) status = fail(r, to.each[k].value, "an edge of no two nodes");
             else if (writes) status = put_edge(r, node, pair, plain(r, to.each[k].value));
-            else *all &= have_polygons(r, plain(r, to.each[k].value));
+            else ask_edge(r, plain(r, to.each[k].value));
         }
         free(to.each);
     }
@@ -501,7 +508,7 @@ static int read_assembly(reader *r)
 {
     const json_value *list = find_tables(r, &r->tree.value[0]);
     table node = { NULL, 0 };
-    int all = 1, status;
+    int status;
     if (!r->node && is_table(list) && is_table(member(r, list, "vertex")) && member(r, list, "face")) {
         const entry one = { { "0", 1 }, 0, list };
         const table alone = { (entry *)&one, 1 };
@@ -512,8 +519,8 @@ static int read_assembly(reader *r)
     status = sort_table(r, r->node ? r->node : list, &node);
     if (!status && !r->node) status = read_list(r, &node);
     for (int32_t i = 0; r->node && i < node.count && !status; i++) status = read_node(r, &node.each[i]);
-    if (!status && r->edge) status = walk_edges(r, &node, 0, &all);
-    if (!status && r->edge && all) status = walk_edges(r, &node, 1, &all);
+    if (!status && r->edge) status = walk_edges(r, &node, 0);
+    if (!status && r->edge && r->whole == r->edges) status = walk_edges(r, &node, 1);
     free(node.each);
     return status;
 }
@@ -549,6 +556,7 @@ int compas_parse(const char *path, char *text, size_t length, obj_file *file, fa
     else free(r.text);
     if (!status) take_lines(&r, file);
     file->nodes = 1;
+    file->bare_edges = r.whole > 0 ? r.edges - r.whole : 0;
     compas_free(&r.solids);
     free(r.line);
     json_free(&r.tree);

@@ -66,6 +66,7 @@ typedef struct obj_file {
     int32_t strength_line[3], gravity_line;             /* 0: not told */
     int down_told;              /* by gravity or up */
     int nodes;                  /* names are b and the key of a node: compas.h */
+    long bare_edges;            /* of its edges so many have no polygon, while others have: contacts are found anew */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;

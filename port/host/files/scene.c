@@ -363,6 +363,12 @@ scene_settings scene_settings_default(void)
     return set;
 }
 
+static void tell_bare_edges(long n, remarks *told)
+{
+    remarks_add(told, NULL, "%ld edge%s of the model %s no contact polygon: all contacts were found anew", n, n == 1 ? "" : "s",
+                n == 1 ? "has" : "have");
+}
+
 int scene_read(const char *path, const scene_settings *set, host_scene *s, failure *error)
 {
     const host_scene empty = { 0 };
@@ -370,6 +376,7 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
     int status;
     *s = empty;
     status = meshes_is_known(path) ? meshes_read(path, &f, &s->remarks, error) : obj_read(path, &f, error);
+    if (!status && f.bare_edges) tell_bare_edges(f.bare_edges, &s->remarks);
     if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
     if (!status) status = obj_read_beside(&f, error);
     return build_from(&f, status, set, s, error);
