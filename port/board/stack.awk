@@ -9,11 +9,11 @@ BEGIN {
     through["sp__sort_sink"]   = "^sp__[a-z_]+_before$"
     through["sp__run_stage"] = "^sp__(gates|least_squares|dense|polish|exact|admm|penalty)_run$"
     through["sp__stages_need"] = "^sp__(gates|sparse|dense|exact|admm|penalty)_need$"
-    through["sp__admm_run"]    = "^sp__qp_plug_solve$"
-    through["sp__alt_explain"] = "^sp__qp_plug_solve$"
-    through["sp__alt_forces"]  = "^sp__qp_plug_solve$"
-    through["sp__admm_need"]   = "^sp__qp_plug_need$"
-    through["sp__alt_need"]    = "^sp__qp_plug_need$"
+    through["sp__admm_run"]    = "^sp__qp_(admm|interior)_solve$"
+    through["sp__alt_explain"] = "^sp__qp_(admm|interior)_solve$"
+    through["sp__alt_forces"]  = "^sp__qp_(admm|interior)_solve$"
+    through["sp__admm_need"]   = "^sp__qp_(admm|interior)_need$"
+    through["sp__alt_need"]    = "^sp__qp_(admm|interior)_need$"
     through["sp__kkt_walk"]    = "^sp__ldl_(degree|edge|value)$"
     split("sp__watch_stage sp__system_factorisation sp__run_reduced", watches)   # the caller's sp_watch, nothing of ours
     for (k in watches) callers[watches[k]] = 1

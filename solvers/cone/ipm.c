@@ -77,10 +77,10 @@ static void sp__soc_product(const sp__nt *W, const sp_real z[3], const sp_real d
 static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
                               sp_real aim, sp_real h[3])
 {
-    sp_real a[3], b[3];
+    sp_real a[3];
     sp__soc_product(W, z, dx, dz, aim, a);
-    sp__soc_scale(W, a, 0, b);
-    for (int k = 0; k < 3; k++) h[k] = b[k] - x[k];
+    sp__soc_scale(W, a, 0, h);
+    for (int k = 0; k < 3; k++) h[k] -= x[k];
 }
 
 /* Largest s <= most with x + s d in the cone, x inside: the first root of det (x + s d) = a s^2 + 2 b s + c. There is none when

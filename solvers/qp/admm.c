@@ -185,7 +185,7 @@ static void sp__qp_iterate(sp__qp *w, sp_qp_result *out)
     w->cost.limit = w->set.budget > 0 ? w->set.budget - 2 * sp__qp_decide_flops(w) : INT64_MAX / 4;
     do {
         if (sp__proximal_due(w)) {
-            if (sp__proximal_run(w, out)) break;
+            if (sp__proximal_run(w, out) || sp__proximal_finish(w, out)) break;
             sp__qp_start(w, NULL, NULL);
         }
         spent = !sp__qp_advance(w);
@@ -412,7 +412,11 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
     return sp__qp_check(qp, set) == SP_OK ? sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), 0, 0) : 0;
 }
 
-SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+/* sp_qp_memory, sp_qp_setup and sp_qp_solve by this method, whatever the settings say: a copy of those takes much of a stack. */
+#define SP__AS_SET  (-1)
+#define SP__BY_ADMM (SP__WITH_QP_INTERIOR ? (int)SP_QP_ADMM : SP__AS_SET)
+
+static sp_status sp__qp_memory_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena scratch, size_t *bytes)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
     const sp_status status = sp__qp_check(qp, set);
@@ -422,13 +426,18 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
         if (!scratch.base) return SP_E_ARGUMENT;
         if (!sp__qp_open(qp, set, &scratch, &fill)) return SP_E_MEMORY;
     }
-    const size_t need = sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), fill, sp__proximal_used(set));
+    const size_t need = sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), fill, sp__proximal_used(set, method));
     if (need == 0) return SP_E_MEMORY;
     *bytes = need;
     return SP_OK;
 }
 
-SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, sp_qp_work **work)
+SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
+{
+    return sp__qp_memory_by(qp, settings, SP__AS_SET, scratch, bytes);
+}
+
+static sp_status sp__qp_setup_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena *arena, sp_qp_work **work)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
     const sp_status status = sp__qp_check(qp, set);
@@ -438,13 +447,19 @@ SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp
     sp__qp *w = sp__qp_open(qp, set, &a, &fill);
     if (!w) return SP_E_MEMORY;
     if (sp__qp_backend(set) == SP_QP_SPARSE) sp__ldl_carve_factor(&w->kkt.ldl, fill, &a);
-    if (sp__proximal_used(set)) sp__proximal_carve(w, qp, &a);
+    if (sp__proximal_used(set, method)) sp__proximal_carve(w, qp, &a);
     if (sp__failed(&a)) return SP_E_MEMORY;
     if (!sp__finite(w->c) || !sp__qp_numbers(w->D, qp->n) || !sp__qp_numbers(w->E, qp->m)) return SP_E_NOT_FINITE;
     if (!sp__qp_semidefinite(w)) return SP_E_INDEFINITE;
     *arena = a;
     *work = w;
+    sp__proximal_choose(w, method);
     return SP_OK;
+}
+
+SP_API sp_status sp_qp_setup(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, sp_qp_work **work)
+{
+    return sp__qp_setup_by(qp, settings, SP__AS_SET, arena, work);
 }
 
 SP_API sp_status sp_qp_update(sp_qp_work *work, const sp_real *q, const sp_real *l, const sp_real *u)
@@ -483,41 +498,36 @@ SP_API sp_status sp_qp_run(sp_qp_work *work, const sp_real *x0, const sp_real *y
     return SP_OK;
 }
 
-SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
-                             const sp_real *y0, sp_qp_result *result)
+static sp_status sp__qp_solve_by(const sp_qp *qp, const sp_qp_settings *set, int method, sp_arena *arena,
+                                 const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
     sp_qp_work *work;
     sp_arena a;
     if (!arena || !result) return SP_E_ARGUMENT;
     a = *arena;
-    sp_status status = sp_qp_setup(qp, settings, &a, &work);
+    sp_status status = sp__qp_setup_by(qp, set, method, &a, &work);
     if (status == SP_OK) status = sp_qp_run(work, x0, y0, result);
     if (status == SP_OK) *arena = a;
     return status;
 }
 
-/* The settings, with this method. */
-static const sp_qp_settings *sp__qp_with(const sp_qp_settings *settings, sp_qp_method method, sp_qp_settings *out)
+SP_API sp_status sp_qp_solve(const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena, const sp_real *x0,
+                             const sp_real *y0, sp_qp_result *result)
 {
-    if (!SP__WITH_QP_INTERIOR) return settings;
-    memcpy(out, settings, sizeof *out);
-    out->method = method;
-    return out;
+    return sp__qp_solve_by(qp, settings, SP__AS_SET, arena, x0, y0, result);
 }
 
 static sp_status sp__qp_admm_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
                                    const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
-    sp_qp_settings set;
     (void)self;
-    return sp_qp_solve(qp, sp__qp_with(settings, SP_QP_ADMM, &set), arena, x0, y0, result);
+    return sp__qp_solve_by(qp, settings, SP__BY_ADMM, arena, x0, y0, result);
 }
 
 static sp_status sp__qp_admm_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch, size_t *bytes)
 {
-    sp_qp_settings set;
     (void)self;
-    return sp_qp_memory(qp, sp__qp_with(settings, SP_QP_ADMM, &set), scratch, bytes);
+    return sp__qp_memory_by(qp, settings, SP__BY_ADMM, scratch, bytes);
 }
 
 SP_API sp_qp_solver sp_qp_admm(void)
@@ -533,17 +543,15 @@ SP_API sp_qp_solver sp_qp_admm(void)
 static sp_status sp__qp_interior_solve(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena *arena,
                                        const sp_real *x0, const sp_real *y0, sp_qp_result *result)
 {
-    sp_qp_settings set;
     (void)self;
-    return sp_qp_solve(qp, sp__qp_with(settings, SP_QP_INTERIOR, &set), arena, x0, y0, result);
+    return sp__qp_solve_by(qp, settings, SP_QP_INTERIOR, arena, x0, y0, result);
 }
 
 static sp_status sp__qp_interior_need(void *self, const sp_qp *qp, const sp_qp_settings *settings, sp_arena scratch,
                                       size_t *bytes)
 {
-    sp_qp_settings set;
     (void)self;
-    return sp_qp_memory(qp, sp__qp_with(settings, SP_QP_INTERIOR, &set), scratch, bytes);
+    return sp__qp_memory_by(qp, settings, SP_QP_INTERIOR, scratch, bytes);
 }
 
 SP_API sp_qp_solver sp_qp_interior(void)

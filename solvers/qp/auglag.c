@@ -166,6 +166,14 @@ static void sp__auglag_hand_back(sp__qp *w, const sp__auglag *g, sp_real before)
     }
 }
 
+/* The dual residual, relative; -1: it is not finite */
+SP__NOINLINE static sp_real sp__auglag_dual(sp__qp *w)
+{
+    sp__residual dual = { 0, 0, 0, 0, 0 };
+    sp__qp_dual(w, NULL, &dual);
+    return sp__finite(dual.r) ? sp__residual_relative(&dual) : -1;
+}
+
 /* Look for a point within `off` of eps near the iterate, for at most about as much work as was done so far: 1 and X, Y judged,
  * or 0. */
 SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
@@ -179,12 +187,11 @@ SP__NOINLINE static int sp__auglag_run(sp__qp *w, sp_real off)
     sp__qp_unscale(w);
     for (int32_t i = 0; i < w->qp.m; i++) { w->yc[i] = w->Y[i]; w->side[i] = -1; }
     for (int round = 0; round < SP__AUGLAG_ROUNDS && end - w->cost.flops > step && g.idle < SP__AUGLAG_IDLE; round++) {
-        sp__residual dual = { 0, 0, 0, 0, 0 };
         g.moved = sp__auglag_sides(w, &g) > 0;
         g.stale |= g.moved;
-        sp__qp_dual(w, NULL, &dual);
-        if (!sp__finite(dual.r)) return sp__auglag_restore(w, &g);
-        if (sp__residual_relative(&dual) <= g.tol || (g.full && !g.moved)) {
+        const sp_real dual = sp__auglag_dual(w);
+        if (dual < 0) return sp__auglag_restore(w, &g);
+        if (dual <= g.tol || (g.full && !g.moved)) {
             if (sp__auglag_round(w, &g, off)) return sp__auglag_restore(w, &g);
             continue;
         }

@@ -337,9 +337,9 @@ static int sp__proximal_weak(const sp__qp *w)
     return 0;
 }
 
-/* The best point is the result; what is not solved, or has few digits more than asked for, is for the method of multipliers to
- * better.     1: solved */
-static int sp__proximal_finish(sp__qp *w, sp_qp_result *out)
+/* After sp__proximal_run the best point is the result; what is not solved, or has few digits more than asked for, is for the
+ * method of multipliers to better.     1: solved; 0: x, y, z are anything */
+SP__NOINLINE static int sp__proximal_finish(sp__qp *w, sp_qp_result *out)
 {
     const sp_real best = w->ip.best, most = best <= (sp_real)1 ? sp__max(best, SP__PROXIMAL_FEW) : (sp_real)1;
     if (!(best < SP__NEVER)) return 0;
@@ -350,7 +350,7 @@ static int sp__proximal_finish(sp__qp *w, sp_qp_result *out)
     return best <= (sp_real)1;
 }
 
-/* Interior points.     1: decided, with a status; 0: given up, x, y, z are anything */
+/* Interior points.     1: there is no solution, with a certificate; 0: there may be a best point */
 SP__NOINLINE static int sp__proximal_run(sp__qp *w, sp_qp_result *out)
 {
     const int64_t step = sp__proximal_step_flops(w);
@@ -360,14 +360,20 @@ SP__NOINLINE static int sp__proximal_run(sp__qp *w, sp_qp_result *out)
     w->kkt.stale = 1;
     sp__proximal_start(w);
     while (!sp__proximal_look(w, out) && w->ip.steps < most && step <= w->cost.limit - w->cost.flops) sp__proximal_step(w);
-    return out->radius > 0 || sp__proximal_finish(w, out);
+    return out->radius > 0;
 }
 
 /* ------------------------------------------------------------------------------------------------------- their turn */
 
-static int sp__proximal_used(const sp_qp_settings *set)
+/* method: another than that of the settings, -1: that one */
+static int sp__proximal_used(const sp_qp_settings *set, int method)
 {
-    return set->method != SP_QP_ADMM && sp__qp_backend(set) != SP_QP_CG;
+    return (method < 0 ? (int)set->method : method) != SP_QP_ADMM && sp__qp_backend(set) != SP_QP_CG;
+}
+
+static void sp__proximal_choose(sp__qp *w, int method)
+{
+    if (method >= 0) w->set.method = (sp_qp_method)method;
 }
 
 /* Its arrays; w NULL: only counts. */
@@ -383,7 +389,7 @@ static void sp__proximal_carve(sp__qp *w, const sp_qp *qp, sp_arena *a)
 /* A run begins: when is their turn? At once, or after some iterations of ADMM from a guess, which they can't use. */
 static void sp__proximal_begin(sp__qp *w, int guess)
 {
-    w->ip.turn = !sp__proximal_used(&w->set) ? INT32_MAX : guess && w->set.method == SP_QP_AUTO ? SP__PROXIMAL_AFTER : 0;
+    w->ip.turn = !sp__proximal_used(&w->set, -1) ? INT32_MAX : guess && w->set.method == SP_QP_AUTO ? SP__PROXIMAL_AFTER : 0;
     w->ip.best = SP__NEVER;
     w->ip.idle = w->ip.steps = 0;
 }
@@ -403,7 +409,9 @@ static int32_t sp__proximal_steps(const sp__qp *w) { return w->ip.steps; }
 #else
 
 static int sp__proximal_run(sp__qp *w, sp_qp_result *out) { return (void)w, (void)out, 0; }
-static int sp__proximal_used(const sp_qp_settings *set) { return (void)set, 0; }
+static int sp__proximal_finish(sp__qp *w, sp_qp_result *out) { return (void)w, (void)out, 0; }
+static int sp__proximal_used(const sp_qp_settings *set, int method) { return (void)set, (void)method, 0; }
+static void sp__proximal_choose(sp__qp *w, int method) { (void)w; (void)method; }
 static void sp__proximal_carve(sp__qp *w, const sp_qp *qp, sp_arena *a) { (void)w; (void)qp; (void)a; }
 static void sp__proximal_begin(sp__qp *w, int guess) { (void)w; (void)guess; }
 static int sp__proximal_due(const sp__qp *w) { return (void)w, 0; }

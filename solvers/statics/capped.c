@@ -145,10 +145,10 @@ SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real s[5], co
 {
     sp__capped *o = m->capped;
     const sp_real *ds = o->ds, *dz = o->dz, aim = m->sigma * m->mu;
+    sp_real *a = o->dx, *back = o->t;                   /* free until the vertex moves */
     for (int k = 0; k < 5; k++) o->change[k] = -z[k];
     if (!m->corrected) return;
     if (o->cone > 0) {
-        sp_real a[3], back[3];
         sp__soc_product(&o->W, z, ds, dz, aim, a);
         sp__soc_scale(&o->W, a, 1, back);
         for (int k = 0; k < 3; k++) o->change[k] += back[k];
@@ -196,27 +196,38 @@ static sp_real sp__capped_column(sp__capped *o)
     return left + o->lower * o->rest[3] * o->rest[3] + o->upper * o->rest[4] * o->rest[4];
 }
 
-/* One vertex of a pass; u: rates of y, predictor and step. g: what Aeq of the right-hand side has to make up for, or S b. */
-SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+/* Scaling, D and column of a vertex, its rates u by S.     returns 0: that was all, or it is outside */
+SP__NOINLINE static int sp__capped_begin(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     sp__capped *o = m->capped;
-    sp_real *x = m->x + SP__CAPPED * (size_t)v, *s = x + 3, *z = x + 8, *t = o->t, *change = o->change;
-    const sp_real S = m->force_scale * sp__system_scale(w, c), keep = 1 - m->sigma, times = sp__system_multiplicity(w, v);
+    const sp_real *x = m->x + SP__CAPPED * (size_t)v, S = m->force_scale * sp__system_scale(w, c);
     g[0] = g[1] = g[2] = 0;
-    if (!sp__capped_scaling(o, s, z)) { m->outside = 1; return; }
+    if (!sp__capped_scaling(o, x + 3, x + 8)) { m->outside = 1; return 0; }
     for (int k = 0; k < 3; k++) for (int q = 0; q < 3; q++) u[k][q] *= S;
     const sp_real least = sp__capped_column(o);
-    if (m->pass == SP__COLUMN) {
-        o->bend -= times * least;
-        sp__scale3(S, o->b, g);
-        return;
-    }
+    if (m->pass != SP__COLUMN) return 1;
+    o->bend -= sp__system_multiplicity(w, v) * least;
+    sp__scale3(S, o->b, g);
+    return 0;
+}
+
+/* What the rows miss and what resists; from the predicted changes what the right-hand side aims at. */
+SP__NOINLINE static void sp__capped_residuals(sp__ipm *m, const sp_real *x, sp_real u[3][3])
+{
+    sp__capped *o = m->capped;
     sp__capped_slack(o, x, m->tau, o->miss);
-    for (int k = 0; k < 5; k++) o->miss[k] -= s[k];
+    for (int k = 0; k < 5; k++) o->miss[k] -= x[3 + k];
     memcpy(o->resist, u[0], sizeof o->resist);
-    sp__capped_gather(o, z, o->resist);
-    if (m->corrected) sp__capped_predicted(o, z, u[1]);
-    sp__capped_aim(m, s, z);
+    sp__capped_gather(o, x + 8, o->resist);
+    if (m->corrected) sp__capped_predicted(o, x + 8, u[1]);
+}
+
+/* g of a pass that aims, or the step of one that moves. */
+SP__NOINLINE static void sp__capped_move(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    sp__capped *o = m->capped;
+    sp_real *x = m->x + SP__CAPPED * (size_t)v, *t = o->t, *change = o->change;
+    const sp_real S = m->force_scale * sp__system_scale(w, c), keep = 1 - m->sigma, times = sp__system_multiplicity(w, v);
     for (int k = 0; k < 5; k++) o->dz[k] = keep * o->miss[k];
     sp__capped_divide(o, o->dz);
     for (int k = 0; k < 5; k++) change[k] -= o->dz[k];
@@ -235,6 +246,16 @@ SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c,
     sp__capped_divide(o, o->dz);
     for (int k = 0; k < 5; k++) { o->dz[k] = change[k] - o->dz[k]; o->ds[k] += keep * o->miss[k]; }
     sp__capped_go(m, x);
+}
+
+/* One vertex of a pass; u: rates of y, predictor and step. g: what Aeq of the right-hand side has to make up for, or S b. */
+SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+{
+    const sp_real *x = m->x + SP__CAPPED * (size_t)v;
+    if (!sp__capped_begin(w, m, c, v, u, g)) return;
+    sp__capped_residuals(m, x, u);
+    sp__capped_aim(m, x + 3, x + 8);
+    sp__capped_move(w, m, c, v, u, g);
 }
 
 /* x = (1, 0, 0), s = z = e. */
