@@ -25,9 +25,11 @@ bad=0 passed=0
 seeds() {                                               # seeds TARGET: a folder of them
     mkdir -p "$out/seeds/$1"
     case $1 in
-    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/examples/doorway.json tests/scenes/arch.obj "$out/seeds/obj" 2> /dev/null || : ;;
+    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/scenes/arch.obj tests/examples/doorway.json "$out/seeds/obj" \
+             2> /dev/null || : ;;
     qps) cp tests/fuzz/seeds/qps/* "$out/seeds/qps" ;;
-    json) [ ! -x build/stonepack ] || build/stonepack check --json --forces tests/scenes/two-cubes.obj > "$out/seeds/json/two-cubes" || : ;;
+    json) [ ! -x build/stonepack ] ||
+              build/stonepack check --json --forces tests/scenes/two-cubes.obj > "$out/seeds/json/two-cubes" || : ;;
     *) cp tests/fuzz/seeds/scene/* "$out/seeds/$1" ;;
     esac
 }

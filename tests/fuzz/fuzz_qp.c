@@ -87,7 +87,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (int k = 0; k < Ap[n]; k++) most = fmax(most, fabs(Ax[k]));
     for (int row = 0; row < m; row++) {
         long double sum = 0;
-        for (int c = 0; c < n; c++) for (int k = Ap[c]; k < Ap[c + 1]; k++) if (Ai[k] == row) sum += (long double)Ax[k] * r.x[c];
+        for (int c = 0; c < n; c++)
+            for (int k = Ap[c]; k < Ap[c + 1]; k++) if (Ai[k] == row) sum += (long double)Ax[k] * r.x[c];
         const long double below = l[row] > -1e20 && sum < l[row] ? l[row] - sum : 0;        /* 1e20 and beyond is no bound */
         const long double over = u[row] < 1e20 && sum > u[row] ? sum - u[row] : below;
         const sp_real bound = sum < l[row] ? fabs(l[row]) : fabs(u[row]);

@@ -125,7 +125,7 @@ TEST(what_has_no_answer_is_proved_so)
     }
 }
 
-/* A bound that is met but does not push: x1^2 with x1 >= 0. Interior points come near it as a square root only, 1e-3 of eps. */
+/* A bound that is met but does not push: x1^2 with x1 >= 0. Interior points come near it as a square root only. */
 TEST(a_bound_that_does_not_push_is_met_to_the_digits_asked_for)
 {
     static const int32_t p[] = { 0, 1 }, i[] = { 0 };

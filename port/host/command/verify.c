@@ -189,10 +189,10 @@ static int read_rows(const reading *r, const json_value *in, const char *key, in
 {
     const json_value *rows = json_member(&r->tree, in, key);
     int32_t k = 0;
-    if (!rows || rows->kind != JSON_ARRAY) return fail(r, in, "forces or motion of `strong` are missing");
+    if (!rows || rows->kind != JSON_ARRAY) return fail(r, in, "forces or motion are missing");
     for (int32_t i = rows->first; i >= 0; i = r->tree.value[i].next, k++)
         if (k == n || !read_reals(r, &r->tree.value[i], width, x + (size_t)k * (size_t)width)) break;
-    return k == n && count_of(r, rows) == n ? 0 : fail(r, rows, "forces or motion of `strong` are not those of this scene");
+    return k == n && count_of(r, rows) == n ? 0 : fail(r, rows, "forces or motion are not those of this scene");
 }
 
 /* What the evidence of --strong proves. */
