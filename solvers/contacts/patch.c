@@ -102,11 +102,11 @@ static int sp__patch_holds(const sp__touch *t, const sp__patch *p, int32_t f, sp
 static int32_t sp__patch_of(const sp__touch *t, const sp__normals *g, const sp__body *body, int32_t f, sp_real flat)
 {
     const sp_real *n = t->all.normal[f];
-    const int near = 4 * flat * sp__face_round(t, f) * (sp_real)g->side <= t->all.area[f];
+    const int close = 4 * flat * sp__face_round(t, f) * (sp_real)g->side <= t->all.area[f];
     const int32_t x = sp__normals_step(g, n[0]), y = sp__normals_step(g, n[1]), z = sp__normals_step(g, n[2]);
     const int32_t end = g->side - 1;
     int32_t first = t->patches;
-    if (!near || g->side == 1) {
+    if (!close || g->side == 1) {
         for (int32_t p = body->patch; p < t->patches; p++) if (sp__patch_holds(t, &t->all.patch[p], f, flat)) return p;
         return first;
     }

@@ -412,11 +412,12 @@ SP_API size_t sp_qp_memory_scratch(const sp_qp *qp, const sp_qp_settings *settin
     return sp__qp_check(qp, set) == SP_OK ? sp__qp_bytes(qp, sp__qp_entries(qp), sp__qp_backend(set), 0, 0) : 0;
 }
 
-/* sp_qp_memory, sp_qp_setup and sp_qp_solve by this method, whatever the settings say: a copy of those takes much of a stack. */
+/* sp_qp_memory, sp_qp_setup and sp_qp_solve by this method, whatever settings say: a copy of those takes much of a stack. */
 #define SP__AS_SET  (-1)
 #define SP__BY_ADMM (SP__WITH_QP_INTERIOR ? (int)SP_QP_ADMM : SP__AS_SET)
 
-static sp_status sp__qp_memory_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena scratch, size_t *bytes)
+static sp_status sp__qp_memory_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena scratch,
+                                  size_t *bytes)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
     const sp_status status = sp__qp_check(qp, set);
@@ -437,7 +438,8 @@ SP_API sp_status sp_qp_memory(const sp_qp *qp, const sp_qp_settings *settings, s
     return sp__qp_memory_by(qp, settings, SP__AS_SET, scratch, bytes);
 }
 
-static sp_status sp__qp_setup_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena *arena, sp_qp_work **work)
+static sp_status sp__qp_setup_by(const sp_qp *qp, const sp_qp_settings *settings, int method, sp_arena *arena,
+                                 sp_qp_work **work)
 {
     const sp_qp_settings *set = settings ? settings : &sp__qp_usual;
     const sp_status status = sp__qp_check(qp, set);

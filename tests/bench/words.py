@@ -138,7 +138,7 @@ def footprint(text):
              "without any of": ["SP_NO_QP, SP_NO_CRA, SP_NO_IPM, SP_NO_PLAN"], "of that a linker": ["check, interfaces given"],
              "for meshes": ["check, contacts found"], "(`SP_EXACT_ONLY`)": ["smallest check, interfaces given", "smallest check, contacts found"],
              "`sp_verify` alone": ["smallest verification, interfaces given"], "(`SP_QP_ONLY`)": ["SP_QP_ONLY"],
-             "the same without": ["SP_QP_ONLY, no Dykstra, CG, polish"]}
+             "the same without": ["SP_QP_ONLY, no Dykstra, CG, polish, interior points"]}
     found = set()
     for name, *cells in table(text, "| | Cortex-M7, double | Cortex-M4F, float |"):
         key = next((k for k in names if k in name), None)

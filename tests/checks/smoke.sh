@@ -277,9 +277,9 @@ forms() {
     form 9 '' L ' r c 9\n' ' UP b x 0\n' && form 16 '' G ' r c -9\n' ' FX b x 7\n' && form 0 '' G ' r c -9\n' ' MI b x\n' &&
     form 4 '' L ' r c 9\n' ' BV b x\n' && form 0 '' N '' '' || return 1
     sed -i "s/ x o -6 c 1/ M 'MARKER' 'INTORG'\n x o -6 c 1\n M 'MARKER' 'INTEND'/" "$tmp/form.qps"
-    says 'objective 0$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" && grep -q integer "$tmp/warned" || return 1
+    says 'objective \(0\|-\{0,1\}[0-9.]*e-1[0-9]\)$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" && grep -q integer "$tmp/warned" || return 1
     sed -i 's/^ROWS/OBJSENSE\n    MAX\nROWS/; s/ o -6 / o 6 /; s/ x x 2/ x x -2/; s/ o -9/ o 9/' "$tmp/form.qps"
-    says 'objective 0$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" || return 1
+    says 'objective \(0\|-\{0,1\}[0-9.]*e-1[0-9]\)$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" || return 1
     sed -i 's/MAX/MIN/' "$tmp/form.qps"
     exits 65 "$cli" qp "$tmp/form.qps" 2> "$tmp/warned"                        # its curvature is the other way
 }
