@@ -1574,7 +1574,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3788    3592
  *   SP_QP_NO_INTERIOR interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior           4104    4018
  *   SP_QP_ONLY        all that knows of stones                                                       192510  186000
- *   SP_SMALL          all but the smallest form; with SP_NO_CRA, and each SP_QP_NO_ above            169423  163773
+ *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      169423  163773
  *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             185969  179851
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Any may be combined, but

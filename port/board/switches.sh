@@ -39,7 +39,7 @@ table() {                                               # table comment|page
             alone("SP_QP_NO_POLISH", "sp_qp_settings.polish: the last digits, sharper certificates")
             alone("SP_QP_NO_INTERIOR", "interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior")
             alone("SP_QP_ONLY", "all that knows of stones")
-            saved("SP_SMALL", "text: everything, SP_SMALL", "all but the smallest form; with SP_NO_CRA, and each SP_QP_NO_ above")
+            saved("SP_SMALL", "text: everything, SP_SMALL", "all but the smallest form; with SP_NO_CRA; no CG, polish, interior points")
             alone("SP_EXACT_ONLY", "as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN")
             if (as == "comment") {
                 print " *"

@@ -263,6 +263,7 @@ first() {                                               # first FILE: auto is os
     done
     exits 0 "$cli" check --worker 20 --preset seed --stages gates,admm "$tmp/scene.obj"
 }
+zero='\(0\|-\{0,1\}[0-9.]*e-1[0-9]\)'                    # an objective of 0, or of its rounding
 form() {                                                # form OBJECTIVE HEAD ROW RHS-AND-RANGES BOUNDS: of (x - 3)^2, or HEAD
     printf '%b' "NAME form\n$2ROWS\n N o\n $3 c\nCOLUMNS\n x o -6 c 1\nRHS\n r o -9\n$4BOUNDS\n$5QUADOBJ\n x x 2\nENDATA\n" > "$tmp/form.qps"
     says "objective $1\$" "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned"
@@ -270,16 +271,16 @@ form() {                                                # form OBJECTIVE HEAD RO
 forms() {
     free=' FR b x\n'
     form 1 '' L ' r c 2\n' "$free" && form 1 '' G ' r c 4\n' "$free" && form 4 '' E ' r c 5\n' "$free" &&
-    form 0 '' L ' r c 4\nRANGES\n r c 2\n' "$free" && form 1 '' L ' r c 5\nRANGES\n r c -1\n' "$free" &&
+    form "$zero" '' L ' r c 4\nRANGES\n r c 2\n' "$free" && form 1 '' L ' r c 5\nRANGES\n r c -1\n' "$free" &&
     form 1 '' G ' r c 1\nRANGES\n r c -1\n' "$free" && form 1 '' E ' r c 5\nRANGES\n r c -1\n' "$free" &&
     form 0.25 '' E ' r c 3.5\nRANGES\n r c 1\n' "$free" &&
     form 25 '' G ' r c -9\n' ' UP b x -2\n' && form 25 '' G ' r c -9\n' ' LO b x -7\n UP b x -2\n' &&
-    form 9 '' L ' r c 9\n' ' UP b x 0\n' && form 16 '' G ' r c -9\n' ' FX b x 7\n' && form 0 '' G ' r c -9\n' ' MI b x\n' &&
-    form 4 '' L ' r c 9\n' ' BV b x\n' && form 0 '' N '' '' || return 1
+    form 9 '' L ' r c 9\n' ' UP b x 0\n' && form 16 '' G ' r c -9\n' ' FX b x 7\n' && form "$zero" '' G ' r c -9\n' ' MI b x\n' &&
+    form 4 '' L ' r c 9\n' ' BV b x\n' && form "$zero" '' N '' '' || return 1
     sed -i "s/ x o -6 c 1/ M 'MARKER' 'INTORG'\n x o -6 c 1\n M 'MARKER' 'INTEND'/" "$tmp/form.qps"
-    says 'objective \(0\|-\{0,1\}[0-9.]*e-1[0-9]\)$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" && grep -q integer "$tmp/warned" || return 1
+    says "objective $zero\$" "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" && grep -q integer "$tmp/warned" || return 1
     sed -i 's/^ROWS/OBJSENSE\n    MAX\nROWS/; s/ o -6 / o 6 /; s/ x x 2/ x x -2/; s/ o -9/ o 9/' "$tmp/form.qps"
-    says 'objective \(0\|-\{0,1\}[0-9.]*e-1[0-9]\)$' "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" || return 1
+    says "objective $zero\$" "$cli" qp --eps 1e-7 "$tmp/form.qps" 2> "$tmp/warned" || return 1
     sed -i 's/MAX/MIN/' "$tmp/form.qps"
     exits 65 "$cli" qp "$tmp/form.qps" 2> "$tmp/warned"                        # its curvature is the other way
 }
