@@ -11,16 +11,22 @@ enum { FENCE = 64, PAINT = 0x5a };
 typedef struct question {
     const sp_scene *scene;
     const sp_result *checked;
+#ifndef SP_NO_IPM
     const sp_limit_result *limited;
+#endif
     union {
         sp_result check;
         sp_evidence verify;
-        sp_limit_result limit;
         int32_t held;
         sp_sequence *sequence;
         sp_problem problem;
         size_t bytes;
+#ifndef SP_NO_IPM
+        sp_limit_result limit;
+#endif
+#ifndef SP_NO_QP
         sp_qp_result qp;
+#endif
 #ifndef SP_NO_STRONG
         sp_strong_result strong;
 #endif
@@ -31,14 +37,16 @@ typedef sp_status (*call)(question *q, sp_arena *a);
 
 static sp_status ask_check(question *q, sp_arena *a) { return sp_check(q->scene, NULL, a, &q->answer.check); }
 static sp_status ask_verify(question *q, sp_arena *a) { return sp_verify(q->scene, NULL, q->checked, *a, &q->answer.verify); }
+static sp_status ask_sequence(question *q, sp_arena *a) { return sp_sequence_open(q->scene, NULL, a, &q->answer.sequence); }
+static sp_status ask_problem(question *q, sp_arena *a) { return sp_problem_build(q->scene, a, &q->answer.problem); }
+static sp_status ask_memory(question *q, sp_arena *a) { return sp_memory(q->scene, SP_FOR_CHECK, NULL, *a, &q->answer.bytes); }
+#ifndef SP_NO_IPM
 static sp_status ask_limit(question *q, sp_arena *a) { return sp_limit(q->scene, NULL, a, &q->answer.limit); }
 static sp_status ask_held(question *q, sp_arena *a)
 {
     return sp_limit_verify(q->scene, NULL, q->limited, *a, &q->answer.held);
 }
-static sp_status ask_sequence(question *q, sp_arena *a) { return sp_sequence_open(q->scene, NULL, a, &q->answer.sequence); }
-static sp_status ask_problem(question *q, sp_arena *a) { return sp_problem_build(q->scene, a, &q->answer.problem); }
-static sp_status ask_memory(question *q, sp_arena *a) { return sp_memory(q->scene, SP_FOR_CHECK, NULL, *a, &q->answer.bytes); }
+#endif
 #ifndef SP_NO_STRONG
 static sp_status ask_strong(question *q, sp_arena *a)
 {
@@ -47,6 +55,9 @@ static sp_status ask_strong(question *q, sp_arena *a)
 }
 #endif
 
+#ifdef SP_NO_QP
+static sp_status ask_qp(question *q, sp_arena *a) { (void)q; (void)a; return SP_OK; }
+#else
 static sp_status ask_qp(question *q, sp_arena *a)
 {
     static const sp_real x[2] = { 1, 1 }, c[2] = { -1, 2 }, l[1] = { 0 }, u[1] = { 1 };
@@ -55,6 +66,7 @@ static sp_status ask_qp(question *q, sp_arena *a)
     const sp_qp qp = { 2, 1, first, diagonal, p, c, start, rows, x, l, u };
     return sp_qp_solve(&qp, NULL, a, NULL, NULL, &q->answer.qp);
 }
+#endif
 
 /* All capacities up to `most` by `step`, then on until it answers.     returns the least that is enough */
 static size_t sweep(question *q, call ask, size_t most, size_t step)
@@ -79,8 +91,10 @@ static size_t sweep(question *q, call ask, size_t most, size_t step)
 static const struct { const char *what; call ask; sp_memory_for need; int exact; } table[] = {
     { "check", ask_check, SP_FOR_CHECK, 1 }, { "verify", ask_verify, SP_FOR_VERIFY, 0 },
     { "problem", ask_problem, SP_FOR_PROBLEM, 1 },
-    { "limit", ask_limit, SP_FOR_LIMIT, 0 }, { "limit_verify", ask_held, SP_FOR_LIMIT_VERIFY, 0 },
     { "sequence", ask_sequence, SP_FOR_SEQUENCE, 1 },
+#ifndef SP_NO_IPM
+    { "limit", ask_limit, SP_FOR_LIMIT, 0 }, { "limit_verify", ask_held, SP_FOR_LIMIT_VERIFY, 0 },
+#endif
 #ifndef SP_NO_STRONG
     { "strong", ask_strong, SP_FOR_STRONG, 0 },
 #endif
@@ -93,17 +107,19 @@ TEST(every_capacity_is_refused_or_enough)
     for (int s = 0; s < SOME_OF(2, 1); s++) {
         sp_scene scene;
         sp_result r;
-        sp_limit_result limited;
         test_arena.used = 0;
         NEED(gen_make(name[s], NULL, 0, &test_arena, &scene) == SP_OK);
         scene.body[0] = 1;
         NEED(sp_check(&scene, NULL, &test_arena, &r) == SP_OK);
-        NEED(sp_limit(&scene, NULL, &test_arena, &limited) == SP_OK);
         question q;
         memset(&q, 0, sizeof q);
         q.scene = &scene;
         q.checked = &r;
+#ifndef SP_NO_IPM
+        sp_limit_result limited;
+        NEED(sp_limit(&scene, NULL, &test_arena, &limited) == SP_OK);
         q.limited = &limited;
+#endif
         for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
             size_t need = 0;
             NEED(sp_memory(&scene, table[k].need, NULL, test_arena, &need) == SP_OK);

@@ -5,6 +5,11 @@
 
 #ifndef SP_QP_NO_INTERIOR
 enum { N = 30, M = 60 };
+#ifdef SP_QP_NO_POLISH
+enum { LAST_DIGITS = 0 };
+#else
+enum { LAST_DIGITS = 1 };
+#endif
 
 static const sp_real none = R(1e30);
 
@@ -70,7 +75,7 @@ TEST(both_methods_find_the_same_value)
         const sp_qp_result r = asked(&qp, &set);
         CHECK_INT(r.status, SP_QP_SOLVED);
         CHECK_WITHIN(r.objective, want, TOL(1e-6, 1e-3) * (1 + (want < 0 ? -want : want)));
-        CHECK(r.iterations < TOL(60, 120));
+        if (LAST_DIGITS) CHECK(r.iterations < TOL(60, 120));            /* else ADMM finds them after many */
     }
 }
 

@@ -25,11 +25,11 @@ enum { BACKENDS = sizeof all / sizeof *all };
 #ifdef SP_QP_NO_POLISH                                  /* ADMM by itself: residuals as asked for, no digits beyond, more iterations */
 #define EPS(real, small) TOL(1e-6, small)
 #define EXACT(real, small) TOL(1e-4, 1e-3)
-enum { OPEN = 6 };
+enum { OPEN = 6, ADMM_ALONE = 1 };
 #else
 #define EPS(real, small) TOL(real, small)
 #define EXACT(real, small) TOL(real, small)
-enum { OPEN = 2 };
+enum { OPEN = 2, ADMM_ALONE = 0 };
 #endif
 
 typedef enum kind { STRICT, DEGENERATE, LINEAR, SPREAD, REDUNDANT, POINT, EQUALITIES, BOXED, INFEASIBLE, UNBOUNDED, KINDS } kind;
@@ -309,6 +309,7 @@ static sp_qp_settings with(sp_qp_backend backend)
 {
     sp_qp_settings set = sp_qp_default();
     set.backend = backend;
+    if (ADMM_ALONE) set.method = SP_QP_ADMM;
     return set;
 }
 
