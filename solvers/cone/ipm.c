@@ -41,7 +41,7 @@ static void sp__soc_scale(const sp__nt *W, const sp_real v[3], int inverse, sp_r
 {
     const sp_real t = W->w[1] * v[1] + W->w[2] * v[2], s = inverse ? 1 / W->s : W->s;
     const sp_real x = inverse ? -v[0] : v[0], c = x + t / (1 + W->w[0]);
-    o[0] = s * (W->w[0] * v[0] + (inverse ? -t : t));
+    o[0] = s * (inverse ? -(t - W->w[0] * v[0]) : W->w[0] * v[0] + t);      /* so said that gcc at -O3 does not fuse it */
     o[1] = s * (v[1] + W->w[1] * c);
     o[2] = s * (v[2] + W->w[2] * c);
 }

@@ -191,7 +191,7 @@ static void sp__touch_boundary(sp__touch *t, sp__patch *p)
 /* Patches of a block: its faces by plane. Of each patch the first face, of each face the next, where normals were. */
 static void sp__touch_patches(sp__touch *t, sp__body *body, int32_t faces)
 {
-    int32_t *next = (int32_t *)t->all.normal;
+    int32_t *next = (int32_t *)(void *)t->all.normal;
     t->inside.block = 0;
     sp__touch_weld(t);
     sp__touch_group(t, body, faces);

@@ -299,9 +299,10 @@ static int sp__certifier_is_optimal(sp__certifier *j, int last)
 static int sp__certifier_bilateral(sp__certifier *j, const sp_real *y0)
 {
     const size_t n = 6 * (size_t)j->pb->blocks;
+    const sp_real *correction = y0 ? y0 + n : NULL;
     for (int own = !y0; own < 2; own++) {
         sp__certifier_read_hint(j, own ? NULL : y0, j->dual.potential);
-        sp__certifier_read_hint(j, own ? NULL : y0 + n, j->correction);
+        sp__certifier_read_hint(j, own ? NULL : correction, j->correction);
         for (int round = 0; round < 4 && j->sweeps + 2 <= j->sweeps_most; round++) {
             if (!sp__certifier_sums(j)) return 1;
             sp__certifier_scale_rows(j, j->residual);

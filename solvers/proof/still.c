@@ -113,9 +113,9 @@ static void sp__still_direction(int32_t end, int32_t h, sp_real d[2])
         s = s / (2 * half);
         c = half;
         if (!(end >> bit & 1)) continue;
-        const sp_real x = d[0] * c - d[1] * s;
-        d[1] = d[1] * c + d[0] * s;
-        d[0] = x;
+        const sp_real x = d[0], y = d[1];
+        d[0] = -(y * s - x * c);                        /* so said that gcc at -O3 does not fuse it */
+        d[1] = x * s + y * c;
     }
 }
 

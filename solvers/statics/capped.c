@@ -145,10 +145,10 @@ SP__NOINLINE static void sp__capped_aim(const sp__ipm *m, const sp_real s[5], co
 {
     sp__capped *o = m->capped;
     const sp_real *ds = o->ds, *dz = o->dz, aim = m->sigma * m->mu;
-    sp_real *a = o->dx, *back = o->t;                   /* free until the vertex moves */
     for (int k = 0; k < 5; k++) o->change[k] = -z[k];
     if (!m->corrected) return;
     if (o->cone > 0) {
+        sp_real a[3], back[3];
         sp__soc_product(&o->W, z, ds, dz, aim, a);
         sp__soc_scale(&o->W, a, 1, back);
         for (int k = 0; k < 3; k++) o->change[k] += back[k];

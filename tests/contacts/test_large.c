@@ -18,7 +18,7 @@ static void ball(double x, double rough, double flatter)
 {
     static sp_real xyz[VERTICES][3];
     static int32_t size[FACES], corner[3 * FACES];
-    const double pi = acos(-1.0);
+    const double pi = 3.14159265358979323846;
     int32_t n = 0;
     for (int32_t v = 0; v < VERTICES; v++) {
         const int32_t row = v ? 1 + (v - 1) / ROUND : 0;
