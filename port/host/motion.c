@@ -10,6 +10,13 @@ int motion_is_virtual(const sp_result *x)
 
 const sp_real *motion_shown(const sp_result *x) { return motion_is_virtual(x) ? x->coupled.dq : x->dq; }
 
+int motion_is_told(const sp_scene *s, const sp_result *x)
+{
+    if (x->verdict == SP_UNSTABLE || motion_is_virtual(x)) return 1;
+    for (int32_t b = 0; x->verdict == SP_STABLE && x->dq && b < s->count.blocks; b++) if (motion_speed(s, x, b) > 0) return 1;
+    return 0;
+}
+
 double motion_speed(const sp_scene *s, const sp_result *x, int32_t b)
 {
     const sp_real *dq = motion_shown(x) + 6 * (size_t)b;

@@ -7,6 +7,9 @@
 /* Is it the virtual one? */
 int motion_is_virtual(const sp_result *result);
 
+/* Is there any to show? Of what falls, a virtual one, or one that a picture puts into what stands: there dq is else zero. */
+int motion_is_told(const sp_scene *scene, const sp_result *result);
+
 /* Both as 6 x blocks: velocity and spin of each. */
 const sp_real *motion_shown(const sp_result *result);
 

@@ -22,6 +22,8 @@ draw arch-falling arch n=15 t=0.09
 "$cli" gen arch n=20 t=0.15 > build/figures/arch-limit.obj
 "$cli" limit --body 1,0,0 --svg $out/arch-limit.svg build/figures/arch-limit.obj > build/figures/arch-limit.txt
 echo "$out/arch-limit.svg"
+"$cli" check --strong --svg $out/cross-stool.svg $out/cross-stool.obj > build/figures/cross-stool.txt
+echo "$out/cross-stool.svg"
 draw overhang-falling overhang n=6 factor=1.05
 draw wall rubble rows=7 bricks=6
 "$cli" gen arch n=7 t=0.2 > build/figures/steps.obj

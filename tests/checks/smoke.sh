@@ -349,6 +349,10 @@ part "sliding: no pyramid: 64"      exits 64 "$cli" limit --body 1,0,0 --sliding
 gen arch
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
+part "svg of what friction may let go" sh -c "'$cli' check --strong --svg '$tmp/strong.svg' '$here/../bench/figures/cross-stool.obj' > '$tmp/out' && \
+    grep -q 'by another history of its friction it starts to move' '$tmp/strong.svg' && grep -q '>moves<' '$tmp/strong.svg'"
+part "svg of a sliding state"       sh -c "'$cli' gen wall rows=3 bricks=3 | '$cli' limit --body 1,0,0 --sliding real --svg '$tmp/slide.svg' - > '$tmp/out' && \
+    grep -q 'How it slides at 0.714286, its joints without dilatancy' '$tmp/slide.svg' && grep -q 'as it slides' '$tmp/slide.svg'"
 part "svg has an end"               grep -q '</svg>' "$tmp/scene.svg"
 part "svg: seen from the front"       sh -c "'$cli' check --svg '$tmp/front.svg' --view front '$tmp/scene.obj' && '$cli' check --svg '$tmp/zero.svg' \
     --view 0,0 '$tmp/scene.obj' && cmp '$tmp/front.svg' '$tmp/zero.svg' && ! cmp -s '$tmp/front.svg' '$tmp/scene.svg'"

@@ -4,6 +4,9 @@
 #include "../worker/worker_client.h"
 #include "report.h"
 
+#include <math.h>
+#include <stdlib.h>
+
 /* By a worker, this program once more. */
 static int by_worker(report *r, void **memory, failure *error)
 {
@@ -77,13 +80,45 @@ int report_supported(const report *r)
 static int put_svg(FILE *out, const void *of) { return svg_write(out, of); }
 static int put_model(FILE *out, const void *of) { return model_write(out, of); }
 
+/* The motion m, 6 x blocks, becomes the one that is shown, the largest number of it 1.      returns 0: out of memory */
+static int show_motion(report_shown *x, const sp_real *m)
+{
+    const size_t n = 6 * (size_t)x->of.scene->scene.count.blocks;
+    double most = 0;
+    x->dq = malloc(n * sizeof *x->dq + 1);
+    for (size_t k = 0; k < n; k++) most = fmax(most, fabs((double)m[k]));
+    for (size_t k = 0; x->dq && k < n; k++) x->dq[k] = most > 0 ? (sp_real)((double)m[k] / most) : 0;
+    x->result.dq = x->dq;
+    return x->dq != NULL;
+}
+
+int report_show(const report *r, report_shown *x)
+{
+    const subject of = { r->scene, &x->result, r->limit, r->options->view, r->options->names, NULL };
+    x->result = r->result;
+    x->dq = NULL;
+    x->of = of;
+    if (r->strong && r->strong->kind == SP_STRONG_AMBIGUOUS) {
+        x->of.motion = "It stands, and by another history of its friction it starts to move";
+        return show_motion(x, r->strong->a);
+    }
+    if (!r->sliding || r->sliding->kind != SP_SLIDING_STATE) return 1;
+    snprintf(x->words, sizeof x->words, "How it slides at %.6g, its joints without dilatancy", (double)r->sliding->upper);
+    x->of.motion = x->words;
+    x->result.f = r->sliding->f;
+    return show_motion(x, r->sliding->v);
+}
+
 int report_draw(const report *r, failure *error)
 {
     const options *o = r->options;
-    const subject of = { r->scene, &r->result, r->limit, o->view, o->names };
-    int status = drawn_file(o->svg, put_svg, &of, error);
-    if (!status) status = drawn_png(o->png, put_svg, &of, error);
-    return status ? status : drawn_file(o->model, put_model, &of, error);
+    report_shown x;
+    int status = report_show(r, &x) ? 0 : fail_with(error, EXIT_MEMORY, NULL, 0, "can't draw the picture: out of memory");
+    if (!status) status = drawn_file(o->svg, put_svg, &x.of, error);
+    if (!status) status = drawn_png(o->png, put_svg, &x.of, error);
+    if (!status) status = drawn_file(o->model, put_model, &x.of, error);
+    free(x.dq);
+    return status;
 }
 
 int report_exit(sp_verdict verdict)

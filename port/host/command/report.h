@@ -7,6 +7,7 @@
 #include "options.h"
 #include "../files/scene.h"
 #include "solvers.h"
+#include "../picture/subject.h"
 
 /* A check that was made. */
 typedef struct report {
@@ -44,6 +45,17 @@ double report_joint_compression(const report *r);
 
 /* Is any block held, in any direction? */
 int report_supported(const report *r);
+
+/* What pictures show: of an ambiguous scene a motion it has besides rest, of a limit its sliding state, where one is known. */
+typedef struct report_shown {
+    subject of;
+    sp_result result;
+    sp_real *dq;                /* malloc's; NULL: the result's own */
+    char words[80];
+} report_shown;
+
+/* returns 0: out of memory */
+int report_show(const report *r, report_shown *shown);
 
 /* Draw it into the files of --svg, --png and --out-obj, where asked for.             returns 0 or an exit status */
 int report_draw(const report *r, failure *error);

@@ -4,6 +4,7 @@
 #include "report_html.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static void put_controls(FILE *out, int moves)
 {
@@ -77,11 +78,17 @@ static int put_words(FILE *out, const void *of)
 static int put_body(FILE *out, const void *of)
 {
     const report *r = ((const telling *)of)->r;
-    const subject shown = { r->scene, &r->result, r->limit, r->options->view, 0 };
-    put_controls(out, turn_moves(&shown));
-    turn_legend(out, &shown);
-    put_table(out, r);
-    return turn_write(out, &shown);
+    report_shown x;
+    int good = report_show(r, &x);
+    x.of.names = 0;
+    if (good) {
+        put_controls(out, turn_moves(&x.of));
+        turn_legend(out, &x.of);
+        put_table(out, r);
+        good = turn_write(out, &x.of);
+    }
+    free(x.dq);
+    return good;
 }
 
 int report_html(const report *r, report_words *words, failure *error)

@@ -82,7 +82,7 @@ void mechanism_scale(mechanism *m, drawing *d, const sp_result *result, double s
     double probe, rate;
     memset(m, 0, sizeof *m);
     m->result = result;
-    if (result->verdict != SP_UNSTABLE && !motion_is_virtual(result)) return;
+    if (!motion_is_told(d->s, result)) return;
     probe = 1e-3 * size * (motion_is_virtual(result) ? 1 / fmax((double)result->coupled.eta, 1e-300) : 1);
     rate = farthest(m, d->s, probe) / probe;
     if (!(rate > 0)) return;

@@ -101,7 +101,7 @@ static int draw_standing(words *w, picture *p)
     if (!good) return 0;
     if (!forces_draw(&p->f, d, p->deep)) return 0;
     if (!joints_draw_weakest(d, w->weakest, &w->behind)) return 0;
-    if (w->of->limit) joints_draw_mechanism(d, w->of->limit->dq, &w->hinges, &w->slides);
+    if (w->of->limit) joints_draw_mechanism(d, w->of->result->dq, &w->hinges, &w->slides);
     return draw_names(w, p, d, 0);
 }
 

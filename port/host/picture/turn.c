@@ -69,7 +69,7 @@ static void put_pairs(FILE *out, const subject *of)
         fprintf(out, "%s[%ld,%ld]", i ? "," : "", (long)s->joint[i].a, (long)s->joint[i].b);
     fputs("],\n\"h\":[", out);
     for (int32_t i = 0; of->limit && i < s->count.joints; i++) {
-        if (sp_joint_moves(s, of->limit->dq, i, &m) != SP_OK || m.kind != SP_JOINT_HINGE) continue;
+        if (sp_joint_moves(s, of->result->dq, i, &m) != SP_OK || m.kind != SP_JOINT_HINGE) continue;
         fputs(n++ ? ",[" : "[", out);
         put_point(out, m.a, 1);
         put_point(out, m.b, 0);
@@ -111,7 +111,7 @@ static int put_scene(FILE *out, const subject *of, const forces *f, const mechan
 int turn_moves(const subject *of)
 {
     const sp_scene *s = &of->scene->scene;
-    if (of->result->verdict != SP_UNSTABLE && !motion_is_virtual(of->result)) return 0;
+    if (!motion_is_told(s, of->result)) return 0;
     for (int32_t b = 0; b < s->count.blocks; b++) if (motion_speed(s, of->result, b) > 0) return 1;
     return 0;
 }
@@ -142,6 +142,7 @@ void turn_legend(FILE *out, const subject *of)
         fputs("Red: what moves, drawn to ", out);
         page_quantity(out, m.largest, "m");
         fputs(" at most. ", out);
+        if (of->motion) fprintf(out, "%s. ", of->motion);
     }
     fputs(of->limit ? "Violet: hinges. Orange: the joint whose number was pressed.</p>\n"
                     : "Orange: the weakest joint, or the one whose number was pressed.</p>\n", out);

@@ -103,7 +103,8 @@ static void legend_forces(const words *w, double x, double y)
     page_arrow(w->out, a, b, INK_FORCE, 1.7, 8);
     page_label(w->out, x + length + 10, y);
     page_quantity(w->out, force, "N");
-    fputs(w->of->limit ? ", force of a joint at the limit</text>\n"
+    fputs(w->of->limit && w->of->motion ? ", force of a joint as it slides</text>\n"
+          : w->of->limit ? ", force of a joint at the limit</text>\n"
           : w->of->result->verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
           : ", best force that joints can give</text>\n", w->out);
 }
@@ -136,7 +137,8 @@ void words_motion(const words *w, double x, double y)
                               ? "A virtual motion that explains the forces, to "
                               : "A virtual motion that needs such help, to ";
     page_label(w->out, x, y);
-    fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move, drawn to ", w->out);
+    if (w->of->motion) fprintf(w->out, "%s, drawn to ", w->of->motion);
+    else fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move, drawn to ", w->out);
     page_quantity(w->out, w->motion->largest, "m");
     fputs(" at most</text>\n", w->out);
 }
