@@ -422,6 +422,9 @@ check_python() {
     else skip "Python: strategies, a planted mistake" "python3-pytest python3-hypothesis"; fi
     if nm build/asan.o | grep -q __asan_init; then count "Python: tests under ASan and UBSan" py_sanitized; fi
     if have mypy; then part "Python: types" py_types; else skip "Python: types" mypy; fi
+    if /usr/bin/python3 -c 'import em, rosidl_adapter, rosidl_parser' 2> /dev/null; then
+        count "ROS 2: definitions by rosidl, the bridge by the worker" env PYTHONPATH=build/python /usr/bin/python3 -B tests/checks/ros.py
+    else skip "ROS 2: definitions by rosidl, the bridge" "python3-rosidl python3-empy"; fi
 }
 
 # ------------------------------------------------------------------------------------------------- sanitizers, valgrind
