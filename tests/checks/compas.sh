@@ -127,6 +127,66 @@ turned() {
 part "polygons the wrong way round are turned"  turned
 part "convert writes the scene file"            sh -c "'$cli' convert assembly.json > out.obj && '$cli' check --quiet out.obj | grep -q STABLE"
 
+# A problem of compas_dem around the model: problem MU GRAVITY LOADS HELD
+problem() {
+    printf '{"dtype": "compas_dem.problem/Problem", "data": {"model": %s, "contact_properties": {"dtype": "ContactProperties", "data": {
+        "contact_model": {"dtype": "MohrCoulomb", "data": {%s}}, "joint_model": null}}, "boundary_conditions": {"dtype": "B", "data": {
+        "gravity": %s, "g": 5.0, "body_forces": [], "point_loads": [%s], "surface_loads": [], "displacements": [%s]}}}}' \
+        "$(cat model.json)" "$1" "$2" "$3" "$4" > problem.json
+}
+in_scene() { "$cli" convert problem.json | grep -c -e "$1" | grep -qx "$2"; }         # in_scene LINE TIMES
+friction() {
+    problem '"phi": 26.565051177077994, "c": null, "t_c": null, "mu": 0.25' false '' '' && in_scene '^#@ mu 0.25$' 1 &&
+    problem '"phi": 45.0, "c": null, "t_c": null' false '' '' && in_scene '^#@ mu 0.9999999999999' 1 && in_scene '^#@ gravity 0 0 -9.80665' 1 &&
+    "$cli" convert --mu 0.6 problem.json | grep -q '^#@ mu 0.6'
+}
+problem_same() {                                        # friction of a problem: as told by an option
+    problem '"mu": 0.31' false '' ''
+    "$cli" check --json --mu 0.31 model.json | numbers > want
+    "$cli" check --json problem.json | numbers > got
+    cmp want got
+}
+loads() {
+    problem '"mu": 0.5' true '{"block_index": 4, "force": [0, 0, -5000], "moment": null, "point": [0, 0.25, 1], "loading_type": "ramp"},
+        {"block_index": 3, "force": [1, 2, 3], "moment": [4, 5, 6], "point": null}, {"block_index": 5, "force": [1, 0, 0]}' ''
+    in_scene '^#@ gravity 0 0 -5$' 1 && in_scene '^#@ load b4 0 0 -5000 0 0.25 1$' 1 && in_scene '^#@ load b3 0 0 0 4 5 6 couple$' 1 &&
+    in_scene '^#@ load b3 1 2 3 ' 1 && in_scene '^#@ load b5 1 0 0 ' 1 && in_scene '^#@ load ' 4
+}
+held() {                                                # supports are what does not move
+    sed 's/"is_support": true/"is_support": false/g' model.json > free.json
+    mv free.json model.json
+    problem '"mu": 0.84' false '' '{"block_index": 0, "translation": [0.0, 0, 0], "rotation": [0, 0, 0]},
+        {"block_index": 8, "translation": [0, null, 0.0], "rotation": null}'
+    json model < given.obj > model.json
+    in_scene '^#@ fixed$' 1 && in_scene '^#@ fixed x z$' 1
+}
+unread() {
+    problem '"mu": 0.84, "c": 3.0' false '' '{"block_index": 0, "translation": [0.1, 0, 0], "rotation": null}'
+    says 'displacements of the problem were not read' problem.json && says "cohesion and tension .* were not read" problem.json
+}
+boxes() {                                               # courses of boxes, one in a turned frame
+    b() { printf '{"dtype": "compas.geometry/Box", "data": {"frame": {"point": [%s], "xaxis": [%s], "yaxis": [%s]}, "xsize": %s, "ysize": %s, "zsize": %s}}' "$@"; }
+    printf '{"params": {"N": 2}, "curve": {"points": [[0, 0, 0], [1, 0, 0]]}, "courses": [[%s, %s], [%s]]}' \
+        "$(b 0,0,0 1,0,0 0,1,0 1 2 1)" "$(b 2,0,0 0,1,0 -1,0,0 2 1 1)" "$(b 1,0,1 1,0,0 0,1,0 3 2 1)" > courses.json
+    says '3 blocks, 1 free; 2 joints found' --fixed b0,b1 courses.json && says STABLE --fixed b0,b1 courses.json
+}
+part "a problem: its friction"                  friction
+part "a problem: as its model with that friction" problem_same
+part "a problem: gravity and point loads"       loads
+part "a problem: supports of its displacements" held
+part "a problem: what is not read is told"      unread
+part "boxes in courses"                         boxes
+problem '"mu": -1' false '' ''
+part "bad: friction below 0"                    refused 'friction of the contact model is below 0' < problem.json
+problem '"mu": 1' false '{"block_index": 99, "force": [0, 0, 1]}' ''
+part "bad: a load on no block"                  refused 'on a block that is not there' < problem.json
+problem '"mu": 1' false '{"block_index": 1, "force": [0, 0]}' ''
+part "bad: a load of two numbers"               refused 'not three numbers' < problem.json
+printf '[{"frame": {"point": [0, 0, 0], "xaxis": [1, 0, 0]}, "xsize": 1, "ysize": 1, "zsize": 1}]' > box.json
+part "bad: a box without axes"                  refused 'its box has no frame' < box.json
+printf '3D Geometry File Format        7\001\000' > m.3dm
+part "a model of Rhino: what to export"         sh -c "'$cli' check m.3dm 2>&1 | grep -q '^m.3dm:1: byte 0x01: a model of Rhino: export OBJ'"
+
 # ------------------------------------------------------------------------------------------------------------------- bad
 for cut in 1 20 200 2000 9000; do part "cut after $cut bytes" sh -c "head -c $cut assembly.json > cut.json; ! '$cli' check cut.json > out 2> err; \
     [ \$('$cli' check cut.json 2>&1 > /dev/null | wc -l) -eq 1 ] && ! [ -s out ] && '$cli' check cut.json 2> err; [ \$? -eq 65 ]"; done

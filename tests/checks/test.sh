@@ -42,6 +42,7 @@ begin compas sh tests/checks/compas.sh build/stonepack
 if command -v python3 > /dev/null; then
     begin formats python3 -B tests/checks/formats.py build/stonepack
     begin bad_formats python3 -B tests/checks/bad_formats.py build/stonepack
+    begin newcomer python3 -B tests/checks/newcomer.py build/stonepack
 fi
 begin readme sh tests/checks/readme.sh build/stonepack
 
@@ -58,6 +59,7 @@ count "models of COMPAS" end compas
 if command -v python3 > /dev/null; then
     count "models in other forms" end formats
     count "bad models in other forms" end bad_formats
+    count "a newcomer's export" end newcomer
 else
     skip "models in other forms" python3
 fi

@@ -1,24 +1,26 @@
 #include "compas.h"
 #include "compas_mesh.h"
+#include "compas_text.h"
 #include "json_in.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define DEPTH_MAX 16            /* wrappers around a value; tables around the nodes */
+#define ALL_HELD  63            /* bits of x y z rx ry rz */
 
 /* A reading: the JSON, what of it describes the assembly, the blocks so far, and the scene file as it grows. */
 typedef struct reader {
     const char *path;
     failure *error;
     json_tree tree;
-    const json_value *node, *edge, *preset, *blocks, *elements, *materials;
+    const json_value *node, *edge, *preset, *blocks, *elements, *materials, *contact, *conditions;
+    compas_unread unread;
     compas_solids solids;
-    char *text;
-    size_t length, room;
-    int32_t *line, lines, line_room;    /* of the JSON, for each line of the text */
+    compas_text out;
     long edges, whole;                  /* asked for polygons; those that have them */
 } reader;
 
@@ -70,8 +72,10 @@ static const json_value *first(const reader *r, const json_value *v)
     return v && (v->kind == JSON_ARRAY || v->kind == JSON_OBJECT) ? at(r, v->first) : NULL;
 }
 static const json_value *next(const reader *r, const json_value *v) { return at(r, v->next); }
+static int is_single(const reader *r, const json_value *v) { return first(r, v) && !next(r, first(r, v)); }
 
 static int is_true(const json_value *v) { return v && (v->kind == JSON_BOOL || v->kind == JSON_NUMBER) && v->as.number != 0; }
+static const json_value *number(const json_value *v) { return v && v->kind == JSON_NUMBER ? v : NULL; }
 static int is_table(const json_value *v) { return v && v->kind == JSON_OBJECT; }
 
 /* [x, y, z] or { x, y, z }.     returns 0: it is neither */
@@ -159,7 +163,7 @@ static int32_t find(const table *t, text_word key)
 
 /* --------------------------------------------------------------------------------------------------------------- output */
 
-/* Append to the text, whose newline ends a line that stands in the JSON at `at`. */
+/* Append to the text, whose newline ends a line that stands in the JSON at `from`. */
 static int put(reader *r, const json_value *from, const char *format, ...)
 {
     char some[512];
@@ -168,25 +172,7 @@ static int put(reader *r, const json_value *from, const char *format, ...)
     const int n = vsnprintf(some, sizeof some, format, args);
     va_end(args);
     if (n < 0 || (size_t)n >= sizeof some) return fail(r, from, "a name is too long");
-    if (r->length + (size_t)n + 1 > r->room) {
-        const size_t room = 2 * r->room + sizeof some;
-        char *more = realloc(r->text, room);
-        if (!more) return out_of_memory(r);
-        r->text = more;
-        r->room = room;
-    }
-    memcpy(r->text + r->length, some, (size_t)n + 1);
-    r->length += (size_t)n;
-    if (n == 0 || some[n - 1] != '\n') return 0;
-    if (r->lines == r->line_room) {
-        const int32_t room = r->line_room ? 2 * r->line_room : 256;
-        int32_t *more = room > r->line_room ? realloc(r->line, (size_t)room * sizeof *more) : NULL;
-        if (!more) return out_of_memory(r);
-        r->line = more;
-        r->line_room = room;
-    }
-    r->line[r->lines++] = from ? from->line : 1;
-    return 0;
+    return compas_text_add(&r->out, some, (size_t)n, from ? from->line : 1) ? 0 : out_of_memory(r);
 }
 
 /* b and the key: letters, digits, - _ . of it. */
@@ -263,24 +249,58 @@ static int read_frame(reader *r, const json_value *v, double frame[12], const ch
     return 0;
 }
 
-/* A block from its mesh; where: what holds a transformation, or NULL. */
-static int read_mesh(reader *r, const json_value *from, const json_value *block, const json_value *where, const char *name)
+static int is_box(const reader *r, const json_value *v)
 {
-    const json_value *mesh = plain(r, block), *frames[2];
-    double frame[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+    return is_table(v) && member(r, v, "xsize") && member(r, v, "frame");
+}
+
+/* x y z of a box's frame: its point and its axes, the third across the other two. */
+static int read_box_frame(const reader *r, const json_value *box, double point[3], double axis[3][3])
+{
+    const json_value *frame = plain_member(r, box, "frame");
+    const int ok = read_point(r, member(r, frame, "point"), point) && read_point(r, member(r, frame, "xaxis"), axis[0])
+                && read_point(r, member(r, frame, "yaxis"), axis[1]);
+    for (int k = 0; k < 3 && ok; k++)
+        axis[2][k] = axis[0][(k + 1) % 3] * axis[1][(k + 2) % 3] - axis[0][(k + 2) % 3] * axis[1][(k + 1) % 3];
+    return ok;
+}
+
+/* compas.geometry/Box: a frame in its middle and three sizes. */
+static int read_box(reader *r, const json_value *box, const char *name)
+{
+    static const char *const size[] = { "xsize", "ysize", "zsize" };
+    double point[3], axis[3][3];
+    if (!read_box_frame(r, box, point, axis)) return fail(r, box, "block '%s': its box has no frame", name);
+    for (int k = 0; k < 3; k++) {
+        const json_value *c = number(member(r, box, size[k]));
+        if (!c) return fail(r, box, "block '%s': its box has no %s", name, size[k]);
+        for (int i = 0; i < 3; i++) axis[k][i] *= c->as.number / 2;
+    }
+    return compas_add_box(&r->solids, point, axis) ? 0 : out_of_memory(r);
+}
+
+static int read_tables(reader *r, const json_value *mesh, const char *name)
+{
     table vertex = { NULL, 0 };
-    int status;
-    while (mesh && mesh->kind == JSON_ARRAY && first(r, mesh) && !next(r, first(r, mesh))) mesh = plain(r, first(r, mesh));
-    if (!is_table(member(r, mesh, "vertex")) || !is_table(member(r, mesh, "face")))
-        return fail(r, from, "block '%s' has no mesh: vertex and face tables", name);
-    status = sort_table(r, member(r, mesh, "vertex"), &vertex);
+    int status = sort_table(r, member(r, mesh, "vertex"), &vertex);
     if (!status && !compas_begin(&r->solids)) status = out_of_memory(r);
     if (!status) status = read_vertices(r, &vertex, plain(r, either(r, mesh, "default_vertex_attributes", "dva")), name);
     if (!status) status = read_faces(r, &vertex, member(r, mesh, "face"), name);
     free(vertex.each);
-    frames[0] = member(r, where, "transformation");
-    frames[1] = member(r, where, "frame");
-    if (!status && frames[0]) status = read_frame(r, frames[0], frame, name);
+    return status;
+}
+
+/* A block from its mesh; where: what holds a transformation, or NULL. */
+static int read_mesh(reader *r, const json_value *from, const json_value *block, const json_value *where, const char *name)
+{
+    const json_value *mesh = plain(r, block), *moved = member(r, where, "transformation");
+    double frame[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+    int status;
+    while (mesh && mesh->kind == JSON_ARRAY && is_single(r, mesh)) mesh = plain(r, first(r, mesh));
+    if (is_box(r, mesh)) status = read_box(r, mesh, name);
+    else if (is_table(member(r, mesh, "vertex")) && is_table(member(r, mesh, "face"))) status = read_tables(r, mesh, name);
+    else status = fail(r, from, "block '%s' has no mesh: vertex and face tables", name);
+    if (!status && moved) status = read_frame(r, moved, frame, name);
     if (!status) compas_end(&r->solids, frame);
     return status;
 }
@@ -299,11 +319,42 @@ static const json_value *look_up(const reader *r, const json_value *in, const js
     return NULL;
 }
 
-static int put_solid(reader *r, const json_value *from, const char *name, int fixed, double density)
+/* Rates that displacements of the problem hold at 0, x y z and about them, of the block of this key: its bits. What they move
+ * is not read. */
+static int read_held(reader *r, text_word key)
+{
+    static const char *const part[] = { "translation", "rotation" };
+    const json_value *list = plain_member(r, r->conditions, "displacements");
+    int held = 0;
+    for (const json_value *v = first(r, list); v; v = next(r, v)) {
+        const json_value *index = member(r, v, "block_index");
+        char digits[32];
+        const text_word of = index ? named(index, digits) : key;
+        if (!index || of.n != key.n || memcmp(of.s, key.s, key.n)) continue;
+        for (int k = 0; k < 6; k++) {
+            const json_value *rate = first(r, plain_member(r, v, part[k / 3]));
+            for (int i = 0; i < k % 3 && rate; i++) rate = next(r, rate);
+            if (!rate || rate->kind != JSON_NUMBER) continue;
+            held |= 1 << k;
+            r->unread.moves += rate->as.number != 0;
+        }
+    }
+    return held;
+}
+
+static int put_fixed(reader *r, const json_value *from, int held)
+{
+    static const char *const word[] = { "x", "y", "z", "rx", "ry", "rz" };
+    int status = held ? put(r, from, "#@ fixed") : 0;
+    for (int k = 0; k < 6 && held != ALL_HELD && !status; k++) if (held >> k & 1) status = put(r, from, " %s", word[k]);
+    return status || !held ? status : put(r, from, "\n");
+}
+
+static int put_solid(reader *r, const json_value *from, const char *name, int held, double density)
 {
     const compas_solid s = compas_last(&r->solids);
     int status = put(r, from, "o %s\n", name);
-    if (!status && fixed) status = put(r, from, "#@ fixed\n");
+    if (!status) status = put_fixed(r, from, held);
     if (!status && density > 0) status = put(r, from, "#@ density %.17g\n", density);
     for (int32_t v = 0; v < s.vertices && !status; v++)
         status = put(r, from, "v %.17g %.17g %.17g\n", s.xyz[v][0], s.xyz[v][1], s.xyz[v][2]);
@@ -341,21 +392,32 @@ static int read_node(reader *r, const entry *e)
     const int fixed = is_true(either(r, own, "is_support", "is_anchor")) || is_true(member(r, element, "is_support"))
                    || (!told && is_true(member(r, r->preset, "is_support")));
     if (read_mesh(r, e->value, block, element, name)) return r->error->status;
-    return put_solid(r, e->value, name, fixed, density);
+    const int held = read_held(r, e->key);
+    return put_solid(r, e->value, name, fixed ? ALL_HELD : held, density);
 }
 
-/* Blocks of a list, or elements of a model without a graph, by their numbers. */
+static int read_listed(reader *r, const json_value *v, long k)
+{
+    const json_value *inner = plain(r, v), *block = either(r, inner, "geometry", "shape");
+    char name[32];
+    snprintf(name, sizeof name, "b%ld", k);
+    if (read_mesh(r, v, block ? block : v, block ? inner : NULL, name)) return r->error->status;
+    return put_solid(r, v, name, is_true(member(r, inner, "is_support")) ? ALL_HELD : 0, 0);
+}
+
+/* Blocks of a list, or elements of a model without a graph, by their numbers; courses are lists in it. */
 static int read_list(reader *r, const table *list)
 {
-    for (int32_t k = 0; k < list->count; k++) {
-        const json_value *v = list->each[k].value, *inner = plain(r, v);
-        const json_value *block = either(r, inner, "geometry", "shape");
-        char name[32];
-        snprintf(name, sizeof name, "b%ld", (long)k);
-        if (read_mesh(r, v, block ? block : v, block ? inner : NULL, name)) return r->error->status;
-        if (put_solid(r, v, name, is_true(member(r, inner, "is_support")), 0)) return r->error->status;
+    long n = 0;
+    int status = 0;
+    for (int32_t k = 0; k < list->count && !status; k++) {
+        const json_value *v = list->each[k].value, *course = plain(r, v);
+        const int is_course = course && course->kind == JSON_ARRAY && first(r, course) && !is_single(r, course);
+        if (!is_course) status = read_listed(r, v, n++);
+        for (const json_value *b = is_course ? first(r, course) : NULL; b && !status; b = next(r, b))
+            status = read_listed(r, b, n++);
     }
-    return 0;
+    return status;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- contacts */
@@ -473,7 +535,69 @@ static int walk_edges(reader *r, const table *node, int writes)
     return status;
 }
 
+/* -------------------------------------------------------------------------------------------------------------- problem */
+
+/* Friction of all contacts by the problem's Mohr-Coulomb law: mu, or the tangent of phi in degrees. */
+static int put_friction(reader *r)
+{
+    const json_value *law = plain_member(r, r->contact, "contact_model");
+    const json_value *mu = number(member(r, law, "mu")), *phi = number(member(r, law, "phi"));
+    const json_value *c = number(member(r, law, "c")), *t = number(member(r, law, "t_c"));
+    const double value = mu ? mu->as.number : phi ? tan(phi->as.number * acos(-1.0) / 180) : 0;
+    r->unread.strength = (c && c->as.number != 0) || (t && t->as.number != 0);
+    if (!mu && !phi) return 0;
+    if (!(value >= 0)) return fail(r, law, "friction of the contact model is below 0");
+    return put(r, law, "#@ mu %.17g\n", value);
+}
+
+/* g along -z where the problem asks for gravity, and accelerations of all blocks. Weight counts also where it asks for none. */
+static int put_gravity(reader *r)
+{
+    const json_value *g = member(r, r->conditions, "g"), *more = plain_member(r, r->conditions, "body_forces");
+    const int told = is_true(member(r, r->conditions, "gravity")) && number(g);
+    double sum[3] = { 0, 0, told ? -g->as.number : -9.80665 };
+    for (const json_value *v = first(r, more); v; v = next(r, v)) {
+        double a[3];
+        if (!read_point(r, v, a)) return fail(r, v, "a body force is not three numbers");
+        for (int k = 0; k < 3; k++) sum[k] += a[k];
+    }
+    return told || first(r, more) ? put(r, r->conditions, "#@ gravity %.17g %.17g %.17g\n", sum[0], sum[1], sum[2]) : 0;
+}
+
+static int put_load(reader *r, const table *node, const json_value *v)
+{
+    const json_value *index = member(r, v, "block_index");
+    const json_value *point = plain_member(r, v, "point"), *moment = plain_member(r, v, "moment");
+    double f[3], x[3] = { 0, 0, 0 };
+    char digits[32], name[100];
+    const int32_t i = index ? find(node, named(index, digits)) : -1;
+    if (i < 0) return fail(r, v, "a point load is on a block that is not there");
+    if (!read_point(r, member(r, v, "force"), f)) return fail(r, v, "the force of a point load is not three numbers");
+    if ((point || moment) && !read_point(r, point ? point : moment, x)) return fail(r, v, "a point load acts nowhere");
+    return put(r, v, "#@ load %s %.17g %.17g %.17g %.17g %.17g %.17g%s\n", block_name(node->each[i].key, name),
+               f[0], f[1], f[2], x[0], x[1], x[2], point ? "" : " couple");
+}
+
+/* Problem of compas_dem: friction, gravity and point loads. Supports are told with their blocks. */
+static int put_problem(reader *r, const table *node)
+{
+    const json_value *loads = plain_member(r, r->conditions, "point_loads");
+    const json_value *pressed = plain_member(r, r->conditions, "surface_loads");
+    int status = put_friction(r);
+    if (!status) status = put_gravity(r);
+    for (const json_value *v = first(r, loads); v && !status; v = next(r, v)) status = put_load(r, node, v);
+    for (const json_value *v = first(r, pressed); v; v = next(r, v)) r->unread.pressures++;
+    return status;
+}
+
 /* ------------------------------------------------------------------------------------------------------------- whole file */
+
+/* Of lists in lists the first entry that is none: a mesh or a box? */
+static int holds_blocks(const reader *r, const json_value *v)
+{
+    for (int depth = 0; depth < 3 && v && v->kind == JSON_ARRAY; depth++) v = plain(r, first(r, v));
+    return is_box(r, v) || (is_table(v) && is_table(member(r, v, "vertex")) && member(r, v, "face"));
+}
 
 /* Find the tables of the assembly inside graph, network, assembly, model, data.     returns a list of blocks, or NULL */
 static const json_value *find_tables(reader *r, const json_value *v)
@@ -484,6 +608,8 @@ static const json_value *find_tables(reader *r, const json_value *v)
         if (plain_member(r, v, "blocks")) r->blocks = plain_member(r, v, "blocks");
         if (plain_member(r, v, "elements")) r->elements = plain_member(r, v, "elements");
         if (plain_member(r, v, "materials")) r->materials = plain_member(r, v, "materials");
+        if (plain_member(r, v, "contact_properties")) r->contact = plain_member(r, v, "contact_properties");
+        if (plain_member(r, v, "boundary_conditions")) r->conditions = plain_member(r, v, "boundary_conditions");
         r->edge = plain_member(r, v, "edge");
         r->preset = plain(r, either(r, v, "default_node_attributes", "dna"));
         r->node = plain_member(r, v, "node");
@@ -501,6 +627,8 @@ static const json_value *find_tables(reader *r, const json_value *v)
     r->edge = NULL;
     if (r->elements) return r->elements;
     if (r->blocks) return r->blocks;
+    for (const json_value *m = first(r, is_table(v) ? v : NULL); m; m = next(r, m))
+        if (m->kind == JSON_ARRAY && holds_blocks(r, m)) return m;
     return v;
 }
 
@@ -519,6 +647,7 @@ static int read_assembly(reader *r)
     status = sort_table(r, r->node ? r->node : list, &node);
     if (!status && !r->node) status = read_list(r, &node);
     for (int32_t i = 0; r->node && i < node.count && !status; i++) status = read_node(r, &node.each[i]);
+    if (!status && r->node) status = put_problem(r, &node);
     if (!status && r->edge) status = walk_edges(r, &node, 0);
     if (!status && r->edge && r->whole == r->edges) status = walk_edges(r, &node, 1);
     free(node.each);
@@ -528,9 +657,9 @@ static int read_assembly(reader *r)
 /* Lines told of are those of the JSON. */
 static void take_lines(const reader *r, obj_file *f)
 {
-    for (int32_t i = 0; i < f->blocks; i++) f->block[i].line = r->line[f->block[i].line - 1];
-    for (int32_t i = 0; i < f->faces; i++) f->face[i].line = r->line[f->face[i].line - 1];
-    for (int32_t i = 0; i < f->contacts; i++) f->contact[i].line = r->line[f->contact[i].line - 1];
+    for (int32_t i = 0; i < f->blocks; i++) f->block[i].line = r->out.line[f->block[i].line - 1];
+    for (int32_t i = 0; i < f->faces; i++) f->face[i].line = r->out.line[f->face[i].line - 1];
+    for (int32_t i = 0; i < f->contacts; i++) f->contact[i].line = r->out.line[f->contact[i].line - 1];
 }
 
 int compas_is_json(const char *text, size_t length)
@@ -552,13 +681,14 @@ int compas_parse(const char *path, char *text, size_t length, obj_file *file, fa
     memset(text, ' ', mark);                            /* the byte order mark */
     status = json_parse(path, text, length, &r.tree, error);
     if (!status) status = read_assembly(&r);
-    if (!status) status = obj_parse(path, r.text, r.length, file, error);       /* it frees the text */
-    else free(r.text);
+    if (!status) status = obj_parse(path, r.out.text, r.out.length, file, error);       /* it frees the text */
+    else free(r.out.text);
     if (!status) take_lines(&r, file);
     file->nodes = 1;
-    file->bare_edges = r.whole > 0 ? r.edges - r.whole : 0;
+    r.unread.edges = r.whole > 0 ? r.edges - r.whole : 0;
+    file->unread = r.unread;
     compas_free(&r.solids);
-    free(r.line);
+    free(r.out.line);
     json_free(&r.tree);
     return status;
 }

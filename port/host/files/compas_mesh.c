@@ -101,6 +101,24 @@ static double volume(const compas_solid *s)
     return sum;
 }
 
+int compas_add_box(compas_solids *s, const double middle[3], double half[3][3])
+{
+    static const int32_t face[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+                                        { 1, 3, 7, 5 } };      /* bits of a corner: x y z */
+    int ok = compas_begin(s);
+    for (int v = 0; v < 8 && ok; v++) {
+        double x[3];
+        for (int i = 0; i < 3; i++)
+            x[i] = middle[i] + (v & 1 ? 1 : -1) * half[0][i] + (v & 2 ? 1 : -1) * half[1][i] + (v & 4 ? 1 : -1) * half[2][i];
+        ok = compas_add_vertex(s, x);
+    }
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k < 4; k++) ok = ok && compas_add_corner(s, face[i][k]);
+        ok = ok && compas_end_face(s);
+    }
+    return ok;
+}
+
 void compas_end(compas_solids *s, const double frame[12])
 {
     const compas_solid one = compas_last(s);

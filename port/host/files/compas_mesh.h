@@ -25,6 +25,8 @@ int compas_begin(compas_solids *s);
 int compas_add_vertex(compas_solids *s, const double x[3]);
 int compas_add_corner(compas_solids *s, int32_t vertex);
 int compas_end_face(compas_solids *s);
+/* A block that is a box: its middle, and from there half an edge each way. */
+int compas_add_box(compas_solids *s, const double middle[3], double half[3][3]);
 
 /* The block is whole: moved by a frame, 3 x 4 by rows, faces turned outward. */
 void compas_end(compas_solids *s, const double frame[12]);

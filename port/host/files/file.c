@@ -29,6 +29,26 @@ static int make_room(char **text, size_t *room, size_t length, size_t n)
     return 1;
 }
 
+/* Forms of programs that have exports of their own, by how their files begin. */
+static const char *what_export_helps(const char *text, size_t n)
+{
+    static const struct { const char *begins, *says; } form[] = {
+        { "3D Geometry File Format", "a model of Rhino: export OBJ" },
+        { "BLENDER", "a file of Blender: export OBJ" },
+        { "\x28\xb5\x2f\xfd", "compressed, as files of Blender are: export OBJ" },
+        { "AC10", "a drawing of AutoCAD: export STL" },
+        { "\xff\xfe\xff\x0eS", "a model of SketchUp: export OBJ or STL" },
+        { "PK\x03\x04", "compressed: unpack it, or name it .3mf if it is one" },
+        { "\x1f\x8b", "compressed: unpack it" },
+        { "glTF", "a binary glTF: name it .glb" },
+        { "Kaydara FBX Binary", "an FBX file: name it .fbx" } };
+    for (size_t k = 0; k < sizeof form / sizeof *form; k++) {
+        const size_t length = strlen(form[k].begins);
+        if (n >= length && memcmp(text, form[k].begins, length) == 0) return form[k].says;
+    }
+    return "this is no text file";
+}
+
 static int read_all(FILE *in, const char *path, char **text, size_t *length, failure *error)
 {
     enum { CHUNK = 1 << 16 };
@@ -44,7 +64,8 @@ static int read_all(FILE *in, const char *path, char **text, size_t *length, fai
         n = fread(*text + *length, 1, CHUNK, in);
         odd = odd_byte(*text + *length, n, &line);
         if (odd)
-            return fail_with(error, EXIT_SCENE, path, line, "byte 0x%02x: this is no text file", (unsigned)*odd & 255u);
+            return fail_with(error, EXIT_SCENE, path, line, "byte 0x%02x: %s", (unsigned)*odd & 255u,
+                             what_export_helps(*text, *length + n));
         *length += n;
         if (*length > FILE_CAP) return fail_with(error, EXIT_SCENE, path, line, "the file is larger than 1 GiB");
         if (n < CHUNK) break;

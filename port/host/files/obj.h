@@ -51,6 +51,13 @@ typedef struct obj_support {
     int32_t line;
 } obj_support;
 
+/* What of a file of COMPAS is not in the scene. */
+typedef struct compas_unread {
+    long edges;                 /* without a polygon, while others have one: contacts are found anew */
+    long moves, pressures;      /* components of displacements that are not 0; loads on surfaces */
+    int strength;               /* cohesion or tension of the contact model, whose unit is nowhere told */
+} compas_unread;
+
 #define OBJ_BESIDE ".stonepack"          /* behind the path of a model: the file beside it */
 
 /* Lines of the file beside a model are counted below 0. */
@@ -66,7 +73,7 @@ typedef struct obj_file {
     int32_t strength_line[3], gravity_line;             /* 0: not told */
     int down_told;              /* by gravity or up */
     int nodes;                  /* names are b and the key of a node: compas.h */
-    long bare_edges;            /* of its edges so many have no polygon, while others have: contacts are found anew */
+    compas_unread unread;
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;

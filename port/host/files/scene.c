@@ -363,8 +363,13 @@ scene_settings scene_settings_default(void)
     return set;
 }
 
-static void tell_bare_edges(long n, remarks *told)
+static void tell_unread(const compas_unread *u, remarks *told)
 {
+    const long n = u->edges;
+    if (u->moves) remarks_add(told, NULL, "displacements of the problem were not read, only what they hold at rest");
+    if (u->pressures) remarks_add(told, NULL, "surface loads of the problem were not read: 'pressure' lines are such");
+    if (u->strength) remarks_add(told, NULL, "cohesion and tension of the problem's contact model were not read");
+    if (!n) return;
     remarks_add(told, NULL, "%ld edge%s of the model %s no contact polygon: all contacts were found anew", n, n == 1 ? "" : "s",
                 n == 1 ? "has" : "have");
 }
@@ -376,7 +381,7 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
     int status;
     *s = empty;
     status = meshes_is_known(path) ? meshes_read(path, &f, &s->remarks, error) : obj_read(path, &f, error);
-    if (!status && f.bare_edges) tell_bare_edges(f.bare_edges, &s->remarks);
+    if (!status) tell_unread(&f.unread, &s->remarks);
     if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
     if (!status) status = obj_read_beside(&f, error);
     return build_from(&f, status, set, s, error);

@@ -7,7 +7,8 @@
 #define HEAVIEST  2e6                   /* [kg] the heaviest stone ever quarried in one piece: some 1650 t, at Baalbek */
 #define DENSEST   23000.0               /* [kg/m^3] osmium has 22590 */
 #define LIGHTEST  5.0                   /* [kg/m^3] foams begin at some 10: g/cm^3 are below */
-#define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries nothing by pressure */
+#define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries little by pressure */
+#define WEDGED    0.01                  /* but stones of a flat arch rest on each other by as little */
 #define SOME      0.1                   /* share of all area */
 
 static void suspect_supports(const sp_scene *s, remarks *r)
@@ -78,13 +79,13 @@ static void suspect_densities(const sp_scene *s, const char *const *name, remark
     }
 }
 
-/* Share of the area of joints whose normal is along this axis, more or less. */
-static double share_along(const sp_scene *s, int axis)
+/* Share of the area of joints whose normal has more than `least` of itself along this axis. */
+static double share_along(const sp_scene *s, int axis, double least)
 {
     double area = 0, all = 0;
     for (int32_t i = 0; i < s->count.joints; i++) {
         all += (double)s->joint[i].area;
-        if (fabs((double)s->joint[i].n[axis]) > LEVEL) area += (double)s->joint[i].area;
+        if (fabs((double)s->joint[i].n[axis]) > least) area += (double)s->joint[i].area;
     }
     return all > 0 ? area / all : 0;
 }
@@ -92,7 +93,8 @@ static double share_along(const sp_scene *s, int axis)
 /* Y up, taken for z up, as gravity is unless a file tells another: no block rests on another, but would if y were up. */
 static void suspect_direction(const sp_scene *s, remarks *r)
 {
-    if (s->count.joints == 0 || share_along(s, 2) > 0 || share_along(s, 1) < SOME) return;
+    if (s->count.joints == 0 || share_along(s, 2, LEVEL) > 0 || share_along(s, 2, WEDGED) > SOME) return;
+    if (share_along(s, 1, LEVEL) < SOME) return;
     remarks_add(r, "--up y", "no block rests on another: every face that touches stands upright, as if y were up");
 }
 
