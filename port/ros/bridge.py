@@ -108,7 +108,8 @@ def answer_of(message, scene):
         raise Refused("the worker speaks version %d, kind %d, flags %d" % (version, kind, flags))
     body = message[16:-4]
     if kind == ERROR:
-        raise Refused("%s: %s" % (text(c.SP_WORDS_STATUS, struct.unpack_from("<i", body)[0]), body[4:].decode("ascii", "replace")))
+        status = text(c.SP_WORDS_STATUS, struct.unpack_from("<i", body)[0])
+        raise Refused("%s: %s" % (status, body[4:].decode("ascii", "replace")))
     head, n = _HEAD.unpack_from(body), scene._c.count
     f = struct.unpack_from("<%dd" % (3 * n.points), body, _HEAD.size)
     dq = struct.unpack_from("<%dd" % (6 * n.blocks), body, _HEAD.size + 24 * n.points)

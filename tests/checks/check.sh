@@ -248,7 +248,7 @@ check_arm() {
 # The lines that port/board/README.md shows are lines that the boards print.
 board_samples() {
     { make -s robot && make -s regions && make -s -f port/board/board.mk BOARD=m4f REAL=float; } > $out/boards.txt || return 1
-    grep -E '^    ([a-z-]+: (release|hold|stable|[0-9]+ bytes)|wall of 10 )' port/board/README.md | sed 's/^    //' > $out/shown.txt
+    grep -E '^    ([a-z-]+: (release|hold|stable|stands|[0-9]+ bytes)|wall of 10 )' port/board/README.md | sed 's/^    //' > $out/shown.txt
     [ "$(wc -l < $out/shown.txt)" -ge 7 ] || { echo "port/board/README.md shows too few lines"; return 1; }
     while read -r line; do
         grep -qF -- "$line" $out/boards.txt || { echo "not printed: $line"; return 1; }

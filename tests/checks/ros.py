@@ -84,7 +84,7 @@ def class_of(name, spec):
 made = {name: class_of(name, spec) for name, spec in specs.items()}
 for spec in specs.values():
     for field in spec.fields:
-        check("%s is known" % field.type, not field.type.pkg_name or field.type.pkg_name == "geometry_msgs" or field.type.type in made)
+        check("%s is known" % field.type, field.type.pkg_name in (None, "geometry_msgs") or field.type.type in made)
 
 listed = set(re.findall(r'"((?:msg|srv)/\w+\.(?:msg|srv))"', (root / "CMakeLists.txt").read_text()))
 there = {str(p.relative_to(root)) for kind in ("msg", "srv") for p in root.glob("%s/*.%s" % (kind, kind))}
@@ -123,8 +123,8 @@ served = bridge.Bridge(msgs, worker)
 got = call("Check", scene=scene(ground, stone, mu=0.5))
 check("a stone on the ground is stable", got.ok and got.verdict.verdict == msgs.Verdict().verdict + 1 and got.verdict.verified)
 weight = 2400 * 0.4 * 0.2 * 0.15 * 9.80665
-check("its joint carries its weight", len(got.verdict.forces) == 1 and abs(got.verdict.forces[0].force.z - weight) < 1e-6 * weight
-      and abs(got.verdict.forces[0].point.x - 0.2) < 1e-9 and got.verdict.forces[0].a == 0)
+check("its joint carries its weight", len(got.verdict.forces) == 1
+      and abs(got.verdict.forces[0].force.z - weight) < 1e-6 * weight and abs(got.verdict.forces[0].point.x - 0.2) < 1e-9 and got.verdict.forces[0].a == 0)
 got = call("Check", scene=scene(ground, stone, far))
 check("one too far out falls, by name", got.ok and got.verdict.verdict == 2 and got.verdict.falling == ["far"]
       and got.verdict.motion[0].block == 2 and got.verdict.motion[0].linear.z < 0 and got.verdict.final)
@@ -132,8 +132,8 @@ given = scene(msgs.Block(name="a", fixed=True, mass=1.0), msgs.Block(name="b", m
 given.joints = [msgs.Joint(a=0, b=1, points=[Plain(-1, -1, 0), Plain(1, -1, 0), Plain(1, 1, 0), Plain(-1, 1, 0)])]
 given.loads = [msgs.Load(block=1, point=Plain(0, 0, 1), force=Plain(20.0, 0.0, 0.0))]
 got = call("Check", scene=given)
-check("joints, masses and loads that are given", got.ok and got.verdict.verdict == 1 and abs(got.verdict.forces[0].force.x + 20) < 1e-6
-      and abs(got.verdict.forces[0].utilisation - 20 / (0.84 * 98.0665)) < 1e-6)
+check("joints, masses and loads that are given", got.ok and got.verdict.verdict == 1
+      and abs(got.verdict.forces[0].force.x + 20) < 1e-6 and abs(got.verdict.forces[0].utilisation - 20 / (0.84 * 98.0665)) < 1e-6)
 
 # The worker says what the library says, at every forces' bit.
 for name in sorted(pathlib.Path("tests/scenes").glob("*.obj")):
@@ -149,7 +149,8 @@ check("it may be let go of, and is inserted", got.ok and got.release and got.ins
 got = call("Margin", resolution=0.001)
 check("its margin is friction, from both sides", got.ok and got.margin <= 0.5 <= got.refused <= got.margin + 0.0011)
 got = call("Insert", block=far)
-check("one too far out is not, and is not inserted", got.ok and not got.release and not got.inserted and got.verdict.verdict == 2)
+check("one too far out is not, and is not inserted", got.ok and not got.release and not got.inserted
+      and got.verdict.verdict == 2)
 got = call("Insert", block=far, anyway=True)
 check("nor is it when it is inserted all the same", got.ok and not got.release and got.inserted)
 got = call("Margin")
