@@ -106,6 +106,7 @@
 #include "solvers/contacts/pair.c"              /* tolerances of two blocks, the plane they are compared in */
 #include "solvers/contacts/memory.c"            /* what the search takes from an arena */
 #include "solvers/contacts/polygon.c"           /* the polygons that two blocks share, patch against patch */
+#include "solvers/contacts/frame.c"             /* axes along which few boxes of blocks overlap */
 #include "solvers/contacts/sweep.c"             /* a tree of boxes finds the blocks that are near each other */
 #include "solvers/contacts/small_pair.c"        /* the same in the smallest build: hulls, every pair of blocks */
 #include "solvers/contacts/find.c"              /* what touches what, over the whole scene */

@@ -18,7 +18,8 @@
  *              left out
  *
  * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything
- * costs its own pairs and no more. The faces of a block of many stand in such a tree, too, its patches in a grid of normals.
+ * costs its own pairs and no more. Where most boxes overlap they are made anew along a face (frame.c). The faces of a block
+ * of many stand in such a tree, too, its patches in a grid of normals.
  *
  * SP_SMALL takes every face for a patch, and for what the patches of one plane share with a block its convex hull: that carries
  * the same, for a force at a point of it is a sum of forces at its corners. How narrow it is, is asked of the hull, for faces
@@ -56,6 +57,9 @@ typedef struct sp__tree {
     int32_t *leaf;                              /* block of each leaf */
     uint32_t *code;                             /* Morton code of each block */
     sp_real lo[3], hi[3];                       /* box of everything */
+    sp_real axis[3][3];                         /* of the boxes, if they are turned */
+    int32_t turned, tried;                      /* boxes stand along these axes; other axes were asked for */
+    int64_t asked;                              /* pairs of blocks so far */
 } sp__tree;
 
 /* Edges of one patch, of a block; patches of a block. */

@@ -1,4 +1,5 @@
-/* Blocks of many faces are asked by trees, grids and a few outermost corners; each has the bits of all faces. */
+/* Blocks of many faces are asked by trees, grids and a few outermost corners; each has the bits of all faces. Many blocks whose
+ * boxes overlap are asked along a face, and what is found has the bits of all pairs. */
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/base/words.c"
@@ -135,7 +136,69 @@ TEST(a_tree_of_faces_tells_whether_a_block_is_convex)
     }
 }
 
+enum { SLABS = 300 };
+
+/* A box with edges 2 h along the columns of a rotation, about the place o of its axes. */
+static void block_along(double axis[3][3], const double o[3], const double h[3])
+{
+    static const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
+    static const int32_t corner[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
+    sp_real xyz[8][3];
+    for (int v = 0; v < 8; v++) {
+        const int side[3] = { (v + 1) & 2, v & 2, v & 4 };
+        double x[3];
+        for (int c = 0; c < 3; c++) x[c] = o[c] + (side[c] ? h[c] : -h[c]);
+        for (int c = 0; c < 3; c++) xyz[v][c] = R(x[0] * axis[0][c] + x[1] * axis[1][c] + x[2] * axis[2][c]);
+    }
+    const sp_mesh mesh = { 8, 6, xyz[0], size, corner };
+    CHECK_INT(sp_scene_block(&scene, &mesh, R(2400), 0, NULL), SP_OK);
+}
+
+/* Slabs or beams across the diagonal of space, in an order of no kind, and the pairs of them that were asked. */
+static int64_t lean(int beams, int tried)
+{
+    const double a = sqrt(0.5), b = sqrt(1 / 3.0), c = sqrt(1 / 6.0);
+    double axis[3][3] = { { a, -a, 0 }, { c, c, -2 * c }, { b, b, b } };
+    const sp_capacity cap = { SLABS, 8 * SLABS, 6 * SLABS, 24 * SLABS, 4 * SLABS, 16 * SLABS, 0 };
+    test_arena.used = 0;
+    if (!CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK)) return 0;
+    for (int k = 0; k < SLABS; k++) {
+        const int at = k * 7 % SLABS;
+        const double slab[3] = { 4, 4, 0.0625 }, beam[3] = { 0.0625, 0.0625, 4 };
+        const double above[3] = { 0, 0, 0.125 * at }, beside[3] = { 0.125 * (at % 20), 0.125 * (at / 20), 0 };
+        block_along(axis, beams ? beside : above, beams ? beam : slab);
+    }
+    memset(&touch, 0, sizeof touch);
+    touch.scene = &scene;
+    touch.set = sp_contact_settings_default();
+    touch.set.distance = R(1e-5);
+    touch.all.tree.tried = tried;
+    sp__touch_all(&touch, &test_arena);
+    CHECK_INT(touch.status, SP_OK);
+    return touch.all.tree.asked;
+}
+
+TEST(blocks_whose_boxes_all_overlap_are_asked_along_a_face)
+{
+    static sp_joint joint[4 * SLABS];
+    static sp_real corner[16 * SLABS][3];
+    for (int beams = 0; beams < 2; beams++) {
+        const int64_t all = lean(beams, 1), all_joints = scene.count.joints, points = scene.count.points;
+        CHECK_INT(all_joints, beams ? 19 * 15 + 20 * 14 : SLABS - 1);
+        memcpy(joint, scene.joint, (size_t)all_joints * sizeof *joint);
+        memcpy(corner, scene.point, (size_t)points * sizeof *corner);
+        const int64_t asked = lean(beams, 0);
+        CHECK_INT(touch.all.tree.turned, 1);
+        CHECK(all > 10000 && asked < 30 * SLABS);
+        CHECK_INT(scene.count.joints, all_joints);
+        CHECK_INT(scene.count.points, points);
+        CHECK(memcmp(corner, scene.point, (size_t)points * sizeof *corner) == 0);
+        for (int64_t j = 0; j < all_joints; j++) CHECK(joint[j].a == scene.joint[j].a && joint[j].b == scene.joint[j].b);
+    }
+}
+
 TEST_LIST(large)
+    RUN(blocks_whose_boxes_all_overlap_are_asked_along_a_face)
     RUN(a_tree_of_faces_tells_the_depth_of_all_faces)
     RUN(a_few_outermost_corners_tell_the_least_shadow_of_all)
     RUN(a_grid_of_normals_finds_the_first_patch_of_all)
