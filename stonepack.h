@@ -200,11 +200,12 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
 typedef enum sp_words {       /* which enumeration sp_text is asked about */
     SP_WORDS_STATUS = 0, SP_WORDS_QP_STATUS, SP_WORDS_VERDICT, SP_WORDS_LEVEL, SP_WORDS_REASON, SP_WORDS_STAGE, SP_WORDS_EFFECT,
     SP_WORDS_EFFECT_WHY, SP_WORDS_COUPLING, SP_WORDS_COUPLING_REASON, SP_WORDS_PRESENCE, SP_WORDS_HELD_PROOF, SP_WORDS_LIMIT,
-    SP_WORDS_JOINT, SP_WORDS_NBO
+    SP_WORDS_JOINT, SP_WORDS_NBO, SP_WORDS_STRONG, SP_WORDS_STRONG_REASON
 } sp_words;
 
 /* What a value of that enumeration is called, lower case; of a status: one sentence. An unknown value or enumeration is
- * "unknown", with SP_QP_ONLY all from SP_WORDS_VERDICT on. Never NULL; static storage. sp_verdict_text and others call it. */
+ * "unknown", with SP_QP_ONLY all from SP_WORDS_VERDICT on, with SP_NO_STRONG the last two. Never NULL; static storage.
+ * sp_verdict_text and others call it. */
 SP_API const char *sp_text(sp_words of, int32_t value);
 static inline const char *sp_status_text(sp_status status) { return sp_text(SP_WORDS_STATUS, (int32_t)status); }
 
@@ -704,7 +705,11 @@ typedef enum sp_strong_reason {
 typedef struct sp_strong_settings {
     int32_t starts;             /* most starts from which a motion is sought, >= 0; settings.budget is for their flops   256 */
 } sp_strong_settings;
-SP_API sp_strong_settings sp_strong_settings_default(void);
+static inline sp_strong_settings sp_strong_settings_default(void)
+{
+    const sp_strong_settings s = { 256 };
+    return s;
+}
 
 typedef struct sp_strong_result {
     sp_strong_kind kind;
@@ -744,9 +749,11 @@ SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, c
 SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
                                   sp_arena scratch, sp_strong_kind *proved);
 
-/* What they are called. */
-SP_API const char *sp_strong_text(sp_strong_kind kind);
-SP_API const char *sp_strong_reason_text(sp_strong_reason reason);
+static inline const char *sp_strong_text(sp_strong_kind kind) { return sp_text(SP_WORDS_STRONG, (int32_t)kind); }
+static inline const char *sp_strong_reason_text(sp_strong_reason reason)
+{
+    return sp_text(SP_WORDS_STRONG_REASON, (int32_t)reason);
+}
 #endif
 
 #ifndef SP_NO_IPM
@@ -843,7 +850,11 @@ typedef struct sp_sliding_settings {
     int32_t work;               /* 0 .. 1000: so many times the flops of the limit may be spent, at least 1e7            90 */
     uint32_t seed;              /* of the first history, whose joints are alike; others have the next ones                1 */
 } sp_sliding_settings;
-SP_API sp_sliding_settings sp_sliding_settings_default(void);
+static inline sp_sliding_settings sp_sliding_settings_default(void)
+{
+    const sp_sliding_settings s = { 8, 90, 1 };
+    return s;
+}
 
 /* Where one history ends. */
 typedef struct sp_sliding_end {

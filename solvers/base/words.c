@@ -60,6 +60,9 @@
     "accepted\0" SP__LONG_TEXT("centre of mass ") "outside its support\0" "too shallow" SP__LONG_TEXT(" for its height") "\0" \
     "resting face tilted\0" "too near the edge" SP__LONG_TEXT(" of its support") "\0" "unknown"
 
+#define SP__WORDS_STRONG "none\0" "admissible\0" "ambiguous\0" "strong at these corners\0" "strong\0" "unknown"
+#define SP__WORDS_STRONG_REASON "does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" "unknown"
+
 /* The k-th of `count` zero-terminated words that follow each other, of others the one behind the last. No table of pointers, so
  * nothing to relocate. */
 static const char *sp__word(const char *words, int32_t k, int32_t count)
@@ -74,7 +77,7 @@ static const char *sp__word(const char *words, int32_t k, int32_t count)
 
 SP_API const char *sp_text(sp_words of, int32_t value)
 {
-    if (!SP__WITH_STONES && of > SP_WORDS_QP_STATUS) return "unknown";
+    if ((!SP__WITH_STONES && of > SP_WORDS_QP_STATUS) || (!SP__WITH_STRONG && of > SP_WORDS_NBO)) return "unknown";
     switch (of) {
     case SP_WORDS_STATUS: return sp__word(SP__WORDS_STATUS, -value, 17);
     case SP_WORDS_QP_STATUS: return sp__word(SP__WORDS_QP_STATUS, value, 7);
@@ -91,6 +94,8 @@ SP_API const char *sp_text(sp_words of, int32_t value)
     case SP_WORDS_LIMIT: return sp__word(SP__WORDS_LIMIT, value, 4);
     case SP_WORDS_JOINT: return sp__word(SP__WORDS_JOINT, value, 4);
     case SP_WORDS_NBO: return sp__word(SP__WORDS_NBO, value, 5);
+    case SP_WORDS_STRONG: return sp__word(SP__WORDS_STRONG, value, 5);
+    case SP_WORDS_STRONG_REASON: return sp__word(SP__WORDS_STRONG_REASON, value, 6);
     }
     return "unknown";
 }

@@ -195,12 +195,6 @@ static void sp__sliding_decide(sp__sliding *s, const sp_sliding_settings *how, s
     if (r->kind == SP_SLIDING_STATE) r->reason = SP_SLIDING_FOUND;
 }
 
-SP_API sp_sliding_settings sp_sliding_settings_default(void)
-{
-    const sp_sliding_settings s = { 8, 90, 1 };
-    return s;
-}
-
 /* What a result keeps. */
 typedef struct sp__sliding_kept {
     sp_sliding_end *end;

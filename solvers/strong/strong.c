@@ -2,23 +2,11 @@
 #ifndef SP__STRONG_STRONG_C
 #define SP__STRONG_STRONG_C
 
-#include "../base/words.c"
 #include "../check/settings.c"
 #include "cases.c"
 #include "starts.c"
 
 #if SP__WITH_STRONG
-
-SP_API const char *sp_strong_text(sp_strong_kind kind)
-{
-    return sp__word("none\0" "admissible\0" "ambiguous\0" "strong at these corners\0" "strong\0" "unknown", (int32_t)kind, 5);
-}
-
-SP_API const char *sp_strong_reason_text(sp_strong_reason reason)
-{
-    return sp__word("does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" "unknown",
-                    (int32_t)reason, 6);
-}
 
 /* What sp_strong works on, in the arena. */
 typedef struct sp__holds {
@@ -135,12 +123,6 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
         r->reason = SP_STRONG_CASES;
         r->plate = kind == SP_STRONG_STRONG;
     } else r->proof.nodes = r->proof.leaves = r->proof.entries = 0;
-}
-
-SP_API sp_strong_settings sp_strong_settings_default(void)
-{
-    const sp_strong_settings s = { 256 };
-    return s;
 }
 
 /* The question, its problem and what judges: shared by the search and sp_strong_verify. */

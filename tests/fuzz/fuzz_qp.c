@@ -1,4 +1,4 @@
-/* sp_qp_solve, three back ends, wild numbers: memory as told, no NaN, what is called solved is feasible. */
+/* sp_qp_solve, every method and back end, wild numbers: memory as told, no NaN, what is called solved is feasible. */
 #include "fuzz.h"
 #include "../../stonepack.h"
 
@@ -33,66 +33,122 @@ static void matrix(int rows, int columns, int upper, int32_t *p, int32_t *i, sp_
     p[columns] = n;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
-{
-    if (size < 8 || size > 300) return 0;
-    at = data; left = size;
-    const int n = 1 + (int)(next() % N), m = (int)(next() % M);
-    const unsigned mode = next(), how = next();
+/* A problem: its numbers, and what is asked of the calls. */
+typedef struct drawn {
+    int n, m;
+    unsigned mode, how;
     int32_t Pp[N + 1], Pi[N * N], Ap[N + 1], Ai[M * N];
     sp_real Px[N * N], Ax[M * N], q[N], l[M], u[M];
-    matrix(n, n, 1, Pp, Pi, Px);
-    matrix(m, n, 0, Ap, Ai, Ax);
-    for (int k = 0; k < n; k++) q[k] = number();
-    for (int k = 0; k < m; k++) {
+    sp_qp qp;
+    sp_qp_settings set;
+} drawn;
+
+static void bounds(drawn *d)
+{
+    for (int k = 0; k < d->m; k++) {
         const sp_real a = number(), b = number();
         const unsigned open = next();
-        l[k] = open & 1 ? (sp_real)-1e20 : a < b ? a : b;
-        u[k] = open & 2 ? (sp_real)1e20 : open & 4 && !(open & 1) ? l[k] : a < b ? b : a;
+        d->l[k] = open & 1 ? (sp_real)-1e20 : a < b ? a : b;
+        d->u[k] = open & 2 ? (sp_real)1e20 : open & 4 && !(open & 1) ? d->l[k] : a < b ? b : a;
     }
-    const sp_qp qp = { n, m, mode & 4 ? NULL : Pp, mode & 4 ? NULL : Pi, mode & 4 ? NULL : Px, q, m ? Ap : NULL, m ? Ai : NULL,
-                       m ? Ax : NULL, l, u };
-    sp_qp_settings set = sp_qp_default();
-    set.backend = (sp_qp_backend)(how % 3);
-    set.polish = how >> 2 & 1;
-    set.strict = how >> 3 & 1;
-    set.iterations = 300;
-    if (how & 16) set.budget = 1000 * (int64_t)(how >> 4);
-    sp_arena a, scratch;
-    sp_qp_result r;
+}
+
+static void ask(drawn *d)
+{
+    static const sp_qp_method methods[4] = { SP_QP_AUTO, SP_QP_ADMM, SP_QP_INTERIOR, SP_QP_AUTO };
+    d->set = sp_qp_default();
+    d->set.method = methods[d->mode >> 5 & 3];
+    d->set.backend = (sp_qp_backend)(d->how % 3);
+    d->set.polish = d->how >> 2 & 1;
+    d->set.strict = d->how >> 3 & 1;
+    d->set.iterations = 300;
+    if (d->how & 16) d->set.budget = 1000 * (int64_t)(d->how >> 4);
+}
+
+static void draw(drawn *d)
+{
+    d->n = 1 + (int)(next() % N);
+    d->m = (int)(next() % M);
+    d->mode = next();
+    d->how = next();
+    matrix(d->n, d->n, 1, d->Pp, d->Pi, d->Px);
+    matrix(d->m, d->n, 0, d->Ap, d->Ai, d->Ax);
+    for (int k = 0; k < d->n; k++) d->q[k] = number();
+    bounds(d);
+    const int linear = d->mode & 4 ? 1 : 0, free = d->m ? 0 : 1;
+    const sp_qp qp = { d->n, d->m, linear ? NULL : d->Pp, linear ? NULL : d->Pi, linear ? NULL : d->Px, d->q,
+                       free ? NULL : d->Ap, free ? NULL : d->Ai, free ? NULL : d->Ax, d->l, d->u };
+    d->qp = qp;
+    ask(d);
+}
+
+/* How many bytes sp_qp_solve wants, told within exactly the scratch it asked for; 0: the problem is refused or too large. */
+static size_t memory(const drawn *d)
+{
+    sp_arena scratch;
     size_t bytes = 0;
     sp_arena_init(&scratch, more, sizeof more);
-    HOLDS(sp_qp_memory_scratch(&qp, &set) <= sizeof more, "scratch");
-    scratch.capacity = sp_qp_memory_scratch(&qp, &set);
-    sp_status status = sp_qp_memory(&qp, &set, scratch, &bytes);
+    HOLDS(sp_qp_memory_scratch(&d->qp, &d->set) <= sizeof more, "scratch");
+    scratch.capacity = sp_qp_memory_scratch(&d->qp, &d->set);
+    const sp_status status = sp_qp_memory(&d->qp, &d->set, scratch, &bytes);
     HOLDS(status != SP_E_MEMORY, "scratch is not enough");
-    if (status || bytes > sizeof room) return 0;
+    return status || bytes > sizeof room ? 0 : bytes;
+}
+
+/* With one byte less it refuses and touches neither arena nor result. */
+static void refused(const drawn *d, size_t bytes)
+{
+    sp_arena a;
+    sp_qp_result r;
     sp_arena_init(&a, room, sizeof room);
     a.capacity = bytes - 1;
     memset(&r, 0x5a, sizeof r);
-    if (mode & 16) {
-        status = sp_qp_solve(&qp, &set, &a, NULL, NULL, &r);
-        HOLDS(status != SP_OK && a.used == 0, "one byte less: status %d", (int)status);
-        for (size_t k = 0; k < sizeof r; k++) HOLDS(((unsigned char *)&r)[k] == 0x5a, "byte %zu is touched", k);
+    const sp_status status = sp_qp_solve(&d->qp, &d->set, &a, NULL, NULL, &r);
+    HOLDS(status != SP_OK && a.used == 0, "one byte less: status %d", (int)status);
+    for (size_t k = 0; k < sizeof r; k++) HOLDS(((unsigned char *)&r)[k] == 0x5a, "byte %zu is touched", k);
+}
+
+static void numbers(const drawn *d, const sp_qp_result *r)
+{
+    for (int k = 0; k < d->n; k++) HOLDS(isfinite(r->x[k]), "x");
+    for (int k = 0; k < d->m; k++) HOLDS(isfinite(r->y[k]), "y");
+    HOLDS(!isnan(r->objective) && !isnan(r->primal) && !isnan(r->dual) && !isnan(r->gap), "status %d", (int)r->status);
+}
+
+/* l <= A x <= u within ten times what was asked; 1e20 and beyond is no bound. */
+static void feasible(const drawn *d, const sp_qp_result *r)
+{
+    sp_real most = 0, far = 0;
+    for (int k = 0; k < d->n; k++) far = fmax(far, fabs(r->x[k]));
+    for (int k = 0; k < d->Ap[d->n]; k++) most = fmax(most, fabs(d->Ax[k]));
+    for (int row = 0; row < d->m; row++) {
+        const sp_real l = d->l[row], u = d->u[row];
+        long double sum = 0;
+        for (int c = 0; c < d->n; c++)
+            for (int k = d->Ap[c]; k < d->Ap[c + 1]; k++) if (d->Ai[k] == row) sum += (long double)d->Ax[k] * r->x[c];
+        const long double below = l > -1e20 && sum < l ? l - sum : 0;
+        const long double over = u < 1e20 && sum > u ? sum - u : below;
+        const sp_real bound = sum < l ? fabs(l) : fabs(u);
+        HOLDS(over <= 10 * (d->set.eps_abs + d->set.eps_rel * (most * far + bound)), "row %d by %Lg", row, over);
     }
-    a.capacity = bytes;
-    status = sp_qp_solve(&qp, &set, &a, NULL, NULL, &r);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static drawn d;
+    sp_arena a;
+    sp_qp_result r;
+    if (size < 8 || size > 300) return 0;
+    at = data; left = size;
+    draw(&d);
+    const size_t bytes = memory(&d);
+    if (!bytes) return 0;
+    if (d.mode & 16) refused(&d, bytes);
+    sp_arena_init(&a, room, bytes);
+    const sp_status status = sp_qp_solve(&d.qp, &d.set, &a, NULL, NULL, &r);
     HOLDS(status != SP_E_MEMORY, "%zu bytes are not enough", bytes);
     if (status) return 0;
-    sp_real most = 0, far = 0;
-    for (int k = 0; k < n; k++) { HOLDS(isfinite(r.x[k]), "x"); far = fmax(far, fabs(r.x[k])); }
-    for (int k = 0; k < m; k++) HOLDS(isfinite(r.y[k]), "y");
-    HOLDS(!isnan(r.objective) && !isnan(r.primal) && !isnan(r.dual) && !isnan(r.gap), "status %d", (int)r.status);
-    if (r.status != SP_QP_SOLVED) return 0;
-    for (int k = 0; k < Ap[n]; k++) most = fmax(most, fabs(Ax[k]));
-    for (int row = 0; row < m; row++) {
-        long double sum = 0;
-        for (int c = 0; c < n; c++)
-            for (int k = Ap[c]; k < Ap[c + 1]; k++) if (Ai[k] == row) sum += (long double)Ax[k] * r.x[c];
-        const long double below = l[row] > -1e20 && sum < l[row] ? l[row] - sum : 0;        /* 1e20 and beyond is no bound */
-        const long double over = u[row] < 1e20 && sum > u[row] ? sum - u[row] : below;
-        const sp_real bound = sum < l[row] ? fabs(l[row]) : fabs(u[row]);
-        HOLDS(over <= 10 * (set.eps_abs + set.eps_rel * (most * far + bound)), "row %d by %Lg", row, over);
-    }
+    numbers(&d, &r);
+    if (r.status == SP_QP_SOLVED) feasible(&d, &r);
     return 0;
 }

@@ -31,7 +31,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         set.iterations = 200;
         sp_arena_init(&a, room, sizeof room);
         sp_arena_init(&scratch, more, sizeof more);
-        if (!sp_qp_memory(&q.qp, &set, scratch, &bytes) && bytes <= a.capacity && !sp_qp_solve(&q.qp, &set, &a, NULL, NULL, &r)) {
+        if (!sp_qp_memory(&q.qp, &set, scratch, &bytes) && bytes <= a.capacity &&
+            !sp_qp_solve(&q.qp, &set, &a, NULL, NULL, &r)) {
             for (int32_t k = 0; k < q.qp.n; k++) HOLDS(isfinite(r.x[k]), "x");
             HOLDS(!isnan(r.objective), "objective");
         }

@@ -106,6 +106,14 @@ static double leaf_lesser(const leaf_scene *o, int v, const double *of)
     return t->a < 0 ? of[t->b] : t->b < 0 ? of[t->a] : fmin(of[t->a], of[t->b]);
 }
 
+/* A proof that reads the caller's arrays. */
+static sp_proof proof_of(int32_t nodes, const int32_t *node, int32_t entries, const uint16_t *row, const sp_real *y)
+{
+    const sp_proof proof = { .nodes = nodes, .entries = entries, .node = (int32_t *)(uintptr_t)node,
+                             .row = (uint16_t *)(uintptr_t)row, .y = (sp_real *)(uintptr_t)y };
+    return proof;
+}
+
 #define LEAF_TOL TOL(1e-11, 2e-4)
 
 #endif /* LEAF_H */

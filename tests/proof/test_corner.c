@@ -579,77 +579,109 @@ TEST(each_law_of_contact_is_measured_by_forces_and_accelerations)
 #undef CORNER
 }
 
+typedef struct moving_case {
+    sp__inertia M[LEAF_BLOCKS];
+    double f[3 * LEAF_POINTS], a[LEAF_N];           /* in units of the judge; accelerations */
+    sp_real in[3 * LEAF_POINTS], acc[LEAF_N];       /* the same, as they are handed on */
+    double only[LEAF_BLOCKS], s[LEAF_BLOCKS];       /* forces on a block without and with its load */
+} moving_case;
+
+static void draw_bodies(moving_case *x)
+{
+    memset(x->M, 0, sizeof x->M);
+    for (int i = 0; i < LEAF_BLOCKS; i++) {
+        x->M[i].mass = test_random_real(1, 2) * o.j.unit;
+        for (int q = 0; q < 3; q++)
+            for (int c = 0; c <= q; c++) x->M[i].J[q][c] = x->M[i].J[c][q] = test_random_real(0, 1) * o.j.unit;
+    }
+}
+
+static void draw_motion(moving_case *x, int round)
+{
+    const double faster = round % 3 ? 1 : 1e3, few = round % 4 == 3;
+    for (int v = 0; v < LEAF_POINTS; v++) {
+        const double fn = few && v != round % LEAF_POINTS ? 0 : (double)test_random_real(0, 5);
+        const double turn = (double)test_random_real(0, 7);
+        x->f[3 * v] = fn;
+        x->f[3 * v + 1] = 0.9 * leaf_mu(&o, v) * fn * cos(turn);
+        x->f[3 * v + 2] = 0.9 * leaf_mu(&o, v) * fn * sin(turn);
+    }
+    for (int q = 0; q < 3 * LEAF_POINTS; q++) x->in[q] = R(x->f[q] * (double)o.j.unit);
+    for (int i = 0; i < LEAF_N; i++) {
+        x->a[i] = leaf_held(i) || round % 5 == 4 ? 0 : faster * (double)test_random_real(-1, 1);
+        if (round % 6 == 5 && i / 6 == round / 6 % 3) x->a[i] = 0;
+        x->acc[i] = R(x->a[i]);
+    }
+}
+
+/* Row i of p + A f - M a. */
+static double unbalanced(const moving_case *x, int i)
+{
+    const sp__inertia *m = &x->M[i / 6];
+    double r = o.p[i], ma = 0;
+    for (int c = 0; c < 3 * LEAF_POINTS; c++) r += o.A[i][c] * x->f[c];
+    if (i % 6 < 3) ma = (double)m->mass * x->a[i];
+    else for (int c = 0; c < 3; c++) ma += (double)m->J[i % 6 - 3][c] * x->a[i / 6 * 6 + 3 + c];
+    return leaf_held(i) ? 0 : r - ma / (double)o.j.unit;
+}
+
+static double speed_of(const moving_case *x, int i)
+{
+    return leaf_norm(x->a + 6 * i) + leaf_norm(x->a + 6 * i + 3) * leaf_arm(&o, i);
+}
+
+/* The worst imbalance of a block, and how far it moves for its forces. */
+static double of_blocks(moving_case *x, double *moves)
+{
+    double worst = 0, r[LEAF_N];
+    *moves = 0;
+    for (int i = 0; i < LEAF_N; i++) r[i] = unbalanced(x, i);
+    for (int i = 0; i < LEAF_BLOCKS; i++) {
+        double moment;
+        sums_of(x->f, i, &x->only[i], &moment);
+        x->s[i] = x->only[i] + leaf_norm(o.p + 6 * i);
+        *moves = fmax(*moves, (double)x->M[i].mass / (double)o.j.unit * speed_of(x, i) / x->s[i]);
+        worst = fmax(worst, fmax(leaf_norm(r + 6 * i) / x->s[i],
+                                 leaf_norm(r + 6 * i + 3) / (x->s[i] * leaf_arm(&o, i) + leaf_norm(o.p + 6 * i + 3))));
+    }
+    return worst;
+}
+
+static double of_corner(const moving_case *x, int v)
+{
+    const sp_contact *t = &o.pb.contact[o.contact[v]];
+    double moved = 0;
+    sp_real d[3], g[3];
+    for (int k = 0; k < 3; k++) {
+        double u = 0;
+        for (int i = 0; i < LEAF_N; i++) u += o.A[i][3 * v + k] * x->a[i];
+        d[k] = R(u);
+        g[k] = R(x->f[3 * v + k]);
+    }
+    for (int i = 0; i < LEAF_BLOCKS; i++) if (t->a == i || t->b == i) moved += speed_of(x, i);
+    return (double)sp__moving_corner(g, d, R(leaf_mu(&o, v)), R(leaf_lesser(&o, v, x->only)), R(moved));
+}
+
 /* (f, a) of random forces and accelerations: laws at all corners, M a = p + Aeq f of all blocks, against the definition. */
 TEST(a_motion_is_measured_block_by_block)
 {
-    sp__inertia M[LEAF_BLOCKS];
+    static moving_case x;
     for (int round = 0; round < 120; round++) {
         const sp_arena mark = test_arena;
-        double f[3 * LEAF_POINTS], a[LEAF_N], s[LEAF_BLOCKS], moves = 0, worst = 0, r[LEAF_N];
-        sp_real in[3 * LEAF_POINTS], acc[LEAF_N], got_moves = -1;
+        double moves;
+        sp_real got_moves = -1;
         NEED(leaf_make(&o, 0, 0));
-        memset(M, 0, sizeof M);
-        for (int i = 0; i < LEAF_BLOCKS; i++) {
-            M[i].mass = test_random_real(1, 2) * o.j.unit;
-            for (int q = 0; q < 3; q++)
-                for (int c = 0; c <= q; c++) M[i].J[q][c] = M[i].J[c][q] = test_random_real(0, 1) * o.j.unit;
-        }
-        const double faster = round % 3 ? 1 : 1e3, few = round % 4 == 3;
-        for (int v = 0; v < LEAF_POINTS; v++) {
-            const double fn = few && v != round % LEAF_POINTS ? 0 : (double)test_random_real(0, 5);
-            const double turn = (double)test_random_real(0, 7);
-            f[3 * v] = fn;
-            f[3 * v + 1] = 0.9 * leaf_mu(&o, v) * fn * cos(turn);
-            f[3 * v + 2] = 0.9 * leaf_mu(&o, v) * fn * sin(turn);
-        }
-        for (int q = 0; q < 3 * LEAF_POINTS; q++) in[q] = R(f[q] * (double)o.j.unit);
-        for (int i = 0; i < LEAF_N; i++) {
-            a[i] = leaf_held(i) || round % 5 == 4 ? 0 : faster * (double)test_random_real(-1, 1);
-            if (round % 6 == 5 && i / 6 == round / 6 % 3) a[i] = 0;
-            acc[i] = R(a[i]);
-        }
-        for (int i = 0; i < LEAF_N; i++) {
-            r[i] = o.p[i];
-            for (int c = 0; c < 3 * LEAF_POINTS; c++) r[i] += o.A[i][c] * f[c];
-            const sp__inertia *m = &M[i / 6];
-            double ma = 0;
-            if (i % 6 < 3) ma = (double)m->mass * a[i];
-            else for (int c = 0; c < 3; c++) ma += (double)m->J[i % 6 - 3][c] * a[i / 6 * 6 + 3 + c];
-            r[i] = leaf_held(i) ? 0 : r[i] - ma / (double)o.j.unit;
-        }
-        double only[LEAF_BLOCKS];
-        for (int i = 0; i < LEAF_BLOCKS; i++) {
-            double force, moment;
-            sums_of(f, i, &force, &moment);
-            only[i] = force;
-            s[i] = force + leaf_norm(o.p + 6 * i);
-            const double size = leaf_norm(a + 6 * i) + leaf_norm(a + 6 * i + 3) * leaf_arm(&o, i);
-            moves = fmax(moves, (double)M[i].mass / (double)o.j.unit * size / s[i]);
-            worst = fmax(worst, fmax(leaf_norm(r + 6 * i) / s[i],
-                                     leaf_norm(r + 6 * i + 3) / (s[i] * leaf_arm(&o, i) + leaf_norm(o.p + 6 * i + 3))));
-        }
-        const double balance = worst;
-        for (int v = 0; v < LEAF_POINTS; v++) {
-            const sp_contact *t = &o.pb.contact[o.contact[v]];
-            double moved = 0;
-            sp_real d[3], g[3];
-            for (int k = 0; k < 3; k++) {
-                double u = 0;
-                for (int i = 0; i < LEAF_N; i++) u += o.A[i][3 * v + k] * a[i];
-                d[k] = R(u);
-                g[k] = R(f[3 * v + k]);
-            }
-            for (int i = 0; i < LEAF_BLOCKS; i++)
-                if (t->a == i || t->b == i) moved += leaf_norm(a + 6 * i) + leaf_norm(a + 6 * i + 3) * leaf_arm(&o, i);
-            worst = fmax(worst, (double)sp__moving_corner(g, d, R(leaf_mu(&o, v)), R(leaf_lesser(&o, v, only)), R(moved)));
-        }
-        CHECK(balance >= 0);
+        draw_bodies(&x);
+        draw_motion(&x, round);
+        double worst = of_blocks(&x, &moves);
+        CHECK(worst >= 0);
+        for (int v = 0; v < LEAF_POINTS; v++) worst = fmax(worst, of_corner(&x, v));
         const int32_t sweeps = o.j.sweeps;
-        CHECK_NEAR(sp__certify_moving(&o.j, M, in, acc, &got_moves), worst, TOL(1e-9, 1e-2));
+        CHECK_NEAR(sp__certify_moving(&o.j, x.M, x.in, x.acc, &got_moves), worst, TOL(1e-9, 1e-2));
         CHECK_NEAR(got_moves, moves, TOL(1e-9, 1e-2));
         CHECK_INT(o.j.sweeps, sweeps + 2);
-        acc[13] = R(1e-20);                             /* what is held does not move at all */
-        CHECK(sp__certify_moving(&o.j, M, in, acc, &got_moves) >= SP__HUGE);
+        x.acc[13] = R(1e-20);                           /* what is held does not move at all */
+        CHECK(sp__certify_moving(&o.j, x.M, x.in, x.acc, &got_moves) >= SP__HUGE);
         test_arena = mark;
     }
 }

@@ -487,8 +487,7 @@ static void easy(void)
 
 static sp_real walk(int32_t nodes, const int32_t *node, int32_t entries, const uint16_t *row, const sp_real *y)
 {
-    const sp_proof proof = { .nodes = nodes, .entries = entries, .node = (int32_t *)(uintptr_t)node,
-                             .row = (uint16_t *)(uintptr_t)row, .y = (sp_real *)(uintptr_t)y };
+    const sp_proof proof = proof_of(nodes, node, entries, row, y);
     w->proof = &proof;
     return sp__refute_walk(w);
 }

@@ -262,8 +262,7 @@ TEST(the_box_of_accelerations_is_that_of_all_loads)
 /* A leaf that holds in every case: a balance, in a box of nothing. */
 static sp_real walk(int32_t nodes, const int32_t *node, int32_t entries, const uint16_t *row, const sp_real *y)
 {
-    const sp_proof proof = { .nodes = nodes, .entries = entries, .node = (int32_t *)(uintptr_t)node,
-                             .row = (uint16_t *)(uintptr_t)row, .y = (sp_real *)(uintptr_t)y };
+    const sp_proof proof = proof_of(nodes, node, entries, row, y);
     w->proof = &proof;
     return sp__still_walk(w);
 }

@@ -148,17 +148,41 @@ def motion_of(names: List[str], dq: Any) -> Dict[str, Vec6]:
     return {names[b]: tuple(dq[6 * b:6 * b + 6]) for b in order}        # type: ignore[misc]
 
 
-class Result:
+class _Answer:
+    """What answers share: a copy of all numbers of their own, and the scene they are of, as long as it is as it was asked."""
+
+    __slots__ = ("_c", "_memory", "_scene", "_version", "_names", "_count")
+
+    def __init__(self, scene: "Scene", numbers: Any):
+        self._c = numbers
+        self._scene, self._version, self._names = scene, scene._version, scene._names
+        self._count = len(scene._names)             # names are only ever added
+        self._memory: Any = None
+
+    @property
+    def reason(self) -> str:
+        return text(c.SP_WORDS_REASON, self._c.reason)
+
+    @property
+    def verified(self) -> bool:
+        """The evidence passed the certificate check."""
+        return bool(self._c.verified)
+
+    def _there(self) -> "Scene":
+        if self._scene._version != self._version:
+            raise StonepackError("the scene has changed since this answer")
+        return self._scene
+
+
+class Result(_Answer):
     """The answer of a check. It keeps its own copy of all numbers; what needs the scene (joints, reactions, a picture) is there
     as long as the scene is as it was checked."""
 
-    __slots__ = ("_c", "_memory", "_scene", "_version", "_settings", "_names", "_count")
+    __slots__ = ("_settings",)
 
     def __init__(self, scene: "Scene", settings: Any):
-        self._c = c.sp_result()
-        self._scene, self._settings, self._version, self._names = scene, settings, scene._version, scene._names
-        self._count = len(scene._names)             # names are only ever added
-        self._memory: Any = None
+        super().__init__(scene, c.sp_result())
+        self._settings = settings
 
     @property
     def verdict(self) -> str:
@@ -181,15 +205,6 @@ class Result:
     def level(self) -> str:
         """How far a stable goes: "admissible" (forces exist), "coupled" (a motion explains them), else "none"."""
         return LEVELS[self._c.level]
-
-    @property
-    def reason(self) -> str:
-        return text(c.SP_WORDS_REASON, self._c.reason)
-
-    @property
-    def verified(self) -> bool:
-        """The evidence passed the certificate check."""
-        return bool(self._c.verified)
 
     @property
     def final(self) -> bool:
@@ -299,11 +314,6 @@ class Result:
         from . import pictures
         return pictures.draw(self._there(), self._c, None, path, names, title)
 
-    def _there(self) -> "Scene":
-        if self._scene._version != self._version:
-            raise StonepackError("the scene has changed since this check")
-        return self._scene
-
     def _joint(self, k: int) -> JointForce:
         scene, out = self._there(), c.sp_joint_force()
         status = lib.sp_joint_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), k, ctypes.byref(out))
@@ -318,16 +328,14 @@ class Result:
         return "<%s%s%s>" % (self.verdict, "" if self.verified else ", not verified", more)
 
 
-class Limit:
+class Limit(_Answer):
     """How much of the live loads a scene bears."""
 
-    __slots__ = ("_c", "_memory", "_scene", "_version", "_body", "_names", "_count")
+    __slots__ = ("_body",)
 
     def __init__(self, scene: "Scene", body: Any):
-        self._c = c.sp_limit_result()
-        self._scene, self._version, self._names, self._body = scene, scene._version, scene._names, body
-        self._count = len(scene._names)
-        self._memory: Any = None
+        super().__init__(scene, c.sp_limit_result())
+        self._body = body
 
     @property
     def kind(self) -> str:
@@ -362,14 +370,6 @@ class Limit:
         return VERDICTS[self._c.dead]
 
     @property
-    def reason(self) -> str:
-        return text(c.SP_WORDS_REASON, self._c.reason)
-
-    @property
-    def verified(self) -> bool:
-        return bool(self._c.verified)
-
-    @property
     def motion(self) -> Dict[str, Vec6]:
         """The collapse mechanism, {block: displacement and rotation}, fastest first."""
         return motion_of(self._names[:self._count], self._c.dq) if self._c.upper >= 0 else {}
@@ -395,11 +395,6 @@ class Limit:
         """The picture of `stonepack limit --svg`, as text and into a file."""
         from . import pictures
         return pictures.draw_limit(self._there(), self._c, path, names, title)
-
-    def _there(self) -> "Scene":
-        if self._scene._version != self._version:
-            raise StonepackError("the scene has changed since this limit")
-        return self._scene
 
     def __repr__(self) -> str:
         return "<limit %s%s>" % (self.kind if self.multiplier is None else self.multiplier,

@@ -530,7 +530,7 @@ class Scene:
         proved = ctypes.c_int()
         kept_too, scratch = arena(self._bytes(c.SP_FOR_STRONG_VERIFY, None))
         status = lib.sp_strong_verify(byref(self._c), p, byref(out), scratch, byref(proved))
-        return Strong(lib.sp_strong_text(out.kind).decode(), lib.sp_strong_reason_text(out.reason).decode(),
+        return Strong(text(c.SP_WORDS_STRONG, out.kind), text(c.SP_WORDS_STRONG_REASON, out.reason),
                       not status and proved.value == out.kind, out.residual, out.moves,
                       motion_of(self._names, out.a) if out.kind == c.SP_STRONG_AMBIGUOUS else {})
 
