@@ -120,7 +120,7 @@ static const char help_sequence[] =
 "  --svg FILE         a strip of steps, 24 at most: those that fail, what moves, what must be held\n"
 "  --png FILE         the same as PNG, by rsvg-convert where that is installed, else exit status 69\n"
 "  --html FILE        a page that stands alone: the answer in words, the strip, a table of the steps\n"
-"  --view V           of the picture, as check\n"
+"  --view V, --names  of the picture, as check\n"
 "  --out-obj FILE     a model for Rhino, Blender and others: blocks named after their steps, 0012_NAME, in groups by verdict\n"
 "  --csv NAME         a table: NAME-steps.csv\n"
 "  --json             one JSON object\n"

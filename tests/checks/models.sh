@@ -106,6 +106,22 @@ misses() {                                              # misses MODEL D: told i
     "$cli" check --json jittered.obj | grep -o '"option": *"--contact-distance [^"]*' | sed 's/.*"//' > option
     same "$(first check $(cat option) jittered.obj)" "jittered.obj: STABLE"
 }
+told_by() {                                             # told_by "COMMAND" [first]: words, JSON, picture; the first line, too
+    jitter 7 1e-4 < whole.obj > jittered.obj
+    # shellcheck disable=SC2086
+    "$cli" $1 jittered.obj > out 2> err
+    cat out err | grep -q '^  remark .* nearly touch .*--contact-distance 0.1%$' || { echo "words"; cat out; return 1; }
+    [ -z "${2-}" ] || sed -n 1p out | grep -q ', but 16 pairs of blocks nearly touch$' || { echo "first line"; cat out; return 1; }
+    [ "$1" != convert ] || return 0
+    # shellcheck disable=SC2086
+    "$cli" $1 --json jittered.obj | tr -d ' \n' > json
+    grep -q '"touching":{[^}]*"near_pairs":16},"remarks":\[{"text":"16pairs' json || { echo "JSON"; cat json; return 1; }
+    case $1 in plan* | contacts*) return 0 ;; esac
+    # shellcheck disable=SC2086
+    "$cli" $1 --svg nears.svg jittered.obj > out
+    grep -q 'mind: 16 pairs of blocks nearly touch.*: --contact-distance 0.1%<' nears.svg || { echo "picture"; return 1; }
+    rm nears.svg
+}
 # Triangles with coordinates rounded to 1e-6 m, as many exporters write them; its own contacts are left out.
 rounded() { awk '/^#@ interface/ { next } /^v / { printf "v %.6f %.6f %.6f\n", $2, $3, $4; next }
     /^f / { for (k = 3; k < NF; k++) print "f", $2, $k, $(k + 1); next } { print }'; }
@@ -138,7 +154,7 @@ swept() {
         first check --quiet --contact-distance $share jittered.obj | grep -q ": $verdict" || { echo "$share: $verdict"; return 1; }
     done
     "$cli" contacts --sweep --json jittered.obj | tr -d ' ' > json
-    [ "$(grep -o '"share"' json | wc -l)" -eq 13 ] && grep -q '"steady":{"from":.*,"to":0.01,"pairs":16,"verdict":"stable"}' json
+    [ "$(grep -o '"least_distance"' json | wc -l)" -eq 13 ] && grep -q '"steady":{"from":.*,"to":0.01,"pairs":16,"verdict":"stable"}' json
 }
 sweep_in_force() {                                      # a distance between two of the rows has its own, in metres, mm or %
     "$cli" contacts --sweep --contact-distance 4e-5 whole.obj | grep -c '^\* 0.00714.*4e-05' | grep -qx 1 &&
@@ -240,6 +256,12 @@ part "the same with the distance told"      keeps dome.obj --contact-distance 4e
 part "near misses of a dome are told"       misses dome.obj 1e-5
 part "near misses of an arch are told"      misses whole.obj 1e-5
 part "near misses of a wall are told"       misses wall-150.obj 1e-4
+for command in check "check --coupled" "check --strong" "limit --body 1,0,0" "limit --tilt-margin" sequence; do
+    part "near misses told by $command"     told_by "$command" first
+done
+for command in plan contacts "contacts --sweep" convert cost; do
+    part "near misses told by $command"     told_by "$command"
+done
 part "curved: facets of one in the other's" curved 24 17 0.0025
 part "curved: fewer facets than the cradle" curved 9 14 0.03
 part "curved: as many, at other places"     curved 100 100 0.0003

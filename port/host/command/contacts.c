@@ -50,7 +50,7 @@ static void print_json(const host_scene *s)
         json_close(&j, '}');
     }
     json_close(&j, ']');
-    remarks_json(&j, &s->remarks);
+    scene_remarks_json(&j, s);
     json_close(&j, '}');
     fputc('\n', stdout);
 }

@@ -165,7 +165,7 @@ static void print_json(const host_scene *s, const sweep *w)
         json_string(&j, "verdict", sp_verdict_text(w->row[w->first].verdict));
         json_close(&j, '}');
     }
-    remarks_json(&j, &s->remarks);
+    scene_remarks_json(&j, s);
     json_close(&j, '}');
     fputc('\n', stdout);
 }

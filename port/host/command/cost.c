@@ -212,7 +212,7 @@ static void cost_json(FILE *out, const host_scene *s, const cost_table *t)
         json_close(&j, '}');
     }
     json_close(&j, ']');
-    remarks_json(&j, &s->remarks);
+    scene_remarks_json(&j, s);
     json_close(&j, '}');
     fputc('\n', out);
 }

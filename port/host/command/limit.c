@@ -132,7 +132,7 @@ static void print_json(const report *r)
     json_joints(&j, r->scene, x->dq);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
-    remarks_json(&j, &r->scene->remarks);
+    scene_remarks_json(&j, r->scene);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -159,12 +159,14 @@ static void print_multiplier(FILE *out, const report *r)
     const sp_limit_result *x = r->limit;
     fprintf(out, "%s: ", r->scene->path);
     switch (x->kind) {
-    case SP_LIMIT_FOUND:     fprintf(out, "MULTIPLIER %.9g\n", (double)x->multiplier + 0.0); break;
-    case SP_LIMIT_NONE:      fputs("NONE: it falls whatever the multiple of the live loads\n", out); break;
-    case SP_LIMIT_UNBOUNDED: fputs("UNBOUNDED: it carries arbitrarily large multiples of the live loads\n", out); break;
-    default:                 fprintf(out, "UNDECIDED: %s\n", x->reason == SP_REASON_BUDGET
+    case SP_LIMIT_FOUND:     fprintf(out, "MULTIPLIER %.9g", (double)x->multiplier + 0.0); break;
+    case SP_LIMIT_NONE:      fputs("NONE: it falls whatever the multiple of the live loads", out); break;
+    case SP_LIMIT_UNBOUNDED: fputs("UNBOUNDED: it carries arbitrarily large multiples of the live loads", out); break;
+    default:                 fprintf(out, "UNDECIDED: %s", x->reason == SP_REASON_BUDGET
                                      ? "the search spent its budget" : "the two bounds do not meet at this tol");
     }
+    if (x->kind != SP_LIMIT_UNBOUNDED) report_near(out, r->scene);
+    else fputc('\n', out);
     if (r->options->quiet) return;
     report_row(out, "how sure");
     if (x->lower >= 0) fprintf(out, "forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);

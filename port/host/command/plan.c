@@ -58,7 +58,7 @@ static void print_json(const host_scene *s, const sp_outlook *o)
     json_close(&j, '}');
     json_total(&j, "planned", o->unknowns, o->flops, o->bytes);
     json_total(&j, "full", o->full_unknowns, o->full_flops, o->full_bytes);
-    remarks_json(&j, &s->remarks);
+    scene_remarks_json(&j, s);
     json_close(&j, '}');
     fputc('\n', stdout);
 }

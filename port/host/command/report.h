@@ -31,6 +31,9 @@ int report_check(report *r, void **memory, failure *error);
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
 
+/* The end of a first line: an answer that may rest on missing contacts says so. */
+void report_near(FILE *out, const host_scene *s);
+
 /* The label of a line of report_text. */
 void report_row(FILE *out, const char *label);
 

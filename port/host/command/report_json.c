@@ -54,23 +54,6 @@ static void json_overlaps(json_out *j, const host_scene *s)
     json_close(j, ']');
 }
 
-/* How near faces are that touch, where contacts were found; the angle in degrees, null where it follows from the distance. */
-static void json_touching(json_out *j, const host_scene *s)
-{
-    const sp_contact_settings set = touching_settings(s->touching);
-    if (!s->found) {
-        json_null(j, "touching");
-        return;
-    }
-    json_open(j, "touching", '{');
-    json_real(j, "distance", (double)set.distance);
-    json_bool(j, "share", !set.absolute);
-    if (set.angle >= 0) json_real(j, "angle", asin((double)set.angle) * 180 / acos(-1.0));
-    else json_null(j, "angle");
-    json_int(j, "near_pairs", s->near);
-    json_close(j, '}');
-}
-
 /* What was simulated and what not. */
 static void json_effects(json_out *j, const sp_result *x)
 {
@@ -308,10 +291,9 @@ void report_json(FILE *out, const report *r)
     json_joints(&j, r);
     json_mechanism(&j, r);
     json_overlaps(&j, r->scene);
-    json_touching(&j, r->scene);
     json_effects(&j, &r->result);
     json_islands(&j, r);
-    remarks_json(&j, &r->scene->remarks);
+    scene_remarks_json(&j, r->scene);
     json_cost(&j, r);
     json_int(&j, "memory_bytes", (int64_t)(r->scene->bytes + r->cost.bytes));
     if (r->options->settings.coupled.asked) json_coupled(&j, r);

@@ -250,15 +250,18 @@ static void text_cost(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }
 
-/* A verdict that may rest on missing contacts says so. */
+void report_near(FILE *out, const host_scene *s)
+{
+    const long near = (long)s->near;
+    if (near > 0) fprintf(out, ", but %ld pair%s of blocks nearly touch%s", near, near == 1 ? "" : "s", near == 1 ? "es" : "");
+    fputc('\n', out);
+}
+
 static void text_verdict(FILE *out, const report *r)
 {
-    const long near = (long)r->scene->near;
     fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
-    if (near > 0 && r->result.verdict != SP_STABLE)
-        fprintf(out, ", but %ld pair%s of blocks nearly touch%s", near, near == 1 ? "" : "s",
-                near == 1 ? "es" : "");
-    fputc('\n', out);
+    if (r->result.verdict != SP_STABLE) report_near(out, r->scene);
+    else fputc('\n', out);
 }
 
 void report_text(FILE *out, const report *r)

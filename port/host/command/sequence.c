@@ -246,8 +246,11 @@ static void print_head(FILE *out, const run *r)
 {
     fprintf(out, "%s: %ld steps, ", r->scene.path, (long)r->steps);
     if (!r->first) fputs("every one stands\n", out);
-    else fprintf(out, "step %ld is the first that %s (%s)\n", (long)r->first,
-                 r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
+    else {
+        fprintf(out, "step %ld is the first that %s (%s)", (long)r->first,
+                r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
+        report_near(out, &r->scene);
+    }
 }
 
 static void print_steps(const run *r)
@@ -359,7 +362,7 @@ static void print_json(const run *r)
     json_cost(&j, "cost", &r->cost);
     json_int(&j, "memory_bytes", (int64_t)(r->bytes + r->scene.bytes));
     json_real(&j, "seconds", r->seconds);
-    remarks_json(&j, &r->scene.remarks);
+    scene_remarks_json(&j, &r->scene);
     json_close(&j, '}');
     fputc('\n', stdout);
 }
@@ -437,7 +440,8 @@ static int put_strip(FILE *out, const void *of)
         write_caption(r, t, step[i], frame[i].caption);
     }
     write_title(r, n, title);
-    return sheet_write(out, &r->scene.scene, n, frame, &r->options->view, title);
+    const sheet_page page = { title, &r->options->view, &r->scene.remarks, r->scene.name, r->options->names };
+    return sheet_write(out, &r->scene.scene, n, frame, &page);
 }
 
 static int put_words(FILE *out, const void *of)
@@ -517,7 +521,7 @@ int command_sequence(int argc, char **argv)
 
     memset(&r, 0, sizeof r);
     r.options = &o;
-    status = options_read(argc, argv, " --json --svg --png --html --out-obj --csv --view"
+    status = options_read(argc, argv, " --json --svg --png --html --out-obj --csv --view --names"
                           " --tol --cone --stages --tilt --budget --order --order-file --remove"
                           " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");

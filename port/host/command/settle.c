@@ -412,7 +412,8 @@ static int write_frames(session *s, failure *error)
              s->result.energy);
     snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
              (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
-    if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, &s->o->view, title))
+    const sheet_page page = { title, &s->o->view, &s->in.remarks, NULL, 0 };
+    if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, &page))
         status = fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
     free(last->vertex);
     return file_finish(file, s->o->frames, status, error);
@@ -470,7 +471,7 @@ static void print_json(const session *s, const sp_result *statics, const char *a
         json_real(&j, "turned", r->turned);
         json_string(&j, "together", agree);
     }
-    remarks_json(&j, &s->in.remarks);
+    scene_remarks_json(&j, &s->in);
     json_close(&j, '}');
     fputc('\n', stdout);
 }

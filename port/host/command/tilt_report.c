@@ -31,7 +31,8 @@ static int put_margin(FILE *out, const void *of) { return tilt_svg(out, of); }
 
 static int draw_margin(const report *r, const tilt_margin *m, failure *error)
 {
-    const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone };
+    const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone,
+                             &r->scene->remarks };
     const int status = drawn_file(r->options->svg, put_margin, &plot, error);
     return status ? status : drawn_png(r->options->png, put_margin, &plot, error);
 }
@@ -56,7 +57,7 @@ static void print_json(const report *r, const tilt_margin *m)
     json_open(&j, "angles", '[');
     for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) json_real(&j, NULL, m->angle[k]);
     json_close(&j, ']');
-    remarks_json(&j, &r->scene->remarks);
+    scene_remarks_json(&j, r->scene);
     json_close(&j, '}');
     putchar('\n');
 }
@@ -65,13 +66,15 @@ static void print_text(const report *r, const tilt_margin *m)
 {
     const char *path = r->scene->path;
     if (!m->stands) {
-        printf("%s: %s\n", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
+        printf("%s: %s", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
+        report_near(stdout, r->scene);
         if (!r->options->quiet) remarks_print(stdout, &r->scene->remarks);
         return;
     }
-    if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth\n", path);
-    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)\n", path, tilt_at_least(m) ? "at least " : "",
+    if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth", path);
+    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)", path, tilt_at_least(m) ? "at least " : "",
                 m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
+    report_near(stdout, r->scene);
     if (r->options->quiet) return;
     if (m->least < 90 && m->within > 1e-3 * m->least) {
         report_row(stdout, "how near");

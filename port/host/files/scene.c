@@ -469,6 +469,12 @@ int scene_refused(const host_scene *s, const sp_settings *settings, sp_status wh
     return fail_status(error, why, s->path, 0, "");
 }
 
+void scene_remarks_json(json_out *j, const host_scene *s)
+{
+    touching_json(j, s->found ? &s->touching : NULL, s->near);
+    remarks_json(j, &s->remarks);
+}
+
 void scene_body(host_scene *s, const double body[3])
 {
     double g = 0;

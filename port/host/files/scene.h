@@ -51,6 +51,9 @@ int scene_refused(const host_scene *s, const sp_settings *settings, sp_status wh
 
 void scene_free(host_scene *s);
 
+/* "touching" and "remarks": what every answer tells of the scene it is about. */
+void scene_remarks_json(json_out *j, const host_scene *s);
+
 /* The live load of every block: its weight times a vector. */
 void scene_body(host_scene *s, const double body[3]);
 

@@ -62,6 +62,22 @@ sp_contact_settings touching_settings(touching t)
     return set;
 }
 
+void touching_json(json_out *j, const touching *t, int32_t near)
+{
+    if (!t) {
+        json_null(j, "touching");
+        return;
+    }
+    const sp_contact_settings set = touching_settings(*t);
+    json_open(j, "touching", '{');
+    json_real(j, "distance", (double)set.distance);
+    json_bool(j, "share", !set.absolute);
+    if (set.angle >= 0) json_real(j, "angle", asin((double)set.angle) * 180 / acos(-1.0));
+    else json_null(j, "angle");
+    json_int(j, "near_pairs", near);
+    json_close(j, '}');
+}
+
 /* --------------------------------------------------------------------------------------------------------- found once more */
 
 void touching_free(touching_found *p)

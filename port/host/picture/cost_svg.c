@@ -1,6 +1,7 @@
 /* The picture of a cost table: two panels, imbalance over flops and over time, logarithmic. Colour is the stage, shape
  * the kind of cone, a hollow mark an undecided check, a cross another verdict than the reference's. */
 #include "cost_svg.h"
+#include "mind.h"
 #include "page.h"
 
 #include <math.h>
@@ -108,7 +109,7 @@ static void draw_legend(FILE *out, double y)
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
 {
     const char *slash = strrchr(s->path, '/');
-    const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96;
+    const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96 + MIND_ROW * mind_rows(&s->remarks);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
             "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);
@@ -119,6 +120,7 @@ void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
             sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
     draw_panel(out, t, 60, 0);
     draw_panel(out, t, PANEL_W + 150, 1);
-    draw_legend(out, height - 44);
+    draw_legend(out, TOP + PANEL_H + 52);
+    mind_write(out, &s->remarks, 60, TOP + PANEL_H + 52 + 24 + MIND_ROW, 124);
     fputs("</svg>\n", out);
 }

@@ -1,4 +1,6 @@
 #include "sheet.h"
+#include "mind.h"
+#include "names.h"
 #include "page.h"
 #include "through.h"
 
@@ -11,6 +13,7 @@ enum { COLUMNS = 3, ROWS = 20 };
 #define CAPTION 24.0                    /* height of one */
 #define TOP     62.0                    /* of the first row */
 #define SMALL   10.0                    /* a block is hard to find */
+enum { NAMED = 4 };                     /* blocks that come or are held have their names, if not more than these */
 
 /* A sheet being drawn. */
 typedef struct sheet {
@@ -20,7 +23,7 @@ typedef struct sheet {
     view_axes axes;
     int frames;
     const sheet_frame *frame;
-    const view_wish *wish;
+    const sheet_page *page;
     double width, height[ROWS];         /* of a picture; of the pictures in a row [px] */
     double lowest;                      /* height of the lowest vertex at the first moment [m] */
 } sheet;
@@ -92,6 +95,23 @@ static void draw_ring(const sheet *t, int32_t b, block_mark mark)
             "stroke-width=\"2\"/>\n", at[0], at[1], 0.6 * SMALL, c[0] / 2, c[1] / 2, c[2] / 2);
 }
 
+/* Names of those that come or must be held where it falls, or wherever names are asked for, and then of all that have room. */
+static int draw_names(const sheet *t, const sheet_frame *f)
+{
+    const int32_t blocks = t->s.count.blocks;
+    names n = { t->page->name, NULL, NULL, t->page->names };
+    unsigned char *told = calloc((size_t)blocks + 1, 1);
+    int32_t drawn, some = 0;
+    if (!told) return 0;
+    for (int32_t b = 0; b < blocks && f->mark && (f->bad || n.all); b++)
+        some += told[b] = f->mark[b] == MARK_NEW || f->mark[b] == MARK_HELD;
+    n.told = some <= NAMED ? told : NULL;
+    if (!n.told) some = 0;
+    const int good = (!some && !n.all) || names_draw(&n, &t->d, &drawn);
+    free(told);
+    return good;
+}
+
 static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, double h)
 {
     FILE *out = t->d.out;
@@ -106,6 +126,7 @@ static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, doubl
     good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
     if (good && f->mark) good = through_draw(&t->d, &seen, f->mark);
     for (int32_t b = 0; f->mark && b < t->s.count.blocks; b++) draw_ring(t, b, (block_mark)f->mark[b]);
+    if (good && t->page->name) good = draw_names(t, f);
     page_end(out);
     page_label(out, x, y + h + 16);
     page_text(out, f->caption, sizeof f->caption);
@@ -144,31 +165,34 @@ static void draw_legend(FILE *out)
 }
 
 /* A page with everything on it; t's scene has room for all blocks and faces. */
-static int draw_page(sheet *t, FILE *out, const char *title)
+static int draw_page(sheet *t, FILE *out)
 {
+    const sheet_page *p = t->page;
+    double high;
     int good;
     leave_absent(&t->s, t->all, NULL);
     t->s.vertex = t->frame[t->frames - 1].vertex;
     t->d.out = out;
     t->d.s = &t->s;
-    t->d.v = view_choose(&t->s, t->wish);
+    t->d.v = view_choose(&t->s, p->wish);
     t->axes = view_level(&t->s);
     t->lowest = HUGE_VAL;
     for (int32_t k = 0; k < t->all->count.vertices; k++)
         t->lowest = fmin(t->lowest, view_height(&t->axes, t->frame[0].vertex[k]));
-    page_begin(out, lay_out(t));
+    high = lay_out(t);
+    page_begin(out, high + (p->told ? MIND_ROW * mind_rows(p->told) : 0));
     fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"%d\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN,
-            strlen(title) > 48 ? 17 : 20);
-    page_text(out, title, 90);
+            strlen(p->title) > 48 ? 17 : 20);
+    page_text(out, p->title, 90);
     fputs("</text>\n", out);
     if (t->frame[0].mark) draw_legend(out);
     good = draw_moments(t);
+    if (p->told) mind_write(out, p->told, PAGE_MARGIN, high + MIND_ROW / 2, 124);
     page_end(out);
     return good;
 }
 
-int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const view_wish *wish,
-                const char *title)
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const sheet_page *page)
 {
     sheet t;
     int good = 0;
@@ -178,10 +202,10 @@ int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame 
     t.s = *scene;
     t.frames = frames;
     t.frame = frame;
-    t.wish = wish;
+    t.page = page;
     t.s.block = malloc(((size_t)scene->count.blocks + 1) * sizeof *t.s.block);
     t.s.face = malloc(((size_t)scene->count.faces + 1) * sizeof *t.s.face);
-    if (t.s.block && t.s.face) good = draw_page(&t, out, title);
+    if (t.s.block && t.s.face) good = draw_page(&t, out);
     free(t.s.block);
     free(t.s.face);
     return good;

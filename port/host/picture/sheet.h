@@ -2,6 +2,7 @@
 #ifndef STONEPACK_HOST_SHEET_H
 #define STONEPACK_HOST_SHEET_H
 
+#include "../files/remarks.h"
 #include "faces.h"
 
 #define SHEET_CAPTION 48
@@ -14,9 +15,16 @@ typedef struct sheet_frame {
     char caption[SHEET_CAPTION];
 } sheet_frame;
 
-/* Draw a scene at several moments, three in a row, up to 60, all in one scale and one view, the one wished or
- * (NULL) the one that suits the last.      returns 1, 0: out of memory */
-int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const view_wish *wish,
-                const char *title);
+/* What is around them. */
+typedef struct sheet_page {
+    const char *title;
+    const view_wish *wish;      /* NULL: the view that suits the last moment */
+    const remarks *told;        /* below; NULL: none */
+    const char *const *name;    /* of each block, for those that come or must be held where it falls; NULL: no names */
+    int names;                  /* also of all others that have room */
+} sheet_page;
+
+/* Draw a scene at several moments, three in a row, up to 60, all in one scale and one view.    returns 1, 0: out of memory */
+int sheet_write(FILE *out, const sp_scene *scene, int frames, const sheet_frame *frame, const sheet_page *page);
 
 #endif

@@ -1,3 +1,4 @@
+#include "mind.h"
 #include "tilt_svg.h"
 
 #include <math.h>
@@ -33,9 +34,10 @@ static void draw_grid(FILE *out, double most, double step)
 
 static void draw_title(FILE *out, const tilt_plot *p)
 {
+    const double high = SIDE + 20 + MIND_ROW * mind_rows(p->told);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n"
-            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n", SIDE, SIDE + 20, SIDE, SIDE + 20);
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n", SIDE, high, SIDE, high);
     fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by %s %.3g&#176;"
             "</text>\n<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); "
             "%s cone</text>\n", p->at_least ? "at least" : "up to", p->least, p->azimuth, p->cone);
@@ -60,6 +62,8 @@ int tilt_svg(FILE *out, const tilt_plot *p)
     fprintf(out, "<path d=\"M%.1f 312L%.2f %.2f\" stroke=\"#b2182b\" stroke-width=\"1.6\"/>"
             "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"4\" fill=\"#b2182b\"/>\n", SIDE / 2, x, y, x, y);
     fputs("<text x=\"28\" y=\"566\" font-size=\"12\" fill=\"#555\">green: tilts that admissible forces balance; with friction "
-          "an upper value</text>\n</svg>\n", out);
+          "an upper value</text>\n", out);
+    mind_write(out, p->told, 28, SIDE + 6 + MIND_ROW, 74);
+    fputs("</svg>\n", out);
     return !ferror(out);
 }

@@ -3,6 +3,7 @@
 #define STONEPACK_HOST_TILT_SVG_H
 
 #include <stdio.h>
+#include "../files/remarks.h"
 
 typedef struct tilt_plot {
     const double *angle;        /* [degree] towards azimuth 360 k / azimuths */
@@ -10,6 +11,7 @@ typedef struct tilt_plot {
     double least, azimuth;      /* the smallest of all, and its own [degree] */
     int at_least;               /* it is only what is known to stand */
     const char *cone;           /* "true", "8i" */
+    const remarks *told;        /* below it */
 } tilt_plot;
 
 /* returns 1, 0: can't write */

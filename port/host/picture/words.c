@@ -1,5 +1,6 @@
 #include "words.h"
 #include "../motion.h"
+#include "mind.h"
 #include "page.h"
 
 #include <math.h>
@@ -93,8 +94,7 @@ void words_title(const words *w)
 
 /* -------------------------------------------------------------------------------------------------------------- legend */
 
-#define ROW 26.0                        /* [px] */
-enum { REMARKS = 4 };                   /* told in a picture */
+#define ROW MIND_ROW
 
 static void legend_forces(const words *w, double x, double y)
 {
@@ -214,26 +214,9 @@ static void legend_joints(const words *w, double x, double y)
     fprintf(w->out, "%ld sliding joint%s</text>\n", (long)w->slides, w->slides == 1 ? "" : "s");
 }
 
-/* What the report remarks. */
-static void legend_remarks(const words *w, double y)
-{
-    const remarks *r = &w->of->scene->remarks;
-    for (int32_t k = 0; k < r->count && k < REMARKS; k++) {
-        page_label(w->out, PAGE_MARGIN, y + ROW * k);
-        fputs("mind: ", w->out);
-        page_text(w->out, r->each[k].text, 100);
-        if (r->each[k].option) {
-            fputs(": ", w->out);
-            page_text(w->out, r->each[k].option, 30);
-        }
-        fputs("</text>\n", w->out);
-    }
-}
-
 int words_legend_lines(const words *w)
 {
-    const int32_t more = w->of->scene->remarks.count;
-    return 1 + (int)(more < REMARKS ? more : REMARKS)
+    return 1 + mind_rows(&w->of->scene->remarks)
          + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
 }
 
@@ -250,5 +233,5 @@ void words_legend(const words *w, double y)
     if (w->motion->shift > 0 || w->of->names) y += ROW;
     if (w->motion->shift > 0) legend_motion(w, PAGE_MARGIN, y);
     legend_names(w, PAGE_MARGIN + 110, y);
-    legend_remarks(w, y + ROW);
+    mind_write(w->out, &w->of->scene->remarks, PAGE_MARGIN, y + ROW, 124);
 }
