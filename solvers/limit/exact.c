@@ -45,6 +45,7 @@ static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena
 {
     memset(g->state.y, 0, 6 * (size_t)b->pb.blocks * sizeof *g->state.y);
     g->n.goal = b->set.tol / 4;
+    g->state.brief = 1;
     g->rest = *rest;
     g->n.left = (sp__problem_strong(&b->pb) ? 2 : 1) * b->set.iterations;
 }

@@ -333,8 +333,9 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
 }
 
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
- *   returns 1 where no other way gets farther: SP__IPM_IDLE steps one after the other got nowhere, for factors have too few
- *   digits, or it falls, but within tol, as a pebble among boulders does */
+ *   returns 1 where no other way gets farther: it falls, but within tol, as a pebble among boulders does; or SP__IPM_IDLE
+ *   steps one after the other got nowhere, for factors have too few digits, and tau, which forces keep, is not ahead of kappa:
+ *   where it is, the proximal path mostly finds them, for its factors have more */
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
@@ -371,7 +372,8 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         sp__newton_try_rigid(w, n, SP__PLAY_IDLE, state);
     }
     n->falls = m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON);
-    return SP__IPM_LAST && (idle == SP__IPM_IDLE || n->falls);
+    const int stands = m->tau > m->kappa && !state->brief;
+    return SP__IPM_LAST && ((idle == SP__IPM_IDLE && !stands) || n->falls);
 }
 
 #endif
