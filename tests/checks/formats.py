@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 cli = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/stonepack")
 tally = {"passed": 0, "failed": 0}
@@ -162,6 +163,39 @@ def gltf(parts, **change):
     return json.dumps(doc)
 
 
+def fbx(parts, up, factor):
+    """Text, 7.4: each part a mesh and a node; its unit is so many centimetres."""
+    objects, links = "", ""
+    for k, c in enumerate(parts):
+        p = [(x, z, -y) if up == 1 else (x, y, z) for x, y, z in c]
+        v = ",".join("%.9g" % (100 / factor * x) for q in p for x in q)
+        i = ",".join("%d,%d,%d,%d" % (f[0], f[1], f[2], -f[3] - 1) for f in BOX)
+        objects += ('\tGeometry: %d, "Geometry::part%d", "Mesh" {\n\t\tVertices: *24 {\n\t\t\ta: %s\n\t\t}\n\t\tPolygonVertexIndex: '
+                    '*24 {\n\t\t\ta: %s\n\t\t}\n\t\tGeometryVersion: 124\n\t}\n\tModel: %d, "Model::part%d", "Mesh" {\n\t\tVersion: 232\n'
+                    '\t}\n' % (100 + k, k, v, i, 200 + k, k))
+        links += '\tC: "OO",%d,%d\n\tC: "OO",%d,0\n' % (100 + k, 200 + k, 200 + k)
+    return ('; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\nGlobalSettings:  {\n'
+            '\tVersion: 1000\n\tProperties70:  {\n\t\tP: "UpAxis", "int", "Integer", "",%d\n\t\tP: "UpAxisSign", "int", "Integer", "",1\n'
+            '\t\tP: "UnitScaleFactor", "double", "Number", "",%g\n\t}\n}\nObjects:  {\n%s}\nConnections:  {\n%s}\n'
+            % (up, factor, objects, links))
+
+
+def units():
+    """FBX tells unit and axis up: the same forces whatever they are."""
+    write("si.obj", obj([("part%d" % k, c, BOX) for k, c in enumerate(PARTS)]))
+    want = json.loads(run("check", "--json", "--fixed", "part0,part1", "si.obj")[1])["max_compression"]
+    for name, up, factor in ("cm", 1, 1), ("mm", 1, .1), ("m", 2, 100), ("inch", 1, 2.54), ("foot", 2, 30.48):
+        path = name + ".fbx"
+        sound(path, fbx(PARTS, up, factor), "STABLE", "--fixed", "part0*,part1*", joints=2, remark="the axis up that the file tells")
+        out = run("check", "--json", "--fixed", "part0*,part1*", path)[1]
+        got = json.loads(out)["max_compression"] if out else 0
+        ends(path + ", forces", "" if abs(got - want) < 1e-5 * want else "%g N, want %g" % (got, want))
+    broken("none.fbx", fbx(PARTS, 1, -3), "UnitScaleFactor")
+    start = time.time()
+    broken("cut.ply", ply(PARTS)[:60], "no end_header")
+    ends("cut.ply, at once", "%.1f s" % (time.time() - start) if time.time() - start > 2 else "")
+
+
 def has_importer():
     write("probe.off", off(PARTS))
     return run("check", "probe.off")[0] != 69          # 69: built without it
@@ -188,6 +222,7 @@ def main():
         solids()
         if has_importer():
             meshes()
+            units()
         os.chdir("/")
     total()
 

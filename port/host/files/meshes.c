@@ -52,13 +52,18 @@ int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <strings.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 /* ------------------------------------------------------------------------------------------------ in the importer's process */
 
-typedef struct writer { FILE *out; long vertices, blocks; } writer;
+typedef struct writer {
+    FILE *out;
+    long vertices, blocks;
+    double scale;               /* of lengths */
+} writer;
 
 static void give_up(FILE *out, const char *why)
 {
@@ -71,10 +76,10 @@ static void write_mesh(writer *w, const struct aiMesh *mesh, struct aiMatrix4x4 
 {
     for (unsigned v = 0; v < mesh->mNumVertices; v++) {
         const double x = (double)mesh->mVertices[v].x, y = (double)mesh->mVertices[v].y, z = (double)mesh->mVertices[v].z;
-        const double p[3] = { (double)m.a1 * x + (double)m.a2 * y + (double)m.a3 * z + (double)m.a4,
+        double p[3] = { (double)m.a1 * x + (double)m.a2 * y + (double)m.a3 * z + (double)m.a4,
                               (double)m.b1 * x + (double)m.b2 * y + (double)m.b3 * z + (double)m.b4,
                               (double)m.c1 * x + (double)m.c2 * y + (double)m.c3 * z + (double)m.c4 };
-        for (int k = 0; k < 3; k++) if (!(fabs(p[k]) < 1e30)) give_up(w->out, "a coordinate is no finite number");
+        for (int k = 0; k < 3; k++) if (!(fabs(p[k] *= w->scale) < 1e30)) give_up(w->out, "a coordinate is no finite number");
         fprintf(w->out, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
     }
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
@@ -107,6 +112,35 @@ static void write_node(writer *w, const struct aiScene *scene, const struct aiNo
     for (unsigned k = 0; k < node->mNumChildren; k++) write_node(w, scene, node->mChildren[k], above, depth + 1);
 }
 
+/* A number that the file tells of itself, else `preset`. */
+static double told_number(const struct aiScene *scene, const char *key, double preset)
+{
+    const struct aiMetadata *m = scene->mMetaData;
+    for (unsigned k = 0; m && k < m->mNumProperties; k++) {
+        const struct aiMetadataEntry *e = &m->mValues[k];
+        if (strcmp(m->mKeys[k].data, key)) continue;
+        if (e->mType == AI_INT32) return (double)*(const int32_t *)e->mData;
+        if (e->mType == AI_FLOAT) return (double)*(const float *)e->mData;
+        if (e->mType == AI_DOUBLE) return *(const double *)e->mData;
+    }
+    return preset;
+}
+
+/* FBX tells its unit, in centimetres, and its axis up. Units that scene files don't know become metres. */
+static void write_fbx_head(writer *w, const struct aiScene *scene)
+{
+    static const struct { double size; const char *name; } unit[] = { { 0.1, "mm" }, { 1, "cm" }, { 100, "m" }, { 2.54, "in" } };
+    const double size = told_number(scene, "UnitScaleFactor", 1), up = told_number(scene, "UpAxis", 1);
+    const char *name = "m";
+    size_t k = 0;
+    if (!(size > 1e-6 && size < 1e6)) give_up(w->out, "its UnitScaleFactor is no length");
+    while (k < 4 && fabs(unit[k].size - size) > 1e-6 * size) k++;
+    if (k < 4) name = unit[k].name;
+    else w->scale = size / 100;
+    fprintf(w->out, "#@ unit %s\n#@ up %s%c\n", name, told_number(scene, "UpAxisSign", 1) < 0 ? "-" : "",
+            up < 0.5 ? 'x' : up < 1.5 ? 'y' : 'z');
+}
+
 /* Never more than whoever started the program grants. */
 static void limit(int what, size_t most)
 {
@@ -132,12 +166,13 @@ static void import(const char *path, int pipe_end)
     dup2(null, 1);
     dup2(null, 2);
     const struct aiScene *scene = aiImportFile(path, 0);
-    writer w = { out, 0, 0 };
+    writer w = { out, 0, 0, 1 };
     if (!scene || !scene->mRootNode) {
         const char *why = aiGetErrorString();
         give_up(out, strstr(why, "bad_alloc") ? "it asks for more memory than there is for reading" : why);
     }
     aiIdentityMatrix4(&unit);
+    if (strcasecmp(ending(path), "fbx") == 0) write_fbx_head(&w, scene);
     write_node(&w, scene, scene->mRootNode, unit, 0);
     if (!w.blocks) give_up(out, "it holds no mesh");
     _exit(fflush(out) ? 2 : 0);
@@ -200,9 +235,21 @@ static void set_axes(const char *path, obj_file *f, remarks *told)
         obj_set_up(f, y);
         f->down_told = 1;
         remarks_add(told, "--up z", "read with y up, in metres, as its form says; otherwise");
+    } else if (strcasecmp(ending(path), "fbx") == 0) {
+        remarks_add(told, "--unit UNIT, --up AXIS", "read in the unit and with the axis up that the file tells; otherwise");
     } else if (strcmp(ending(path), "3mf") == 0 && !f->unit.over) {
         remarks_add(told, "--unit mm", "lengths were taken for metres, and are millimetres in most such files");
     }
+}
+
+/* Of a PLY file cut in its header Assimp reads the last line again and again until its time is up. */
+static int has_whole_header(const char *path, FILE *in)
+{
+    char head[1 << 16];
+    if (strcasecmp(ending(path), "ply")) return 1;
+    const size_t n = fread(head, 1, sizeof head - 1, in);
+    for (size_t k = 0; k + 10 <= n; k++) if (memcmp(head + k, "end_header", 10) == 0) return 1;
+    return 0;
 }
 
 int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
@@ -215,7 +262,9 @@ int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
 
     *file = empty;
     if (!in) return fail_with(error, EXIT_NO_INPUT, path, 0, "can't open: %s", strerror(errno));
+    const int whole = has_whole_header(path, in);
     fclose(in);
+    if (!whole) return fail_with(error, EXIT_SCENE, path, 0, "can't be read: its header has no end_header");
     status = run_importer(path, &text, &length, error);
     if (!status) status = obj_parse(path, text, length, file, error);
     if (status) return status;
