@@ -295,9 +295,6 @@ int command_limit(int argc, char **argv)
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && o.tilt_margin && o.sliding)
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --sliding exclude each other");
-        if (!status && o.tilt_margin && (o.csv || o.model || o.html))
-            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: %s has nothing to tell of --tilt-margin",
-                               o.csv ? "--csv" : o.model ? "--out-obj" : "--html");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

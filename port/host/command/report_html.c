@@ -75,9 +75,8 @@ static int put_words(FILE *out, const void *of)
     return !ferror(out);
 }
 
-static int put_body(FILE *out, const void *of)
+int report_html_body(FILE *out, const report *r)
 {
-    const report *r = ((const telling *)of)->r;
     report_shown x;
     int good = report_show(r, &x);
     x.of.names = 0;
@@ -90,6 +89,8 @@ static int put_body(FILE *out, const void *of)
     free(x.dq);
     return good;
 }
+
+static int put_body(FILE *out, const void *of) { return report_html_body(out, ((const telling *)of)->r); }
 
 int report_html(const report *r, report_words *words, failure *error)
 {

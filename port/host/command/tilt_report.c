@@ -1,6 +1,11 @@
+#include "html_page.h"
 #include "progress.h"
+#include "report_csv.h"
+#include "report_html.h"
 #include "tilt_report.h"
+#include "../files/csv_out.h"
 #include "../files/drawn.h"
+#include "../files/file.h"
 #include "../files/json_out.h"
 #include "../picture/tilt_svg.h"
 #include "../tilt.h"
@@ -27,14 +32,30 @@ static int refuse_others(const host_scene *s, failure *error)
     return 0;
 }
 
-static int put_margin(FILE *out, const void *of) { return tilt_svg(out, of); }
+/* A margin, and the report it is of: of its worst azimuth a limit, whose mechanism is shown. */
+typedef struct margin { const tilt_margin *m; const report *r; } margin;
 
-static int draw_margin(const report *r, const tilt_margin *m, failure *error)
+static int put_margin(FILE *out, const void *of)
 {
+    const tilt_margin *m = ((const margin *)of)->m;
+    const report *r = ((const margin *)of)->r;
     const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone,
                              &r->scene->remarks };
-    const int status = drawn_file(r->options->svg, put_margin, &plot, error);
-    return status ? status : drawn_png(r->options->png, put_margin, &plot, error);
+    return tilt_svg(out, &plot);
+}
+
+/* The mechanism of the worst azimuth, as that of any limit. */
+static report of_worst(const report *r, const tilt_margin *m)
+{
+    report w = *r;
+    w.limit = &m->worst;
+    w.result.f = m->worst.f;
+    w.result.dq = m->worst.dq;
+    w.result.verdict = m->worst.upper >= 0 ? SP_UNSTABLE : SP_UNDECIDED;
+    w.result.extremes.weakest = -1;
+    w.result.verified = m->worst.verified;
+    w.result.tol = m->worst.tol;
+    return w;
 }
 
 static void json_degrees(json_out *j, const char *key, int known, double x)
@@ -62,30 +83,106 @@ static void print_json(const report *r, const tilt_margin *m)
     putchar('\n');
 }
 
-static void print_text(const report *r, const tilt_margin *m)
+static void print_text(FILE *out, const report *r, const tilt_margin *m, int quiet)
 {
     const char *path = r->scene->path;
     if (!m->stands) {
-        printf("%s: %s", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
-        report_near(stdout, r->scene);
-        if (!r->options->quiet) remarks_print(stdout, &r->scene->remarks);
+        fprintf(out, "%s: %s", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
+        report_near(out, r->scene);
+        if (!quiet) remarks_print(out, &r->scene->remarks);
         return;
     }
-    if (m->least >= 90) printf("%s: TILT MARGIN at least 90 degrees, towards every azimuth", path);
-    else printf("%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)", path, tilt_at_least(m) ? "at least " : "",
-                m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
-    report_near(stdout, r->scene);
-    if (r->options->quiet) return;
+    if (m->least >= 90) fprintf(out, "%s: TILT MARGIN at least 90 degrees, towards every azimuth", path);
+    else fprintf(out, "%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)", path,
+                 tilt_at_least(m) ? "at least " : "", m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
+    report_near(out, r->scene);
+    if (quiet) return;
     if (m->least < 90 && m->within > 1e-3 * m->least) {
-        report_row(stdout, "how near");
-        printf("known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n",
+        report_row(out, "how near");
+        fprintf(out, "known to within %.2g degrees only: tol counts against the weights, and the margin is small beside that\n",
                m->within);
     }
-    if (m->worst.tol > 0) report_tol(stdout, r);
-    report_row(stdout, "how");
-    printf("%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS,
+    if (m->worst.tol > 0) report_tol(out, r);
+    report_row(out, "how");
+    fprintf(out, "%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS,
            m->undecided);
-    remarks_print(stdout, &r->scene->remarks);
+    remarks_print(out, &r->scene->remarks);
+}
+
+/* ------------------------------------------------------------------------------------------------------ page, tables, model */
+
+static int put_words(FILE *out, const void *of)
+{
+    const margin *t = of;
+    print_text(out, t->r, t->m, 0);
+    return !ferror(out);
+}
+
+static int put_angles(FILE *out, const tilt_margin *m)
+{
+    fputs("<h2>How far it may tilt</h2>\n<div><table>\n<thead><tr><th scope=\"col\">towards azimuth [degree]</th>"
+          "<th scope=\"col\">stands up to [degree]</th></tr></thead>\n<tbody>\n", out);
+    for (int k = 0; k < TILT_AZIMUTHS; k++)
+        fprintf(out, "<tr><td>%g</td><td>%.6g</td></tr>\n", 360.0 * k / TILT_AZIMUTHS, m->angle[k]);
+    fputs("</tbody></table></div>\n", out);
+    return !ferror(out);
+}
+
+/* The plot; where it stands while level the mechanism of the worst azimuth; the angles. */
+static int put_body(FILE *out, const void *of)
+{
+    const margin *t = of;
+    const report worst = of_worst(t->r, t->m);
+    int good;
+    fputs("<div>\n", out);
+    good = put_margin(out, of);
+    fputs("</div>\n", out);
+    if (!t->m->stands) return good;
+    if (good && t->m->worst.dq) {
+        fprintf(out, "<h2>How it gives way, tilted towards %g degrees</h2>\n", t->m->azimuth);
+        good = report_html_body(out, &worst);
+    }
+    return good && put_angles(out, t->m);
+}
+
+static int write_angles(const report *r, const tilt_margin *m, failure *error)
+{
+    char path[REPORT_CSV_PATH];
+    FILE *out = report_csv_create(r->options, "tilt", path, error);
+    csv_out c = { out, 0 };
+    if (!out) return error->status;
+    csv_header(&c, "azimuth_degree,stands_up_to_degree");
+    for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) {
+        csv_real(&c, 360.0 * k / TILT_AZIMUTHS);
+        csv_real(&c, m->angle[k]);
+        csv_end(&c);
+    }
+    return file_finish(out, path, 0, error);
+}
+
+/* Tables and model of the worst mechanism, as of a limit. */
+static int write_worst(const report *r, const tilt_margin *m, failure *error)
+{
+    options o = *r->options;
+    report worst = of_worst(r, m);
+    int status = 0;
+    if (!m->stands || !m->worst.dq) return 0;
+    o.svg = o.png = NULL;                       /* those are the plot */
+    worst.options = &o;
+    if (o.csv) status = report_csv(&worst, error);
+    return status ? status : report_draw(&worst, error);
+}
+
+static int draw_margin(const report *r, const tilt_margin *m, failure *error)
+{
+    const margin t = { m, r };
+    const options *o = r->options;
+    const html_page page = { r->scene->path, m->stands ? "tilt margin" : "falls level", put_words, put_body, &t };
+    int status = drawn_file(o->svg, put_margin, &t, error);
+    if (!status) status = drawn_png(o->png, put_margin, &t, error);
+    if (!status) status = html_page_write(o->html, &page, error);
+    if (!status && o->csv) status = write_angles(r, m, error);
+    return status ? status : write_worst(r, m, error);
 }
 
 int tilt_report(report *r, failure *error)
@@ -99,10 +196,10 @@ int tilt_report(report *r, failure *error)
     measured = tilt_measure(&r->scene->scene, settings, &m, &memory);
     progress_end();
     if (measured != SP_OK) status = scene_refused(r->scene, settings, measured, error);
-    if (!status) status = draw_margin(r, &m, error);
     r->result.tol = m.worst.tol;
+    if (!status) status = draw_margin(r, &m, error);
     if (!status && r->options->json) print_json(r, &m);
-    if (!status && !r->options->json) print_text(r, &m);
+    if (!status && !r->options->json) print_text(stdout, r, &m, r->options->quiet);
     free(memory);
     return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
 }

@@ -129,7 +129,8 @@ static double told_number(const struct aiScene *scene, const char *key, double p
 /* FBX tells its unit, in centimetres, and its axis up. Units that scene files don't know become metres. */
 static void write_fbx_head(writer *w, const struct aiScene *scene)
 {
-    static const struct { double size; const char *name; } unit[] = { { 0.1, "mm" }, { 1, "cm" }, { 100, "m" }, { 2.54, "in" } };
+    static const struct { double size; const char *name; } unit[] = {
+        { 0.1, "mm" }, { 1, "cm" }, { 100, "m" }, { 2.54, "in" } };
     const double size = told_number(scene, "UnitScaleFactor", 1), up = told_number(scene, "UpAxis", 1);
     const char *name = "m";
     size_t k = 0;
