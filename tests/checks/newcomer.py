@@ -109,9 +109,8 @@ def texts(svg):
     return found
 
 
-def illegible(path, out):
-    """What can't be read: letters too small, beyond the edge, over each other; a picture that lies on its side."""
-    svg = xml.etree.ElementTree.parse(path).getroot()
+def unreadable(svg):
+    """Letters too small, beyond the edge, over each other."""
     wide, high = [float(x) for x in svg.get("viewBox").split()[2:]]
     words = texts(svg)
     for w in words:
@@ -121,11 +120,34 @@ def illegible(path, out):
         for b in words[:i]:
             if a[1] < b[3] and b[1] < a[3] and a[2] < b[4] and b[2] < a[4]:
                 return "'%s' lies over '%s'" % (a[0], b[0])
+    return ""
+
+
+def illegible(path, out):
+    """What can't be read, names of blocks told of that are missing, a picture that lies on its side."""
+    svg = xml.etree.ElementTree.parse(path).getroot()
+    wide, high = [float(x) for x in svg.get("viewBox").split()[2:]]
+    words = texts(svg)
+    if unreadable(svg):
+        return unreadable(svg)
     told = re.findall(r"Brick_\d+_Cube\.\d+", " ".join(x for x in out.split("\n") if re.match("  (weakest|moving)", x)))
     shown = " ".join(w[0] for w in words)
     if not told or not all(t in shown for t in told[:2]):
         return "told of %s, names in the picture are: %s" % (told, shown)
     return "" if .8 < wide / high < 2.5 else "a gateway wider than high is %g x %g" % (wide, high)
+
+
+def kinds():
+    """Words of every kind of picture, of five blocks and of 160."""
+    for name, words in ("tower", ["n=4", "lean=0.05"]), ("wall", ["rows=10", "bricks=15"]):
+        with open(name + ".obj", "w") as out:
+            out.write(run("gen", name, *words)[1])
+        for kind in (["check"], ["check", "--tilt", "30"], ["check", "--coupled"], ["check", "--strong"], ["limit", "--body", "1,0,0"],
+                     ["limit", "--tilt-margin"], ["cost"]):
+            status, out, err = run(*kind, "--svg", "kind.svg", name + ".obj")
+            why = err or unreadable(xml.etree.ElementTree.parse("kind.svg").getroot())
+            part("words of %s, %s" % (" ".join(kind), name), why)
+            os.remove("kind.svg")
 
 
 def by_remarks():
@@ -167,6 +189,7 @@ def main():
         in_one_line(.8, "unstable")
         by_remarks()
         by_help()
+        kinds()
         os.chdir("/")
     print("%d passed, %d failed" % (tally["passed"], tally["failed"]))
     sys.exit(tally["failed"] > 0)

@@ -393,6 +393,16 @@ tilt_margin_falls() {                                   # a page and an empty ta
     "$cli" limit --tilt-margin --html "$tmp/p.html" --csv "$tmp/t" --out-obj "$tmp/m.obj" "$tmp/t.obj" > "$tmp/out"
     [ $? -eq 1 ] && grep -q '<h1>.*does not stand while level' "$tmp/p.html" && [ "$(wc -l < "$tmp/t-tilt.csv")" -eq 1 ]
 }
+"$cli" gen wall rows=25 bricks=45 > "$tmp/many.obj"
+part "svg: of 3000 joints the largest forces of their places" sh -c "'$cli' check --svg '$tmp/p.svg' '$tmp/many.obj' > '$tmp/out' && \
+    grep -q 'holds; the largest of its place<' '$tmp/p.svg' && [ \$(grep -c '^<g opacity' '$tmp/p.svg') -lt 1200 ]"
+part "svg: of few joints all forces"   sh -c "'$cli' gen arch | '$cli' check --svg '$tmp/p.svg' - > '$tmp/out' && ! grep -q 'of its place' '$tmp/p.svg'"
+part "svg: says whether it is coupled" sh -c "'$cli' gen arch | '$cli' check --coupled --svg '$tmp/p.svg' - > '$tmp/out' && grep -q '>stable, coupled<' '$tmp/p.svg'"
+part "svg: says whether it is strong"  sh -c "'$cli' gen two-cubes | '$cli' check --strong --svg '$tmp/p.svg' - > '$tmp/out' && grep -q '>stable, strong<' '$tmp/p.svg'"
+part "svg: no hinge's line over a disc" sh -c "'$cli' gen arch t=0.15 | '$cli' limit --body 1,0,0 --svg '$tmp/p.svg' - > '$tmp/out' && \
+    awk '/<path.*#6a1b9a/ { if (disc) bad++ } /<circle.*#6a1b9a/ && \$0 !~ /path/ { disc = 1 } /<text/ { exit bad > 0 }' '$tmp/p.svg'"
+part "tilt margin: the plot names the scene" sh -c "'$cli' gen topple angle=5 > '$tmp/t.obj'; \
+    '$cli' limit --tilt-margin --svg '$tmp/p.svg' '$tmp/t.obj' > '$tmp/out' && grep -q '>t.obj</tspan>' '$tmp/p.svg'"
 part "tilt margin: page, tables, model" tilt_margin_files
 part "tilt margin: of what falls level" tilt_margin_falls
 part "out-obj: a picture, no scene"     sh -c "'$cli' check --out-obj '$tmp/m.obj' '$tmp/scene.obj' && ! '$cli' check '$tmp/m.obj' 2> '$tmp/out' && \
@@ -448,6 +458,8 @@ part "sequence: how many steps it shows" sh -c "'$cli' gen arch n=40 | '$cli' se
 part "sequence: nothing half written" half "$cli" sequence --svg "$tmp/half" "$tmp/scene.obj"
 part "sequence: small blocks have a ring" sh -c "'$cli' gen tower n=200 lean=0 | '$cli' sequence --svg '$tmp/long.svg' - > '$tmp/out' && \
     [ \$(grep -c 'class=\"ring\"' '$tmp/long.svg') = 24 ]"
+outside() { awk '/^<svg x=/ { inside = 1 } /^<\/svg>/ { inside = 0 } /class="ring"/ && inside { bad++ } END { exit bad > 0 }' "$1"; }
+part "sequence: rings are not cut off" outside "$tmp/long.svg"
 part "sequence: a page of it"        sh -c "'$cli' sequence --html '$tmp/p.html' '$tmp/scene.obj' > '$tmp/out'; \
     [ \$(grep -c '<tr><td>[0-9]' '$tmp/p.html') = 20 ] && grep -q '<td>b4</td><td>UNSTABLE</td><td>b3</td>' '$tmp/p.html' && grep -q '</svg>' '$tmp/p.html'"
 part "sequence: a model of its steps"  sh -c "'$cli' sequence --out-obj '$tmp/m.obj' '$tmp/scene.obj' > '$tmp/out'; \

@@ -94,10 +94,12 @@ static int show_motion(report_shown *x, const sp_real *m)
 
 int report_show(const report *r, report_shown *x)
 {
-    const subject of = { r->scene, &x->result, r->limit, r->options->view, r->options->names, NULL };
+    const subject of = { r->scene, &x->result, r->limit, r->options->view, r->options->names, NULL, NULL };
     x->result = r->result;
     x->dq = NULL;
     x->of = of;
+    if (r->strong && r->strong->kind) x->of.level = sp_strong_text(r->strong->kind);
+    else if (!r->limit && r->result.level == SP_COUPLED) x->of.level = sp_level_text(SP_COUPLED);
     if (r->strong && r->strong->kind == SP_STRONG_AMBIGUOUS) {
         x->of.motion = "It stands, and by another history of its friction it starts to move";
         return show_motion(x, r->strong->a);

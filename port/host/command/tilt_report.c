@@ -39,7 +39,7 @@ static int put_margin(FILE *out, const void *of)
 {
     const tilt_margin *m = ((const margin *)of)->m;
     const report *r = ((const margin *)of)->r;
-    const tilt_plot plot = { m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone,
+    const tilt_plot plot = { r->scene->path, m->angle, TILT_AZIMUTHS, m->least, m->azimuth, tilt_at_least(m), r->options->cone,
                              &r->scene->remarks };
     return tilt_svg(out, &plot);
 }

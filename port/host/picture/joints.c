@@ -54,14 +54,19 @@ int joints_draw_weakest(const drawing *d, int32_t weakest, int *behind)
     return good;
 }
 
-static void draw_hinge(const drawing *d, const sp_joint_motion *m)
+#define SHORT 10.0                      /* [px] */
+
+/* A line, or the disc at its end; among many not of short ones. */
+static void draw_hinge(const drawing *d, const sp_joint_motion *m, int disc)
 {
     double a[2], b[2];
     drawing_point(d, m->a, a);
     drawing_point(d, m->b, b);
-    fprintf(d->out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>"
-            "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n",
-            a[0], a[1], b[0], b[1], INK_HINGE, a[0], a[1], INK_HINGE);
+    if (!disc) fprintf(d->out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"4\" stroke-linecap=\"round\"/>\n",
+                       a[0], a[1], b[0], b[1], INK_HINGE);
+    else if (d->s->count.joints < 400 || hypot(b[0] - a[0], b[1] - a[1]) > SHORT)
+        fprintf(d->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"#fff\" stroke=\"%s\" stroke-width=\"2\"/>\n",
+                a[0], a[1], INK_HINGE);
 }
 
 void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges, int32_t *slides)
@@ -71,11 +76,15 @@ void joints_draw_mechanism(const drawing *d, const sp_real *dq, int32_t *hinges,
         if (sp_joint_moves(d->s, dq, i, &m) != SP_OK) continue;
         if (m.kind == SP_JOINT_HINGE) {
             ++*hinges;
-            draw_hinge(d, &m);
+            draw_hinge(d, &m, 0);
         }
         if (m.kind != SP_JOINT_SLIDING) continue;
         ++*slides;
         fprintf(d->out, "<path fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" stroke-width=\"2\" d=\"", INK_SLIDE, INK_SLIDE);
         put_polygon(d, &d->s->joint[i]);
+    }
+    for (int32_t i = 0; i < d->s->count.joints; i++) {          /* no line over a disc */
+        sp_joint_motion m;
+        if (sp_joint_moves(d->s, dq, i, &m) == SP_OK && m.kind == SP_JOINT_HINGE) draw_hinge(d, &m, 1);
     }
 }

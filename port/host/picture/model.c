@@ -165,7 +165,7 @@ static int has_step(const model_step *step, int32_t steps, int32_t b)
 void model_write_steps(FILE *out, const host_scene *scene, const model_step *step, int32_t steps)
 {
     const sp_scene *s = &scene->scene;
-    const subject of = { scene, NULL, NULL, { 0, 0, 0 }, 0, NULL };
+    const subject of = { scene, NULL, NULL, { 0, 0, 0 }, 0, NULL, NULL };
     model m = { out, &of, 0 };
     put_head(out);
     for (int32_t b = 0; b < s->count.blocks; b++) if (!has_step(step, steps, b)) put_block(&m, s, b, "", "start");

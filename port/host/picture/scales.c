@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MANY 2000                       /* joints */
-
 static int ascending(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -33,7 +31,7 @@ double scales_choose(drawing *d, forces *f, mechanism *m, const sp_result *resul
     for (int32_t k = 0; k < d->s->count.points; k++) drawing_cover(d, d->s->point[k]);
     size = drawing_size(d);
     block = median_block(d->s, size);
-    forces_scale(f, d, result, fmin(fmax(0.75 * block, (d->s->count.joints > MANY ? 0.015 : 0.05) * size), 0.2 * size));
+    forces_scale(f, d, result, fmin(fmax(0.75 * block, (d->s->count.joints > FORCES_MANY ? 0.03 : 0.05) * size), 0.2 * size));
     mechanism_scale(m, d, result, size, fmin(fmax(block / 3, 0.04 * size), 0.12 * size));
     *size_of_all = size;
     return block;

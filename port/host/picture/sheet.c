@@ -125,9 +125,11 @@ static int draw_moment(sheet *t, const sheet_frame *f, double x, double y, doubl
     fprintf(out, "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\">\n", x, y, t->width, h);
     good = faces_find(&seen, &t->d) && faces_draw(&seen, &t->d, f->mark);
     if (good && f->mark) good = through_draw(&t->d, &seen, f->mark);
-    for (int32_t b = 0; f->mark && b < t->s.count.blocks; b++) draw_ring(t, b, (block_mark)f->mark[b]);
     if (good && t->page->name) good = draw_names(t, f);
     page_end(out);
+    fprintf(out, "<g transform=\"translate(%.1f %.1f)\">\n", x, y);          /* whole, also where they stand out */
+    for (int32_t b = 0; f->mark && b < t->s.count.blocks; b++) draw_ring(t, b, (block_mark)f->mark[b]);
+    fputs("</g>\n", out);
     page_label(out, x, y + h + 16);
     page_text(out, f->caption, sizeof f->caption);
     fputs("</text>\n", out);

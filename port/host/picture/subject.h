@@ -11,6 +11,7 @@ typedef struct subject {
     const sp_limit_result *limit;       /* of a limit: result has its forces and motion only; NULL: of a check */
     view_wish view;
     int names;                          /* names on all blocks that have room for one */
+    const char *level;                  /* coupled, strong, ambiguous ...: what was asked besides; NULL: nothing */
     const char *motion;                 /* what the motion is, where it is none of these; NULL: how it starts to move */
 } subject;
 

@@ -1,7 +1,9 @@
 #include "mind.h"
+#include "page.h"
 #include "tilt_svg.h"
 
 #include <math.h>
+#include <string.h>
 
 #define DEGREE (3.14159265358979323846 / 180)
 #define SIDE 560.0                      /* [px] */
@@ -34,13 +36,17 @@ static void draw_grid(FILE *out, double most, double step)
 
 static void draw_title(FILE *out, const tilt_plot *p)
 {
+    const char *slash = strrchr(p->path, '/');
     const double high = SIDE + 20 + MIND_ROW * mind_rows(p->told);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n", SIDE, high, SIDE, high);
     fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by %s %.3g&#176;"
-            "</text>\n<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">worst towards azimuth %.4g&#176; (from x to y); "
-            "%s cone</text>\n", p->at_least ? "at least" : "up to", p->least, p->azimuth, p->cone);
+            "<tspan font-weight=\"normal\" font-size=\"15\" dx=\"10\">", p->at_least ? "at least" : "up to", p->least);
+    page_text(out, slash ? slash + 1 : p->path, 24);
+    fprintf(out, "</tspan></text>\n<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">"
+            "worst towards azimuth %.4g&#176; (from x to y); "
+            "%s cone</text>\n", p->azimuth, p->cone);
 }
 
 int tilt_svg(FILE *out, const tilt_plot *p)

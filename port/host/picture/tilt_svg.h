@@ -6,6 +6,7 @@
 #include "../files/remarks.h"
 
 typedef struct tilt_plot {
+    const char *path;           /* of the scene */
     const double *angle;        /* [degree] towards azimuth 360 k / azimuths */
     int azimuths;
     double least, azimuth;      /* the smallest of all, and its own [degree] */

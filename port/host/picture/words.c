@@ -6,6 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#define ROW    MIND_ROW
+#define LETTER 6.4                      /* width of one, more or less [px] */
+
 /* The largest 1, 2 or 5 times a power of ten below x. */
 static double round_below(double x)
 {
@@ -68,11 +71,13 @@ static void title_of_check(const words *w)
 {
     const sp_result *x = w->of->result;
     const char *word = x->verdict == SP_STABLE ? "stable" : x->verdict == SP_UNSTABLE ? "unstable" : "undecided";
+    const char *more = w->of->level;
     const char *color = x->verdict == SP_STABLE ? "#1b7837" : x->verdict == SP_UNSTABLE ? INK_MOTION : "#8a6d00";
     const int32_t blocks = w->d->s->count.blocks;
 
-    fprintf(w->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"%s\">%s"
-            "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", PAGE_MARGIN, color, word);
+    fprintf(w->out, "<text x=\"%.0f\" y=\"40\" font-size=\"24\" font-weight=\"bold\" fill=\"%s\">%s%s%s"
+            "<tspan font-weight=\"normal\" font-size=\"17\" fill=\"#333\" dx=\"12\">", PAGE_MARGIN, color, word,
+            more ? ", " : "", more ? more : "");
     page_text(w->out, file_name(w->of->scene->path), 60);
     fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     fprintf(w->out, "%ld block%s, %ld of them free, %ld joint%s", (long)blocks, blocks == 1 ? "" : "s",
@@ -94,7 +99,6 @@ void words_title(const words *w)
 
 /* -------------------------------------------------------------------------------------------------------------- legend */
 
-#define ROW MIND_ROW
 
 static void legend_forces(const words *w, double x, double y)
 {
@@ -103,10 +107,11 @@ static void legend_forces(const words *w, double x, double y)
     page_arrow(w->out, a, b, INK_FORCE, 1.7, 8);
     page_label(w->out, x + length + 10, y);
     page_quantity(w->out, force, "N");
-    fputs(w->of->limit && w->of->motion ? ", force of a joint as it slides</text>\n"
-          : w->of->limit ? ", force of a joint at the limit</text>\n"
-          : w->of->result->verdict == SP_STABLE ? ", force of a joint on the block it holds</text>\n"
-          : ", best force that joints can give</text>\n", w->out);
+    fputs(w->of->limit && w->of->motion ? ", force of a joint as it slides"
+          : w->of->limit ? ", force of a joint at the limit"
+          : w->of->result->verdict == SP_STABLE ? ", force of a joint on the block it holds"
+          : ", best force that joints can give", w->out);
+    fputs(w->forces->left_out ? "; the largest of its place</text>\n" : "</text>\n", w->out);
 }
 
 static void legend_weakest(const words *w, double x, double y)
@@ -136,9 +141,11 @@ void words_motion(const words *w, double x, double y)
     const char *const virtual = w->of->result->level == SP_COUPLED
                               ? "A virtual motion that explains the forces, to "
                               : "A virtual motion that needs such help, to ";
-    page_label(w->out, x, y);
-    if (w->of->motion) fprintf(w->out, "%s, drawn to ", w->of->motion);
-    else fputs(motion_is_virtual(w->of->result) ? virtual : "How it starts to move, drawn to ", w->out);
+    const char *const says = w->of->motion ? w->of->motion : motion_is_virtual(w->of->result) ? virtual
+                           : "How it starts to move, drawn to ";
+    const double wide = LETTER * (double)(strlen(says) + strlen(", drawn to 999 mm at most"));
+    page_label(w->out, fmax(PAGE_MARGIN, fmin(x, PAGE_WIDTH - PAGE_MARGIN - wide)), y);
+    fprintf(w->out, "%s%s", says, w->of->motion ? ", drawn to " : "");
     page_quantity(w->out, w->motion->largest, "m");
     fputs(" at most</text>\n", w->out);
 }
