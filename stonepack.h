@@ -1236,6 +1236,66 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
     ((sizeof(sp_real) + 4) * (4 * (uint64_t)(faces) + 50) * (uint64_t)(vertices) + sizeof(sp_real) * (uint64_t)(blocks) + 2200 \
      + (15 * sizeof(sp_real) + 9) * (6 * (uint64_t)(blocks) + ((uint64_t)(faces) + 6) * (uint64_t)(vertices)))
 
+/* Near the truth, where it is known what touches what: within 1.3 for walls, arches and piles of 8 to 60 stones with the
+ * default settings, joints without strength. blocks: supports too; vertices: those of contacts, of meshes in SP_CONTACTS_BYTES.
+ * SP_SMALL has SP_MEMORY_BYTES alone; SP_NO_IPM and SP_REAL_MIXED take less than these tell.
+ *
+ *   fill                blocks of the factor below its diagonal, at most:
+ *   SP_FILL_ANY         whatever touches what: a proof; then they are no nearer than SP_MEMORY_BYTES
+ *   SP_FILL_WALL        of walls and vaults in courses, of width stones along or upwards, whichever are fewer. Measured, not
+ *                       proved: tests hold it for shapes of 8 to 60 stones. Width 1: an arch, a tower, whatever has no closed
+ *                       ring of free blocks: proved
+ *   SP_FILL_PILE        of stones heaped in layers, each on up to four; likewise
+ *   SP_CHECK_BYTES      sp_memory for SP_FOR_CHECK, where all free blocks hang together (an island); apart: SP_APART_BYTES more
+ *   SP_LIMIT_BYTES      for SP_FOR_LIMIT
+ *   SP_SEQUENCE_BYTES   for SP_FOR_SEQUENCE
+ *   SP_CONTACTS_BYTES   for SP_FOR_CONTACTS: corners of all blocks' faces, and of the block that has most; of an open support
+ *                       twice
+ *
+ * A check that lacks memory is SP_E_MEMORY and never wrong. */
+#define SP_FILL_ANY(blocks) ((uint64_t)(blocks) * ((blocks) > 0 ? (uint64_t)(blocks) - 1 : 0) / 2)
+#define SP_FILL_WALL(blocks, joints, width) \
+    ((width) <= 1 ? (uint64_t)(blocks) : (7 * (uint64_t)(joints) + 6 * (uint64_t)(blocks) * (uint64_t)(width)) / 10 + 1)
+#define SP_FILL_PILE(blocks, joints) \
+    (5 * (uint64_t)(joints) / 4 + 1 \
+     + (23 * (uint64_t)(joints) > 19 * (uint64_t)(blocks) \
+        ? (uint64_t)(blocks) * (23 * (uint64_t)(joints) - 19 * (uint64_t)(blocks)) / 1000 : 0))
+#ifdef SP_SMALL
+#define SP_NEAR_BYTES(bytes) SP_NEVER_FITS
+#else
+#define SP_NEAR_BYTES(bytes) (bytes)
+#endif
+/* 36 numbers a block of the factor, or 9 in 3 rows and what those know of joints and of mirror images: the larger. */
+#define SP_BELOW_BYTES(fill, joints, vertices) \
+    ((9 * sizeof(sp_real) + 4) * (uint64_t)(fill) + 64 \
+     + (27 * sizeof(sp_real) * (uint64_t)(fill) > SP_MIRROR_BYTES(joints, vertices) \
+        ? 27 * sizeof(sp_real) * (uint64_t)(fill) : SP_MIRROR_BYTES(joints, vertices)))
+#define SP_FRAME_BYTES \
+    (2 * (sizeof(sp_settings) + sizeof(sp_problem) + sizeof(sp_state) + sizeof(sp_result)) + 102 * sizeof(sp_real))
+#define SP_CHECK_BYTES(blocks, joints, vertices, fill) \
+    SP_NEAR_BYTES((92 * sizeof(sp_real) + 24) * (uint64_t)(blocks) \
+                  + (sizeof(sp_demand) + sizeof(sp_contact) + 12) * (uint64_t)(joints) \
+                  + 9 * sizeof(sp_real) * (uint64_t)(vertices) + SP_BELOW_BYTES(fill, joints, vertices) \
+                  + SP_MIXED_BYTES(blocks, joints) + SP_FRAME_BYTES)
+#define SP_APART_BYTES(blocks, vertices) \
+    SP_NEAR_BYTES(6 * sizeof(sp_real) * ((uint64_t)(vertices) + 2 * (uint64_t)(blocks)) + SP_FRAME_BYTES \
+                  + (sizeof(sp_island) + 32) * ((uint64_t)(blocks) + 1))
+#define SP_LIMIT_BYTES(blocks, joints, vertices, fill) \
+    SP_NEAR_BYTES((216 * sizeof(sp_real) + 36) * (uint64_t)(blocks) + (sizeof(sp_contact) + 12) * (uint64_t)(joints) \
+                  + 15 * sizeof(sp_real) * (uint64_t)(vertices) + SP_BELOW_BYTES(fill, joints, vertices) \
+                  + SP_MIXED_BYTES(blocks, joints) + SP_FRAME_BYTES + 62 * sizeof(sp_real) + 690)
+#define SP_SEQUENCE_BYTES(blocks, joints, vertices, fill) \
+    SP_NEAR_BYTES((120 * sizeof(sp_real) + 128) * (uint64_t)(blocks) + (14 * sizeof(sp_real) + 88) * (uint64_t)(joints) \
+                  + 21 * sizeof(sp_real) * (uint64_t)(vertices) + SP_BELOW_BYTES(fill, joints, vertices) \
+                  + SP_MIXED_BYTES(blocks, joints) + SP_FRAME_BYTES + 100 * sizeof(sp_real) + 1110)
+#define SP_CROSSINGS(most) ((uint64_t)(most) < 32 ? (uint64_t)(most) * (uint64_t)(most) / 4 : 8 * (uint64_t)(most))
+#define SP_TREE_WIDTH(n) ((n) <= 8 ? 8 : (n) <= 16 ? 16 : (n) <= 32 ? 32 : (n) <= 64 ? 64 : 2 * (uint64_t)(n))
+#define SP_CONTACTS_BYTES(blocks, vertices, faces, corners, most) \
+    SP_NEAR_BYTES((10 * sizeof(sp_real) + 28) * (uint64_t)(blocks) + (12 * sizeof(sp_real) + 8) * (uint64_t)(faces) \
+                  + 8 * (uint64_t)(corners) + 4 * (uint64_t)(vertices) + 12 * sizeof(sp_real) * SP_TREE_WIDTH(blocks) \
+                  + (39 * sizeof(sp_real) + 206) * (uint64_t)(most) + (23 * sizeof(sp_real) + 121) * SP_CROSSINGS(most) \
+                  + 560 * sizeof(sp_real) + 3300)
+
 /* ------------------------------------------------------------------------------ for experts: proofs that there is no triple */
 
 /* A proof that no triple meets the conditions of the coupled check. Every contact vertex that takes part, 0..V-1 in the order
