@@ -4,13 +4,15 @@
 #     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, FUZZ_SECONDS (30) of clock each; without
 #                                               clang as --quick
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that ask
-#                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each
+#                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000 small
+#                                               scenes; then a fault is put into the certificate check, and must be found
 #
 #     scene   a small scene by port/fuzz, every question, its invariants          obj    scene files, JSON of COMPAS
 #     qp      sp_qp_solve                                                         qps    files of quadratic programs
 #     json    stored answers into `verify`                                        blob   requests and results of the worker
 #
-# Found inputs go to build/fuzz/; run `build/fuzz/TARGET FILE` again. FUZZ_SEED: of the loop, else the day.
+# Found inputs go to build/fuzz/, by the loop as small as they get and of `scene` as a scene file, too; run `build/fuzz/TARGET FILE`
+# again. FUZZ_SEED: of the loop, else the day.
 set -eu
 out=build/fuzz
 mkdir -p $out
@@ -20,6 +22,7 @@ targets=${*:-scene qp obj qps json blob}
 host="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
 plain='-std=c99 -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -w'
 seconds=${FUZZ_SECONDS:-}
+seed=${FUZZ_SEED:-$(date +%Y%m%d)}
 bad=0 passed=0
 
 seeds() {                                               # seeds TARGET: a folder of them
@@ -60,11 +63,31 @@ said() {                                                # said TARGET HOW: the l
     if [ "$3" -eq 0 ]; then passed=$((passed + 1)); echo "ok      $1, $2: $(grep -oE '[0-9]+ executions|Done [0-9]+ runs' "$4" | tail -n 1)"
     else bad=$((bad + 1)); echo "FAILED  $1, $2"; grep -vE '^#[0-9]+' "$4" | head -n 30 | sed 's/^/        /'; fi
 }
-loop() {                                                # loop TARGET HOW PROGRAM: seeds, then the time
+loop() {                                                # loop TARGET HOW PROGRAM SECONDS-OR-COUNTx: seeds, then that
     lo_status=0
-    LAST=$out/last-$1 UBSAN_OPTIONS=halt_on_error=1 "$3" "${seconds:-4}" "${FUZZ_SEED:-$(date +%Y%m%d)}" $out/seeds/"$1"/* \
-        > "$out/$1.log" 2>&1 || lo_status=$?
-    said "$1" "$2" $lo_status "$out/$1.log"
+    FOUND=$out/$1-found UBSAN_OPTIONS=halt_on_error=1 "$3" "$4" "$seed" $out/seeds/"$1"/* > "$out/$1.log" 2>&1 || lo_status=$?
+    if [ $lo_status -ne 0 ] && [ "$1" = scene ] && as_scene $out/scene-found; then
+        echo "as a scene: $out/scene-found.obj" >> "$out/$1.log"
+    fi
+    said "$1" "$2, seed $seed" $lo_status "$out/$1.log"
+}
+as_scene() {                                            # as_scene FILE: what was found as a scene file, which the program reads
+    make -s build/libstonepack.a build/stonepack > /dev/null
+    # shellcheck disable=SC2086
+    gcc $plain tests/fuzz/to_obj.c port/fuzz/bytes.c port/host/files/obj_write.c port/host/files/text.c port/host/files/failure.c \
+        build/libstonepack.a -lm -o $out/to_obj && $out/to_obj "$1" > "$1.obj" && build/stonepack check --quiet "$1.obj" > /dev/null ||
+        [ $? -le 2 ]
+}
+# The library with a fault put in, the resistance of contacts left out of what a motion proves: it must be found, and made small.
+planted() {
+    mkdir -p $out/planted
+    cp -r stonepack.c stonepack.h solvers $out/planted/
+    sed -i 's/resist += cap \* P;/resist += 0 * P;/' $out/planted/solvers/proof/forces.c
+    # shellcheck disable=SC2086
+    ! cmp -s solvers/proof/forces.c $out/planted/solvers/proof/forces.c && gcc $plain -O1 -c $out/planted/stonepack.c -o $out/planted.o &&
+        gcc $plain -O1 tests/fuzz/fuzz_scene.c port/fuzz/bytes.c tests/fuzz/loop.c $out/planted.o -lm -o $out/scene-planted &&
+        ! FOUND=$out/planted-found $out/scene-planted 20000x 1 $out/seeds/scene/* > $out/planted.log 2>&1 &&
+        [ "$(wc -c < $out/planted-found)" -le 60 ] && as_scene $out/planted-found
 }
 
 for t in $targets; do seeds "$t"; done
@@ -90,13 +113,17 @@ else
     for t in $targets; do
         # shellcheck disable=SC2086
         link "$t" $out/gcc build/asan.o tests/fuzz/loop.c "$out/$t" gcc $san
-        loop "$t" "ASan, UBSan" "$out/$t"
+        loop "$t" "ASan, UBSan" "$out/$t" "${seconds:-4}"
     done
-    [ -f build/stonepack.o ] || make -s build/stonepack.o
+    [ -f build/stonepack.o ] || make -s build/stonepack.o > /dev/null
     for t in $targets; do
         alone "$t" || continue
         link "$t" '' build/stonepack.o tests/fuzz/loop.c "$out/$t-fast" gcc -O2
-        loop "$t" "optimised" "$out/$t-fast"
+        case $t in scene) many=${seconds:-20000x} ;; *) many=${seconds:-4} ;; esac
+        loop "$t" "optimised" "$out/$t-fast" "$many"
+        [ "$t" != scene ] && continue
+        if planted; then passed=$((passed + 1)); echo "ok      a planted fault is found: $(tail -n 1 $out/planted.log)"
+        else bad=$((bad + 1)); echo "FAILED  a planted fault is found"; cat $out/planted.log 2> /dev/null; fi
     done
 fi
 echo "$passed passed, $bad failed"

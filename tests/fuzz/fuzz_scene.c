@@ -2,7 +2,8 @@
  *
  *     memory      sp_memory tells enough; on failure nothing is touched
  *     numbers     no NaN, no infinity
- *     evidence    sp_verify proves the verdict from the evidence; sp_limit_verify, sp_strong_verify likewise
+ *     evidence    sp_verify proves the verdict from the evidence and never the other one from forged evidence; sp_limit_verify,
+ *                 sp_strong_verify likewise
  *     invariants  no opposite verdict of the same scene with all effects, moved, turned, in other units, in another order, given
  *                 block by block; of a stable one with more friction, or with one more block held
  */
@@ -132,6 +133,36 @@ static int written(const sp_scene *in, const writing *w, int k, sp_scene *out)
     return 1;
 }
 
+/* What a forged claim proves. */
+static sp_verdict proved(const sp_scene *s, const sp_result *claim)
+{
+    sp_settings same = sp_settings_default();
+    sp_evidence e;
+    same.tol = claim->tol;
+    same.force_bound = claim->force_bound;
+    return sp_verify(s, &same, claim, arena(4), &e) ? SP_UNDECIDED : e.verdict;
+}
+
+/* Evidence of the other verdict is never believed: of what stands each block pushed and turned along each axis, and motions
+ * and forces of bytes for both. */
+static void forged(const sp_scene *s, const sp_result *r, const uint8_t *data, size_t size)
+{
+    static sp_real dq[6 * SP_FUZZ_BLOCKS], f[3 * 320];
+    const int32_t n = 6 * s->count.blocks;
+    sp_result claim = *r;
+    claim.verdict = r->verdict == SP_STABLE ? SP_UNSTABLE : SP_STABLE;
+    claim.dq = dq;
+    claim.f = f;
+    for (int32_t c = 0; c < 3 * s->count.points; c++) f[c] = r->f[c] * (sp_real)(1 + (c % 3 ? 0 : data[(size_t)c % size] / 256.0));
+    for (int32_t k = 0; k < (r->verdict == SP_STABLE ? 2 * n : 0); k++) {
+        memset(dq, 0, sizeof dq);
+        dq[k / 2] = k % 2 ? -1 : 1;
+        HOLDS(proved(s, &claim) != SP_UNSTABLE, "it stands, motion %d", (int)k);
+    }
+    for (int32_t k = 0; k < n; k++) dq[k] = (sp_real)((int)data[(size_t)k % size] - 128);
+    HOLDS(!opposite(r->verdict, proved(s, &claim)), "another motion, other forces");
+}
+
 static void never_opposite(const sp_scene *s, sp_verdict v, const writing *w, const char *what)
 {
     sp_scene other;
@@ -226,6 +257,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (sp_scene_from_bytes(data + 2, size - 2, &a, &s)) return 0;
     const sp_verdict v = check(&s, &set, 1, &r);
     if (!r.f) return 0;
+    if (mode % 16 == 0 && v) forged(&s, &r, data, size);
     if (mode % 16 == 1) {
         for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;
         HOLDS(!opposite(v, check(&s, &set, 3, &other)), "with all effects");
