@@ -260,11 +260,29 @@ static int32_t sp__cases_proof_row(const sp__cases *s, int32_t i, sp_real *weigh
     return n + 1 + SP__STILL_ROWS * v + SP__STILL_FORCE + (i - s->lp.m) % 3;
 }
 
+/* t <- t + (a_i - sum t_k a_k) M, i the constraint that fails: what rounding did to M goes out of t. */
+static void sp__cases_refine(sp__lp *lp)
+{
+    const size_t n = (size_t)lp->n;
+    sp_real *left = lp->was;
+    for (size_t j = 0; j < n; j++) left[j] = 0;
+    for (int32_t k = 0; k <= lp->n; k++) {
+        const int32_t i = k < lp->n ? lp->active[k] : lp->failed;
+        const sp_real t = k < lp->n ? -lp->t[k] : 1;
+        if (i >= lp->m) { left[i - lp->m] += t; continue; }
+        for (int32_t e = lp->start[i]; e < lp->start[i + 1]; e++) left[lp->index[e]] += t * lp->value[e];
+    }
+    for (size_t j = 0; j < n; j++)
+        for (size_t k = 0; k < n; k++) lp->t[k] += left[j] * lp->M[j * n + k];
+    lp->flops += 4 * (int64_t)(n * n) + 2 * (int64_t)lp->entries;
+}
+
 /* A closed node: its Farkas vector, 1 on the constraint that fails and -t on the active ones.     returns 0: no room */
 static int sp__cases_close(sp__cases *s)
 {
     sp_proof *p = s->proof;
     const sp__lp *lp = &s->lp;
+    sp__cases_refine(&s->lp);
     const int32_t from = p->entries;
     const sp_real sign = lp->low ? (sp_real)-1 : (sp_real)1;
     sp_real largest = 1, weight = 0;
