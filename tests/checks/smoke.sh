@@ -461,7 +461,11 @@ part "sequence: small blocks have a ring" sh -c "'$cli' gen tower n=200 lean=0 |
 outside() { awk '/^<svg x=/ { inside = 1 } /^<\/svg>/ { inside = 0 } /class="ring"/ && inside { bad++ } END { exit bad > 0 }' "$1"; }
 part "sequence: rings are not cut off" outside "$tmp/long.svg"
 part "sequence: a page of it"        sh -c "'$cli' sequence --html '$tmp/p.html' '$tmp/scene.obj' > '$tmp/out'; \
-    [ \$(grep -c '<tr><td>[0-9]' '$tmp/p.html') = 20 ] && grep -q '<td>b4</td><td>UNSTABLE</td><td>b3</td>' '$tmp/p.html' && grep -q '</svg>' '$tmp/p.html'"
+    [ \$(grep -c '<tr><td><button type=\"button\">[0-9]' '$tmp/p.html') = 20 ] && grep -q '<td>b4</td><td>UNSTABLE</td><td>b3</td>' '$tmp/p.html' && grep -q '</svg>' '$tmp/p.html'"
+if command -v node > /dev/null; then
+    part "sequence: its page turns and shows the steps" sh -c "'$cli' gen arch n=15 | '$cli' sequence --html '$tmp/p.html' - > '$tmp/out'; node '$here/page_steps.js' '$tmp/p.html'"
+    part "sequence: a page of what is taken down" sh -c "'$cli' gen arch n=15 | '$cli' sequence --remove --html '$tmp/p.html' - > '$tmp/out'; grep -q '\"remove\":1' '$tmp/p.html'"
+else echo "skipped sequence: its page turns (nodejs)"; fi
 part "sequence: a model of its steps"  sh -c "'$cli' sequence --out-obj '$tmp/m.obj' '$tmp/scene.obj' > '$tmp/out'; \
     grep -A1 '^o 0004_b4' '$tmp/m.obj' | grep -q '^g falls' && grep -A1 '^o 0020_b20' '$tmp/m.obj' | grep -q '^g stands' && \
     grep -A1 '^o b0' '$tmp/m.obj' | grep -q '^g start'"

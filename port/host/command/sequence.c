@@ -16,13 +16,14 @@
 #include "../picture/model.h"
 #include "../picture/page.h"
 #include "../picture/sheet.h"
+#include "../picture/turn.h"
 #include "../tilt.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STRIP = 24 };                    /* pictures in a strip, at most */
+enum { STRIP = 24, MOVES = 50000 };      /* pictures in a strip, blocks that move in a page, at most */
 
 /* What became of one step. */
 typedef struct outcome {
@@ -32,6 +33,8 @@ typedef struct outcome {
     int32_t *list;
     sp_suggestion next;
     unsigned char *mark;                /* of each block: an block_mark; NULL: no picture wanted */
+    turn_move *move;                    /* of those that move; NULL: none, or too many in all */
+    int32_t moves;
 } outcome;
 
 typedef struct run {
@@ -46,6 +49,7 @@ typedef struct run {
     sp_cost cost;                       /* of the steps, without the search for what to hold and what comes next */
     size_t bytes;
     double seconds;
+    int32_t moves;                      /* kept, of all steps */
 } run;
 
 static void show_progress(const run *r, int32_t k)
@@ -179,6 +183,24 @@ static sp_status mark_blocks(run *r, int32_t k)
     return SP_OK;
 }
 
+/* Who moves while this step falls, for the page. */
+static sp_status keep_moves(run *r, int32_t k)
+{
+    outcome *t = &r->outcome[k];
+    int32_t n = 0;
+    for (int32_t b = 0; b < r->scene.scene.count.blocks; b++) n += t->mark[b] == MARK_FALLS || t->mark[b] == MARK_HELD;
+    if (t->step.verdict != SP_UNSTABLE || n > MOVES - r->moves) return SP_OK;
+    t->move = zeroed((size_t)n, sizeof *t->move);
+    if (!t->move) return SP_E_MEMORY;
+    for (int32_t b = 0; b < r->scene.scene.count.blocks; b++) {
+        if (t->mark[b] != MARK_FALLS && t->mark[b] != MARK_HELD) continue;
+        t->move[t->moves].block = b;
+        memcpy(t->move[t->moves++].dq, t->step.dq + 6 * (size_t)b, sizeof t->move->dq);
+    }
+    r->moves += t->moves;
+    return SP_OK;
+}
+
 static sp_status take_step(run *r, int32_t k)
 {
     outcome *t = &r->outcome[k];
@@ -198,6 +220,7 @@ static sp_status take_step(run *r, int32_t k)
     t->held.block = t->list;
     t->held.must = t->list + t->held.count;
     if (o->svg || o->png || o->html) status = mark_blocks(r, k);
+    if (!status && o->html) status = keep_moves(r, k);
     if (!status && o->suggest) status = sp_sequence_suggest(r->sequence, !o->remove, o->settings.budget, &t->next);
     return status;
 }
@@ -451,28 +474,62 @@ static int put_words(FILE *out, const void *of)
     return !ferror(out);
 }
 
-/* The strip, and a table of all steps. */
+static void put_controls(FILE *out, const run *r)
+{
+    fprintf(out, "<canvas id=\"view\" width=\"1400\" height=\"840\" tabindex=\"0\" role=\"img\" "
+            "aria-label=\"The blocks of a step. Arrow keys turn, plus and minus zoom, 0 goes back.\"></canvas>\n"
+            "<p><label>step <input id=\"step\" type=\"range\" min=\"1\" max=\"%ld\" step=\"1\" value=\"1\"></label>\n"
+            "<output id=\"said\" for=\"step\"></output></p>\n<p>", (long)r->steps);
+    if (r->moves)
+        fputs("<label>as it stands <input id=\"motion\" type=\"range\" min=\"0\" max=\"1\" step=\"0.05\" value=\"0\"> "
+              "as it starts to move</label>\n", out);
+    fputs("<label><input id=\"labels\" type=\"checkbox\"> names</label>\n"
+          "<button id=\"home\" type=\"button\">first view</button></p>\n"
+          "<p>Drag, or with the picture in focus arrow keys, turn it; the wheel, + and - zoom. Grey: fixed, blue: new, amber: "
+          "to be held, red: moves.</p>\n", out);
+}
+
+static void put_row(FILE *out, const run *r, int32_t k)
+{
+    const outcome *t = &r->outcome[k];
+    fprintf(out, "<tr><td><button type=\"button\">%ld</button></td><td>", (long)k + 1);
+    page_text(out, name_of(r, t->block), 60);
+    fprintf(out, "</td><td>%s</td><td>", verdict_word[t->step.verdict]);
+    for (int32_t i = 0; i < t->held.count; i++) {
+        fputs(i ? ", " : "", out);
+        page_text(out, name_of(r, t->held.block[i]), 60);
+    }
+    fputs("</td></tr>\n", out);
+}
+
+static int put_turning(FILE *out, const run *r)
+{
+    turn_step *step = zeroed((size_t)r->steps, sizeof *step);
+    int good = step != NULL;
+    for (int32_t k = 0; good && k < r->steps; k++) {
+        const outcome *t = &r->outcome[k];
+        const int how = t->step.verdict == SP_STABLE ? 0 : t->step.verdict == SP_UNSTABLE ? 1 : 2;
+        const turn_step s = { t->block, t->held.count, t->moves, how, t->held.block, t->move };
+        step[k] = s;
+    }
+    good = good && turn_write_steps(out, &r->scene, &r->options->view, r->options->remove, r->steps, step);
+    free(step);
+    return good;
+}
+
+/* A picture that turns, of the step that is chosen; the strip; a table of all steps. */
 static int put_body(FILE *out, const void *of)
 {
     const run *r = of;
+    if (r->steps) put_controls(out, r);
     fputs("<div>\n", out);
     if (!put_strip(out, r)) return 0;
-    fprintf(out, "</div>\n<div><table>\n<thead><tr><th scope=\"col\">step</th><th scope=\"col\">%s</th>"
+    fprintf(out, "</div>\n<div><table id=\"steps\">\n<thead><tr><th scope=\"col\">step</th><th scope=\"col\">%s</th>"
             "<th scope=\"col\">verdict</th><th scope=\"col\">hold</th></tr></thead>\n<tbody>\n",
             r->options->remove ? "goes" : "comes");
-    for (int32_t k = 0; k < r->steps; k++) {
-        const outcome *t = &r->outcome[k];
-        fprintf(out, "<tr><td>%ld</td><td>", (long)k + 1);
-        page_text(out, name_of(r, t->block), 60);
-        fprintf(out, "</td><td>%s</td><td>", verdict_word[t->step.verdict]);
-        for (int32_t i = 0; i < t->held.count; i++) {
-            fputs(i ? ", " : "", out);
-            page_text(out, name_of(r, t->held.block[i]), 60);
-        }
-        fputs("</td></tr>\n", out);
-    }
+    for (int32_t k = 0; k < r->steps; k++) put_row(out, r, k);
     fputs("</tbody></table></div>\n", out);
-    return 1;
+    return r->steps == 0 || put_turning(out, r);
 }
 
 static int put_model(FILE *out, const void *of)
@@ -505,6 +562,7 @@ static void free_run(run *r)
     for (int32_t k = 0; r->outcome && k < r->steps; k++) {
         free(r->outcome[k].list);
         free(r->outcome[k].mark);
+        free(r->outcome[k].move);
     }
     free(r->outcome);
     free(r->order);

@@ -148,6 +148,24 @@ void turn_legend(FILE *out, const subject *of)
                     : "Orange: the weakest joint, or the one whose number was pressed.</p>\n", out);
 }
 
+static void begin_data(FILE *out, const host_scene *scene)
+{
+    fputs("<ol id=\"names\" hidden>\n", out);
+    for (int32_t b = 0; b < scene->scene.count.blocks; b++) {
+        fputs("<li>", out);
+        page_text(out, scene->name[b], 60);
+        fputs("</li>\n", out);
+    }
+    fputs("</ol>\n<script type=\"application/json\" id=\"scene\">\n{", out);
+}
+
+static void end_data(FILE *out)
+{
+    fputs("}\n</script>\n<script>\n", out);
+    turn_script(out);
+    fputs("</script>\n", out);
+}
+
 int turn_write(FILE *out, const subject *of)
 {
     drawing d;
@@ -155,18 +173,73 @@ int turn_write(FILE *out, const subject *of)
     mechanism m;
     const double block = choose(of, &d, &f, &m);
     int good;
-    fputs("<ol id=\"names\" hidden>\n", out);
-    for (int32_t b = 0; b < of->scene->scene.count.blocks; b++) {
-        fputs("<li>", out);
-        page_text(out, of->scene->name[b], 60);
-        fputs("</li>\n", out);
-    }
-    fputs("</ol>\n<script type=\"application/json\" id=\"scene\">\n{", out);
+    begin_data(out, of->scene);
     good = put_scene(out, of, &f, &m);
     put_view(out, d.s, &d.v);
     fprintf(out, "\"block\":%.7g,\n\"weakest\":%ld", block, (long)weakest_told(d.s, of->result));
-    fputs("}\n</script>\n<script>\n", out);
-    turn_script(out);
-    fputs("</script>\n", out);
+    end_data(out);
     return good;
+}
+
+/* ------------------------------------------------------------------------------------------------------------- build order */
+
+#define FAR 0.4                         /* of the usual block, as far as the fastest goes */
+
+/* dq about the centroid as a motion about the origin: t - r x c, r.   Its speed at most: |t| + |r| diameter / 2 */
+static double about_origin(const sp_scene *s, const turn_move *m, double t[3])
+{
+    const sp_real *v = m->dq, *r = m->dq + 3, *c = s->block[m->block].centroid;
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        t[k] = (double)v[k] - (double)(r[i] * c[j] - r[j] * c[i]);
+    }
+    return view_length(v) + view_length(r) * (double)s->block[m->block].diameter / 2;
+}
+
+static void put_moves(FILE *out, const sp_scene *s, const turn_step *step, double length)
+{
+    double most = 0, t[3];
+    for (int32_t i = 0; i < step->moves; i++) most = fmax(most, about_origin(s, &step->move[i], t));
+    for (int32_t i = 0; i < step->moves && most > 0; i++) {
+        const double by = length / most;
+        const turn_move *m = &step->move[i];
+        about_origin(s, m, t);
+        fprintf(out, "%s[%ld,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g]", i ? "," : "", (long)m->block, by * t[0], by * t[1], by * t[2],
+                by * (double)m->dq[3], by * (double)m->dq[4], by * (double)m->dq[5]);
+    }
+}
+
+static void put_steps(FILE *out, const sp_scene *s, int32_t steps, const turn_step *step, double length)
+{
+    fputs("\"s\":[", out);
+    for (int32_t k = 0; k < steps; k++) {
+        fprintf(out, "%s[%ld,%d,[", k ? ",\n" : "", (long)step[k].block, step[k].how);
+        for (int32_t i = 0; i < step[k].helds; i++) fprintf(out, "%s%ld", i ? "," : "", (long)step[k].held[i]);
+        fputs("],[", out);
+        put_moves(out, s, &step[k], length);
+        fputs("]]", out);
+    }
+    fputs("],\n", out);
+}
+
+int turn_write_steps(FILE *out, const host_scene *scene, const view_wish *wish, int remove, int32_t steps,
+                     const turn_step *step)
+{
+    const sp_result none = { 0 };
+    const subject of = { scene, &none, NULL, *wish, 0, NULL, NULL };
+    const sp_scene *s = &scene->scene;
+    const view v = view_choose(s, wish);
+    double block = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) if (!s->block[b].fixed) block += (double)s->block[b].diameter;
+    block /= fmax(1, (double)steps);
+    begin_data(out, scene);
+    put_points(out, "v", s->vertex, s->count.vertices);
+    put_points(out, "w", NULL, 0);
+    put_blocks(out, &of, 0);
+    fprintf(out, "\"j\":[],\"a\":[],\"ab\":[],\"h\":[],\"remove\":%d,\n", remove);
+    put_steps(out, s, steps, step, FAR * block);
+    put_view(out, s, &v);
+    fprintf(out, "\"block\":%.7g,\n\"weakest\":-1", block);
+    end_data(out);
+    return !ferror(out);
 }
