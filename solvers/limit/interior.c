@@ -23,7 +23,9 @@
 #define SP__LIMIT_CLOSE ((sp_real)0.03) /* of the way that the predictor does not get: the end is near, and steps go farther */
 #ifdef SP_REAL_FLOAT
 #define SP__LIMIT_KEEP SP__IPM_KEEP
+#define SP__LIMIT_FIRST_NEAR ((sp_real)1e-3)    /* where they are tried first */
 #else
+#define SP__LIMIT_FIRST_NEAR ((sp_real)1e-6)
 #define SP__LIMIT_KEEP ((sp_real)0.999)
 #endif
 
@@ -231,6 +233,14 @@ static int sp__interior_lower(sp__limit *L, sp_real share)
     return sp__abs(L->best - a) <= width;
 }
 
+/* A lower end as soon as it closes the bracket. Where all joints slide at once, rounding spoils the forces of later steps. */
+static void sp__interior_first(sp__limit *L)
+{
+    const sp_real l = L->engine.h.l / L->engine.h.m.tau, wide = SP__LIMIT_WIDE * L->r.tol;
+    const sp_real share = wide < SP__LIMIT_FIRST_NEAR ? wide : SP__LIMIT_FIRST_NEAR;
+    if (sp__abs(L->best - l) <= share * (1 + sp__abs(l))) sp__interior_lower(L, share);
+}
+
 /* Do the forces at hand balance the live loads alone, so that there is no limit? If so, forces for the current multiple too. */
 static int sp__interior_unbounded(sp__limit *L)
 {
@@ -277,6 +287,7 @@ SP__NOINLINE static int sp__interior_run(sp__limit *L)
         b->cost.interior++;
         if (m->outside) return 0;
         m->mu = (m->gap + m->tau * m->kappa + g->h.l * g->h.s) / (cones + 2);
+        sp__interior_first(L);
         if (sp__interior_lower(L, SP__LIMIT_NEAR)) return 1;
         if (g->h.l > 1000 * m->tau && sp__interior_unbounded(L)) return 1;
         sp__interior_columns(L);

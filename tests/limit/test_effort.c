@@ -1,0 +1,64 @@
+/* Work of a limit, counted: factorisations and flops, so that a regression shows without a clock. In double, with nothing left
+ * out, the counts are the same on every machine. */
+#include "limit.h"
+
+#if defined SP_NO_IPM || defined SP_NO_LIMIT || defined SP_SMALL || defined SP_REAL_MIXED || defined SP_REAL_QUAD
+enum { COUNTED = 0 };
+#else
+enum { COUNTED = TOL(1, 0) };
+#endif
+
+enum { MOST = 60 };                                     /* factorisations of any limit */
+
+typedef struct effort {
+    const char *name, *number; double value; const char *second; double second_value, mu, x, y, lambda;
+    int factorisations; double mflop;
+} effort;
+
+static const effort table[] = {
+    { "wall", "size", 54, "jitter", 0.35, 0.84, 1, 0, 0.7982379625, 18, 3.87 },
+    { "wall", "size", 147, "jitter", 0.35, 0.84, 1, 0, 0.7175435794, 18, 9.38 },
+    { "arch", "n", 11, "t", 0.12, 0.84, 1, 0, 0.0551977893, 12, 0.46 },
+    { "arch", "n", 51, "t", 0.12, 0.84, 1, 0, 0.0469972399, 19, 3.48 },
+    { "dome", "rings", 6, "segments", 12, 0.84, 1, 0, 0.6185534170, 25, 50.8 },
+    /* everything slides at once: at mu, across the wall's diagonal */
+    { "wall", "size", 54, "jitter", 0.35, 0.3, 1, 1, 0.2121320344, 24, 15.9 },
+    { "wall", "size", 54, "jitter", 0.35, 0.2, 1, 1, 0.1414213562, 26, 16.1 },
+    { "tower", "n", 10, NULL, 0, 0.1, 0, 1, 0.1, 42, 4.5 }
+};
+
+static sp_limit_result limit_in_work(const effort *b)
+{
+    gen_scene g;
+    sp_scene s;
+    sp_limit_result x;
+    memset(&x, 0, sizeof x);
+    test_arena.used = 0;
+    CHECK_INT(gen_open(&g, b->name), 1);
+    CHECK_INT(gen_set(&g, b->number, b->value), 1);
+    if (b->second) CHECK_INT(gen_set(&g, b->second, b->second_value), 1);
+    CHECK_INT(gen_set(&g, "mu", b->mu), 1);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    s.body[0] = R(9.80665 * b->x);
+    s.body[1] = R(9.80665 * b->y);
+    CHECK_INT(sp_limit(&s, NULL, &test_arena, &x), SP_OK);
+    return x;
+}
+
+TEST(limits_of_the_bench_take_no_more_work_than_written_here)
+{
+    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
+        const effort *b = &table[k];
+        const sp_limit_result x = limit_in_work(b);
+        if (!COUNTED) continue;
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK(x.verified && x.cost.factorisations <= MOST);
+        CHECK_WITHIN(x.multiplier, b->lambda, 1e-7);
+        CHECK_INT(x.cost.factorisations, b->factorisations);
+        CHECK((double)x.cost.flops <= 1.01e6 * b->mflop);
+    }
+}
+
+TEST_LIST(effort)
+    RUN(limits_of_the_bench_take_no_more_work_than_written_here)
+TEST_END
