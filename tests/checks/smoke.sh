@@ -376,6 +376,8 @@ part "html: markup in names is text"  sh -c "'$cli' gen two-cubes | sed -e '/int
 if command -v node > /dev/null; then
     part "html: turns, moves, sorts"  sh -c "'$cli' gen overhang factor=1.1 | '$cli' check --html '$tmp/p.html' - > '$tmp/out'; \
         node '$here/page.js' '$tmp/p.html'"
+    part "html: of 3000 joints the longest forces of their places" sh -c "'$cli' gen wall rows=25 bricks=45 tilt=25 azimuth=90 | '$cli' check --html '$tmp/p.html' - \
+        > '$tmp/out'; node '$here/page.js' '$tmp/p.html'"
 else echo "skipped html: turns, moves, sorts (nodejs)"; fi
 part "html: --quiet is not for the page" sh -c "'$cli' check --quiet --html '$tmp/p.html' '$tmp/scene.obj' && grep -q '<dt>why</dt>' '$tmp/p.html'"
 part "html: of a limit, its hinges"   sh -c "'$cli' gen arch t=0.15 | '$cli' limit --body 1,0,0 --html '$tmp/p.html' - > '$tmp/out' && \
