@@ -624,6 +624,12 @@ coupled() {                                             # coupled SCENES: its an
     cli_build "$CC" $out/quad -O2 -w -DSP_REAL_QUAD -D_XOPEN_SOURCE=700 -D_DEFAULT_SOURCE -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' -Wl,--no-as-needed -lquadmath &&
     python3 -B tests/checks/coupled_cases.py build/stonepack "$1" --quad $out/quad
 }
+strong() {                                              # strong SCENES: proofs judged in 113 bits, attempts to move, written otherwise
+    # shellcheck disable=SC2046
+    $CC -std=gnu99 -O2 -w -ffp-contract=off -fno-math-errno -Ibuild tests/instruments/friction.c port/host/run.c port/host/clock.c \
+        $(echo port/host/files/*.c) -lm -o $out/friction &&
+    python3 -B tests/checks/strong_cases.py build/stonepack "$@" --quad $out/quad --attack $out/friction --attempts 20 --random 10
+}
 check_cases() {
     if ! have python3; then skip "cases of known truth, triples in 113 bits" python3; return; fi
     SHOW=1
@@ -634,6 +640,7 @@ check_cases() {
         lack "cases of known truth" ../shared/cases
         part "coupled check on the bundled scenes: 113 bits, monotone, invariant" coupled tests/scenes
     fi
+    part "strong verdicts: 113 bits, attempts to move, written otherwise" strong tests/scenes
     SHOW=
 }
 once=5075,5094,5115,5125,5337,5374,5400,5454,5473,5476,5494,17,58,128,461,5327,5575,6141,6148

@@ -46,8 +46,18 @@ long_san() {                                            # long_san COMPILER SANI
         -DTEST_SUITES="$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|X(\1)|' | tr '\n' ' ')" tests/run.c tests/*/test_*.c \
         $(ls port/host/*.c port/host/*/*.c | grep -v /main.c) tests/scenes/gen.c stonepack.c -lm -o $out/run.$$ && LONG=1 $out/run.$$
 }
+strong() {                                              # strong FOLDER...: 10,000 attempts, 2,000 random scenes
+    # shellcheck disable=SC2046
+    gcc -std=gnu99 -O2 -w -ffp-contract=off -fno-math-errno -Ibuild tests/instruments/friction.c port/host/run.c port/host/clock.c \
+        $(echo port/host/files/*.c) -lm -o $out/friction &&
+    gcc -std=c99 -O2 -w -ffp-contract=off -fno-math-errno -DSP_REAL_QUAD -D_XOPEN_SOURCE=700 -D_DEFAULT_SOURCE -include quadmath.h \
+        '-DSP_SQRT(x)=sqrtq(x)' stonepack.c $(ls port/host/*.c port/host/*/*.c) tests/scenes/gen.c \
+        -Wl,--no-as-needed -lquadmath -lm -o $out/quad &&
+    python3 -B tests/checks/strong_cases.py build/stonepack "$@" --quad $out/quad --attack $out/friction --attempts 300 \
+        --random 2000 --seed "$(date +%Y%m%d)"
+}
 case ${1:-} in
-long_san | instrument) "$@"; exit ;;
+long_san | instrument | strong) "$@"; exit ;;
 esac
 
 line "all samples, ASan and UBSan" sh "$0" long_san gcc address,undefined
@@ -65,6 +75,8 @@ else skip "random scenes against linear programming" "python3-numpy python3-scip
 if have g++; then line "battery: 20 samples of random rounding" sh "$0" instrument chance; else skip "random rounding" g++; fi
 if have clang-19; then line "battery: shadows of 113 bits" sh "$0" instrument shadows
 else skip "shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi
+line "strong verdicts: 113 bits, attempts to move, 2,000 random scenes" \
+    sh "$0" strong tests/scenes $(ls -d ../shared/cases ../shared/zoo 2> /dev/null)
 if [ -d ../shared/cases ]; then
     line "cases: 113 bits" sh "$0" instrument cases-quad
     if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi

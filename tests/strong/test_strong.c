@@ -237,15 +237,17 @@ TEST(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
     CHECK_INT(ask(&s, NULL).kind, SP_STRONG_NONE);
 }
 
+/* Of half edge 1. */
+static const sp_real cube_corner[24] = { -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1 };
+static const int32_t cube_size[6] = { 4, 4, 4, 4, 4, 4 };
+static const int32_t cube_face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
+static const sp_mesh cube = { 8, 6, cube_corner, cube_size, cube_face };
+
 /* A cube between five supports, below and at its sides, that it touches at 3 to 8 points; pushed and turned at random. */
 static sp_scene wedged(void)
 {
     const sp_capacity cap = { 2, 8, 6, 24, 8, 8, 1 };
     const sp_real ground[3] = { 0, 0, -9 };
-    const sp_real x = 1, corner[24] = { -x, -x, -x, x, -x, -x, x, x, -x, -x, x, -x, -x, -x, x, x, -x, x, x, x, x, -x, x, x };
-    const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
-    const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
-    const sp_mesh cube = { 8, 6, corner, size, face };
     const sp_strength rough = sp_strength_friction(test_random_real(0.1, 1.2));
     const int32_t points = test_random_int(3, 8);
     sp_load push;
@@ -291,6 +293,35 @@ TEST(no_start_moves_what_cases_prove_strong)
         CHECK(proved.kind != SP_STRONG_AMBIGUOUS);
     }
     CHECK(stands > 5 && ambiguous > 0 && (strong > 5 || !CASES));
+}
+
+/* A cube of mass .1 kg on three points of a floor, with a fourth at its side: strong at mu .5, and ambiguous at 1. */
+TEST(more_friction_may_let_go_what_less_holds)
+{
+    static const double at[4][3] = { { 0.87, -0.409, -1 }, { 0.982, -0.188, -1 }, { -0.901, -0.028, -1 }, { 1, 0.068, 0.39 } };
+    static const double push[3] = { -0.0861, -0.2542, 0.2516 }, turn[3] = { -0.0817, 0.1218, -0.1638 };
+    for (int more = 0; more < 2; more++) {
+        const sp_capacity cap = { 2, 8, 6, 24, 4, 4, 1 };
+        const sp_real ground[3] = { 0, 0, -9 };
+        const sp_strength rough = sp_strength_friction(more ? R(1) : R(0.5));
+        sp_load load;
+        sp_scene s;
+        test_arena.used = 0;
+        memset(&load, 0, sizeof load);
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_scene_block(&s, &cube, R(0.1 / 8), 0, NULL), SP_OK);
+        for (int k = 0; k < 4; k++) {
+            const sp_real point[3] = { R(at[k][0]), R(at[k][1]), R(at[k][2]) }, n[3] = { k < 3 ? 0 : -1, 0, k < 3 ? 1 : 0 };
+            CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, point, &rough, NULL), SP_OK);
+        }
+        load.block = 1;
+        for (int i = 0; i < 3; i++) { load.force[i] = R(push[i]); load.couple[i] = R(turn[i]); }
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        const sp_strong_result r = ask(&s, NULL);
+        CHECK_INT(r.kind, more ? SP_STRONG_AMBIGUOUS : CASES ? SP_STRONG_STRONG : SP_STRONG_ADMISSIBLE);
+        if (more) CHECK(r.moves > R(0.05));
+    }
 }
 
 TEST(evidence_that_is_changed_proves_less)
@@ -474,6 +505,7 @@ TEST_LIST(strong)
     RUN(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
     RUN(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
     RUN(no_start_moves_what_cases_prove_strong)
+    RUN(more_friction_may_let_go_what_less_holds)
     RUN(evidence_that_is_changed_proves_less)
     RUN(a_proof_that_is_changed_proves_nothing)
     RUN(forces_at_rest_are_no_motion)
