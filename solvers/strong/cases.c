@@ -7,14 +7,17 @@
 
 #if SP__WITH_STRONG
 
-#define SP__CASES_NODES 4096            /* a proof has room for */
-#define SP__CASES_ENTRIES (24 * SP__CASES_NODES)
+#define SP__CASES_FEW 4                 /* corners up to which a proof has room for a few nodes */
 #ifdef SP_REAL_FLOAT
 #define SP__CASES_DUST ((sp_real)1e-3)  /* pressure, gap, slip that counts as none */
 #else
 #define SP__CASES_DUST ((sp_real)1e-8)
 #endif
 #define SP__CASES_RUB ((sp_real)1e-6)   /* friction off its slip's, in the corner's load, that counts as none */
+
+/* Room of a proof: nodes, and multipliers. Twice the corners ask for some ten times the nodes, with fewer multipliers each. */
+static int32_t sp__cases_nodes(int32_t points) { return points <= SP__CASES_FEW ? 4096 : 32768; }
+static int32_t sp__cases_multipliers(int32_t points) { return (points <= SP__CASES_FEW ? 24 : 12) * sp__cases_nodes(points); }
 
 /* A node that was split: its corner, the state before, how many children are done. */
 typedef struct sp__case { int32_t corner, state, child; } sp__case;
@@ -292,11 +295,11 @@ static int sp__cases_close(sp__cases *s)
         const sp_real y = k < lp->n ? -sign * lp->t[k] : sign;
         if (row < 0 || sp__abs(y) <= SP__LP_ZERO * largest) continue;
         if (y > 0 ? lp->upper[i] >= SP__LP_FREE : lp->lower[i] <= -SP__LP_FREE) continue;
-        if (p->entries == SP__CASES_ENTRIES) return 0;
+        if (p->entries == sp__cases_multipliers(s->points)) return 0;
         p->row[p->entries] = (uint16_t)row;
         p->y[p->entries++] = y * weight;
     }
-    if (p->nodes == SP__CASES_NODES) return 0;
+    if (p->nodes == sp__cases_nodes(s->points)) return 0;
     p->node[p->nodes++] = from - p->entries;
     p->leaves++;
     return 1;
@@ -328,7 +331,7 @@ SP__NOINLINE static int sp__cases_run(sp__cases *s, int64_t limit)
         sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
         while (status == SP__LP_POINT) {
             const int32_t v = sp__cases_pick(s);
-            if (v < 0 || p->nodes == SP__CASES_NODES || s->depth == SP__STILL_DEPTH * s->points) return 0;
+            if (v < 0 || p->nodes == sp__cases_nodes(s->points) || s->depth == SP__STILL_DEPTH * s->points) return 0;
             sp__case *f = &s->stack[s->depth++];
             p->node[p->nodes++] = v;
             f->state = s->state[v];
@@ -354,11 +357,12 @@ SP__NOINLINE static size_t sp__cases_need(int32_t points, int32_t blocks)
 }
 
 /* Room for a proof. */
-static void sp__cases_proof(sp_proof *p, sp_arena *a)
+static void sp__cases_proof(sp_proof *p, int32_t points, sp_arena *a)
 {
-    p->y = sp__take(a, SP__CASES_ENTRIES, sizeof *p->y);
-    p->node = sp__take(a, SP__CASES_NODES, sizeof *p->node);
-    p->row = sp__take(a, SP__CASES_ENTRIES, sizeof *p->row);
+    const size_t entries = (size_t)sp__cases_multipliers(points);
+    p->y = sp__take(a, entries, sizeof *p->y);
+    p->node = sp__take(a, (size_t)sp__cases_nodes(points), sizeof *p->node);
+    p->row = sp__take(a, entries, sizeof *p->row);
 }
 
 /* Does nothing move? The proof in r->proof, which has room, is not judged yet.     returns 0: not decided */

@@ -34,7 +34,7 @@ SP__NOINLINE static sp_proof sp__holds_proof(const sp_scene *scene, sp_arena *a)
     sp_problem pb;
     memset(&p, 0, sizeof p);
     sp__problem_count(scene, &pb);
-    if (sp__cases_allowed(scene, pb.blocks)) sp__cases_proof(&p, a);
+    if (sp__cases_allowed(scene, pb.blocks)) sp__cases_proof(&p, sp__points_count(scene), a);
     return p;
 }
 

@@ -16,11 +16,13 @@ static sp_strong_result ask(const sp_scene *s, const sp_strong_settings *how)
     memset(&r, 0, sizeof r);
     sp_settings set = sp_settings_default();
     sp_result x, pressed;
+    sp_settings spare = set;
+    spare.budget = 200000000;                           /* enough for all that is asked here; a board's day is short */
     CHECK_INT(sp_check(s, &set, &test_arena, &x), SP_OK);
     set.effect[SP_EFFECT_FRICTION] = SP_WITHOUT;
     CHECK_INT(sp_check(s, &set, &test_arena, &pressed), SP_OK);
     const sp_real *level = pressed.verdict == SP_STABLE ? pressed.f : NULL;
-    if (!CHECK_INT(sp_strong(s, NULL, how, x.f, level, &test_arena, &r), SP_OK)) return r;
+    if (!CHECK_INT(sp_strong(s, &spare, how, x.f, level, &test_arena, &r), SP_OK)) return r;
     CHECK_INT(sp_strong_verify(s, NULL, &r, test_arena, &proved), SP_OK);
     CHECK_INT(proved, r.kind);
     CHECK((r.kind == SP_STRONG_NONE) == (x.verdict != SP_STABLE));
