@@ -2,6 +2,20 @@
 #define _POSIX_C_SOURCE 200809L
 #include "clock.h"
 
+#ifdef _WIN32
+
+#include <windows.h>
+
+double now(void)
+{
+    LARGE_INTEGER ticks, second;
+    QueryPerformanceCounter(&ticks);
+    QueryPerformanceFrequency(&second);
+    return (double)ticks.QuadPart / (double)second.QuadPart;
+}
+
+#else
+
 #include <time.h>
 
 double now(void)
@@ -10,3 +24,5 @@ double now(void)
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
+
+#endif

@@ -6,6 +6,10 @@
 
 #include <stdio.h>
 #include <string.h>
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#endif
 
 /* Below the help of each command with a scene. */
 static const char help_scene[] =
@@ -270,6 +274,11 @@ static int help_on(const char *what)
 
 int main(int argc, char **argv)
 {
+#ifdef _WIN32                           /* the same bytes everywhere */
+    _setmode(0, _O_BINARY);
+    _setmode(1, _O_BINARY);
+    _setmode(2, _O_BINARY);
+#endif
     if (argc < 2) {
         fputs("stonepack: a command is missing, see stonepack --help\n", stderr);
         return EXIT_USAGE;

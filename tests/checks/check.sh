@@ -8,7 +8,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 TIMES=1
-groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page fuzz mutants'
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page fuzz mutants windows'
 if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
     echo "no group of check is called $ONLY; there are $groups"
     exit 1
@@ -716,6 +716,48 @@ check_page() {
     count "page: the program's answers to the bit" node tests/checks/page_bits.mjs build/page/core.wasm build/stonepack
     if have chromium; then count "page: in a browser" node tests/checks/page_browser.mjs build/page/stonepack.html chromium $out/screens
     else skip "page: in a browser" chromium; fi
+}
+
+# Windows: the program and the tests by mingw-w64, run by wine. Only its workers need POSIX, and say so.
+mingw=x86_64-w64-mingw32-gcc
+wine=$(command -v wine64 || command -v wine || { [ ! -x /usr/lib/wine/wine64 ] || echo /usr/lib/wine/wine64; }) || :
+exe() { "$wine" "$out/stonepack.exe" "$@"; }
+windows_runs() {
+    tests_windows="$quick csv_out obj picture tilt"
+    # shellcheck disable=SC2086,SC2046
+    $mingw $plain -w -O1 -c stonepack.c -o $out/library.o &&
+    $mingw $plain -w -O0 port/host/main.c $host_c $out/library.o -lm -o $out/stonepack.exe &&
+    $mingw $plain -w -O0 -DTEST_SUITES="$(stems $tests_windows)" tests/run.c $(suite_c $tests_windows) $host_c $out/library.o -lm \
+        -o $out/run.exe
+}
+windows_tests() { "$wine" $out/run.exe | tr -d '\r'; }
+told_alike() {                                          # told_alike ARGUMENTS...: the program's own words and status, but for times
+    build/stonepack "$@" > $out/here.txt
+    ta_here=$?
+    exe "$@" > $out/there.txt
+    [ $? -eq $ta_here ] || { echo "another exit status: $*"; return 1; }
+    for ta in here there; do sed 's/, [0-9.]* [num]*s, by/, by/; s/"seconds": *[^,}]*//g' $out/$ta.txt > $out/$ta.told; done
+    cmp $out/here.told $out/there.told
+}
+windows_program() {
+    for wp in arch arch-falling h-model; do
+        told_alike check "tests/scenes/$wp.obj" && told_alike check --json --forces "tests/scenes/$wp.obj" || return 1
+    done
+    told_alike contacts tests/scenes/wall.obj && told_alike convert tests/scenes/wall.obj && told_alike plan tests/scenes/wall.obj &&
+    told_alike sequence --json tests/scenes/two-cubes.obj && told_alike gen arch n=5
+}
+windows_worker() {
+    exe check --worker 5 tests/scenes/arch.obj 2> $out/told.txt && return 1
+    grep "can't start a worker: that needs POSIX" $out/told.txt && exe check --worker 5 --fallback --quiet tests/scenes/arch.obj
+}
+check_windows() {
+    if ! have $mingw || [ -z "$wine" ]; then skip "Windows: program and tests" "gcc-mingw-w64-x86-64-win32 wine64"; return; fi
+    WINEDEBUG=-all WINEPREFIX=$(pwd)/$out/wine
+    export WINEDEBUG WINEPREFIX
+    part "Windows: program and tests compile" windows_runs
+    count "Windows: tests under wine" windows_tests
+    part "Windows: the program tells the same, byte for byte" windows_program
+    part "Windows: a worker is told to need POSIX" windows_worker
 }
 
 side_by_side() {

@@ -77,6 +77,9 @@ static void hear(int signal)
     if (write(STDERR_FILENO, text, sizeof text - 1) < 0) return;
 }
 
+#ifdef _WIN32                           /* there a handler is heard once by itself */
+void progress_hear(void) { signal(SIGINT, hear); }
+#else
 void progress_hear(void)
 {
     struct sigaction once;
@@ -86,5 +89,6 @@ void progress_hear(void)
     sigemptyset(&once.sa_mask);
     sigaction(SIGINT, &once, NULL);
 }
+#endif
 
 int progress_stopped(void) { return stopped; }

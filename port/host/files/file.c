@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#ifdef _WIN32
+#define lstat stat                      /* no links */
+#endif
 
 /* The first byte of n that no text contains, or NULL; counts the lines before it. */
 static const char *odd_byte(const char *s, size_t n, int32_t *line)

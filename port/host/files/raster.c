@@ -1,6 +1,15 @@
 #define _POSIX_C_SOURCE 200809L         /* posix_spawn, fileno */
 #include "raster.h"
 
+#ifdef _WIN32
+
+int raster_png(FILE *svg, FILE *png, const char *path, failure *error)
+{
+    (void)svg, (void)png, (void)path;
+    return fail_with(error, EXIT_UNAVAILABLE, NULL, 0, "stonepack: --png needs POSIX, to start rsvg-convert");
+}
+
+#else
 #include <errno.h>
 #include <spawn.h>
 #include <string.h>
@@ -38,3 +47,5 @@ int raster_png(FILE *svg, FILE *png, const char *path, failure *error)
     if (failed) return fail_with(error, EXIT_INTERNAL, path, 0, "can't start rsvg-convert: %s", strerror(failed));
     return ended_well(child) ? 0 : fail_with(error, EXIT_INTERNAL, path, 0, "rsvg-convert can't draw the picture");
 }
+
+#endif

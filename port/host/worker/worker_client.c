@@ -4,6 +4,26 @@
 #include "../clock.h"
 #include "worker_client.h"
 
+#ifdef _WIN32
+
+#include <stdio.h>
+#include <string.h>
+
+/* No process is started without POSIX: nobody answers, or the check is made here. */
+sp_status worker_check(const worker_client *client, const sp_scene *scene, const sp_settings *settings, worker_answer *answer)
+{
+    memset(answer, 0, sizeof *answer);
+    answer->end = WORKER_NOT_STARTED;
+    answer->status = SP_E_UNSUPPORTED;
+    snprintf(answer->message, sizeof answer->message, "can't start a worker: that needs POSIX");
+    if (!client->fallback) return answer->status;
+    answer->fell_back = 1;
+    answer->status = run_check(scene, settings, &answer->result, &answer->cost, &answer->memory);
+    return answer->status;
+}
+
+#else
+
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -198,3 +218,5 @@ sp_status worker_check(const worker_client *client, const sp_scene *scene, const
     }
     return answer->status;
 }
+
+#endif
