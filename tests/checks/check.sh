@@ -464,6 +464,7 @@ check_sanitizers() {
     if have python3; then
         count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
         count "bad models in other forms under ASan and UBSan" python3 -B tests/checks/bad_formats.py $out/stonepack_san
+        count "a newcomer's export under ASan and UBSan" python3 -B tests/checks/newcomer.py $out/stonepack_san
     else
         skip "models in other forms under ASan and UBSan" python3
     fi
