@@ -28,6 +28,7 @@
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
 #define SP__IPM_NOWHERE ((sp_real)0.1)  /* length of a step that gets nowhere */
 #define SP__IPM_IDLE 8                  /* so many of them one after the other end it: rounding holds theta */
+#define SP__IPM_PATIENT 24              /* with strength: steps that got nowhere are often followed by some that do */
 #ifdef SP_REAL_MIXED
 #define SP__IPM_LAST 0                  /* factors in float hold them, but other ways refine in double */
 #else

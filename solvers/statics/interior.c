@@ -333,7 +333,7 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
 }
 
 /* Leaves forces that balance (n->found), a proof (n->proved) or neither. m->x: 3 a vertex, faces of them for a pyramid.
- *   returns 1 where no other way gets farther: it falls, but within tol, as a pebble among boulders does; or SP__IPM_IDLE
+ *   returns 1 where no other way gets farther: it falls, but within tol, as a pebble among boulders does; or too many
  *   steps one after the other got nowhere, for factors have too few digits, and tau, which forces keep, is not ahead of kappa:
  *   where it is, the proximal path mostly finds them, for its factors have more */
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
@@ -341,10 +341,11 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
     sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
     int idle = 0;
     m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;
+    const int most = m->capped && !state->brief ? SP__IPM_PATIENT : SP__IPM_IDLE;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
     if (m->capped) cones = m->capped->count;
-    for (int it = 0; it < SP__IPM_MOST && idle < SP__IPM_IDLE && sp__newton_work_left(w, n)
+    for (int it = 0; it < SP__IPM_MOST && idle < most && sp__newton_work_left(w, n)
                      && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
@@ -367,13 +368,13 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
     }
     sp__newton_measure(w, n, state);
-    if (idle == SP__IPM_IDLE) {                         /* y still shows what goes together, roughly */
+    if (idle == most) {                                 /* y still shows what goes together, roughly */
         memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
         sp__newton_try_rigid(w, n, SP__PLAY_IDLE, state);
     }
     n->falls = m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON);
     const int stands = m->tau > m->kappa && !state->brief;
-    return SP__IPM_LAST && ((idle == SP__IPM_IDLE && !stands) || n->falls);
+    return SP__IPM_LAST && ((idle == most && !stands) || n->falls);
 }
 
 #endif
