@@ -73,7 +73,7 @@ WRONG   := $(shell ONLY='$(ONLY)' sh tests/checks/check.sh --asked)
 $(if $(WRONG),$(error $(WRONG)))
 endif
 
-.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package page docs install bench figures bench-coupled check fuzz nightly help clean
+.PHONY: bench-plan always all lib shared install-shared python demo test deps test-boards robot regions footprint pair package page docs install bench figures bench-coupled bench-peers check fuzz nightly help clean
 
 all: build/libstonepack.a build/stonepack
 
@@ -104,6 +104,7 @@ help:
 	@echo "make bench-plan  what leaving out effects saves, as CSV; SCENES='FILE ...' of these"
 	@echo "make figures   the pictures of the pages"
 	@echo "make bench-coupled  the coupled check on CASES (../shared/cases), as CSV"
+	@echo "make bench-peers  beside PIQP and HiGHS where they are installed: PIQP=PREFIX QPS=FOLDER"
 	@echo "make clean     removes build/"
 
 lib: build/libstonepack.a
@@ -382,6 +383,10 @@ figures: build/stonepack build/stonepack_mixed build/stonepack_float
 CASES ?= ../shared/cases
 bench-coupled: build/stonepack
 	@python3 -B tests/bench/coupled.py build/stonepack $(CASES)
+
+# Others' solvers, those that are installed.
+bench-peers: build/stonepack build/libstonepack.a
+	@CC="$(CC)" PIQP="$(PIQP)" QPS="$(QPS)" LONG="$(LONG)" sh tests/bench/peers/peers.sh
 
 clean:
 	rm -rf build
