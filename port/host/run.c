@@ -126,6 +126,11 @@ sp_status run_sliding_verify(const sp_scene *scene, const sp_settings *settings,
 }
 #endif
 
+sp_status run_bytes_of(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, size_t *bytes)
+{
+    return counted(scene, what, settings, bytes);
+}
+
 sp_status run_sequence(const sp_scene *scene, const sp_settings *settings, sp_sequence **sequence, size_t *bytes,
                        void **memory)
 {

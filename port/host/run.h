@@ -19,6 +19,9 @@ sp_status run_arena(size_t bytes, sp_arena *arena, void **memory);
 /* sp_memory of what follows from counts alone; 0 where it is refused. */
 size_t run_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *settings);
 
+/* sp_memory, also of what needs scratch. */
+sp_status run_bytes_of(const sp_scene *scene, sp_memory_for what, const sp_settings *settings, size_t *bytes);
+
 /* sp_check, and the bytes of its arena alone. */
 sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_result *result, run_cost *cost, void **memory);
 sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, size_t *bytes);

@@ -422,6 +422,13 @@ part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check 
 part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'
 part "effects: depth, each way"     each_way depth 'off .* mirror' 0 ': STABLE'
 part "effects: together, each way"  each_way together 'on .* calls for' 0 ': STABLE'
+ram_is_taken() {                                        # scene and check are the memory a check reports; constants for firmware
+    gen wall rows=4 bricks=6 && "$cli" plan --ram --json "$tmp/scene.obj" > "$tmp/a" && "$cli" check --json "$tmp/scene.obj" > "$tmp/b" || return 1
+    ram=$(($(sed -n 's/.*"scene": \([0-9]*\),.*"check": \([0-9]*\),.*/\1 + \2/p' "$tmp/a")))
+    [ "$ram" -gt 0 ] && grep -q "\"memory_bytes\": $ram[,}]" "$tmp/b" || { echo "plan: $ram"; grep -o '"memory_bytes": [0-9]*' "$tmp/b"; return 1; }
+    says 'SP_CHECK_BYTES(27, 64, 256, ' "$cli" plan --ram "$tmp/scene.obj"
+}
+part "plan --ram: bytes and constants" ram_is_taken
 part "effects: two at once"         says '^together *on .* the caller' "$cli" plan --effects -depth,+together "$tmp/scene.obj"
 part "effects: depth, called for"   sh -c "'$cli' gen dome | '$cli' check --effects -depth - | grep -q '^  left out  *depth$'"
 part "effects: no such one: 64"     exits 64 "$cli" check --effects +wind "$tmp/scene.obj"

@@ -385,6 +385,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--suggest") == 0) return o->suggest = 1;
     if (strcmp(name, "--names") == 0) return o->names = 1;
     if (strcmp(name, "--sweep") == 0) return o->sweep = 1;
+    if (strcmp(name, "--ram") == 0) return o->ram = 1;
     if (strcmp(name, "--tilt-margin") == 0) return o->tilt_margin = 1;
     return 0;
 }

@@ -18,6 +18,7 @@ typedef struct options {
     const char *out, *frames;   /* of settle: files, or NULL */
     const char *set;            /* of settle: NAME=VALUE,... or NULL */
     int sweep;                  /* of contacts */
+    int ram;                    /* of plan */
     int tilt_margin;            /* of limit */
     double body[3];             /* of limit: live load of every block, in its weight; 0: not given */
     double near;                /* of settle: contacts are faces nearer than this [m]; 0: Bullet's points */

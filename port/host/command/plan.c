@@ -63,6 +63,71 @@ static void print_json(const host_scene *s, const sp_outlook *o)
     fputc('\n', stdout);
 }
 
+/* Memory of each question, behind the scene in one arena. */
+static const struct { const char *name; sp_memory_for what; } ram_of[] = {
+    { "contacts", SP_FOR_CONTACTS }, { "check", SP_FOR_CHECK }, { "verify", SP_FOR_VERIFY }, { "limit", SP_FOR_LIMIT },
+    { "sequence", SP_FOR_SEQUENCE }
+};
+#define RAM_OF (int)(sizeof ram_of / sizeof ram_of[0])
+
+typedef struct ram { size_t scene, bytes[RAM_OF]; long fill; } ram;
+
+/* Blocks of the factor below its diagonal, at most: what a check takes, less what it takes at least without them. */
+static long ram_fill(const sp_scene *s, size_t check)
+{
+    const size_t r = sizeof(sp_real);
+    size_t loose = 0, least = r > 4 ? 2000 : 1700;      /* [byte] of structs */
+    for (int32_t k = 0; k < s->count.blocks; k++) loose += s->block[k].fixed != SP_FIXED;
+    least += 6 * r * (size_t)s->count.blocks + (80 * r + 24) * loose + 9 * r * (size_t)s->count.points
+          + (sizeof(sp_demand) + sizeof(sp_contact) + 12) * (size_t)s->count.joints;
+    return check > least ? (long)((check - least) / (36 * r + 4)) : 0;
+}
+
+static sp_status ram_count(const sp_scene *s, const sp_settings *settings, ram *m)
+{
+    sp_status status = SP_OK;
+    m->scene = sp_scene_memory(&s->count);
+    for (int k = 0; !status && k < RAM_OF; k++) status = run_bytes_of(s, ram_of[k].what, settings, &m->bytes[k]);
+    m->fill = ram_fill(s, m->bytes[1]);
+    return status;
+}
+
+static void ram_text(const host_scene *s, const ram *m)
+{
+    const sp_capacity *n = &s->scene.count;
+    printf("%s: %ld blocks, %ld joints, %ld contact points\n\n", s->path, (long)n->blocks, (long)n->joints, (long)n->points);
+    printf("%-10s %12s %12s\n%-10s %12lu\n", "", "bytes", "with scene", "scene", (unsigned long)m->scene);
+    for (int k = 0; k < RAM_OF; k++)
+        printf("%-10s %12lu %12lu\n", ram_of[k].name, (unsigned long)m->bytes[k], (unsigned long)(m->scene + m->bytes[k]));
+    printf("\nin firmware, whatever its precision, where all free blocks hang together:\n"
+           "  SP_SCENE_BYTES(%ld, %ld, %ld, %ld, %ld, %ld, %ld) + SP_CHECK_BYTES(%ld, %ld, %ld, %ld)\n",
+           (long)n->blocks, (long)n->vertices, (long)n->faces, (long)n->corners, (long)n->joints, (long)n->points,
+           (long)n->loads, (long)n->blocks, (long)n->joints, (long)n->points, m->fill);
+}
+
+static void ram_json(const host_scene *s, const ram *m)
+{
+    json_out j = { stdout, 0 };
+    json_open(&j, NULL, '{');
+    json_string(&j, "scene", s->path);
+    json_open(&j, "ram", '{');
+    json_int(&j, "scene", (int64_t)m->scene);
+    for (int k = 0; k < RAM_OF; k++) json_int(&j, ram_of[k].name, (int64_t)m->bytes[k]);
+    json_int(&j, "fill", m->fill);
+    json_close(&j, '}');
+    json_close(&j, '}');
+    fputc('\n', stdout);
+}
+
+static void ram_tell(const host_scene *s, const options *o, failure *error)
+{
+    ram m;
+    const sp_status status = ram_count(&s->scene, &o->settings, &m);
+    if (status) scene_refused(s, &o->settings, status, error);
+    else if (o->json) ram_json(s, &m);
+    else ram_text(s, &m);
+}
+
 int command_plan(int argc, char **argv)
 {
     failure error = { 0, "" };
@@ -70,14 +135,15 @@ int command_plan(int argc, char **argv)
     options o;
     sp_outlook outlook;
 
-    if (options_read(argc, argv, " --json --effects --tol --cone --mu --stages --tilt --coupled" SCENE_OPTIONS, &o, &error) == 0
+    if (options_read(argc, argv, " --json --ram --effects --tol --cone --mu --stages --tilt --coupled" SCENE_OPTIONS, &o, &error) == 0
         && o.files != 1)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
             tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
-            const sp_status status = run_plan(&s.scene, &o.settings, &outlook);
-            if (status) scene_refused(&s, &o.settings, status, &error);
+            const sp_status status = o.ram ? SP_OK : run_plan(&s.scene, &o.settings, &outlook);
+            if (o.ram) ram_tell(&s, &o, &error);
+            else if (status) scene_refused(&s, &o.settings, status, &error);
             else if (o.json) print_json(&s, &outlook);
             else print_table(&s, &outlook, o.quiet);
         }
