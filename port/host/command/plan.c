@@ -135,8 +135,8 @@ int command_plan(int argc, char **argv)
     options o;
     sp_outlook outlook;
 
-    if (options_read(argc, argv, " --json --ram --effects --tol --cone --mu --stages --tilt --coupled" SCENE_OPTIONS, &o, &error) == 0
-        && o.files != 1)
+    if (options_read(argc, argv, " --json --ram --effects --tol --cone --mu --stages --tilt --coupled" SCENE_OPTIONS, &o,
+                     &error) == 0 && o.files != 1)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: plan needs one scene");
     if (!error.status) {
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0) {
