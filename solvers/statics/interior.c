@@ -339,13 +339,13 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
-    int idle = 0;
+    m->idle = 0;
     m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;
     const int most = m->capped && !state->brief ? SP__IPM_PATIENT : SP__IPM_IDLE;
     m->kappa_weight = sp__max(1, cones / 10);
     sp__ipm_start(w, m);
     if (m->capped) cones = m->capped->count;
-    for (int it = 0; it < SP__IPM_MOST && idle < most && sp__newton_work_left(w, n)
+    for (int it = 0; it < SP__IPM_MOST && m->idle < most && sp__newton_work_left(w, n)
                      && m->theta > (sp_real)SP_EPSILON; it++) {
         m->gap = 0;
         m->outside = 0;
@@ -365,16 +365,16 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         if (!n->proved) sp__ipm_motion(w, m, n, state);
         if (n->proved || w->budget.spent) return 0;
         sp__ipm_step(w, m, state);
-        idle = m->reach < SP__IPM_NOWHERE ? idle + 1 : 0;
+        m->idle = m->reach < SP__IPM_NOWHERE ? m->idle + 1 : 0;
     }
     sp__newton_measure(w, n, state);
-    if (idle == most) {                                 /* y still shows what goes together, roughly */
+    if (m->idle == most) {                              /* y still shows what goes together, roughly */
         memcpy(w->d, w->y, 6 * (size_t)w->pb->blocks * sizeof *w->d);
         sp__newton_try_rigid(w, n, SP__PLAY_IDLE, state);
     }
     n->falls = m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON);
     const int stands = m->tau > m->kappa && !state->brief;
-    return SP__IPM_LAST && ((idle == most && !stands) || n->falls);
+    return SP__IPM_LAST && ((m->idle == most && !stands) || n->falls);
 }
 
 #endif
