@@ -1374,8 +1374,8 @@ typedef struct sp_state {
     sp_real *y0;                /* 12 x blocks: potential of the bilateral force in two parts, large and small, of 6 x blocks
                                    each; written by the first stage that knows it */
     sp_real *dq;                /* 6 x blocks: candidate mechanism */
-    signed char has_y0;
-    signed char brief;          /* 1: the caller has other questions: give up where the likeliest way comes to nothing */
+    int16_t has_y0;
+    int16_t brief;              /* 1: the caller has other questions: give up where the likeliest way comes to nothing */
     sp_reason reason;           /* why, when a stage claims */
     sp_real tension_ratio;      /* max fm / max fp of the penalty form, -1 unless a stage solved it */
     sp_cost cost;               /* of the running stage */

@@ -83,7 +83,7 @@ static int put_scene(FILE *out)
 static int put_picture(FILE *out)
 {
     const view_wish any = { 0, 0, 0 };
-    const subject of = { &page.changed.now, &page.report.result, NULL, any, 0 };
+    const subject of = { &page.changed.now, &page.report.result, NULL, any, 0, NULL, NULL };
     return !svg_write(out, &of);
 }
 

@@ -10,7 +10,7 @@ import re
 import sys
 
 PLAIN = {"sp_real": "c_double", "double": "c_double", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
-         "uint16_t": "c_uint16", "uint64_t": "c_uint64", "size_t": "c_size_t", "int": "c_int"}
+         "int16_t": "c_int16", "uint16_t": "c_uint16", "uint64_t": "c_uint64", "size_t": "c_size_t", "int": "c_int"}
 
 
 def enumerations(text):
@@ -97,7 +97,7 @@ def bindings(text, macros):
     every = structs(text)
     known = {name for name, _ in every}
     out = ['"""Made by bind.py from stonepack.h: not to be edited."""', "from ctypes import (POINTER, Structure, c_char_p,"
-           " c_double, c_int, c_int32, c_int64, c_size_t,\n                    c_uint16, c_uint32, c_void_p)", ""]
+           " c_double, c_int, c_int16, c_int32, c_int64, c_size_t,\n                    c_uint16, c_uint32, c_void_p)", ""]
     for name, value in sorted(re.findall(r"#define (SP_\w+) \(?([0-9]+)u?\)?$", macros, re.M)):
         out.append("%s = %s" % (name, value))
     for name, pairs in enums:

@@ -144,6 +144,6 @@ int files_draw(const char *path, const sp_scene *scene, const char **name, const
     s.path = (char *)(uintptr_t)title;
     s.scene = *scene;
     s.name = name;
-    const subject of = { &s, result, limit, { 0, 0, 0 }, names };
+    const subject of = { &s, result, limit, { 0, 0, 0 }, names, NULL, NULL };
     return told(drawn_file(path, put, &of, &error), &error, message);
 }

@@ -365,7 +365,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         if (!n->proved) sp__ipm_motion(w, m, n, state);
         if (n->proved || w->budget.spent) return 0;
         sp__ipm_step(w, m, state);
-        m->idle = m->reach < SP__IPM_NOWHERE ? m->idle + 1 : 0;
+        m->idle = m->reach < SP__IPM_NOWHERE ? (int16_t)(m->idle + 1) : 0;
     }
     sp__newton_measure(w, n, state);
     if (m->idle == most) {                              /* y still shows what goes together, roughly */

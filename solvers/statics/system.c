@@ -48,8 +48,8 @@ typedef struct sp__ipm {
     int outside;                        /* x or z is no longer inside, by rounding */
     sp__pass pass;                      /* right-hand side; step length; step */
     int corrected;                      /* the product of the predictor's changes is taken into account */
-    int ray;                            /* forces are asked for the live loads alone */
-    int idle;                           /* steps that got nowhere, one after the other */
+    int16_t ray;                        /* forces are asked for the live loads alone */
+    int16_t idle;                       /* steps that got nowhere, one after the other */
     sp__capped *capped;                 /* NULL: no joint has strength */
     const sp_real *along[3];            /* y; its predictor and its step */
     sp_real tau, kappa, mu, sigma;

@@ -79,7 +79,7 @@ only settings_only 'no block'           '#@ mu 0.5' '#@ gravity 0 0 -1'
 only vertices_only 'no block'           'v 0 0 0' 'v 1 0 0' 'v 0 1 0'
 printf 'o a\000b\n' > nul.obj;                          refused nul 'no text'
 printf '\177ELF\002\001\001\000\000' > elf.obj;         refused elf 'no text'
-printf '\037\213\010\000\000\000' > gzip.obj;           refused gzip 'no text'
+printf '\037\213\010\000\000\000' > gzip.obj;           refused gzip 'unpack it'
 printf 'o a\nv 0 0 0\nv 1 \007 0\n' > bell.obj;         refused bell 'no text'
 head -c 20000 /dev/urandom > random.obj;                refused random
 printf '\211PNG\r\n\032\n\000' > png.obj;               refused png

@@ -87,7 +87,7 @@ links() {                                               # links PAGE
 stale() {                                               # stale PAGE
     status=0
     for name in $(grep -oE '\b(sp|SP)_[A-Za-z0-9_]*[A-Za-z0-9]' "$1" | sort -u); do
-        grep -rqE --include="*.[ch]" "\b$name\b" stonepack.h solvers || { echo "$1: no $name in stonepack.h or solvers"; status=1; }
+        grep -rqE --include="*.[ch]" "\b$name\b" stonepack.h solvers port/fuzz || { echo "$1: no $name in stonepack.h, solvers or port/fuzz"; status=1; }
     done
     for target in $(grep -oE '(^|`|    )make [a-z-]+' "$1" | sed 's/.*make //' | grep -v '^-' | sort -u); do
         grep -qE "^[a-z /.-]*\b$target\b[a-z /.-]*:" Makefile || { echo "$1: no target $target"; status=1; }

@@ -162,7 +162,7 @@ TEST(bytes_and_back_are_the_same_scene)
 TEST(what_bytes_cannot_say_has_none)
 {
     const sp_arena mark = test_arena;
-    uint8_t out[SP_FUZZ_BYTES];
+    uint8_t out[SP_FUZZ_BYTES] = { 0 };
     sp_scene s;
     NEED(sp_scene_from_bytes(out, 0, &test_arena, &s) == SP_OK);
     CHECK(sp_scene_to_bytes(&s, out, sizeof out) > 0);

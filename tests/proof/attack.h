@@ -63,13 +63,13 @@ static void generated(const char *name, const char *param, double value, sp_scen
 /* A claim of nothing, in the arena. */
 static sp_result empty_claim(const sp_scene *s)
 {
-    const int32_t nf = 3 * s->count.points, nq = 6 * s->count.blocks;
+    const int32_t nf = 3 * s->count.points, nq = 6 * s->count.blocks, hint = 2 * nq;
     sp_result r;
     unsigned char *raw = (unsigned char *)&r;
     for (size_t k = 0; k < sizeof r; k++) raw[k] = 0;
     sp_real *x = (sp_real *)(void *)(test_arena.base + test_arena.used);
-    test_arena.used += ((size_t)(nf + 2 * nq) * sizeof *x + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
-    for (int32_t k = 0; k < nf + 2 * nq; k++) x[k] = 0;
+    test_arena.used += ((size_t)(nf + nq + hint) * sizeof *x + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    for (int32_t k = 0; k < nf + nq + hint; k++) x[k] = 0;
     r.f = x;
     r.dq = x + nf;
     r.y0 = x + nf + nq;
