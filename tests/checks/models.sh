@@ -285,6 +285,11 @@ part "fixed: on every command"              sh -c "'$cli' limit --body 1,0,0 --f
 part "fixed: a name that is not there: 64"  refuses 64 "arch.obj: --fixed 'b1,x'\|--fixed 'x\*': no block has such a name; there are b0, b1, b2, b3, \.\.\." check --fixed 'b1,x*' arch.obj
 part "fixed: an empty list: 64"             refuses 64 'needs names' check --fixed '' arch.obj
 part "fixed: ground"                        same "$(forces --fixed ground wall.obj)" "$(forces wall-whole.obj)"
+slab_fits() {                                           # it reaches beyond the wall, by no more than a fifth of its length
+    "$cli" convert --fixed ground wall.obj 2> err | awk '/^o / { ground = $2 == "ground" } /^v / { if (ground) { if (!n++ || $2 < g) g = $2; if (n == 1 || $2 > h) h = $2 }
+        else { if (!m++ || $2 < a) a = $2; if (m == 1 || $2 > b) b = $2 } } END { exit !(g < a && h > b && h - g < 1.4 * (b - a)) }'
+}
+part "fixed: ground, as wide as the model"  slab_fits
 part "fixed: ground, contacts told: 64"     refuses 64 'the file tells its contacts' check --fixed ground whole.obj
 part "y up, mm: the same forces"            same "$(forces --fixed lowest --up y --unit mm arch-y.obj)" "$(forces whole.obj)"
 part "gravity told instead"                 same "$(forces --fixed lowest --gravity 0,-9.80665,0 --unit mm arch-y.obj)" "$(forces whole.obj)"

@@ -8,6 +8,7 @@
 
 #define NEARLY_LOWEST 0.01              /* of its own height: so far above the lowest point a block still stands lowest */
 #define GROUND_THICK  0.1               /* of the model's width */
+#define GROUND_BEYOND 0.15              /* as a share of the same, to each side */
 
 static int out_of_memory(const obj_file *f, failure *error)
 {
@@ -124,7 +125,7 @@ static int make_room(obj_file *f)
     return block && face && corner && vertex;
 }
 
-/* A level slab under the lowest point, half as wide again as the model to each side. a, b, down are a
+/* A level slab under the lowest point, a little wider than the model, which the picture is of. a, b, down are a
  * right-handed triple, so its faces look outwards. */
 static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
 {
@@ -132,6 +133,7 @@ static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
                                     { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
     const reach a = reach_of_all(f, t->a), b = reach_of_all(f, t->b);
     const double top = reach_of_all(f, t->down).high, wide = fmax(a.high - a.low, b.high - b.low);
+    const double more = GROUND_BEYOND * wide;
     const obj_block slab = { { "ground", 6 }, line, f->faces, 0, SP_FIXED };
 
     if (!make_room(f)) return out_of_memory(f, error);
@@ -142,7 +144,7 @@ static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
         f->face[f->faces++] = face;
     }
     for (int k = 0; k < 8; k++) {                       /* bits: a, b, down */
-        const double x = k & 1 ? a.high + wide / 2 : a.low - wide / 2, y = k & 2 ? b.high + wide / 2 : b.low - wide / 2;
+        const double x = k & 1 ? a.high + more : a.low - more, y = k & 2 ? b.high + more : b.low - more;
         const double z = k & 4 ? top + GROUND_THICK * wide : top;
         for (int i = 0; i < 3; i++) f->vertex[f->vertices][i] = (sp_real)(x * t->a[i] + y * t->b[i] + z * t->down[i]);
         f->vertices++;
