@@ -237,6 +237,7 @@ on_floor 1e-4 1e-4 > gap.obj
 on_floor -1e-4 -1e-4 > deep.obj
 between() { "$cli" contacts --json --contact-distance 2e-4 "$1" | tr -d ' \n' | grep -q "$2"; }
 part "tilted about an edge: a strip"        area 0.1 --contact-distance 1e-6 edge.obj
+part "the same at the default distance"     area 0.17320508 edge.obj    # 1e-6 of sqrt 3, over 1e-5
 part "tilted about the middle: a strip"     area 0.2222 --contact-distance 2e-4 --contact-angle 1 middle.obj
 part "tilted, all within: the whole"        area 1 --contact-distance 1e-3 middle.obj
 part "a gap: the whole face"                area 1 --contact-distance 2e-4 gap.obj
