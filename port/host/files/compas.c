@@ -603,8 +603,10 @@ static int holds_blocks(const reader *r, const json_value *v)
 static const json_value *find_tables(reader *r, const json_value *v)
 {
     static const char *const inside[] = { "graph", "network", "assembly", "model", "data" };
-    for (int depth = 0; depth < DEPTH_MAX && is_table(v = plain(r, v)); depth++) {
+    for (int depth = 0; depth < DEPTH_MAX; depth++) {
         const json_value *inner = NULL;
+        if (!is_table(member(r, v, "node"))) v = plain(r, v);        /* else what looks like a wrapper was merged into it */
+        if (!is_table(v)) break;
         if (plain_member(r, v, "blocks")) r->blocks = plain_member(r, v, "blocks");
         if (plain_member(r, v, "elements")) r->elements = plain_member(r, v, "elements");
         if (plain_member(r, v, "materials")) r->materials = plain_member(r, v, "materials");
