@@ -2,6 +2,7 @@
 #include "../run.h"
 #include "contacts_sweep.h"
 #include "progress.h"
+#include "report.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -116,8 +117,11 @@ static void print_table(const host_scene *s, const sweep *w, int quiet)
     if (w->first < 0) printf("%s: nothing touches at any distance up to 1%%\n", s->path);
     else if (w->first == w->last)
         printf("%s: pairs that touch and verdict differ from distance to distance\n", s->path);
-    else printf("%s: %s with %ld pairs that touch, the same from %g%% to %g%%\n", s->path, text_of(first->verdict),
-                (long)first->pairs, 100 * first->share, 100 * last->share);
+    else {
+        printf("%s: %s with %ld pairs that touch, the same from %g%% to %g%%", s->path, text_of(first->verdict),
+               (long)first->pairs, 100 * first->share, 100 * last->share);
+        report_near(stdout, first->verdict == SP_STABLE || first->pairs == w->row[w->rows - 1].pairs ? 0 : s->near);
+    }
     if (quiet) return;
     printf("  %-16s %11s %8s %8s %8s %13s %9s   %s\n", "distance", "least [m]", "pairs", "joints", "points", "area [m^2]",
            "overlaps", "verdict");

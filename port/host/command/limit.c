@@ -165,7 +165,7 @@ static void print_multiplier(FILE *out, const report *r)
     default:                 fprintf(out, "UNDECIDED: %s", x->reason == SP_REASON_BUDGET
                                      ? "the search spent its budget" : "the two bounds do not meet at this tol");
     }
-    if (x->kind != SP_LIMIT_UNBOUNDED) report_near(out, r->scene);
+    if (x->kind != SP_LIMIT_UNBOUNDED) report_near(out, r->scene->near);
     else fputc('\n', out);
     if (r->options->quiet) return;
     report_row(out, "how sure");

@@ -250,17 +250,17 @@ static void text_cost(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }
 
-void report_near(FILE *out, const host_scene *s)
+void report_near(FILE *out, int32_t near)
 {
-    const long near = (long)s->near;
-    if (near > 0) fprintf(out, ", but %ld pair%s of blocks nearly touch%s", near, near == 1 ? "" : "s", near == 1 ? "es" : "");
+    if (near > 0)
+        fprintf(out, ", but %ld pair%s of blocks nearly touch%s", (long)near, near == 1 ? "" : "s", near == 1 ? "es" : "");
     fputc('\n', out);
 }
 
 static void text_verdict(FILE *out, const report *r)
 {
     fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
-    if (r->result.verdict != SP_STABLE) report_near(out, r->scene);
+    if (r->result.verdict != SP_STABLE) report_near(out, r->scene->near);
     else fputc('\n', out);
 }
 

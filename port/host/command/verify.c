@@ -343,6 +343,7 @@ typedef struct verified {
     sp_strong_kind proved;
     int proof;                  /* the result has a proof that there is no triple */
     sp_evidence evidence;
+    int32_t near;               /* pairs of blocks that nearly touch */
 } verified;
 
 static int verify(const char *scene_path, const char *path, verified *v, failure *error)
@@ -364,6 +365,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
     if (!status) {
         tilt_turn(v->o.tilt, v->o.azimuth, s.scene.gravity);
         memcpy(v->turned, s.scene.gravity, sizeof v->turned);
+        v->near = s.near;
         scene_body(&s, v->o.body);
         if (v->sliding) status = judge_sliding(&r, &v->o, &v->slid, &v->slides);
         else status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
@@ -410,7 +412,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     if (o->settings.coupled.asked)
         printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
     if (v->strong) printf(", whatever friction does: %s", sp_strong_text(v->proved));
-    putchar('\n');
+    report_near(stdout, e->verdict == SP_STABLE ? 0 : v->near);
 }
 
 /* Is what the result says of its state proved, whatever else?     returns an exit status */
@@ -420,8 +422,9 @@ static int print_sliding(const char *scene_path, const char *path, const verifie
     printf("%s: ", scene_path);
     if (e->state) printf("a sliding state at %.9g by %s, residual %.2g", (double)v->slid.upper, path, (double)e->residual);
     else printf("no sliding state by %s", path);
-    printf(", none below %.9g, strong up to %.9g, tol %.2g\n", (double)e->lower, (double)e->lower_strong,
+    printf(", none below %.9g, strong up to %.9g, tol %.2g", (double)e->lower, (double)e->lower_strong,
            (double)v->o.settings.tol);
+    report_near(stdout, v->near);
     return e->state ? 0 : EXIT_UNDECIDED;
 }
 

@@ -7,7 +7,7 @@
 #define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
 #define STEPS    4                      /* of ten each, up to that */
 #define SLOPE    8.0                    /* faces may rise by so many distances across the narrower of them */
-#define LEAST    0.5                    /* of its area a contact needs to count as found */
+#define LEAST    0.99
 #define STEEPEST 0.5                    /* sine, the library's limit */
 
 int touching_read_distance(text_word w, touching *t)
@@ -134,7 +134,7 @@ static double add_area(const sp_scene *s, int32_t a, int32_t b, int32_t *k)
     return area;
 }
 
-/* Pairs that touch in `wide` and in `s` not, or by less than half the area. Both have their joints in the order of pairs, as
+/* Pairs that touch in `wide` and in `s` not, or not whole. Both have their joints in the order of pairs, as
  * the library finds them. */
 static int32_t count_missing(const sp_scene *s, const sp_scene *wide)
 {
@@ -187,7 +187,7 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
     touching_free(&p);
     if (!missing) return 0;
     snprintf(option, sizeof option, "--contact-distance %g%%", 100 * share);
-    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted, or by less than half: faces up to %g %% of "
+    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted, or not whole: faces up to %g %% of "
                 "the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "",
                 missing == 1 ? "is" : "are", 100 * share);
     return missing;

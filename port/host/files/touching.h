@@ -44,7 +44,7 @@ void touching_free(touching_found *found);
  * nearly touch; null where contacts were given (t is NULL). */
 void touching_json(json_out *j, const touching *t, int32_t near);
 
-/* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or one of less than half the area; add
+/* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or not a whole one; add
  * a remark with the option that counts them all.     returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 
