@@ -8,7 +8,7 @@
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
 . tests/checks/tally.sh
 TIMES=1
-groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page fuzz mutants windows'
+groups='long warnings switches combinations cpp symbols arm robot footprint pair package python sanitizers settle bits instruments plugins static cases oracle bench demo page fuzz mutants coverage windows'
 if ! echo "$groups" | tr ' ' '\n' | grep -qF -- "${ONLY:-}"; then
     echo "no group of check is called $ONLY; there are $groups"
     exit 1
@@ -686,6 +686,15 @@ check_mutants() {
             python3 -B tests/mutation/mutate.py --of proof --sample 40 --seed 1 --least 92
         SHOW=
     else skip "mutants" "python3 tcc"; fi
+}
+# nightly.sh has all suites and folders.
+check_coverage() {
+    if have python3 && have clang-19 && have llvm-cov-19; then
+        SHOW=1
+        part "conditions of the certificate check that its suites show to decide" \
+            env OF=proof LEFT=1 LEAST=93 sh tests/mutation/coverage.sh scale leaf still corner refute triple strong verify claims shapes
+        SHOW=
+    else skip "MC/DC of the certificate check" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
 }
 check_bench() {
     part "bench, quick: no wrong verdict" sh -c "build/bench --quick > $out/bench.csv"

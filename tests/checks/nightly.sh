@@ -86,6 +86,9 @@ if have python3 && have tcc; then
     line "300 mutants of the certificate check" python3 -B tests/mutation/mutate.py --of proof --sample 300 --seed "$(date +%Y%m%d)" --hashes --quiet
     line "100 mutants of verify" python3 -B tests/mutation/mutate.py --of verify --sample 100 --seed "$(date +%Y%m%d)" --hashes --quiet
 else skip "mutants" "python3 tcc"; fi
+if have python3 && have clang-19 && have llvm-cov-19; then
+    line "lines, branches, conditions of all folders" sh tests/mutation/coverage.sh
+else skip "coverage" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
 line "any bytes, five minutes each" env FUZZ_SECONDS=300 sh tests/fuzz/fuzz.sh
 line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c stonepack.c -o $out/analyzed.o
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh

@@ -443,6 +443,38 @@ TEST(a_block_on_one_line_is_bound_but_for_its_spin)
     }
 }
 
+/* A spin that the block is held against is none: across the line, or where the line does not pass its centroid. */
+TEST(a_block_held_against_its_spin_has_none)
+{
+    static const struct { uint32_t held; double height; int spins; } table[] = {
+        { 0, 1, 1 }, { 0, 0, 1 }, { 8, 1, 0 }, { 8, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 1 | 4 | 16 | 32, 1, 1 }, { 4, 0, 1 }
+    };
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 2, 0 };
+    const sp_real ground[3] = { 0, 0, -1 }, line[6] = { -1, 0, 0, 1, 0, 0 }, up[3] = { 0, 0, 1 };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
+        const sp_arena mark = test_arena;
+        const sp_real at[3] = { 0, 0, R(table[k].height) };
+        sp_real spin[6];
+        memset(&o, 0, sizeof o);
+        NEED(sp_scene_create(&o.scene, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&o.scene, 0, ground, SP_FIXED, NULL) == SP_OK);
+        NEED(sp_scene_body(&o.scene, 1, at, table[k].held, NULL) == SP_OK);
+        NEED(sp_scene_points(&o.scene, 0, 1, up, 2, line, &rough, NULL) == SP_OK);
+        o.set.tol = R(1e-4);
+        o.set.force_bound = 100;
+        NEED(sp_problem_build(&o.scene, &test_arena, &o.pb) == SP_OK);
+        NEED(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &test_arena));
+        if (!CHECK_INT(sp__certifier_free_spin(&o.j, 0, spin), table[k].spins)) TEST_PRINT("    case %d\n", (int)k);
+        if (table[k].spins) {                           /* turn about x, y moved by as much as the centroid is high: |k| = 1 */
+            const double m = 1 / (double)o.j.scale[0].wm, f = table[k].height / (double)o.j.scale[0].wf, n = sqrt(m * m + f * f);
+            CHECK_NEAR(fabs((double)spin[3]), m / n, TOL(1e-12, 1e-5));
+            CHECK_WITHIN(fabs((double)spin[1]), f / n, TOL(1e-12, 1e-5));
+        }
+        test_arena = mark;
+    }
+}
+
 /* Caps, or what the row of work leaves of them where eps > 0; what that row may be out by. */
 TEST(no_force_is_larger_than_its_cap_or_than_work_allows)
 {
@@ -632,6 +664,7 @@ TEST_LIST(leaf)
     RUN_FULL(no_motion_reaches_beyond_what_its_corners_allow)
     RUN_FULL(a_reach_that_is_found_in_part_counts_what_is_missing)
     RUN_FULL(a_block_on_one_line_is_bound_but_for_its_spin)
+    RUN_FULL(a_block_held_against_its_spin_has_none)
     RUN_FULL(no_force_is_larger_than_its_cap_or_than_work_allows)
     RUN_FULL(every_case_of_a_tree_is_closed_once_and_in_order)
     RUN_FULL(each_case_has_the_states_of_its_splits)

@@ -227,6 +227,38 @@ TEST(imbalance_is_relative_to_load_and_forces)
     }
 }
 
+/* A residual that is no number ends the search for scales: one sweep, and the potential stays what it was. */
+TEST(a_residual_that_is_no_number_moves_nothing)
+{
+    one_block o;
+    sp_real to[6] = { 1, 2, 3, 4, 5, 6 };
+    NEED(place(&o, 1, 1, 0.5, 0.1, 0.5));
+    NEED(judge(&o, NULL));
+    for (int k = 0; k < 6; k++) o.j.residual[k] = k == 2 ? R(NAN) : 1;
+    o.j.sweeps = 0;
+    sp__certifier_least_squares(&o.j, to);
+    CHECK_INT(o.j.sweeps, 1);
+    for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
+}
+
+#ifndef SP_SMALL
+/* A sweep is counted with 90 flops a corner, eight are kept for what comes after the scales, and two are had in any case. */
+TEST(a_budget_gives_scales_the_sweeps_it_has)
+{
+    one_block o;
+    NEED(place(&o, 1, 1, 0.5, 0, 0.5));
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, 0), INT32_MAX);          /* no budget */
+    o.set.budget = 1;
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, 20 * 4 * 90), 12);
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, 11 * 4 * 90 - 1), 2);
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, 11 * 4 * 90), 3);
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, -1000000), 2);
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, INT64_MAX), INT32_MAX);
+    o.pb.points = 0;
+    CHECK_INT(sp__budget_sweeps(&o.set, &o.pb, 0), INT32_MAX);          /* nothing touches */
+}
+#endif
+
 TEST_LIST(scale)
     RUN(a_certificate_check_takes_what_was_counted)
     RUN(scale_of_a_block_in_the_middle_is_a_closed_form)
@@ -236,4 +268,8 @@ TEST_LIST(scale)
     RUN(sliding_motion_proves_its_power_balance)
     RUN(motion_into_a_joint_proves_nothing)
     RUN(imbalance_is_relative_to_load_and_forces)
+    RUN(a_residual_that_is_no_number_moves_nothing)
+#ifndef SP_SMALL
+    RUN(a_budget_gives_scales_the_sweeps_it_has)
+#endif
 TEST_END

@@ -6,6 +6,7 @@
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
 #include "../../solvers/proof/still.c"
+#include "../../solvers/proof/sliding.c"
 #include "leaf.h"
 
 #if SP__WITH_STRONG
@@ -344,6 +345,91 @@ TEST(what_is_no_still_proof_is_none)
     }
 }
 
+/* A sector is halved to 2^-10 of a quarter, no more. */
+TEST(a_still_proof_may_be_deep_but_not_without_end)
+{
+    enum { DEPTH = 16 };
+    static int32_t node[2 * DEPTH + 16];
+    static uint16_t row[DEPTH + 16];
+    static sp_real y[DEPTH + 16];
+    NEED(begin());
+    o.set.force_bound = 0;
+    memset(w->reach, 0, LEAF_N * sizeof *w->reach);
+    for (int k = 0; k < DEPTH + 16; k++) y[k] = o.p[0] > 0 ? -1 : 1;
+    for (int halvings = 8; halvings < 13; halvings++) {
+        int32_t n = 0, leaves = 0;
+        node[n++] = 0; node[n++] = -1;                  /* open; closed into stuck and quarters, the first halved so often */
+        node[n++] = 0; node[n++] = -1;
+        for (int h = 0; h < halvings; h++) node[n++] = 0;
+        for (int h = 0; h < halvings + 4; h++) node[n++] = -1;
+        for (int k = 0; k < n; k++) leaves += node[k] < 0;
+        CHECK_INT(walk(n, node, leaves, row, y) > 0, halvings <= 10);
+    }
+}
+
+/* Cases are told apart of 16 corners and of 16 blocks; of more not even memory is taken. */
+TEST(a_still_proof_of_too_much_is_none)
+{
+    NEED(begin());
+    int32_t node[1] = { -1 };
+    uint16_t row[1] = { 0 };
+    sp_real y[1] = { 0 };
+    const sp_proof good = { .nodes = 1, .entries = 1, .node = node, .row = row, .y = y };
+    sp_contact contact = o.pb.contact[0];
+    sp_problem pb = o.pb;
+    const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN, little = sizeof(sp__still) + SP_ALIGN;
+    pb.contact = &contact;
+    pb.contacts = 1;
+    o.j.pb = &pb;
+    for (int32_t points = 15; points < 19; points++)
+        for (int32_t blocks = 15; blocks < 19; blocks++) {
+            sp_arena a = { test_arena.base + from, little, 0, 0 };
+            contact.points = points;
+            pb.blocks = blocks;
+            CHECK(!(sp__certify_still(&o.j, M, &good, &a) > 0));
+            CHECK_INT(a.used > 0 || sp__failed(&a), points <= 16 && blocks <= 16);
+        }
+}
+
+#if SP__WITH_SLIDING
+/* Where a block is held nothing moves, be it as little as numbers can say; nor does what is pushed back slide. */
+TEST(a_state_that_moves_what_is_held_does_not_slide)
+{
+    sp_real f[3 * LEAF_POINTS], v[LEAF_N], live[LEAF_N], share;
+    NEED(begin());
+    memset(f, 0, sizeof f);
+    for (int r = 0; r < LEAF_N; r++) {
+        live[r] = test_random_real(-1, 1);
+        v[r] = leaf_held(r) ? 0 : test_random_real(-1, 1);
+    }
+    double work = 0, most = 0;
+    for (int i = 0; i < LEAF_BLOCKS; i++) {
+        double q[6], x[6];
+        for (int k = 0; k < 6; k++) {
+            q[k] = (double)live[6 * i + k];
+            x[k] = (double)v[6 * i + k];
+            work += q[k] * x[k];
+        }
+        most += leaf_norm(q) * leaf_norm(x) + leaf_norm(q + 3) * leaf_norm(x + 3);
+    }
+    const int sign = work > 0 ? 1 : -1;
+    for (int r = 0; r < LEAF_N; r++) live[r] = R(sign * (double)live[r]);
+    CHECK(sp__certify_sliding(&o.j, live, f, v, &share) < SP__HUGE);
+    CHECK_NEAR(share, sign * work / most, TOL(1e-12, 1e-5));
+    for (int r = 0; r < LEAF_N; r++) live[r] = -live[r];
+    CHECK(sp__certify_sliding(&o.j, live, f, v, &share) < SP__HUGE);
+    CHECK_WITHIN(share, 0, 0);
+    for (int r = 0; r < LEAF_N; r++)
+        for (int k = -1; k < 2; k += 2) {
+            const sp_real was = v[r];
+            if (!leaf_held(r)) continue;
+            v[r] = R(k * 1e-30);
+            CHECK(sp__certify_sliding(&o.j, live, f, v, &share) >= SP__HUGE);
+            v[r] = was;
+        }
+}
+#endif
+
 #endif
 
 TEST_LIST(still)
@@ -356,5 +442,10 @@ TEST_LIST(still)
     RUN(every_case_of_a_still_proof_is_closed_once_and_in_order)
     RUN(each_case_of_a_still_proof_has_its_own_rows)
     RUN(what_is_no_still_proof_is_none)
+    RUN(a_still_proof_may_be_deep_but_not_without_end)
+    RUN(a_still_proof_of_too_much_is_none)
+#if SP__WITH_SLIDING
+    RUN(a_state_that_moves_what_is_held_does_not_slide)
+#endif
 #endif
 TEST_END
