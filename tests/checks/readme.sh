@@ -1,7 +1,7 @@
 #!/bin/sh
 # readme: the pages show what happens.      readme.sh [build/stonepack [PAGE...]]
 #
-# Pages are README.md, every README.md below it and port/ORACLE.md, unless some are named. Of each page
+# Pages are README.md, every README.md below it, port/ORACLE.md and port/host/COMPAS.md, unless some are named. Of each page
 #     a C block that begins with a comment /* NAME.c ... is that program; the others are syntax-checked as parts of a function;
 #     console blocks are run, in one folder per page that holds its programs: those that run such a program must print what the
 #         page prints, the others the same but for times, memory (pointers are of the host), powers of ten, and digits of a
@@ -16,7 +16,7 @@ if [ $# -gt 1 ]; then
     shift
     pages=$*
 else
-    pages=$(find . -name build -prune -o -name .git -prune -o '(' -name README.md -o -name ORACLE.md ')' -print | sed 's|^\./||' | sort)
+    pages=$(find . -name build -prune -o -name .git -prune -o '(' -name README.md -o -name ORACLE.md -o -name COMPAS.md ')' -print | sed 's|^\./||' | sort)
 fi
 
 # A page's blocks: $tmp/KEY/NAME.c, fragment.N.c, console.N; the folder it runs in: $tmp/KEY/run.
