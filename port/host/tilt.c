@@ -42,13 +42,19 @@ void tilt_turn(double degrees, double azimuth, sp_real gravity[3])
  * that is as admissible as  weight + tan t (body force along h(a)): one limit for every azimuth. What stands is convex in
  * tan t h(a), so the mechanism of each azimuth bounds the whole region by a line, and the nearest line gives the worst one. */
 
+/* The body force along a level direction: azimuth [rad]. */
+static void body_towards(double azimuth, double h[2][3], sp_real body[3])
+{
+    for (int k = 0; k < 3; k++) body[k] = (sp_real)(cos(azimuth) * h[0][k] + sin(azimuth) * h[1][k]);
+}
+
 /* The limit towards one azimuth [rad].     *lambda: what stands */
 static sp_status towards(const sp_scene *scene, const sp_settings *settings, double azimuth, double h[2][3],
                          sp_limit_result *x, double *lambda, void **memory)
 {
     sp_scene s = *scene;
     run_cost cost;
-    for (int k = 0; k < 3; k++) s.body[k] = (sp_real)(cos(azimuth) * h[0][k] + sin(azimuth) * h[1][k]);
+    body_towards(azimuth, h, s.body);
     const sp_status status = run_limit(&s, settings, x, &cost, memory);
     if (status != SP_OK) return status;
     *lambda = x->kind == SP_LIMIT_UNBOUNDED ? HUGE_VAL
@@ -181,3 +187,70 @@ sp_status tilt_measure(const sp_scene *scene, const sp_settings *settings, tilt_
     m->azimuth = fmod(floor(1e9 * m->azimuth + 0.5) / 1e9 + 360, 360);     /* a billionth of a degree: 0 is 0 */
     return status;
 }
+
+#ifndef SP_NO_SLIDING
+/* ------------------------------------------------------------------------------------------------------ without dilatancy
+ *
+ * All loads c times as large have the same states of sliding, with c times the forces: as above, tan t is lambda. */
+
+/* Azimuth [rad] of the normal that is farthest from gravity's line; *level: its part across gravity. */
+static double plane_azimuth(const sp_scene *scene, double h[2][3], double *level)
+{
+    double azimuth = 0, size = 0;
+    *level = 0;
+    for (int k = 0; k < 3; k++) size += h[0][k] * h[0][k];
+    for (int32_t i = 0; i < scene->count.joints && size > 0; i++) {
+        double x[2] = { 0, 0 };
+        for (int q = 0; q < 2; q++)
+            for (int k = 0; k < 3; k++) x[q] += (double)scene->joint[i].n[k] * h[q][k] / sqrt(size);
+        if (!(hypot(x[0], x[1]) > *level)) continue;
+        *level = hypot(x[0], x[1]);
+        azimuth = atan2(x[1], x[0]);
+    }
+    return azimuth;
+}
+
+static double slide_degrees(sp_real lambda) { return lambda >= 0 ? atan((double)lambda) / DEGREE : -1; }
+
+/* Towards one azimuth [rad]. */
+static sp_status slide_towards(const sp_scene *scene, const sp_settings *settings, double azimuth, double h[2][3],
+                               tilt_slide *t)
+{
+    void *memory = NULL, *more = NULL;
+    sp_scene s = *scene;
+    sp_limit_result limit;
+    sp_sliding_result x;
+    run_cost cost;
+    double size = 0;
+    body_towards(azimuth, h, s.body);
+    for (int k = 0; k < 3; k++) size += h[0][k] * h[0][k];
+    sp_status status = run_limit(&s, settings, &limit, &cost, &memory);
+    if (status == SP_OK) status = run_sliding(&s, settings, &limit, &x, &cost, &more);
+    if (status == SP_OK) {
+        t->azimuth = fmod(floor(1e9 * azimuth / DEGREE + 0.5) / 1e9 + 360, 360);
+        for (int k = 0; k < 3; k++) t->body[k] = (sp_real)((double)s.body[k] / sqrt(size));
+        t->kind = x.kind;
+        t->reason = x.reason;
+        t->upper = slide_degrees(x.upper);
+        t->associative = slide_degrees(x.associative);
+        t->lower = slide_degrees(x.lower);
+        t->lower_strong = slide_degrees(x.lower_strong);
+        t->residual = (double)x.residual;
+    }
+    free(more);
+    free(memory);
+    return status;
+}
+
+sp_status tilt_slides(const sp_scene *scene, const sp_settings *settings, tilt_slide *slide, int *n)
+{
+    double h[2][3], level;
+    sp_status status = SP_OK;
+    tilt_level(scene->gravity, h);
+    const double first = plane_azimuth(scene, h, &level);
+    const int ways = level > 1e-6 ? 2 : TILT_SLIDES;
+    for (*n = 0; *n < ways && status == SP_OK; ++*n)
+        status = slide_towards(scene, settings, (ways == 2 ? first : 0) + 360.0 * *n / ways * DEGREE, h, &slide[*n]);
+    return status;
+}
+#endif

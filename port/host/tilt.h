@@ -28,6 +28,25 @@ typedef struct tilt_margin {
  *   returns   as sp_limit; the arrays of m->worst lie in *memory, freed by the caller in every case */
 sp_status tilt_measure(const sp_scene *scene, const sp_settings *settings, tilt_margin *m, void **memory);
 
+#ifndef SP_NO_SLIDING
+enum { TILT_SLIDES = 4 };
+
+/* The same without dilatancy, towards an azimuth in the plane of a planar scene. */
+typedef struct tilt_slide {
+    double azimuth;             /* [degree] */
+    sp_real body[3];            /* the live load of limit that it is: of `--body`, in gravity */
+    sp_sliding_kind kind;
+    sp_sliding_reason reason;
+    double upper, associative;  /* [degree] a verified sliding state, else the associative value; -1: none */
+    double lower, lower_strong; /* [degree] no state below; whatever friction does it stays, both proved */
+    double residual;
+} tilt_slide;
+
+/* Both ways along the plane that the joints' normals lie in; where all are level beds, along both axes of the table.
+ * `slide` has room for TILT_SLIDES, *n of them are written.        returns as sp_limit */
+sp_status tilt_slides(const sp_scene *scene, const sp_settings *settings, tilt_slide *slide, int *n);
+#endif
+
 /* Is the margin only what is known to stand: an azimuth was not decided, or farther than 90 degrees was not asked? */
 int tilt_at_least(const tilt_margin *m);
 

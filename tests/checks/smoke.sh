@@ -534,6 +534,9 @@ part "limit: just below the tilt margin it stands tilted, just above it falls" m
 part "limit: so it does where gravity leans" margin_is_tilt "1.1 -2.3 -9.2" xyz 0.8
 part "limit: or points along x" margin_is_tilt "-9.3 0.8 -1.9" zxy 0.6
 part "limit: or along y"        margin_is_tilt "2.1 -9.4 1.3" yzx 0.8
+"$cli" gen wall rows=3 bricks=3 > "$tmp/wall.obj"
+part "tilt margin: --sliding real: atan of the sliding state of limit" says '"upper": 35.5376777' "$cli" limit --tilt-margin --sliding real --json "$tmp/wall.obj"
+part "tilt margin: that in words"   says 'towards azimuth 180 a sliding state at 35.5377 degrees' "$cli" limit --tilt-margin --sliding real "$tmp/wall.obj"
 part "limit: --tilt-margin or --body" exits 64 "$cli" limit --tilt-margin --body 1,0,0 "$tmp/scene.obj"
 part "limit: polar plot"            exits 0 "$cli" limit --tilt-margin --svg "$tmp/tilt.svg" "$tmp/scene.obj"
 part "limit: a decided margin is no lower bound" says '"at_least": false' "$cli" limit --tilt-margin --json "$tmp/scene.obj"

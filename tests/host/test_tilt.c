@@ -155,6 +155,70 @@ TEST(what_falls_while_level_has_no_margin)
     CHECK_NEAR(m.least, 0, 0);
 }
 
+#ifndef SP_NO_SLIDING
+/* A scene by formula, turned about z with its joints' frames: how it slides when tilted along its plane. */
+static sp_status slides_of(const char *name, double mu, double degrees, tilt_slide *slide, int *n)
+{
+    const sp_settings settings = sp_settings_default();
+    const double c = cos(degrees * DEGREE), d = sin(degrees * DEGREE);
+    gen_scene g;
+    sp_capacity cap;
+    sp_arena arena;
+    sp_scene scene;
+    void *memory = NULL;
+    sp_status status = SP_E_ARGUMENT;
+    if (gen_open(&g, name) && gen_set(&g, "mu", mu) == 1) status = gen_capacity(&g, &cap);
+    if (!status) status = run_arena(sp_scene_memory(&cap), &arena, &memory);
+    if (!status) status = gen_build(&g, &arena, &scene);
+    if (!status) turn_scene(&scene, degrees);
+    for (int32_t i = 0; !status && i < scene.count.joints; i++) {
+        sp_real *frame[3] = { scene.joint[i].n, scene.joint[i].t1, scene.joint[i].t2 };
+        for (int q = 0; q < 3; q++) {
+            const double x = (double)frame[q][0], y = (double)frame[q][1];
+            frame[q][0] = (sp_real)(c * x - d * y);
+            frame[q][1] = (sp_real)(d * x + c * y);
+        }
+    }
+    if (!status) status = tilt_slides(&scene, &settings, slide, n);
+    free(memory);
+    return status;
+}
+
+/* Level beds alone: both axes of the table are asked, and slide at the angle of friction. */
+TEST(cubes_slide_both_ways_at_the_angle_of_friction)
+{
+    tilt_slide slide[TILT_SLIDES];
+    int n = 0, states = 0;
+    NEED(slides_of("two-cubes", 0.25, 0, slide, &n) == SP_OK);
+    CHECK_INT(n, TILT_SLIDES);
+    for (int k = 0; k < n; k++) {
+        CHECK_NEAR(slide[k].azimuth, 90 * k, 1e-9);
+        if (slide[k].kind != SP_SLIDING_STATE) continue;
+        states++;
+        CHECK_NEAR(slide[k].upper, atan(0.25) / DEGREE, NEAR);
+    }
+    CHECK(states >= 2);
+}
+
+/* The plane of an arch is found by its joints, and turns with it. */
+TEST(an_arch_slides_along_its_own_plane_wherever_it_looks)
+{
+    tilt_slide here[TILT_SLIDES], there[TILT_SLIDES];
+    int n = 0, m = 0;
+    NEED(slides_of("arch", 0.84, 0, here, &n) == SP_OK && slides_of("arch", 0.84, 12.3, there, &m) == SP_OK);
+    CHECK_INT(n, 2);
+    CHECK_INT(m, 2);
+    CHECK_NEAR(fmod(there[0].azimuth - here[0].azimuth + 360, 180), 12.3, 1e-3);
+    for (int k = 0; k < 2; k++) {
+        CHECK_INT(there[k].reason, here[k].reason);
+        CHECK(here[k].reason != SP_SLIDING_NOT_ASKED);
+        CHECK(here[k].upper > 0 && here[k].upper <= here[k].associative);
+        CHECK_NEAR(there[k].associative, here[k].associative, NEAR);
+        CHECK(here[k].lower_strong <= here[k].lower && here[k].lower <= here[k].upper);
+    }
+}
+#endif
+
 TEST_LIST(tilt)
     RUN(azimuths_turn_from_x_to_y)
     RUN(level_is_across_any_gravity_and_as_long)
@@ -164,4 +228,8 @@ TEST_LIST(tilt)
     RUN(the_worst_azimuth_need_not_be_one_of_those_asked)
     RUN(a_weight_laid_on_turns_with_its_block)
     RUN(what_falls_while_level_has_no_margin)
+#ifndef SP_NO_SLIDING
+    RUN(cubes_slide_both_ways_at_the_angle_of_friction)
+    RUN(an_arch_slides_along_its_own_plane_wherever_it_looks)
+#endif
 TEST_END

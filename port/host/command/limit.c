@@ -293,8 +293,6 @@ int command_limit(int argc, char **argv)
         if (!status) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
-        if (!status && o.tilt_margin && o.sliding)
-            status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --sliding exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
         scene_free(&s);

@@ -9,10 +9,10 @@ int sliding_ask(report *r, sp_sliding_result *x, run_cost *cost, void **memory, 
     return status == SP_OK ? 0 : scene_refused(r->scene, set, status, error);
 }
 
-static const char *reason(const sp_sliding_result *x)
+const char *sliding_reason(sp_sliding_reason reason)
 {
     static const char *const text[] = { "state", "nothing found", "not asked" };
-    return text[x->reason];
+    return text[reason];
 }
 
 static void json_rows(json_out *j, const char *key, const sp_real *x, int32_t n, int32_t width)
@@ -59,7 +59,7 @@ void sliding_json(json_out *j, const report *r, const sp_sliding_result *x, cons
 {
     json_open(j, "sliding", '{');
     json_string(j, "kind", x->kind == SP_SLIDING_STATE ? "state" : "associative");
-    json_string(j, "reason", reason(x));
+    json_string(j, "reason", sliding_reason(x->reason));
     json_number(j, "upper", x->upper);
     json_number(j, "associative", x->associative);
     json_number(j, "lower", x->lower);

@@ -2,6 +2,7 @@
 #include "progress.h"
 #include "report_csv.h"
 #include "report_html.h"
+#include "sliding.h"
 #include "tilt_report.h"
 #include "../files/csv_out.h"
 #include "../files/drawn.h"
@@ -32,8 +33,11 @@ static int refuse_others(const host_scene *s, failure *error)
     return 0;
 }
 
+/* Without dilatancy, towards both ways of a plane; n 0: not asked. */
+typedef struct slides { tilt_slide way[TILT_SLIDES]; int n; } slides;
+
 /* A margin, and the report it is of: of its worst azimuth a limit, whose mechanism is shown. */
-typedef struct margin { const tilt_margin *m; const report *r; } margin;
+typedef struct margin { const tilt_margin *m; const report *r; const slides *s; } margin;
 
 static int put_margin(FILE *out, const void *of)
 {
@@ -64,7 +68,50 @@ static void json_degrees(json_out *j, const char *key, int known, double x)
     else json_null(j, key);
 }
 
-static void print_json(const report *r, const tilt_margin *m)
+static void json_angle(json_out *j, const char *key, double x) { json_degrees(j, key, x >= 0, x); }
+
+static void json_slides(json_out *j, const slides *s)
+{
+    json_open(j, "sliding", '[');
+    for (int k = 0; k < s->n; k++) {
+        const tilt_slide *t = &s->way[k];
+        json_open(j, NULL, '{');
+        json_real(j, "azimuth", t->azimuth);
+        json_string(j, "kind", t->kind == SP_SLIDING_STATE ? "state" : "associative");
+        json_string(j, "reason", sliding_reason(t->reason));
+        json_angle(j, "upper", t->upper);
+        json_angle(j, "associative", t->associative);
+        json_angle(j, "lower", t->lower);
+        json_angle(j, "lower_strong", t->lower_strong);
+        json_real(j, "residual", t->residual);
+        json_reals(j, "body", t->body, 3);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+static void print_slides(FILE *out, const slides *s)
+{
+    double safe = 90;
+    for (int k = 0; k < s->n; k++) {
+        const tilt_slide *t = &s->way[k];
+        report_row(out, "real sliding");
+        if (t->kind == SP_SLIDING_STATE)
+            fprintf(out, "towards azimuth %g a sliding state at %.6g degrees; residual %.2g; verified\n", t->azimuth, t->upper,
+                    t->residual);
+        else if (t->reason == SP_SLIDING_NOT_ASKED)
+            fprintf(out, "towards azimuth %g not asked: not a plane of the scene, or too many blocks\n", t->azimuth);
+        else fprintf(out, "towards azimuth %g no state found\n", t->azimuth);
+        if (t->reason != SP_SLIDING_NOT_ASKED && t->lower_strong < safe) safe = t->lower_strong;
+    }
+    if (!s->n) return;
+    report_row(out, "for safety");
+    if (safe > 0 && safe < 90)
+        fprintf(out, "along that plane it stays up to %.6g degrees whatever friction does, proved\n", safe);
+    else fputs("nothing proved: take no number from here\n", out);
+}
+
+static void print_json(const report *r, const tilt_margin *m, const slides *s)
 {
     json_out j = { stdout, 0 };
     json_open(&j, NULL, '{');
@@ -78,12 +125,13 @@ static void print_json(const report *r, const tilt_margin *m)
     json_open(&j, "angles", '[');
     for (int k = 0; k < TILT_AZIMUTHS && m->stands; k++) json_real(&j, NULL, m->angle[k]);
     json_close(&j, ']');
+    if (r->options->sliding) json_slides(&j, s);
     scene_remarks_json(&j, r->scene);
     json_close(&j, '}');
     putchar('\n');
 }
 
-static void print_text(FILE *out, const report *r, const tilt_margin *m, int quiet)
+static void print_text(FILE *out, const report *r, const tilt_margin *m, const slides *s, int quiet)
 {
     const char *path = r->scene->path;
     if (!m->stands) {
@@ -106,6 +154,7 @@ static void print_text(FILE *out, const report *r, const tilt_margin *m, int qui
     report_row(out, "how");
     fprintf(out, "%d azimuths and the lines of their mechanisms, %d undecided; with friction an upper value\n", TILT_AZIMUTHS,
            m->undecided);
+    print_slides(out, s);
     remarks_print(out, &r->scene->remarks);
 }
 
@@ -114,7 +163,7 @@ static void print_text(FILE *out, const report *r, const tilt_margin *m, int qui
 static int put_words(FILE *out, const void *of)
 {
     const margin *t = of;
-    print_text(out, t->r, t->m, 0);
+    print_text(out, t->r, t->m, t->s, 0);
     return !ferror(out);
 }
 
@@ -173,9 +222,9 @@ static int write_worst(const report *r, const tilt_margin *m, failure *error)
     return status ? status : report_draw(&worst, error);
 }
 
-static int draw_margin(const report *r, const tilt_margin *m, failure *error)
+static int draw_margin(const report *r, const tilt_margin *m, const slides *s, failure *error)
 {
-    const margin t = { m, r };
+    const margin t = { m, r, s };
     const options *o = r->options;
     const html_page page = { r->scene->path, m->stands ? "tilt margin" : "falls level", put_words, put_body, &t };
     int status = drawn_file(o->svg, put_margin, &t, error);
@@ -189,17 +238,24 @@ int tilt_report(report *r, failure *error)
 {
     const sp_settings *settings = &r->options->settings;
     tilt_margin m;
+    slides s;
     void *memory;
     sp_status measured;
     int status = refuse_others(r->scene, error);
     if (status) return status;
+    s.n = 0;
     measured = tilt_measure(&r->scene->scene, settings, &m, &memory);
     progress_end();
     if (measured != SP_OK) status = scene_refused(r->scene, settings, measured, error);
     r->result.tol = m.worst.tol;
-    if (!status) status = draw_margin(r, &m, error);
-    if (!status && r->options->json) print_json(r, &m);
-    if (!status && !r->options->json) print_text(stdout, r, &m, r->options->quiet);
+    if (!status && r->options->sliding && m.stands) {
+        const sp_status slid = tilt_slides(&r->scene->scene, settings, s.way, &s.n);
+        progress_end();
+        if (slid != SP_OK) status = scene_refused(r->scene, settings, slid, error);
+    }
+    if (!status) status = draw_margin(r, &m, &s, error);
+    if (!status && r->options->json) print_json(r, &m, &s);
+    if (!status && !r->options->json) print_text(stdout, r, &m, &s, r->options->quiet);
     free(memory);
     return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
 }
