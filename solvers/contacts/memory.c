@@ -83,17 +83,29 @@ static void sp__top_sizes_guess(sp__top_sizes *most, const sp_scene *scene)
     }
 }
 
+/* The arrays themselves are of no interest here, each kind in a frame of its own. */
+SP__NOINLINE static void sp__contact_arrays_need(const sp_scene *scene, sp_arena *dry)
+{
+    sp__contact_arrays none;
+    (void)sp__take(dry, 1, sizeof(sp__touch));
+    sp__contact_arrays_carve(&none, scene, dry);
+}
+
+SP__NOINLINE static void sp__pairs_need(const sp__top_sizes *most, sp_arena *dry)
+{
+    union { sp__clip clip; sp__pair_buffer pair; } none;
+    sp__clip_carve(&none.clip, most->side.first, most->side.second, sp__crossings(&most->side), dry);
+    sp__pair_buffer_carve(&none.pair, most, dry);
+}
+
 SP__NOINLINE static size_t sp__contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
-    union { sp__contact_arrays all; sp__clip clip; sp__pair_buffer pair; } none;
     sp__top_sizes most;
     if (!scene) return 0;
     sp__top_sizes_guess(&most, scene);
-    (void)sp__take(&dry, 1, sizeof(sp__touch));
-    sp__contact_arrays_carve(&none.all, scene, &dry);
-    sp__clip_carve(&none.clip, most.side.first, most.side.second, sp__crossings(&most.side), &dry);
-    sp__pair_buffer_carve(&none.pair, &most, &dry);
+    sp__contact_arrays_need(scene, &dry);
+    sp__pairs_need(&most, &dry);
     return sp__failed(&dry) ? 0 : dry.used;
 }
 

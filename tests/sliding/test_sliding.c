@@ -184,6 +184,30 @@ TEST(a_state_that_is_changed_proves_nothing)
     CHECK(!(e.lower > 0) && !(e.lower_strong > 0));
 }
 
+/* Of two cubes that slide alike live loads do all the work that they could do. */
+TEST(loads_along_every_motion_do_all_the_work_there_is)
+{
+    const sp_capacity cap = { 3, 24, 18, 72, 4, 24, 1 };
+    sp_contact_report report;
+    sp_sliding_evidence e;
+    sp_scene s;
+    test_arena.used = 0;
+    memset(&report, 0, sizeof report);
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    brick(&s, -1, 5, -1, 0, SP_FIXED);
+    brick(&s, 0, 1, 0, 1, 0);
+    brick(&s, 2, 3, 0, 1, 0);
+    CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_OK);
+    sp_scene_friction(&s, R(0.5));
+    s.body[0] = R(9.80665);
+    sp_sliding_result r = slide(&s, &one_start);
+    CHECK(fabs((double)r.upper - 0.5) < NEAR);
+    for (int k = 0; k < 12; k++) r.v[6 + k] = k % 6 == 0;
+    CHECK_INT(sp_sliding_verify(&s, NULL, &r, test_arena, &e), SP_OK);
+    CHECK_INT(e.state, 1);
+    CHECK(fabs((double)e.share - 1) < 1e-6);
+}
+
 TEST(scenes_that_are_not_planar_keep_the_associative_value)
 {
     sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
@@ -281,6 +305,7 @@ TEST_LIST(sliding)
     RUN(more_starts_find_no_higher_state)
     RUN(a_state_does_not_depend_on_how_the_scene_is_written)
     RUN(a_state_that_is_changed_proves_nothing)
+    RUN(loads_along_every_motion_do_all_the_work_there_is)
     RUN(scenes_that_are_not_planar_keep_the_associative_value)
     RUN(strength_of_joints_is_not_asked)
     RUN(the_same_seed_gives_the_same_bits)
