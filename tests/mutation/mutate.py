@@ -28,7 +28,7 @@ SETS = {
 }
 # Suites by what is changed, quick ones first; `core` is asked by all of them.
 JUDGES = ['scale', 'leaf', 'corner', 'refute', 'still', 'triple', 'verify', 'claims', 'strong', 'shapes', 'spared',
-          'attack', 'exact', 'coupled', 'strength', 'closed']
+          'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 WHITE = ['scale', 'leaf', 'still', 'corner']      # what a survivor is asked by once more, fenced
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
