@@ -461,6 +461,16 @@ uninitialised() {
     un_suites=$(for un in base scene contacts proof linear cone qp; do ls tests/$un/test_*.c; done | grep -v test_large | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
     tests_of "$un_suites" stonepack.c -O1 clang -g -fsanitize=memory -fno-sanitize-recover=all
 }
+# Two threads, each with its own arena, under TSan; with one arena for both it must tell of a race.
+# shellcheck disable=SC2086
+threads() {
+    th='-std=c99 -ffp-contract=off -fno-math-errno -Wall -Wextra -O1 -g -fsanitize=thread'
+    gcc $th -c stonepack.c -o $out/tsan.o && gcc $th tests/checks/threads.c tests/scenes/gen.c $out/tsan.o -lpthread -lm -o $out/threads &&
+        gcc $th -DPLANTED tests/checks/threads.c tests/scenes/gen.c $out/tsan.o -lpthread -lm -o $out/threads_planted || return 1
+    TSAN_OPTIONS=exitcode=66 $out/threads_planted > $out/planted.txt 2>&1
+    [ $? -eq 66 ] && grep -q 'data race' $out/planted.txt || { echo "a shared arena is not noticed"; return 1; }
+    $out/threads
+}
 check_sanitizers() {
     count "tests under ASan and UBSan" sanitized
     count "tests under ASan and UBSan, float" sanitized_float
@@ -473,6 +483,11 @@ check_sanitizers() {
         skip "models in other forms under ASan and UBSan" python3
     fi
     if [ -z "$assimp_c" ]; then skip "STL, PLY, glTF and others" "pkg-config libassimp-dev"; fi
+    if have python3; then
+        count "requests that are no requests, timeouts, clients that die, full discs, under ASan and UBSan" \
+            python3 -B tests/checks/worker.py $out/stonepack_san
+    fi
+    count "threads under TSan; a planted race is noticed" threads
     count "models of COMPAS under ASan and UBSan" sh tests/checks/compas.sh $out/stonepack_san
     if have clang; then
         count "tests under clang's UBSan" undefined

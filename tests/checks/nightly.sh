@@ -89,6 +89,9 @@ else skip "mutants" "python3 tcc"; fi
 if have python3 && have clang-19 && have llvm-cov-19; then
     line "lines, branches, conditions of all folders" sh tests/mutation/coverage.sh
 else skip "coverage" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
+if have python3; then
+    line "worker: 10,000 mutated requests, 500 timeouts, 400 clients that die" python3 -B tests/checks/worker.py build/stonepack --whole
+else skip "worker campaign" python3; fi
 line "any bytes, five minutes each" env FUZZ_SECONDS=300 sh tests/fuzz/fuzz.sh
 line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c stonepack.c -o $out/analyzed.o
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh

@@ -1,0 +1,84 @@
+/* threads: two threads ask the same questions of the same scenes at once, each in an arena of its own. Their answers are those of one
+ * thread, bit by bit; ThreadSanitizer looks on [check.sh, sanitizers]. With -DPLANTED they share an arena, which it must see. */
+#define _POSIX_C_SOURCE 200809L
+#include "../scenes/gen.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { BYTES = 8 << 20, SCENES = 6, QUESTIONS = 4 };
+
+static const char *const name[SCENES] = { "arch", "two-cubes", "h-model", "incline", "wall", "keystone" };
+static uint64_t room[BYTES / 8], own[3][BYTES / 8];
+static sp_scene scene[SCENES];
+static sp_arena shared;
+
+typedef struct answers {
+    uint64_t *memory;
+    uint64_t sum[SCENES][QUESTIONS];
+    int failed;
+} answers;
+
+static uint64_t fnv(uint64_t h, const void *data, size_t n)                                    /* [Fowler, Noll, Vo] */
+{
+    const unsigned char *p = data;
+    for (size_t k = 0; k < n; k++) h = (h ^ p[k]) * 1099511628211u;
+    return h;
+}
+
+static uint64_t sum_of(const sp_scene *s, const sp_real *f, const sp_real *dq, int32_t verdict)
+{
+    uint64_t h = fnv(14695981039346656037u, f, 3 * (size_t)s->count.points * sizeof *f);
+    h = fnv(h, dq, 6 * (size_t)s->count.blocks * sizeof *dq);
+    return fnv(h, &verdict, sizeof verdict);
+}
+
+static void ask(answers *w, int k)
+{
+    const sp_scene *s = &scene[k];
+    sp_settings set = sp_settings_default();
+    sp_limit_result limit;
+    sp_evidence evidence;
+    sp_result r;
+    sp_arena fresh, *a = &fresh;
+#ifdef PLANTED
+    a = &shared;
+    (void)w;
+#else
+    sp_arena_init(a, w->memory, BYTES);
+#endif
+    for (int coupled = 0; coupled < 2; coupled++) {
+        set.coupled.asked = coupled;
+        if (sp_check(s, &set, a, &r) != SP_OK || sp_verify(s, &set, &r, *a, &evidence) != SP_OK) { w->failed = 1; return; }
+        w->sum[k][2 * coupled] = sum_of(s, r.f, r.dq, (int32_t)r.verdict);
+        w->sum[k][1] = fnv(w->sum[k][1], &evidence.imbalance, sizeof evidence.imbalance);
+    }
+    if (sp_limit(s, NULL, a, &limit) != SP_OK) { w->failed = 1; return; }
+    w->sum[k][3] = sum_of(s, limit.f, limit.dq, (int32_t)limit.kind);
+}
+
+static void *ask_all(void *p)
+{
+    answers *const w = p;
+    for (int k = 0; k < SCENES; k++) ask(w, k);
+    return NULL;
+}
+
+int main(void)
+{
+    static answers w[3];
+    sp_arena a;
+    pthread_t thread[2];
+    int failed = 0;
+    sp_arena_init(&a, room, sizeof room);
+    for (int k = 0; k < SCENES; k++) if (gen_make(name[k], NULL, 0, &a, &scene[k]) != SP_OK) return 1;
+    sp_arena_init(&shared, own[2], sizeof own[2]);
+    for (int t = 0; t < 3; t++) w[t].memory = own[t];
+    for (int t = 0; t < 2; t++) if (pthread_create(&thread[t], NULL, ask_all, &w[t])) return 1;
+    for (int t = 0; t < 2; t++) pthread_join(thread[t], NULL);
+    ask_all(&w[2]);
+    for (int t = 0; t < 3; t++) failed += w[t].failed || memcmp(w[t].sum, w[2].sum, sizeof w[2].sum) != 0;
+    printf("%d passed, %d failed\n", 3 - failed, failed);
+    return failed != 0;
+}
