@@ -478,6 +478,14 @@ else echo "skipped sequence: its page turns (nodejs)"; fi
 part "sequence: a model of its steps"  sh -c "'$cli' sequence --out-obj '$tmp/m.obj' '$tmp/scene.obj' > '$tmp/out'; \
     grep -A1 '^o 0004_b4' '$tmp/m.obj' | grep -q '^g falls' && grep -A1 '^o 0020_b20' '$tmp/m.obj' | grep -q '^g stands' && \
     grep -A1 '^o b0' '$tmp/m.obj' | grep -q '^g start'"
+moved_of_steps() {                                      # of each step that falls who moves, elsewhere than in `falls`; of others none
+    gen arch n=7 t=0.2 && "$cli" sequence --order b1,b7,b2,b6,b3,b5,b4 --out-obj "$tmp/m.obj" "$tmp/scene.obj" > "$tmp/out"
+    awk '/^o /{ name = $2 } /^g moved/ { split(name, w, "_"); step[w[1]]++ }
+        END { exit !(step["0003"] && step["0006"] && !step["0001"] && !step["0002"] && !step["0007"]) }' "$tmp/m.obj" || return 1
+    awk '/^o 0003_b2$/ { k = 1 } /^o 0003_b2_moved$/ { k = 2 } /^o / && !/0003_b2/ { k = 0 } /^v / && k { p[k, ++n[k]] = $0 }
+        END { for (i = 1; i <= 8; i++) d += p[1, i] != p[2, i]; exit !(n[1] == 8 && n[2] == 8 && d >= 4) }' "$tmp/m.obj"
+}
+part "sequence: a model of what moves" moved_of_steps
 if command -v rsvg-convert > /dev/null; then
     part "sequence: a strip as PNG"     sh -c "'$cli' sequence --png '$tmp/p.png' '$tmp/scene.obj' > '$tmp/out'; head -c 4 '$tmp/p.png' | grep -q PNG"
     part "tilt margin: a plot as PNG"   sh -c "'$cli' gen two-cubes | '$cli' limit --tilt-margin --png '$tmp/p.png' - > '$tmp/out' && head -c 4 '$tmp/p.png' | grep -q PNG"

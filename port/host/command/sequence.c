@@ -23,7 +23,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STRIP = 24, MOVES = 50000 };      /* pictures in a strip, blocks that move in a page, at most */
+enum { STRIP = 24, MOVES = 50000 };      /* pictures in a strip, blocks that move in a page or model, at most */
 
 /* What became of one step. */
 typedef struct outcome {
@@ -183,7 +183,7 @@ static sp_status mark_blocks(run *r, int32_t k)
     return SP_OK;
 }
 
-/* Who moves while this step falls, for the page. */
+/* Who moves while this step falls, for the page and the model. */
 static sp_status keep_moves(run *r, int32_t k)
 {
     outcome *t = &r->outcome[k];
@@ -219,8 +219,8 @@ static sp_status take_step(run *r, int32_t k)
     }
     t->held.block = t->list;
     t->held.must = t->list + t->held.count;
-    if (o->svg || o->png || o->html) status = mark_blocks(r, k);
-    if (!status && o->html) status = keep_moves(r, k);
+    if (o->svg || o->png || o->html || o->model) status = mark_blocks(r, k);
+    if (!status && (o->html || o->model)) status = keep_moves(r, k);
     if (!status && o->suggest) status = sp_sequence_suggest(r->sequence, !o->remove, o->settings.budget, &t->next);
     return status;
 }
@@ -539,9 +539,11 @@ static int put_model(FILE *out, const void *of)
     int good = step != NULL;
     for (int32_t k = 0; good && k < r->steps; k++) {
         step[k].block = r->order[k];
+        step[k].move = r->outcome[k].move;
+        step[k].moves = r->outcome[k].moves;
         step[k].group = r->outcome[k].step.verdict == SP_STABLE ? "stands" : r->outcome[k].step.verdict ? "falls" : "undecided";
     }
-    if (good) model_write_steps(out, &r->scene, step, r->steps);
+    good = good && model_write_steps(out, &r->scene, step, r->steps);
     free(step);
     return good;
 }

@@ -162,11 +162,44 @@ static int has_step(const model_step *step, int32_t steps, int32_t b)
     return k < steps;
 }
 
-void model_write_steps(FILE *out, const host_scene *scene, const model_step *step, int32_t steps)
+/* What moves while step k (from 1) falls; its farthest corner goes `way` [m]. */
+static int put_step_moved(model *m, const model_step *step, int32_t k, double size, double way)
+{
+    const sp_scene *s = &m->of->scene->scene;
+    sp_real *dq = calloc(6 * (size_t)s->count.blocks, sizeof *dq);
+    sp_result falls;
+    sp_scene moved;
+    mechanism motion;
+    drawing d;
+    if (!dq) return 0;
+    memset(&d, 0, sizeof d);
+    memset(&falls, 0, sizeof falls);
+    d.s = s;
+    d.v = view_choose(s, NULL);
+    falls.verdict = SP_UNSTABLE;
+    falls.dq = dq;
+    for (int32_t i = 0; i < step->moves; i++)
+        memcpy(dq + 6 * (size_t)step->move[i].block, step->move[i].dq, sizeof step->move->dq);
+    mechanism_scale(&motion, &d, &falls, size, way);
+    const int good = mechanism_move(&motion, s, &moved);
+    for (int32_t i = 0; good && i < step->moves; i++) {
+        const int32_t b = step->move[i].block;
+        if (s->block[b].faces == 0 || !(motion_speed(s, &falls, b) > MOTION_STILL)) continue;
+        fprintf(m->out, "o %04ld_%s_moved\n", (long)k, m->of->scene->name[b]);
+        put_solid(m, &moved, b, "moved");
+    }
+    mechanism_free(&moved);
+    free(dq);
+    return good;
+}
+
+int model_write_steps(FILE *out, const host_scene *scene, const model_step *step, int32_t steps)
 {
     const sp_scene *s = &scene->scene;
     const subject of = { scene, NULL, NULL, { 0, 0, 0 }, 0, NULL, NULL };
     model m = { out, &of, 0 };
+    double size;
+    const double block = scales_blocks(s, &size);
     put_head(out);
     for (int32_t b = 0; b < s->count.blocks; b++) if (!has_step(step, steps, b)) put_block(&m, s, b, "", "start");
     for (int32_t k = 0; k < steps; k++) {
@@ -175,4 +208,7 @@ void model_write_steps(FILE *out, const host_scene *scene, const model_step *ste
         fprintf(out, "o %04ld_%s\n", (long)k + 1, scene->name[b]);
         put_solid(&m, s, b, step[k].group);
     }
+    for (int32_t k = 0; k < steps; k++)
+        if (step[k].moves && !put_step_moved(&m, &step[k], k + 1, size, scales_way(block, size))) return 0;
+    return 1;
 }

@@ -10,4 +10,10 @@
  *   out: *size_of_all, of the scene on paper [m]     returns the usual block [m] */
 double scales_choose(drawing *d, forces *f, mechanism *m, const sp_result *result, double *size_of_all);
 
+/* The usual block [m], and the size of the scene as it is seen [m]. */
+double scales_blocks(const sp_scene *s, double *size);
+
+/* That way of a corner, of the usual block and the size of the scene [m]. */
+double scales_way(double block, double size);
+
 #endif
