@@ -1,10 +1,11 @@
 # board: one target, one precision.
 #
-#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost | robot | regions
+#     make -f port/board/board.mk BOARD=m4f [REAL=float] tests | corpus | cost | sizes | robot | regions
 #
 #     tests      the suites of tests/, less those too large for it (named, with the reason)
 #     corpus     the number over the bundled scenes, compared with that of build/corpus; bytes too where pointers have 64 bits
 #     cost       a few scenes: their verdicts, and memory, stack and instructions they took
+#     sizes      arches and walls of 8 to 60 stones: memory of each question, the most that checks near their limit take
 #     robot      a gripper that asks whether it may let go of a stone; its answers to robot.txt, compared with those there
 #     regions    a check with its factor in another memory than scene and answer
 #
@@ -144,7 +145,7 @@ endif
 
 core    = $(own) $(out)/stonepack.o $(out)/tests/scenes/gen.o
 
-.PHONY: tests corpus cost robot regions compiler needs
+.PHONY: tests corpus cost sizes robot regions compiler needs
 
 needs: $(needs)
 
@@ -171,6 +172,9 @@ $(out)/corpus: $(core) $(out)/tests/corpus/corpus.o
 $(out)/cost: $(core) $(out)/port/board/cost.o
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
+$(out)/sizes: $(core) $(out)/port/board/sizes.o
+	@$(CC) $(flags) $(link) $^ $(libs) -o $@
+
 $(out)/regions: $(core) $(out)/port/board/regions.o
 	@$(CC) $(flags) $(link) $^ $(libs) -o $@
 
@@ -188,7 +192,7 @@ corpus: $(out)/corpus build/corpus-$(REAL).txt
 	    sed "$$drop" build/corpus-$(REAL).txt > $(out)/host.txt; sed "$$drop" $(out)/corpus.txt | diff $(out)/host.txt - && \
 	    [ $$status -eq 0 ] && tail -n 1 $(out)/corpus.txt
 
-cost: $(out)/cost
+cost sizes: %: $(out)/%
 	@$(call run,-icount shift=0,) $<
 
 robot: $(out)/robot
