@@ -142,17 +142,27 @@ build/libstonepack_files.so: port/python/files.c $(READ) $(DRAW) $(HOST_H) $(SHA
 	$(Q)$(CC) $(ALL_C) -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -shared -Wl,--gc-sections -Wl,-z,defs \
 	    '-Wl,-rpath,$$ORIGIN' $(filter %.c,$^) -Lbuild -l:$(SONAME) -lm -o $@
 
+# Where stones come to rest is a third one, over Bullet, if that is there.
+PY_SETTLE = $(if $(BULLET),build/libstonepack_settle.so)
+
+build/libstonepack_settle.so: $(wildcard settle/*.c settle/*.cpp settle/*.h) $(SHARED)
+	@mkdir -p build/shared
+	$(Q)for c in $(wildcard settle/*.c); do $(CC) $(ALL_C) -fPIC -c $$c -o build/shared/$$(basename $$c .c).o || exit 1; done
+	$(Q)$(CXX) -std=c++11 -ffp-contract=off -fPIC $(CFLAGS) $(WARN) $(BULLET_I) -c settle/bullet.cpp -o build/shared/bullet.o
+	$(Q)$(CXX) -shared -Wl,-z,defs '-Wl,-rpath,$$ORIGIN' $(patsubst settle/%.c,build/shared/%.o,$(wildcard settle/*.c)) build/shared/bullet.o \
+	    -Wl,--as-needed $(shell pkg-config --libs $(BULLET)) -Lbuild -l:$(SONAME) -lm -o $@
+
 python: build/python/made
 	@cat $<
 
-build/python/made: $(SHARED) build/libstonepack_files.so port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h
+build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h settle/settle.h
 	@rm -rf build/python && mkdir -p build/python/stonepack
 	@cp $(filter %.py %/py.typed,$(PY_FILES)) build/python/stonepack/
 	@cp $(filter-out %.py %/py.typed,$(PY_FILES)) build/python/
 	@cp $(SHARED) build/python/stonepack/$(SONAME)
-	@cp build/libstonepack_files.so build/python/stonepack/
+	@cp build/libstonepack_files.so $(PY_SETTLE) build/python/stonepack/
 	@$(CC) -E -dM stonepack.h > build/python/macros
-	$(Q)$(CC) -E -P stonepack.h | $(PYTHON) -B port/python/bind.py build/python/macros build/python/stonepack/_bindings.py build/python/layout.c
+	$(Q)$(CC) -E -P settle/settle.h | $(PYTHON) -B port/python/bind.py build/python/macros build/python/stonepack/_bindings.py build/python/layout.c
 	@$(CC) -std=c11 -I. -fsyntax-only build/python/layout.c
 	@$(PYTHON) -B port/python/wheel.py build/python build > $@.new && mv $@.new $@
 

@@ -1,6 +1,8 @@
 """bind: the header of the library as Python sees it (ctypes), and C that holds the two together.
 
-    cc -E -P stonepack.h | python3 bind.py MACROS _bindings.py layout.c        MACROS: what cc -E -dM stonepack.h prints
+    cc -E -P settle/settle.h | python3 bind.py MACROS _bindings.py layout.c        MACROS: what cc -E -dM stonepack.h prints
+
+settle/settle.h includes stonepack.h and needs nothing else; its calls are those of a library of their own, SETTLE_CALLS.
 
 Structs, enumerations and calls are read from the header, so nothing is written down twice. layout.c asserts size and offset of
 every field as ctypes lays it out; it compiles only if the compiler of the library agrees.
@@ -11,6 +13,7 @@ import sys
 
 PLAIN = {"sp_real": "c_double", "double": "c_double", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
          "int16_t": "c_int16", "uint16_t": "c_uint16", "uint64_t": "c_uint64", "size_t": "c_size_t", "int": "c_int"}
+OWN = "(?:sp|settle)_\\w+"
 
 
 def enumerations(text):
@@ -31,7 +34,7 @@ def structs(text):
     found = {}
     for name in re.findall(r"typedef struct (\w+) \w+;", text):
         found[name] = None
-    for name, body in re.findall(r"(?:typedef )?struct (sp_\w+) \{([^{}]*)\}", text):
+    for name, body in re.findall(r"(?:typedef )?struct (%s) \{([^{}]*)\}" % OWN, text):
         found.pop(name, None)                           # at its place, not where it is announced
         found[name] = [d.strip() for d in body.split(";") if d.strip()]
     return list(found.items())
@@ -62,23 +65,25 @@ def fields(declaration, enums, known):
     if rows:
         return [(rows.group(2), "POINTER(%s * %s)" % (type_of(rows.group(1), 0, enums, known), rows.group(3)))]
     first, *more = [p.strip() for p in declaration.split(",")]
-    words, name = re.match(r"(.*?)((?:\*\s*)*\w+(?:\[\d+\])?)$", first, re.S).groups()
+    words, name = re.match(r"(.*?)((?:\*\s*)*\w+(?:\[\d+\])*)$", first, re.S).groups()
     out = []
     for item in [name] + more:
         stars, item = item.count("*"), item.replace("*", "").strip()
-        word, length = re.match(r"(\w+)(?:\[(\d+)\])?$", item).groups()
+        word, lengths = re.match(r"(\w+)((?:\[\d+\])*)$", item).groups()
         if "unsigned char" in words:
             kind = "c_void_p"
         else:
             kind = type_of(words, stars, enums, known)
-        out.append((word, "%s * %s" % (kind, length) if length else kind))
+        for length in reversed(re.findall(r"\d+", lengths)):        # the last one lies closest
+            kind = "(%s * %s)" % (kind, length)
+        out.append((word, kind))
     return out
 
 
-def calls(text, enums, known):
+def calls(text, begins, enums, known):
     """[(name, result, [argument])]"""
     found = []
-    for result, name, args in re.findall(r"extern ((?:const )?\w+ \**)(sp_\w+)\(([^()]*)\);", text):
+    for result, name, args in re.findall(r"^ *(?:extern )?((?:const )?\w+ \**)(%s_\w+)\(([^()]*)\);" % begins, text, re.M):
         kinds = []
         for arg in args.split(","):
             arg = arg.strip()
@@ -109,15 +114,18 @@ def bindings(text, macros):
         if declarations:
             each = [f for d in declarations for f in fields(d, names, known)]
             out += ["", "%s._fields_ = [" % name] + ["    (%r, %s)," % f for f in each] + ["]"]
-    out += ["", "# name: (result, arguments)", "CALLS = {"]
-    for name, result, kinds in calls(text, names, known):
-        out.append("    %r: (%s, [%s])," % (name, result, ", ".join(kinds)))
-    out += ["}", "STRUCTS = [%s]" % ", ".join(n for n, d in every if d), ""]
+    for table, begins in ("CALLS", "sp"), ("SETTLE_CALLS", "settle"):
+        out += ["", "# name: (result, arguments)", table + " = {"]
+        for name, result, kinds in calls(text, begins, names, known):
+            out.append("    %r: (%s, [%s])," % (name, result, ", ".join(kinds)))
+        out.append("}")
+    out += ["STRUCTS = [%s]" % ", ".join(n for n, d in every if d), ""]
     return "\n".join(out)
 
 
 def layout(module):
-    out = ['/* Made by bind.py: the structs as ctypes lays them out, asserted. */', '#include "stonepack.h"',
+    out = ['/* Made by bind.py: the structs as ctypes lays them out, asserted. */',
+           '#include "settle/settle.h"',
            "#include <stddef.h>"]
     for struct in module["STRUCTS"]:
         name = struct.__name__

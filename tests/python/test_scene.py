@@ -376,6 +376,49 @@ class Files(unittest.TestCase):
         self.assertIn("stone", overhang(1.5).check().svg())
 
 
+class Settling(unittest.TestCase):
+    def setUp(self):
+        try:
+            stonepack._library.settling()
+        except stonepack.StonepackError as missing:
+            self.skipTest(str(missing))
+
+    def shelf(self, x):
+        scene = stonepack.Scene(mu=0.6)
+        scene.box((2, 1, 0.4), at=(0, 0, -0.2), fixed=True, name="shelf")
+        scene.box((2, 1, 0.8), at=(x, 0, 0.4), name="stone")
+        return scene
+
+    def test_what_stands_keeps_still_and_what_hangs_over_does_not(self):
+        for x, stands in (0.6, True), (1.2, False):
+            scene = self.shelf(x)
+            settled = scene.settle(confirm=True)
+            self.assertEqual(settled.held, stands)
+            self.assertEqual(scene.check().stable, stands)
+        self.assertLess(settled.poses["stone"].t[2], 0.4)
+        self.assertEqual(settled.poses["shelf"].moved, 0)
+
+    def test_a_stone_that_falls_comes_to_rest_below(self):
+        scene = stonepack.Scene(mu=0.6)
+        scene.box((2, 1, 0.4), at=(0, 0, -0.2), fixed=True, name="floor")
+        scene.box((0.5, 0.5, 0.5), at=(0, 0, 1.25), name="stone")
+        settled = scene.settle(tamps=0)
+        self.assertAlmostEqual(settled.poses["stone"].moved, 1, 2)
+        below = settled.scene
+        below.find_contacts(distance=0.005)
+        self.assertEqual((len(below.joints), below.check().verdict), (1, "stable"))
+
+    def test_settings_that_are_none_are_named(self):
+        with self.assertRaisesRegex(stonepack.SceneError, "no setting 'wind'"):
+            self.shelf(0).settle(wind=1)
+
+    def test_a_scene_with_loads_is_refused(self):
+        scene = self.shelf(0)
+        scene.load("stone", (1, 0, 0))
+        with self.assertRaisesRegex(stonepack.SceneError, "loads"):
+            scene.settle()
+
+
 class Threads(unittest.TestCase):
     def test_many_scenes_at_once_answer_as_one_by_one(self):
         scenes = [overhang(0.02 * k) for k in range(100)]

@@ -15,7 +15,8 @@ from ._library import FileError, SceneError, StonepackError, __version__
 from .answers import (Block, Effect, Evidence, Held, Hinge, Joint, JointForce, Limit, Overlap, Plan, Result, Step, Strong)
 from .scene import BuildOrder, Scene, check_many
 from .scenefiles import parse, read
+from .settling import Pose, Settled
 
 __all__ = ["Block", "BuildOrder", "Effect", "Evidence", "FileError", "Held", "Hinge", "Joint", "JointForce", "Limit", "Overlap",
-           "Plan", "Result", "Scene", "SceneError", "Step", "StonepackError", "Strong", "__version__", "check_many",
+           "Plan", "Pose", "Result", "Scene", "SceneError", "Settled", "Step", "StonepackError", "Strong", "__version__", "check_many",
            "meshes", "parse", "read", "scenes"]

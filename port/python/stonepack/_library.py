@@ -1,4 +1,4 @@
-"""The two shared libraries beside this file, and what their statuses become."""
+"""The shared libraries beside this file, and what their statuses become."""
 from __future__ import annotations
 
 import ctypes
@@ -67,6 +67,24 @@ def files() -> ctypes.CDLL:
             call.restype, call.argtypes = result, arguments
         _files = loaded
     return _files
+
+
+_settle = None
+
+
+def settling() -> ctypes.CDLL:
+    """Where stones come to rest, loaded when it is first asked: there where this was built with Bullet, and Bullet is here."""
+    global _settle
+    if _settle is None:
+        try:
+            loaded = _load("libstonepack_settle.so")
+        except OSError as missing:
+            raise StonepackError("settle needs Bullet, here and where this was built (Debian: libbullet-dev): %s" % missing) from None
+        for name, (result, arguments) in c.SETTLE_CALLS.items():
+            call = getattr(loaded, name)
+            call.restype, call.argtypes = result, arguments
+        _settle = loaded
+    return _settle
 
 
 def text(words: int, value: int) -> str:
