@@ -802,8 +802,8 @@ typedef struct sp_limit_result {
  * nothing of one that may crush) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with
  * lambda in it. What either leaves open is left to the exact stage, by Newton's method on the power balance.
  *   scene     its `live` is not read
- *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (twice as many where joints have
- *             strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where
+ *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (four times as many where joints
+ *             have strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where
  *             joints, dead and live loads share a mirror
  *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_LIMIT
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */

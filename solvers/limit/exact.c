@@ -47,7 +47,7 @@ static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena
     g->n.goal = b->set.tol / 4;
     g->state.brief = 1;
     g->rest = *rest;
-    g->n.left = (sp__problem_strong(&b->pb) ? 2 : 1) * b->set.iterations;
+    g->n.left = (sp__problem_strong(&b->pb) ? 4 : 1) * b->set.iterations;
 }
 
 static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)g; return &b->cost; }

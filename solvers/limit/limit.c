@@ -67,6 +67,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
     if (r->dead == SP_STABLE) r->lowest = 0;
     const int strong = sp__limit_strong(L);
     sp_real fell = 0;
+    int slow = 0;                                       /* as L->slow, from below */
     for (int it = 0; it < (strong ? SP__LIMIT_ASKS : 12) && r->lowest > a * L->ref && sp__engine_may_ask(&L->engine, b); it++) {
         const sp_real last = a;
         const sp_verdict claim = sp__limit_ask(L, 1, a, L->f);
@@ -78,15 +79,17 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
                 r->imbalance = b->imbalance;
                 memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
             }
-            if (!strong || !it || a - fell <= 2 * SP__LIMIT_STEP * b->set.tol * (1 + a)) return;
-            a = fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
+            if (!strong || !it || a - fell <= SP__LIMIT_HALVED * b->set.tol * (1 + a)) return;
+            a = slow ? (fell + a) / 2 : fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
+            slow = 0;
             continue;
         }
         if (claim == SP_UNSTABLE && sp__bracket_falls(b, a * L->ref, 0, NULL)) {
             r->dead = SP_UNSTABLE;
             fell = sp__limit_balance(L);
             a = fell + SP__LIMIT_STEP * b->set.tol * (1 + a);
-            if (strong && a - last < r->lowest / L->ref - a) a = (a + r->lowest / L->ref) / 2;
+            slow = strong && a - last < r->lowest / L->ref - a;
+            if (slow) a = (a + r->lowest / L->ref) / 2;
         } else if (!it) return;
         if (!(a > last)) a = (last + r->lowest / L->ref) / 2;
     }

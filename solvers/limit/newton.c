@@ -17,6 +17,7 @@ typedef struct sp__limit {
     sp_real *upper, *lower;             /* 6b: motions of best and of least, in the loop */
     sp_real *f;                         /* 3 x points: forces that are tried when all others are kept */
     int none;                           /* the motion of best falls at 0, too */
+    int slow;                           /* the last collapse gained less than half of what is open */
     sp__bracket bracket;
     sp__engine engine;                  /* what is asked: does d dead + l live stand? [exact.c, small_engine.c] */
 } sp__limit;
@@ -25,12 +26,17 @@ typedef struct sp__limit {
 #define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked
                                                                        for */
 #define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist depends on caps, and those on the multiple */
-#define SP__LIMIT_ASKS 60               /* where joints have strength: an interval is halved until it is as narrow as tol */
+#define SP__LIMIT_ASKS 60               /* where joints have strength: an interval is halved */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
 #ifdef SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
 #else
 #define SP__LIMIT_STEP 4
+#endif
+#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
+#define SP__LIMIT_HALVED (2 * SP__LIMIT_STEP)   /* tol between both ends at which halving has an end */
+#else
+#define SP__LIMIT_HALVED (25 * SP__LIMIT_STEP)
 #endif
 
 /* Asks the engine at d dead + a live.       returns what it claims; its motion is in bracket.dq, its forces in f */
@@ -66,10 +72,17 @@ static int sp__limit_strong(const sp__limit *L) { return SP__HAS_STRENGTH && sp_
 
 /* Where to ask after a collapse at `last` that leaves the interval open to `next`: there, or in the middle where it gained less
  * than half. The exact stage ends with any motion that falls, which need not be the one that falls by most. */
-static sp_real sp__limit_between(const sp__limit *L, sp_real last, sp_real next)
+static sp_real sp__limit_between(sp__limit *L, sp_real last, sp_real next)
 {
     const sp_real low = sp__max(0, sp__max(L->r.lower / L->ref, L->least)), middle = (low + next) / 2;
-    return last - next < next - low ? middle : next;
+    L->slow = last - next < next - low;
+    return L->slow ? middle : next;
+}
+
+/* Are both ends found, and as near as halving brings them? */
+static int sp__limit_closed(const sp__limit *L)
+{
+    return L->r.lower >= 0 && L->best - L->r.lower / L->ref <= SP__LIMIT_HALVED * L->bracket.set.tol * (1 + sp__abs(L->best));
 }
 
 /* Something falls at *a. Its power balance is a bound from above; from below where live loads hinder it. *a: where to ask next.
@@ -125,6 +138,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     int asks = strong ? SP__LIMIT_ASKS : 24;
     while (asks-- > 0 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest) {
+        if (strong && !any && sp__limit_closed(L)) break;
         const sp_verdict claim = sp__limit_ask(L, 1, a, f);
         if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
@@ -133,7 +147,11 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
                 L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
-            if (strong && !any && L->best < SP__HUGE && L->best - a > 2 * step) { a = L->best - step; continue; }
+            if (strong && !any && L->best < SP__HUGE && L->best - a > 2 * step) {
+                a = L->slow ? (a + L->best) / 2 : L->best - step;       /* after another that stands Newton's step again */
+                L->slow = 0;
+                continue;
+            }
             if (any || L->best < SP__HUGE) return 1;
             if (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref)) return 1;
             a = a > 0 ? 8 * a : 1;

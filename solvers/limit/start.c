@@ -71,8 +71,8 @@ SP__NOINLINE static int sp__limit_search(sp__limit *L)
     return done || sp__limit_ends_meet(L, SP__LIMIT_WIDE * L->r.tol);
 }
 
-/* Does it stand under the dead loads alone, so that there is something to climb from? Or fall,
- * whatever the live ones do: L->none */
+/* Does it stand under the dead loads alone? Or fall, whatever the live ones do: L->none.
+ *     returns 1: it is known, and some multiple may stand, so that there is something to climb to */
 SP__NOINLINE static int sp__strong_check_dead(sp__limit *L)
 {
     sp__engine *g = &L->engine;
@@ -81,8 +81,9 @@ SP__NOINLINE static int sp__strong_check_dead(sp__limit *L)
     memcpy(g->Vp, b->dq, bytes);
     const sp_verdict claim = sp__limit_ask(L, 1, 0, L->r.f);
     L->none = claim == SP_UNSTABLE && sp__bracket_falls(b, 0, 1, NULL);
+    if (claim == SP_UNSTABLE && (L->none || sp__bracket_falls(b, 0, 0, NULL))) L->r.dead = SP_UNSTABLE;
     if (!L->none) memcpy(b->dq, g->Vp, bytes);
-    if (claim != SP_STABLE) return 0;
+    if (claim != SP_STABLE) return !L->none && L->r.dead == SP_UNSTABLE;
     L->r.lower = 0;
     L->r.imbalance = b->imbalance;
     L->r.dead = SP_STABLE;

@@ -353,6 +353,36 @@ TEST(cohesion_mixed_with_crushing_is_decided_to_1e_5_of_the_limit)
     CHECK(limits >= SOME_OF(100, 12) && 5 * found > 4 * limits);
 }
 
+/* Pushed to 1.2 of its limit by dead loads and pulled back by live ones: it stands from 0.2 of that on, and falls the other way
+ * somewhere. 8 of 26 had no such answer when it was sought by halving alone. */
+TEST(what_only_live_loads_hold_has_both_ends)
+{
+    int asked = 0, found = 0, most = 0;
+    for (int k = 0; k < SOME_OF(120, 30); k++) {
+        sp_scene s;
+        sp_limit_result r;
+        if (!random_masonry(10, &s)) return;
+        const size_t used = test_arena.used;
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &r), SP_OK);
+        test_arena.used = used;
+        const sp_real m = r.multiplier;
+        if (r.kind != SP_LIMIT_FOUND || r.dead != SP_STABLE || !(m > R(0.01))) continue;
+        for (int c = 0; c < 3; c++) {
+            s.gravity[c] += R(1.2) * m * s.body[c];
+            s.body[c] = -s.body[c];
+        }
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &r), SP_OK);
+        test_arena.used = used;
+        asked++;
+        CHECK_INT(r.dead, SP_UNSTABLE);
+        if (r.kind == SP_LIMIT_FOUND && CHECK(r.lowest > R(0.2 - 1e-4) * m) && r.lowest < R(0.2 + 1e-4) * m) found++;
+        else TEST_PRINT("  scene %d, kind %d, lowest %g of %g\n", k, (int)r.kind, (double)r.lowest, 0.2 * (double)m);
+        if (r.cost.factorisations > most) most = r.cost.factorisations;
+    }
+    TEST_PRINT("    %d of %d found, %d factorisations at most\n", found, asked, most);
+    CHECK(asked >= SOME_OF(80, 20) && 10 * found > 9 * asked);
+}
+
 /* A stone on a bed with a little cohesion, pulled through its middle beyond mu N + c A: 17 of 400 were undecided when the
  * column of tau was a difference of what nearly cancels. */
 TEST(a_stone_that_sticks_a_little_slides_one_millionth_beyond_its_limit)
@@ -452,6 +482,7 @@ TEST_LIST(strength)
     RUN(strength_goes_with_an_area_and_statics_only)
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_NO_IPM && !defined SP_SMALL
     RUN(cohesion_mixed_with_crushing_is_decided_to_1e_5_of_the_limit)
+    RUN(what_only_live_loads_hold_has_both_ends)
     RUN(a_stone_that_sticks_a_little_slides_one_millionth_beyond_its_limit)
     RUN(vaults_that_stick_and_crush_fall_after_steps_that_get_nowhere)
 #endif
