@@ -11,6 +11,12 @@
 #define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
 #define SP__PLAY ((sp_real)1e-3)        /* motion within a group, relative */
 #define SP__GAIN ((sp_real)0.9)         /* a round of balancing that leaves no less is the last: factors have few digits */
+#define SP__FAR 10                      /* a Newton step that long runs off along what falls: factors may show no more of it */
+#define SP__FELL_LAST 0                 /* is a motion within tol that the interior points came to the last word? */
+#define SP__PATH_FELL ((sp_real)1e-3)   /* if not, start of the proximal path from there */
+#define SP__HELP_LEAST ((sp_real)0.01)  /* imbalance of the penalty form that will do, at least: rounding leaves that much */
+#define SP__HELP_SHIFT ((sp_real)1e-7)  /* shift of the penalty form, well below the price of tension, which makes it regular */
+#define SP__HELP_MOST 12                /* factorisations of the penalty form: what takes more does not come there */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
 #define SP__PROX ((sp_real)1e-15)
@@ -18,6 +24,12 @@
 #define SP__TIE ((sp_real)1e-8)
 #define SP__PLAY ((sp_real)1e-6)
 #define SP__GAIN ((sp_real)0.5)
+#define SP__FAR SP__HUGE
+#define SP__FELL_LAST 1
+#define SP__PATH_FELL ((sp_real)0.1)
+#define SP__HELP_LEAST 0
+#define SP__HELP_SHIFT SP__SHIFT
+#define SP__HELP_MOST 40
 #endif
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */
 #define SP__ITERATIONS 300              /* factorisations of an exact solve, unless the caller wants others */
@@ -27,6 +39,7 @@
 #define SP__IPM_LATE ((sp_real)1e-5)    /* theta from which on a motion is worth more work than steps: the limit is near */
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
 #define SP__IPM_NOWHERE ((sp_real)0.1)  /* length of a step that gets nowhere */
+#define SP__BRIEF_FELL 2                /* state->brief: the search in the plane has come to a motion that was within tol */
 #define SP__IPM_IDLE 8                  /* so many of them one after the other end it: rounding holds theta */
 #define SP__IPM_PATIENT 24              /* with strength: steps that got nowhere are often followed by some that do */
 #ifdef SP_REAL_MIXED
@@ -34,11 +47,14 @@
 #else
 #define SP__IPM_LAST 1                  /* where they get nowhere nothing else does */
 #endif
-#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
-#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
+#ifdef SP_REAL_MIXED
 #define SP__IPM_NONE 0                  /* rounding ends theta long before */
 #else
 #define SP__IPM_NONE ((sp_real)1e-3)    /* tau that is none at the end: there are no forces */
+#endif
+#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
+#define SP__IPM_SHIFT (16 * (sp_real)SP_EPSILON)        /* relative to each diagonal */
+#else
 #define SP__IPM_SHIFT ((sp_real)SP_EPSILON)     /* a mechanism 1e-6 from its limit is resisted by no more */
 #endif
 

@@ -108,6 +108,7 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     sp__reduction_to_space(w, state->dq);
     sp__reduction_copy_forces(reduction, w->pb, state->f);
     if (reduction) reduction->spent = spent;
+    if (!SP__FELL_LAST && reduction && reduction->mode == SP__PLANE && n->falls && !state->brief) state->brief = SP__BRIEF_FELL;
     *claim = n->proved ? SP_UNSTABLE : n->best <= w->set->tol ? SP_STABLE : SP_UNDECIDED;
     const int nearly = n->best <= SP__NEAR * w->set->tol || n->falls;
     state->reason = n->proved ? SP_REASON_MECHANISM : n->best <= w->set->tol ? SP_REASON_FORCES

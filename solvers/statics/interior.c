@@ -374,7 +374,8 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
     }
     n->falls = m->tau < SP__IPM_NONE && !(m->theta > (sp_real)SP_EPSILON);
     const int stands = m->tau > m->kappa && !state->brief;
-    return SP__IPM_LAST && ((m->idle == most && !stands) || n->falls);
+    const int fell = n->falls && (SP__FELL_LAST || state->brief == SP__BRIEF_FELL);
+    return SP__IPM_LAST && ((m->idle == most && !stands) || fell);
 }
 
 #endif

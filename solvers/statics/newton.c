@@ -157,15 +157,18 @@ SP__NOINLINE static int sp__newton_adapt_shift(sp__newton *n, sp_real s)
     return tiny;
 }
 
-/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps. */
+/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps, or in float after a
+ * far one that leaves more imbalance than load. */
 SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state *state)
 {
     int tiny = 0;
     n->prox = 0;
     n->stalled = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++)
-        tiny += sp__newton_adapt_shift(n, sp__newton_step(w, n, state));
+    for (int it = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++) {
+        const sp_real s = sp__newton_step(w, n, state);
+        tiny += s > SP__FAR && n->imbalance > 1 ? 2 : sp__newton_adapt_shift(n, s);
+    }
 }
 
 /* On the proximal path y = (mechanism) / prox + (what balances the forces). The second part is no mechanism: contacts resist
@@ -203,11 +206,11 @@ SP__NOINLINE static int sp__newton_near_minimum(sp__system *w, sp__newton *n)
     return 1;
 }
 
-/* Proximal path from y = 0. */
+/* Proximal path from y = 0; farther along it where the interior points came to a motion. */
 SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state *state)
 {
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
-    n->prox = (sp_real)0.1;
+    n->prox = n->falls ? SP__PATH_FELL : (sp_real)0.1;
     n->shift = 0;
     n->level = SP__HUGE;
     sp__newton_measure(w, n, state);

@@ -61,7 +61,7 @@ SP__NOINLINE static void sp__penalty_begin(sp__system *w, const sp_state *state)
 SP__NOINLINE static void sp__penalty_descend(sp__system *w, sp__newton *n, sp_state *state)
 {
     const sp_real soft = w->law.soft;
-    n->shift = SP__SHIFT;
+    n->shift = SP__HELP_SHIFT;
     for (w->law.soft = (sp_real)0.1; w->law.soft > 3 * soft && soft > 0; w->law.soft /= 10) {
         sp__newton_measure(w, n, state);
         if (sp__newton_work_left(w, n) && n->imbalance > (sp_real)0.01) sp__newton_step(w, n, state);
@@ -76,10 +76,11 @@ SP__NOINLINE static void sp__penalty_descend(sp__system *w, sp__newton *n, sp_st
 SP__NOINLINE static sp_status sp__penalty_run(const sp_problem *pb, const sp_settings *set, sp_real least, sp_state *state,
                                               sp_arena *arena, sp_demand *demand)
 {
-    sp__newton n = { 0, 0, 0, SP__HUGE, sp__max(set->tol, 16 * SP__SCALE_TOL), 0, 40, 1, 0, 0, 0 }; /* proved = 1: seeks none */
+    const sp_real goal = sp__max(sp__max(set->tol, 16 * SP__SCALE_TOL), SP__HELP_LEAST);
+    sp__newton n = { 0, 0, 0, SP__HUGE, goal, 0, SP__HELP_MOST, 1, 0, 0, 0 };   /* proved = 1: seeks none */
     sp__system *w = NULL;
     const size_t start = arena->used;
-    n.goal = sp__max(n.goal, least < SP__HELP ? least : SP__HELP);
+    n.goal = sp__max(goal, least < SP__HELP ? least : SP__HELP);
     sp__reduction *reduction = sp__take(arena, 1, sizeof *reduction);
     if (!reduction) return SP_E_MEMORY;
     if (sp__reduction_choose(pb, set, reduction)) {

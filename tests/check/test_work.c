@@ -22,20 +22,20 @@ enum { LARGE = 2 };                                     /* the last ones of the 
 static const work bench[] = {
     { "wall", "size", 54, "jitter", 0.35, 0, 0, 0, SP_STABLE, 3, 0.244, 69, 3 },
     { "wall", "size", 54, "jitter", 0.35, 0, 8.421746, 90, SP_STABLE, 5, 1.497, 69, 4 },
-    { "wall", "size", 54, "jitter", 0.35, 0, 17.545304, 90, SP_UNSTABLE, 7, 2.736, 69, 8 },
+    { "wall", "size", 54, "jitter", 0.35, 0, 17.545304, 90, SP_UNSTABLE, 7, 2.736, 69, 6 },
     { "wall", "size", 147, "jitter", 0.35, 0, 0, 0, SP_STABLE, 3, 0.656, 176.8, 3 },
     { "wall", "size", 147, "jitter", 0.35, 0, 14.323945, 0, SP_STABLE, 6, 1.151, 176.8, 6 },
-    { "wall", "size", 147, "jitter", 0.35, 0, 11.827903, 90, SP_UNSTABLE, 8, 8.425, 176.8, 20 },
+    { "wall", "size", 147, "jitter", 0.35, 0, 11.827903, 90, SP_UNSTABLE, 8, 8.425, 176.8, 14 },
     { "wall", "size", 500, "jitter", 0.35, 0, 0, 0, SP_STABLE, 4, 3.750, 690.1, 4 },
-    { "wall", "size", 500, "jitter", 0.35, 0, 6.493036, 90, SP_UNSTABLE, 7, 35.825, 690.1, 52 },
+    { "wall", "size", 500, "jitter", 0.35, 0, 6.493036, 90, SP_UNSTABLE, 7, 35.825, 690.1, 14 },
     { "arch", "n", 11, NULL, 0, 0.12, 0, 0, SP_STABLE, 3, 0.043, 17.5, 3 },
-    { "arch", "n", 51, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 14, 1.426, 72, 29 },
+    { "arch", "n", 51, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 14, 1.426, 72, 26 },
     { "arch", "n", 200, NULL, 0, 0.12, 0, 0, SP_STABLE, 7, 4.528, 275.1, 8 },
-    { "arch", "n", 200, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 22, 8.018, 275.1, 136 },
+    { "arch", "n", 200, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 22, 8.018, 275.1, 63 },
     { "dome", "rings", 12, "segments", 24, 0.10, 0, 0, SP_STABLE, 5, 54.623, 1149.0, 5 },
-    { "dome", "rings", 12, "segments", 24, 0.02, 0, 0, SP_UNSTABLE, 11, 138.192, 1149.0, 16 },
+    { "dome", "rings", 12, "segments", 24, 0.02, 0, 0, SP_UNSTABLE, 11, 138.192, 1149.0, 15 },
     { "wall", "size", 2000, "jitter", 0.35, 0, 0, 0, SP_STABLE, 4, 31.326, 3935.5, 4 },
-    { "wall", "size", 2000, "jitter", 0.35, 0, 3.253203, 90, SP_UNSTABLE, 9, 482.968, 3935.5, 58 }
+    { "wall", "size", 2000, "jitter", 0.35, 0, 3.253203, 90, SP_UNSTABLE, 9, 482.968, 3935.5, 24 }
 };
 
 static int make(const work *b, sp_scene *s)
