@@ -330,6 +330,76 @@ TEST(a_force_bound_below_what_stands_proves_no_fall)
     }
 }
 
+/* Evidence says no more than was proved: final of a fall alone, no level and no numbers of what was not asked. */
+TEST(evidence_says_what_was_proved_and_no_more)
+{
+    int finals = 0;
+    for (int k = 0; k < SAMPLES; k++) {
+        sp_scene s;
+        sp_result r;
+        sp_evidence e;
+        if (!checked(k, &s, &r)) continue;
+        NEED(sp_verify(&s, NULL, &r, test_arena, &e) == SP_OK);
+        CHECK_INT(e.verdict, r.verdict);
+        CHECK_INT(e.final, r.verdict == SP_UNSTABLE && r.final);
+        CHECK_INT(e.level, r.verdict == SP_STABLE ? SP_ADMISSIBLE : SP_NONE);
+        CHECK(!(e.residual > 0) && !(e.margin > 0));
+        CHECK(r.verdict == SP_STABLE ? e.imbalance <= r.tol : e.least_imbalance > 0);
+        finals += e.final;
+    }
+    CHECK(finals > 0);
+}
+
+/* Forces short by a share are out of balance by it; they prove what stands with a tol that is no less, and not with a lesser. */
+TEST(an_imbalance_of_just_tol_is_balanced)
+{
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    sp_settings set = sp_settings_default();
+    NEED(checked(0, &s, &r));
+    for (int32_t k = 0; k < 3 * s.count.points; k++) r.f[k] *= R(1 - 1e-3);
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, SP_UNDECIDED);
+    CHECK_NEAR(e.imbalance, 0.5e-3, 0.1);
+    const sp_real just = e.imbalance;
+    set.tol = just;
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_WITHIN(e.imbalance, just, 0);
+    CHECK_INT(e.verdict, SP_STABLE);
+    set.tol = just * R(1 - 1e-6);
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, SP_UNDECIDED);
+}
+
+#if !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_EXACT_ONLY
+/* COUPLED needs both, forces that balance and a triple that holds. */
+TEST(a_triple_is_coupled_only_with_forces_that_balance)
+{
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    sp_settings set = sp_settings_default();
+    set.coupled.asked = 1;
+    build("two-cubes", "offset", 0.3, &s);
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.level, SP_COUPLED);
+    CHECK(e.residual <= 1);
+    for (int32_t v = 0; v < s.count.points; v++) r.coupled.alpha[v] = -1;
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.level, SP_ADMISSIBLE);
+    CHECK(e.residual > 1);
+    for (int32_t v = 0; v < s.count.points; v++) r.coupled.alpha[v] = 0;
+    for (int32_t k = 0; k < 3 * s.count.points; k++) r.f[k] *= R(0.5);
+    for (int32_t v = 0; v < s.count.points; v++) r.f[3 * v + 1] = r.f[3 * v + 2] = 0;
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK(e.residual <= 1);
+    CHECK_INT(e.verdict, SP_UNDECIDED);
+    CHECK_INT(e.level, SP_NONE);
+}
+#endif
+
 TEST(verify_says_which_argument_it_cannot_use)
 {
     sp_scene s;
@@ -360,5 +430,10 @@ TEST_LIST(verify)
     RUN(a_pile_that_turns_about_its_foot_falls_whatever_stands_beside_it)
 #endif
     RUN(a_force_bound_below_what_stands_proves_no_fall)
+    RUN(evidence_says_what_was_proved_and_no_more)
+    RUN(an_imbalance_of_just_tol_is_balanced)
+#if !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_EXACT_ONLY
+    RUN(a_triple_is_coupled_only_with_forces_that_balance)
+#endif
     RUN(verify_says_which_argument_it_cannot_use)
 TEST_END

@@ -85,6 +85,7 @@ else lack "cases of known truth" ../shared/cases; fi
 if have python3 && have tcc; then
     line "300 mutants of the certificate check" python3 -B tests/mutation/mutate.py --of proof --sample 300 --seed "$(date +%Y%m%d)" --hashes --quiet
     line "100 mutants of verify" python3 -B tests/mutation/mutate.py --of verify --sample 100 --seed "$(date +%Y%m%d)" --hashes --quiet
+    line "60 mutants of limit" python3 -B tests/mutation/mutate.py --of limit --sample 60 --seed "$(date +%Y%m%d)" --quiet
 else skip "mutants" "python3 tcc"; fi
 if have python3 && have clang-19 && have llvm-cov-19; then
     line "lines, branches, conditions of all folders" sh tests/mutation/coverage.sh

@@ -463,6 +463,9 @@ TEST(what_is_no_question_is_refused)
     push(&s, 1, weight, 0, 0, 0, 0.5, 0);
     CHECK_INT(sp_limit(NULL, NULL, &test_arena, &x), SP_E_ARGUMENT);
     CHECK_INT(sp_limit(&s, NULL, NULL, &x), SP_E_ARGUMENT);
+    CHECK_INT(sp_limit(&s, NULL, &test_arena, NULL), SP_E_ARGUMENT);
+    sp_arena nowhere = { NULL, 0, 0, 0 };
+    CHECK_INT(sp_limit(&s, NULL, &nowhere, &x), SP_E_ARGUMENT);
     CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, NULL, test_arena, NULL), SP_E_ARGUMENT);
     none.count.blocks = 0;
     CHECK_INT(sp_limit(&none, NULL, &test_arena, &x), SP_E_EMPTY);

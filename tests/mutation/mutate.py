@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """mutate: does a test notice when one place of the library is wrong?
 
-    python3 -B tests/mutation/mutate.py [--of proof|verify|core|PATH...] [--sample N] [--seed N] [--jobs N] [--hashes]
+    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--hashes]
                                         [--line FILE:N] [--list] [--table FILE] [--least PERCENT]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
@@ -24,11 +24,13 @@ QUICK, SLOW = 50, 250          # [ms]
 SETS = {
     'proof': ['solvers/proof/*.c'],
     'verify': ['solvers/check/verify.c', 'solvers/strong/strong.c'],
+    'limit': ['solvers/limit/*.c'],
     'core': ['solvers/*/*.c'],
 }
 # Suites by what is changed, quick ones first; `core` is asked by all of them.
 JUDGES = ['scale', 'leaf', 'corner', 'refute', 'still', 'triple', 'verify', 'claims', 'strong', 'shapes', 'spared',
           'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
+LIMITS = ['limit', 'bracket', 'effort', 'sliding']  # of limit alone
 WHITE = ['scale', 'leaf', 'still', 'corner']      # what a survivor is asked by once more, fenced
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
@@ -304,7 +306,7 @@ def main():
         with open('build/scenes.h', 'w') as f:
             f.write(run(['awk', '-f', 'tests/corpus/scenes.awk', *glob('tests/scenes/*.obj')]).stdout)
     compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
-    suites = Suites(args.suites or JUDGES, 'build/mutation/suites', compiler)
+    suites = Suites(args.suites or (LIMITS if args.of == ['limit'] else JUDGES), 'build/mutation/suites', compiler)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     print('%d quick tests, %.1f s, and %d slow ones, %.1f s, of %d' % (counts[0], suites.seconds[0], counts[1], suites.seconds[1],
