@@ -64,6 +64,26 @@ completes() {
         COMP_WORDS=(stonepack se); COMP_CWORD=1; _stonepack; echo "${COMPREPLY[@]}"' - "$tmp/completion" > "$tmp/said" &&
     printf -- '--fallback\nsequence settle\n' | cmp - "$tmp/said"
 }
+# A shell at a terminal of its own is asked with the Tab key.
+completes_zsh() {
+    command -v zsh > /dev/null || return 0
+    mkdir -p "$tmp/zsh" && "$cli" help zsh > "$tmp/zsh/_stonepack" && cat > "$tmp/tab.zsh" <<'END' || return 1
+zmodload zsh/zpty
+zpty z TERM=dumb zsh -f -i
+zpty -w z "PS1=; fpath=($1 \$fpath); autoload -Uz compinit; compinit -u -D; print REA''DY"
+zpty -r -m z said '*READY*'
+for typed in 'se' 'check --fallb'; do
+    zpty -w -n z "stonepack $typed"$'\t\x01: \n'
+    zpty -w z "print EN''D"
+    zpty -r -m z said '*END*'
+    print -r -- "$said"
+done
+END
+    timeout 60 zsh -f "$tmp/tab.zsh" "$tmp/zsh" < /dev/null > "$tmp/said"
+    for cz in 'sequence *-- does' 'settle *-- where' '^: stonepack check --fallback\|stonepack check --fallback'; do
+        grep -q -- "$cz" "$tmp/said" || { cat "$tmp/said"; return 1; }
+    done
+}
 quiet() {
     gen arch && for c in check 'limit --body 1,0,0' sequence contacts plan 'limit --tilt-margin' "check --coupled --tol 1e-4"; do
         # shellcheck disable=SC2086
@@ -308,6 +328,7 @@ part "-h as --help, everywhere"     short_help
 part "every option that is told is known, and every one known is told" options_told
 part "manual page"                  manual
 part "completion of bash"           completes
+part "completion of zsh"            completes_zsh
 part "quiet: one line"              quiet
 part "Ctrl-C: cost keeps its checks"  stops_cost
 part "Ctrl-C: a batch keeps its scenes" stops_batch
