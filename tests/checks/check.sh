@@ -378,7 +378,8 @@ py_sanitized() {
 }
 # A field that became longer, one that moved: the layout of ctypes is not that of the header any more.
 py_drift() {
-    mkdir -p $out/drift
+    mkdir -p $out/drift/settle
+    cp settle/settle.h $out/drift/settle/
     for dr in 's/^    int32_t verified; /    int64_t verified; /' 's/^    int32_t a, b;               .. blocks; n/    int32_t b, a;   \/* n/'; do
         sed "$dr" stonepack.h > $out/drift/stonepack.h
         ! cmp -s stonepack.h $out/drift/stonepack.h || { echo "nothing drifted: $dr"; return 1; }
