@@ -73,6 +73,14 @@ sp_real test_random_real(double low, double high)
     return (sp_real)(low + (high - low) * ((double)test_random() / 4294967296.0));
 }
 
+double test_draw(uint32_t *draws, double low, double high)
+{
+    *draws ^= *draws << 13;
+    *draws ^= *draws >> 17;
+    *draws ^= *draws << 5;
+    return low + (high - low) * (*draws / 4294967296.0);
+}
+
 /* A failed check: the first of a test also names the test and the seed. */
 static void where(const char *file, int line, const char *text)
 {

@@ -80,6 +80,9 @@ uint32_t test_random(void);                             /* 0 .. 2^32 - 1        
 int32_t  test_random_int(int32_t low, int32_t high);    /* low .. high, both included */
 sp_real  test_random_real(double low, double high);     /* low <= x < high */
 
+/* low <= x < high from numbers of your own, draws not 0: known by the first of them, whatever the test's seed.  [xorshift32] */
+double test_draw(uint32_t *draws, double low, double high);
+
 /* Each returns whether it held; a failure prints where, what, and for numbers both values and their ratio. */
 int test_check(int held, const char *file, int line, const char *text);
 int test_check_int(long long got, long long want, const char *file, int line, const char *text);

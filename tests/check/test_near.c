@@ -63,15 +63,8 @@ TEST(nothing_is_wrong_inside_the_band)
 }
 
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_NO_IPM && !defined SP_SMALL
-static uint32_t draws;                                  /* of its own: the arches below are known by their numbers */
-
-static double draw(double low, double high)
-{
-    draws ^= draws << 13;
-    draws ^= draws >> 17;
-    draws ^= draws << 5;
-    return low + (high - low) * (draws / 4294967296.0);
-}
+static uint32_t draws;                                  /* the arches below are known by their numbers */
+static double draw(double low, double high) { return test_draw(&draws, low, high); }
 
 /* A point of an arch of radius 1 whose springings are at +-end of its stones: tan of half the angle is u. */
 static void on_arch(double end, int32_t k, int32_t stones, double *x, double *z)

@@ -411,15 +411,8 @@ TEST(a_stone_that_sticks_a_little_slides_one_millionth_beyond_its_limit)
     }
 }
 
-static uint32_t draws;                                  /* of its own: the vaults below are known by their numbers */
-
-static double draw(double low, double high)
-{
-    draws ^= draws << 13;
-    draws ^= draws >> 17;
-    draws ^= draws << 5;
-    return low + (high - low) * (draws / 4294967296.0);
-}
+static uint32_t draws;                                  /* the vaults below are known by their numbers */
+static double draw(double low, double high) { return test_draw(&draws, low, high); }
 
 /* Vault number k, its joints each with their own strength or none, and a direction to push it. */
 static void numbered_vault(uint32_t k, double push, sp_scene *s)

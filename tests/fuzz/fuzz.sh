@@ -44,9 +44,11 @@ program() {                                             # program FOLDER COMPILE
     pr_to=$1
     shift
     mkdir -p "$pr_to"
+    # shellcheck disable=SC2012
+    pr_h=$(ls -t stonepack.h port/*/*.h port/host/*/*.h settle/*.h tests/scenes/*.h | head -n 1)        # the newest header
     for pr_c in $host; do
         pr_o=$pr_to/$(echo "$pr_c" | tr / _ | sed 's/c$/o/')
-        [ "$pr_o" -nt "$pr_c" ] && continue
+        [ "$pr_o" -nt "$pr_c" ] && [ "$pr_o" -nt "$pr_h" ] && continue
         # shellcheck disable=SC2086
         printf '%s\0' "$* $plain -c $pr_c -o $pr_o"
     done | xargs -0 -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c '{}'

@@ -246,65 +246,89 @@ static void strong(const sp_scene *s, const sp_real *f)
     HOLDS(proved == r.kind, "said %d, proved %d", (int)r.kind, (int)proved);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+/* The same scene written otherwise, with more friction or with one more block held: never the opposite verdict. */
+static void rewritten(const sp_scene *s, sp_verdict v, unsigned mode, unsigned more)
 {
-    sp_arena a = arena(0);
-    sp_scene s;
-    sp_result r, other;
-    sp_settings set = sp_settings_default();
-    if (size < 4 || size > 200) return 0;
-    const unsigned mode = data[0], more = data[1];
-    if (sp_scene_from_bytes(data + 2, size - 2, &a, &s)) return 0;
-    const sp_verdict v = check(&s, &set, 1, &r);
-    if (!r.f) return 0;
-    if (mode % 16 == 0 && v) forged(&s, &r, data, size);
-    if (mode % 16 == 1) {
+    if (mode == 2) never_opposite(s, v, &(writing){ 1, 0, 1, 0, 1, -1 }, "in another order");
+    if (mode == 3) never_opposite(s, v, &(writing){ 0, 1, 1, 4, 1, -1 }, "moved and turned");
+    if (mode == 4) never_opposite(s, v, &(writing){ 0, 0, 32, 0, 1, -1 }, "in other units");
+    if (v != SP_STABLE) return;
+    if (mode == 5) never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1 + more / 64.0, -1 }, "with more friction");
+    if (mode == 6)
+        never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1, (int32_t)(more % (unsigned)s->count.blocks) }, "with one more held");
+}
+
+/* A pyramid; more faces inside the cone hold no less than fewer. */
+static void in_a_pyramid(const sp_scene *s, sp_verdict v, sp_settings set, unsigned more)
+{
+    sp_result other;
+    set.faces = 3 + (int32_t)(more % 62);
+    set.inscribed = (int32_t)(more % 2);
+    const sp_verdict p = check(s, &set, 3, &other);
+    if (set.inscribed) HOLDS(!(p == SP_STABLE && v == SP_UNSTABLE), "inside %d faces, not in the cone", (int)set.faces);
+    else HOLDS(!(p == SP_UNSTABLE && v == SP_STABLE), "in the cone, not inside %d faces", (int)set.faces);
+}
+
+/* By other settings: what holds between their verdict and v. */
+static void asked_otherwise(const sp_scene *s, sp_verdict v, sp_settings set, unsigned mode, unsigned more)
+{
+    sp_result other;
+    if (mode == 1) {
         for (int k = 0; k < SP_EFFECTS_FORCED; k++) set.effect[k] = SP_WITH;
-        HOLDS(!opposite(v, check(&s, &set, 3, &other)), "with all effects");
+        HOLDS(!opposite(v, check(s, &set, 3, &other)), "with all effects");
     }
-    if (mode % 16 == 2) never_opposite(&s, v, &(writing){ 1, 0, 1, 0, 1, -1 }, "in another order");
-    if (mode % 16 == 3) never_opposite(&s, v, &(writing){ 0, 1, 1, 4, 1, -1 }, "moved and turned");
-    if (mode % 16 == 4) never_opposite(&s, v, &(writing){ 0, 0, 32, 0, 1, -1 }, "in other units");
-    if (mode % 16 == 5 && v == SP_STABLE) never_opposite(&s, v, &(writing){ 0, 0, 1, 0, 1 + more / 64.0, -1 }, "with more friction");
-    if (mode % 16 == 6 && v == SP_STABLE)
-        never_opposite(&s, v, &(writing){ 0, 0, 1, 0, 1, (int32_t)(more % (unsigned)s.count.blocks) }, "with one more held");
-    if (mode % 16 == 7) limit(&s, v);
-    if (mode % 16 == 8) sequence(&s, v);
-    if (mode % 16 == 9 && v == SP_STABLE) strong(&s, r.f);
-    if (mode % 16 == 10) {                              /* a pyramid; more faces inside the cone hold no less than fewer */
-        set.faces = 3 + (int32_t)(more % 62);
-        set.inscribed = (int32_t)(more % 2);
-        const sp_verdict p = check(&s, &set, 3, &other);
-        if (set.inscribed) HOLDS(!(p == SP_STABLE && v == SP_UNSTABLE), "inside %d faces, not in the cone", (int)set.faces);
-        else HOLDS(!(p == SP_UNSTABLE && v == SP_STABLE), "in the cone, not inside %d faces", (int)set.faces);
-    }
-    if (mode % 16 == 11) {
+    if (mode == 10) in_a_pyramid(s, v, set, more);
+    if (mode == 11) {
         set.coupled.asked = 1;
         set.coupled.nodes = 100 + 4 * (int32_t)more;
         set.coupled.box = (int32_t)(more % 2);
         set.budget = 20000000;
-        HOLDS(!(check(&s, &set, 3, &other) == SP_STABLE && v == SP_UNSTABLE), "coupled, not admissible");
+        HOLDS(!(check(s, &set, 3, &other) == SP_STABLE && v == SP_UNSTABLE), "coupled, not admissible");
     }
-    if (mode % 16 == 12) {
+    if (mode == 12) {
         set.budget = 1 + 40 * (int64_t)more * more;
-        HOLDS(!opposite(v, check(&s, &set, 3, &other)), "with a budget");
+        HOLDS(!opposite(v, check(s, &set, 3, &other)), "with a budget");
     }
-    if (mode % 16 == 13) {                              /* one byte less is refused, and nothing touched */
-        static unsigned char before[sizeof other];
-        sp_arena b = arena(3);
-        b.capacity = r.spent.peak_bytes > 64 ? more * (r.spent.peak_bytes - 1) / 255 : 0;
-        memset(&other, 0x5a, sizeof other);
-        memcpy(before, &other, sizeof other);
-        const sp_status status = sp_check(&s, &set, &b, &other);
-        HOLDS(status == SP_E_MEMORY && b.used == 0 && !memcmp(before, &other, sizeof other), "status %d", (int)status);
-    }
-    if (mode % 16 == 14) {
+    if (mode == 14) {
         set.stage_count = 3;
         set.stage[0] = SP_STAGE_GATES;
         set.stage[1] = more % 2 ? SP_STAGE_LEAST_SQUARES : SP_STAGE_DENSE;
         set.stage[2] = more & 2 ? SP_STAGE_POLISH : SP_STAGE_ADMM;
         set.iterations = 200;
-        HOLDS(!opposite(v, check(&s, &set, 3, &other)), "by stages");
+        HOLDS(!opposite(v, check(s, &set, 3, &other)), "by stages");
     }
+}
+
+/* One byte less is refused, and nothing touched. */
+static void short_of_memory(const sp_scene *s, const sp_settings *set, size_t need, unsigned more)
+{
+    static unsigned char before[sizeof(sp_result)];
+    sp_result other;
+    sp_arena b = arena(3);
+    b.capacity = need > 64 ? more * (need - 1) / 255 : 0;
+    memset(&other, 0x5a, sizeof other);
+    memcpy(before, &other, sizeof other);
+    const sp_status status = sp_check(s, set, &b, &other);
+    HOLDS(status == SP_E_MEMORY && b.used == 0 && !memcmp(before, &other, sizeof other), "status %d", (int)status);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    sp_arena a = arena(0);
+    sp_scene s;
+    sp_result r;
+    const sp_settings set = sp_settings_default();
+    if (size < 4 || size > 200) return 0;
+    const unsigned mode = data[0] % 16, more = data[1];
+    if (sp_scene_from_bytes(data + 2, size - 2, &a, &s)) return 0;
+    const sp_verdict v = check(&s, &set, 1, &r);
+    if (!r.f) return 0;
+    if (mode == 0 && v) forged(&s, &r, data, size);
+    if (mode == 7) limit(&s, v);
+    if (mode == 8) sequence(&s, v);
+    if (mode == 9 && v == SP_STABLE) strong(&s, r.f);
+    if (mode == 13) short_of_memory(&s, &set, r.spent.peak_bytes, more);
+    rewritten(&s, v, mode, more);
+    asked_otherwise(&s, v, set, mode, more);
     return 0;
 }

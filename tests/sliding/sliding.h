@@ -49,26 +49,38 @@ static void brick(sp_scene *s, double x0, double x1, double z0, double z1, uint3
     CHECK_INT(sp_scene_block(s, &mesh, 1000, fixed, NULL), SP_OK);
 }
 
+/* A scene with room for so many bricks and joints, and a load. */
+static sp_scene room_for(int32_t bricks, int32_t joints)
+{
+    const sp_capacity cap = { bricks, 8 * bricks, 6 * bricks, 24 * bricks, joints, 6 * joints, 1 };
+    sp_scene s;
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    return s;
+}
+
+/* What touches what, with friction mu. */
+static void find_joints(sp_scene *s, double mu)
+{
+    sp_contact_settings set = sp_contact_settings_default();
+    sp_contact_report report;
+    memset(&report, 0, sizeof report);
+    set.strength = sp_strength_friction(R(mu));
+    CHECK_INT(sp_contacts_find(s, &set, test_arena, &report), SP_OK);
+}
+
 /* Running bond, five bricks of .4 x .175 m a row, mu .65, pushed along x by its weight: with 6 rows wall 1 of Ferris and Tin-Loi
  * (2001), whose limit without dilatancy is .640 there and .643 with it; with 10 rows wall 2, .563 and .580. */
 static sp_scene bond(int rows)
 {
-    const sp_capacity cap = { 60, 480, 360, 1440, 160, 640, 0 };
-    const sp_strength rough = sp_strength_friction(R(0.65));
-    sp_contact_settings found = sp_contact_settings_default();
-    sp_contact_report report;
-    sp_scene s;
-    test_arena.used = 0;
-    memset(&report, 0, sizeof report);
-    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    sp_scene s = room_for(60, 160);
     brick(&s, 0, 2, -0.175, 0, SP_FIXED);
     for (int k = 0; k < rows; k++)
         for (int i = 0; i < 6 - k % 2; i++) {
             const double shift = k % 2 ? 0 : -0.2, x0 = 0.4 * i + shift, x1 = x0 + 0.4;
             brick(&s, x0 < 0 ? 0 : x0, x1 > 2 ? 2 : x1, 0.175 * k, 0.175 * (k + 1), 0);
         }
-    found.strength = rough;
-    CHECK_INT(sp_contacts_find(&s, &found, test_arena, &report), SP_OK);
+    find_joints(&s, 0.65);
     s.body[0] = R(9.80665);
     return s;
 }

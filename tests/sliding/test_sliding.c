@@ -26,17 +26,12 @@ TEST(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
 /* A cube .2 m from its edge tips under a load P .3 m beyond it at lambda P = 2/3 of its weight; pressure alone tells so. */
 TEST(what_tips_is_strong_up_to_where_it_tips)
 {
-    const sp_capacity cap = { 2, 16, 12, 48, 2, 12, 1 };
-    sp_contact_report report;
     sp_load load;
-    sp_scene s;
-    test_arena.used = 0;
-    memset(&report, 0, sizeof report);
+    sp_scene s = room_for(2, 2);
     memset(&load, 0, sizeof load);
-    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     brick(&s, 0, 1, -1, 0, SP_FIXED);
     brick(&s, 0.3, 1.3, 0, 1, 0);
-    CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_OK);
+    find_joints(&s, 0.84);
     load.block = 1;
     load.live = 1;
     load.point[0] = R(1.3);
@@ -187,18 +182,12 @@ TEST(a_state_that_is_changed_proves_nothing)
 /* Of two cubes that slide alike live loads do all the work that they could do. */
 TEST(loads_along_every_motion_do_all_the_work_there_is)
 {
-    const sp_capacity cap = { 3, 24, 18, 72, 4, 24, 1 };
-    sp_contact_report report;
     sp_sliding_evidence e;
-    sp_scene s;
-    test_arena.used = 0;
-    memset(&report, 0, sizeof report);
-    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    sp_scene s = room_for(3, 4);
     brick(&s, -1, 5, -1, 0, SP_FIXED);
     brick(&s, 0, 1, 0, 1, 0);
     brick(&s, 2, 3, 0, 1, 0);
-    CHECK_INT(sp_contacts_find(&s, NULL, test_arena, &report), SP_OK);
-    sp_scene_friction(&s, R(0.5));
+    find_joints(&s, 0.5);
     s.body[0] = R(9.80665);
     sp_sliding_result r = slide(&s, &one_start);
     CHECK(fabs((double)r.upper - 0.5) < NEAR);

@@ -18,13 +18,11 @@ static sp_scene trilithon(void)
     CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
     static const sp_real low[4][3] = { { -2, -1, -1 }, { R(-1.5), R(-0.3), 0 }, { R(0.9), R(-0.3), 0 }, { -2, R(-0.4), 2 } };
     static const sp_real high[4][3] = { { 2, 1, 0 }, { R(-0.9), R(0.3), 2 }, { R(1.5), R(0.3), 2 }, { 2, R(0.4), R(2.5) } };
-    const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
-    const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
     for (int k = 0; k < 4; k++) {
         const sp_real *a = low[k], *b = high[k];
         const sp_real c[24] = { a[0], a[1], a[2], b[0], a[1], a[2], b[0], b[1], a[2], a[0], b[1], a[2],
                                 a[0], a[1], b[2], b[0], a[1], b[2], b[0], b[1], b[2], a[0], b[1], b[2] };
-        const sp_mesh box = { 8, 6, c, size, face };
+        const sp_mesh box = { 8, 6, c, box_size, box_face };
         CHECK_INT(sp_scene_block(&s, &box, 2400, k ? 0 : SP_FIXED, NULL), SP_OK);
     }
     for (int k = 0; k < 2; k++) {
@@ -112,28 +110,12 @@ TEST(a_slope_is_decided_to_a_millionth_in_the_plane_and_to_a_thousandth_in_space
 /* A square plate of weight 1 N and half edge c on its corners, maybe on the middles of its edges, too, turned by a torque. */
 static sp_scene plate(double c, double mu, double torque, int middles)
 {
-    const sp_capacity cap = { 2, 8, 6, 24, 1, 8, 1 };
-    const sp_real ground[3] = { 0, 0, -1 }, middle[3] = { 0, 0, R(0.05) };
-    const sp_strength rough = sp_strength_friction(R(mu));
-    sp_load turn;
-    sp_scene s;
-    test_arena.used = 0;
-    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
-    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
-    const sp_real x = R(c), h = R(0.1), corner[24] = { -x, -x, 0, x, -x, 0, x, x, 0, -x, x, 0,
-                                                       -x, -x, h, x, -x, h, x, x, h, -x, x, h };
-    const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
-    const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
-    const sp_mesh board = { 8, 6, corner, size, face };
-    const sp_real few[12] = { -x, -x, 0, x, -x, 0, x, x, 0, -x, x, 0 };
+    const sp_real x = R(c), few[12] = { -x, -x, 0, x, -x, 0, x, x, 0, -x, x, 0 };
     const sp_real more[24] = { -x, -x, 0, 0, -x, 0, x, -x, 0, x, 0, 0, x, x, 0, 0, x, 0, -x, x, 0, -x, 0, 0 };
-    CHECK_INT(sp_scene_block(&s, &board, R(1 / 9.80665 / (4 * c * c * 0.1)), 0, NULL), SP_OK);
+    const sp_strength rough = sp_strength_friction(R(mu));
+    sp_scene s = board(c);
     CHECK_INT(sp_scene_joint(&s, 0, 1, middles ? 8 : 4, middles ? more : few, &rough, NULL), SP_OK);
-    memset(&turn, 0, sizeof turn);
-    turn.block = 1;
-    turn.couple[2] = R(torque);
-    memcpy(turn.point, middle, sizeof middle);
-    CHECK_INT(sp_scene_load(&s, &turn, NULL), SP_OK);
+    turn_board(&s, torque);
     return s;
 }
 
@@ -198,8 +180,6 @@ static sp_scene clamped(double mu, double F)
     const sp_capacity cap = { 3, 16, 12, 48, 2, 4, 1 };
     const sp_real wall[3] = { -9, 0, 0 }, right[3] = { 1, 0, 0 };
     const sp_real edge[2][6] = { { -1, 0, R(-0.5), -1, 0, R(0.5) }, { 1, 0, R(-0.5), 1, 0, R(0.5) } };
-    const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
-    const int32_t face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
     const sp_strength rough = sp_strength_friction(R(mu));
     sp_load press;
     sp_scene s;
@@ -209,7 +189,7 @@ static sp_scene clamped(double mu, double F)
     for (int k = 0; k < 2; k++) {
         const sp_real a = R(k ? 1 : -1), b = R(k ? 3 : 1);
         const sp_real corner[24] = { a, -1, -1, b, -1, -1, b, 1, -1, a, 1, -1, a, -1, 1, b, -1, 1, b, 1, 1, a, 1, 1 };
-        const sp_mesh cube = { 8, 6, corner, size, face };
+        const sp_mesh cube = { 8, 6, corner, box_size, box_face };
         const uint32_t held = k ? 62 : 42;              /* free: the jaw along x; the cube along x, z, to turn about y */
         CHECK_INT(sp_scene_block(&s, &cube, R(1 / 9.80665 / 8), held, NULL), SP_OK);
     }
@@ -239,9 +219,7 @@ TEST(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
 
 /* Of half edge 1. */
 static const sp_real cube_corner[24] = { -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1 };
-static const int32_t cube_size[6] = { 4, 4, 4, 4, 4, 4 };
-static const int32_t cube_face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
-static const sp_mesh cube = { 8, 6, cube_corner, cube_size, cube_face };
+static const sp_mesh cube = { 8, 6, cube_corner, box_size, box_face };
 
 /* A cube between five supports, below and at its sides, that it touches at 3 to 8 points; pushed and turned at random. */
 static sp_scene wedged(void)

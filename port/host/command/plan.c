@@ -64,11 +64,12 @@ static void print_json(const host_scene *s, const sp_outlook *o)
 }
 
 /* Memory of each question, behind the scene in one arena. */
-static const struct { const char *name; sp_memory_for what; } ram_of[] = {
-    { "contacts", SP_FOR_CONTACTS }, { "check", SP_FOR_CHECK }, { "verify", SP_FOR_VERIFY }, { "limit", SP_FOR_LIMIT },
-    { "sequence", SP_FOR_SEQUENCE }
+enum { RAM_CONTACTS, RAM_CHECK, RAM_VERIFY, RAM_LIMIT, RAM_SEQUENCE, RAM_OF };
+static const struct { const char *name; sp_memory_for what; } ram_of[RAM_OF] = {
+    [RAM_CONTACTS] = { "contacts", SP_FOR_CONTACTS }, [RAM_CHECK] = { "check", SP_FOR_CHECK },
+    [RAM_VERIFY] = { "verify", SP_FOR_VERIFY }, [RAM_LIMIT] = { "limit", SP_FOR_LIMIT },
+    [RAM_SEQUENCE] = { "sequence", SP_FOR_SEQUENCE }
 };
-#define RAM_OF (int)(sizeof ram_of / sizeof ram_of[0])
 
 typedef struct ram { size_t scene, bytes[RAM_OF]; long fill; } ram;
 
@@ -88,7 +89,7 @@ static sp_status ram_count(const sp_scene *s, const sp_settings *settings, ram *
     sp_status status = SP_OK;
     m->scene = sp_scene_memory(&s->count);
     for (int k = 0; !status && k < RAM_OF; k++) status = run_bytes_of(s, ram_of[k].what, settings, &m->bytes[k]);
-    m->fill = ram_fill(s, m->bytes[1]);
+    m->fill = ram_fill(s, m->bytes[RAM_CHECK]);
     return status;
 }
 
@@ -115,6 +116,7 @@ static void ram_json(const host_scene *s, const ram *m)
     for (int k = 0; k < RAM_OF; k++) json_int(&j, ram_of[k].name, (int64_t)m->bytes[k]);
     json_int(&j, "fill", m->fill);
     json_close(&j, '}');
+    scene_remarks_json(&j, s);
     json_close(&j, '}');
     fputc('\n', stdout);
 }

@@ -7,7 +7,7 @@
 #define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
 #define STEPS    4                      /* of ten each, up to that */
 #define SLOPE    8.0                    /* faces may rise by so many distances across the narrower of them */
-#define LEAST    0.99
+#define LEAST    0.99                   /* of its area a contact needs to count as whole */
 #define STEEPEST 0.5                    /* sine, the library's limit */
 
 int touching_read_distance(text_word w, touching *t)
