@@ -78,6 +78,26 @@ static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_add_loop(t, p, q, l);
 }
 
+/* The distance that a block's body leaves of one across n: a quarter of its width there, for what is farther lies beyond it.
+ * An open block has no inside; a closed one is wider than its volume over its diameter squared, which most often decides. */
+static sp_real sp__body_limit(const sp__touch *t, int32_t block, const sp_real n[3], sp_real gap)
+{
+    const sp_block *k = &t->scene->block[block];
+    if (!(k->volume > 0) || 4 * gap <= k->volume / k->diameter / k->diameter) return gap;
+    const sp__span s = sp__span_body(t, n, block);
+    const sp_real most = (s.hi - s.lo) / 4;
+    return most < gap ? most : gap;
+}
+
+/* The distance that counts between patch p of A and one of B: what both leave of the settings', not below the default. */
+static void sp__pair_limit(sp__touch *t, const sp__patch *p)
+{
+    const sp_real usual = 8 * t->now.snap;
+    if (t->now.near <= usual) return;
+    t->now.gap = sp__body_limit(t, t->now.b, p->n, sp__body_limit(t, t->now.a, p->n, t->now.near));
+    t->now.gap = sp__max(t->now.gap, usual);
+}
+
 /* Patches of one block near the box of another. Returns how many. */
 static int32_t sp__pair_near(const sp__touch *t, const sp__body *own, const sp__body *other, int32_t *list)
 {
@@ -118,12 +138,16 @@ static void sp__touch_pair(sp__touch *t, int32_t b)
     const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[b];
     if (t->scene->block[t->now.a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
     sp__pair_start(t, b);
+    t->now.near = t->now.gap;
     t->pair.points = t->pair.founds = 0;
     const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < m && !t->status; j++) {
             const sp__patch *u = &t->all.patch[t->pair.near_a[i]], *v = &t->all.patch[t->pair.near_b[j]];
-            if (sp__pair_opposed(t, u, v)) sp__pair_clip(t, u, v);
+            if (!sp__pair_opposed(t, u, v)) continue;
+            sp__pair_limit(t, u);
+            sp__pair_clip(t, u, v);
+            t->now.gap = t->now.near;
         }
     if (t->status) return;
     sp__pair_append(t);

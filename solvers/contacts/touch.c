@@ -14,6 +14,8 @@
  *   near       settings' distance of a pair of blocks, at least the noise                                           [m]
  *
  *   distance   of two patches: along A's normal, in the middle of what they share; the angle bounds the rest
+ *   limit      of a distance beyond 1e-6 diameters: a quarter of each closed block's width along A's normal, so that none
+ *              reaches through a block; not of SP_SMALL
  *   in-plane   corners nearer than min(gap, 1e-6 diameter)/8 are one; what is narrower than `gap` is an edge contact, and
  *              left out
  *
@@ -108,6 +110,9 @@ typedef struct sp__own_block {
 typedef struct sp__present_pair {
     int32_t a, b;
     sp_real gap, noise, snap, unit;             /* unit: length of 1 in the plane [m] */
+#if !SP__WITH_SMALL
+    sp_real near;                               /* settings' distance of the blocks; gap is what counts for two patches */
+#endif
     sp_real e1[3], e2[3];                       /* its axes */
 } sp__present_pair;
 

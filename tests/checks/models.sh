@@ -212,6 +212,22 @@ curved() {                                              # curved M Q D: found at
     first check curved.obj | grep -q '^curved.obj: UNSTABLE, but 1 pair of blocks nearly touches$'
 }
 
+slate() {                                               # slate NAME X Z AT: 0.3 x 0.2 x 0.001
+    awk -v name="$1" -v x="$2" -v z="$3" -v at="$4" 'BEGIN { n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
+        print "o", name
+        for (k = 1; k < n; k += 3) print "v", x + v[k] * 0.3, v[k + 1] * 0.2, z + v[k + 2] * 0.001
+        m = split("4 3 2 1,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")
+        for (k = 1; k <= m; k++) { split(f[k], c, " "); print "f", c[1] + at, c[2] + at, c[3] + at, c[4] + at } }'
+}
+slates() {                                              # two thirds of the upper hang over: it falls, and nothing nearly touches
+    { slate support 0 0 0; slate lower 0 0.001 8; slate upper 0.2 0.002 16; } > slates.obj
+    same "$(first check --fixed support slates.obj)" "slates.obj: UNSTABLE" || return 1
+    for d in 0.1% 1% 0.004 50%; do
+        same "$(first check --fixed support --contact-distance $d slates.obj)" "slates.obj: UNSTABLE" || return 1
+        "$cli" contacts --contact-distance $d slates.obj | grep -q '^2 contacts' || { echo "$d: not 2 contacts"; return 1; }
+    done
+}
+
 told() { "$cli" check --json "$@" | grep -o '"touching": *[^}]*' | tr -d ' '; }
 distance_in_json() {                                    # the distance in force, and how many pairs nearly touch
     jitter 7 1e-4 < whole.obj > jittered.obj
@@ -285,6 +301,7 @@ done
 part "curved: facets of one in the other's" curved 24 17 0.0025
 part "curved: fewer facets than the cradle" curved 9 14 0.03
 part "curved: as many, at other places"     curved 100 100 0.0003
+part "no distance reaches through a slate"  slates
 part "contacts --sweep: a row a distance"   swept
 part "contacts --sweep: the one in force"   sweep_in_force
 part "contacts --sweep: nothing to find"    sweep_of_nothing

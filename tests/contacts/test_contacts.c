@@ -136,6 +136,43 @@ TEST(a_tilted_face_touches_where_it_is_within_the_distance)
     }
 }
 
+/* Two slates 1 thick and 300 long, one on the other, on a support: however large the distance, bottom and top of a slate are
+ * not taken for each other's, and the upper slate does not reach the support through the lower. */
+TEST(a_distance_does_not_reach_through_a_slate)
+{
+    static const double share[] = { 1e-6, 1e-3, 3e-3, 1e-2, 0.1, 0.5 };
+    const frame f[2] = { upright(), turned(3, 1, -1, 2, 1, 1e-3) };
+    sp_contact_settings set = sp_contact_settings_default();
+    for (size_t i = 0; i < 2 * sizeof share / sizeof share[0]; i++) {
+        const double unit = f[i % 2].unit;
+        set.distance = R(share[i / 2]);
+        NEED(start(3));
+        box(&f[i % 2], 0, 0, 0, 300, 200, 100, SP_FIXED);
+        box(&f[i % 2], 0, 0, 100, 300, 200, 101, 0);
+        box(&f[i % 2], 200, 0, 101, 500, 200, 102, 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, 2);
+        CHECK_NEAR(area_sum(), (60000 + 20000) * unit * unit, TOL(1e-9, 1e-3f));
+    }
+}
+
+/* Faces of blocks 1 thick, apart or inside each other: a quarter of the thinner is the most that counts. */
+TEST(faces_touch_up_to_a_quarter_of_the_thinner_block)
+{
+    static const double gap[] = { 0.24, -0.24, 0.26, -0.26 };
+    const frame f = turned(3, 1, -1, 2, 1, 1);
+    sp_contact_settings set = sp_contact_settings_default();
+    set.distance = R(0.5);
+    set.absolute = 1;
+    for (int k = 0; k < 4; k++) {
+        NEED(start(2));
+        box(&f, 0, 0, 0, 4, 4, 4, SP_FIXED);
+        box(&f, 0, 0, 4 + gap[k], 4, 4, 5 + gap[k], 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, k < 2);
+    }
+}
+
 /* A beam 1 long and 0.04 wide on a wide slab, turned about its long or its short middle: with an angle of -8 faces may rise by
  * eight distances across the width or along the length; of a rise of h distances 2/h is within. */
 TEST(narrow_faces_may_stand_steeper)
@@ -348,6 +385,8 @@ TEST_LIST(contacts)
     RUN(tilted_faces_count_by_the_angle)
 #ifndef SP_SMALL
     RUN(a_tilted_face_touches_where_it_is_within_the_distance)
+    RUN(a_distance_does_not_reach_through_a_slate)
+    RUN(faces_touch_up_to_a_quarter_of_the_thinner_block)
     RUN(narrow_faces_may_stand_steeper)
 #endif
     RUN(frames_and_units_do_not_matter)
