@@ -242,10 +242,30 @@ static sp_real sp__pair_depth(sp__touch *t, sp_real flat)
     return most < least ? most : least;
 }
 
+/* The distance beyond which blocks are inside each other: that counts between any of their faces. A body is nowhere
+ * thinner than its volume over its diameter squared. */
+#if SP__WITH_SMALL
+#define SP__PAIR_INSIDE(t) ((t)->now.gap)
+#else
+static sp_real sp__pair_inside(const sp__touch *t)
+{
+    const sp_real usual = 8 * t->now.snap;
+    sp_real gap = t->now.near;
+    if (gap <= usual) return gap;
+    for (int side = 0; side < 2; side++) {
+        const sp_block *k = &t->scene->block[side ? t->now.b : t->now.a];
+        const sp_real thin = k->volume > 0 ? k->volume / k->diameter / k->diameter / 4 : gap;
+        gap = thin < gap ? thin : gap;
+    }
+    return sp__max(gap, usual);
+}
+#define SP__PAIR_INSIDE(t) sp__pair_inside(t)
+#endif
+
 /* Report the pair if it overlaps by more than its distance and what its faces are warped by. */
 SP__NOINLINE static void sp__pair_overlap(sp__touch *t)
 {
-    const sp_real flat = t->now.gap + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);
+    const sp_real flat = SP__PAIR_INSIDE(t) + 2 * (t->all.body[t->now.a].warp + t->all.body[t->now.b].warp);
     const sp_real depth = sp__pair_depth(t, flat);
     if (!(depth > flat)) return;
     if (t->report.overlap && t->report.overlaps < t->report.overlap_capacity) {

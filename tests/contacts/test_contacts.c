@@ -173,6 +173,41 @@ TEST(faces_touch_up_to_a_quarter_of_the_thinner_block)
     }
 }
 
+/* A cube on a cube as large or smaller: a distance of half a cube finds what that of a millionth does. */
+TEST(a_large_distance_loses_no_cube_on_a_cube)
+{
+    static const double share[] = { 1e-6, 0.01, 0.1, 0.25, 0.3, 0.5 };
+    const frame f = turned(1, 2, 3, 4, 0, 1);
+    sp_contact_settings set = sp_contact_settings_default();
+    for (size_t k = 0; k < 2 * sizeof share / sizeof share[0]; k++) {
+        const double side = k % 2 ? 0.6 : 1;
+        set.distance = R(share[k / 2]);
+        NEED(start(2));
+        box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
+        box(&f, 0.3 * side, 0, 1, 1.3 * side, side, 1 + side, 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, 1);
+        CHECK_NEAR(area_sum(), (k % 2 ? 0.6 : 0.7) * side, TOL(1e-9, 1e-4f));
+    }
+}
+
+/* A slab 0.01 thick and 0.4 of it inside another: no distance joins them or keeps silent about it. */
+TEST(a_slab_deep_in_another_is_told_at_every_distance)
+{
+    static const double share[] = { 1e-6, 1e-3, 1e-2, 0.5 };
+    const frame f = turned(1, 2, 3, 4, 0, 1);
+    sp_contact_settings set = sp_contact_settings_default();
+    for (size_t k = 0; k < sizeof share / sizeof share[0]; k++) {
+        set.distance = R(share[k]);
+        NEED(start(2));
+        box(&f, 0, 0, 0, 1, 1, 0.01, SP_FIXED);
+        box(&f, 0, 0, 0.006, 1, 1, 0.016, 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, 0);
+        CHECK_INT(report.overlaps, 1);
+    }
+}
+
 /* A beam 1 long and 0.04 wide on a wide slab, turned about its long or its short middle: with an angle of -8 faces may rise by
  * eight distances across the width or along the length; of a rise of h distances 2/h is within. */
 TEST(narrow_faces_may_stand_steeper)
@@ -387,6 +422,8 @@ TEST_LIST(contacts)
     RUN(a_tilted_face_touches_where_it_is_within_the_distance)
     RUN(a_distance_does_not_reach_through_a_slate)
     RUN(faces_touch_up_to_a_quarter_of_the_thinner_block)
+    RUN(a_large_distance_loses_no_cube_on_a_cube)
+    RUN(a_slab_deep_in_another_is_told_at_every_distance)
     RUN(narrow_faces_may_stand_steeper)
 #endif
     RUN(frames_and_units_do_not_matter)
