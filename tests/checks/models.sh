@@ -228,6 +228,16 @@ slates() {                                              # two thirds of the uppe
     done
 }
 
+inside_told() {                                         # a stone sunk into its support by a tenth
+    on_floor -0.1 -0.1 > sunk.obj
+    same "$(first check sunk.obj)" "sunk.obj: UNSTABLE, but 1 pair of blocks lies inside each other" && remarks 'lies inside each other and does not touch: floor and cube' sunk.obj
+}
+twice_told() {                                          # each stands alone, at the place of the other
+    { on_floor 0 0; on_floor 0 0 | awk '/^o cube/ { on = 1; print "o copy"; next } on && /^v/ { print }
+        on && /^f/ { print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8 }'; } > twice.obj
+    same "$(first check twice.obj)" "twice.obj: STABLE, but 1 pair of blocks lies inside each other" && remarks 'cube and copy by 1 m' twice.obj
+}
+
 told() { "$cli" check --json "$@" | grep -o '"touching": *[^}]*' | tr -d ' '; }
 distance_in_json() {                                    # the distance in force, and how many pairs nearly touch
     jitter 7 1e-4 < whole.obj > jittered.obj
@@ -302,6 +312,8 @@ part "curved: facets of one in the other's" curved 24 17 0.0025
 part "curved: fewer facets than the cradle" curved 9 14 0.03
 part "curved: as many, at other places"     curved 100 100 0.0003
 part "no distance reaches through a slate"  slates
+part "a sunk stone is told, not only felled" inside_told
+part "two stones at one place are told"     twice_told
 part "contacts --sweep: a row a distance"   swept
 part "contacts --sweep: the one in force"   sweep_in_force
 part "contacts --sweep: nothing to find"    sweep_of_nothing

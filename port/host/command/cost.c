@@ -160,7 +160,7 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t, int q
     char flops[16];
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points", s->path,
             sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, (long)s->scene.count.points);
-    report_near(out, t->truth == SP_STABLE ? 0 : s->near);
+    report_near(out, t->truth == SP_STABLE ? 0 : s->near, s->inside);
     if (quiet) return;
     fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, imbalance; no check above %s flop; "
             "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));

@@ -250,18 +250,20 @@ static void text_cost(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }
 
-void report_near(FILE *out, int32_t near)
+void report_near(FILE *out, int32_t near, int32_t inside)
 {
     if (near > 0)
         fprintf(out, ", but %ld pair%s of blocks nearly touch%s", (long)near, near == 1 ? "" : "s", near == 1 ? "es" : "");
+    if (inside > 0)
+        fprintf(out, ", %s %ld pair%s of blocks lie%s inside each other", near > 0 ? "and" : "but", (long)inside,
+                inside == 1 ? "" : "s", inside == 1 ? "s" : "");
     fputc('\n', out);
 }
 
 static void text_verdict(FILE *out, const report *r)
 {
     fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
-    if (r->result.verdict != SP_STABLE) report_near(out, r->scene->near);
-    else fputc('\n', out);
+    report_near(out, r->result.verdict == SP_STABLE ? 0 : r->scene->near, r->scene->inside);
 }
 
 void report_text(FILE *out, const report *r)

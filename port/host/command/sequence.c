@@ -272,7 +272,7 @@ static void print_head(FILE *out, const run *r)
     else {
         fprintf(out, "step %ld is the first that %s (%s)", (long)r->first,
                 r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
-        report_near(out, r->scene.near);
+        report_near(out, r->scene.near, r->scene.inside);
     }
 }
 

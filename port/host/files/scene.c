@@ -331,6 +331,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
     if (s->found) {
         const sp_contact_settings used = touching_settings(s->touching);
         s->near = touching_near(&s->scene, &used, &s->remarks);
+        s->inside = touching_inside(&s->scene, s->overlap, s->overlaps, s->name, &s->remarks);
     }
     suspects_find(&s->scene, s->name, known, &s->remarks);
 }

@@ -18,6 +18,7 @@ typedef struct host_scene {
     touching touching;          /* how near faces are that touch, as options and file tell it; of contacts found */
     sp_strength strength;       /* of contacts found */
     int32_t near;               /* pairs of blocks that nearly touch: touching_near */
+    int32_t inside;             /* pairs of blocks deep inside each other that have no joint: touching_inside */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */
     int32_t *line;              /* of the file: of each block, of each contact given, of each load */

@@ -192,3 +192,38 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
                 missing == 1 ? "is" : "are", 100 * share);
     return missing;
 }
+
+/* -------------------------------------------------------------------------------------------------------- inside each other */
+
+static int has_joint(const sp_scene *s, int32_t a, int32_t b)
+{
+    for (int32_t k = 0; k < s->count.joints; k++) if (s->joint[k].a == a && s->joint[k].b == b) return 1;
+    return 0;
+}
+
+/* Deeper than what nearly touches: 1 % of the smaller, and no more than that counts of a thin one (a quarter of V / d^2). */
+static int is_deep(const sp_scene *s, const sp_overlap *o)
+{
+    double least = -1;
+    for (int side = 0; side < 2; side++) {
+        const sp_block *k = &s->block[side ? o->b : o->a];
+        const double d = (double)k->diameter, thin = (double)k->volume / d / d / 4;
+        const double most = k->volume > 0 ? fmin(WIDEST * d, thin) : WIDEST * d;
+        least = least < 0 ? most : fmin(least, most);
+    }
+    return (double)o->depth > least;
+}
+
+int32_t touching_inside(const sp_scene *s, const sp_overlap *overlap, int32_t overlaps, const char *const *name, remarks *r)
+{
+    const sp_overlap *first = NULL;
+    int32_t n = 0;
+    for (int32_t i = 0; i < overlaps; i++) {
+        if (!is_deep(s, &overlap[i]) || has_joint(s, overlap[i].a, overlap[i].b)) continue;
+        if (!n++) first = &overlap[i];
+    }
+    if (n) remarks_add(r, NULL, "%ld pair%s of blocks lie%s inside each other and do%s not touch: %s and %s by %.3g m%s: "
+                       "move them apart, or leave one out", (long)n, n == 1 ? "" : "s", n == 1 ? "s" : "",
+                       n == 1 ? "es" : "", name[first->a], name[first->b], (double)first->depth, n == 1 ? "" : " first");
+    return n;
+}

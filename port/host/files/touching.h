@@ -48,4 +48,8 @@ void touching_json(json_out *j, const touching *t, int32_t near);
  * a remark with the option that counts them all.     returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 
+/* Pairs of blocks inside each other that have no joint, deeper than a distance of 1 % could mend; a remark names the first.
+ *   returns how many */
+int32_t touching_inside(const sp_scene *s, const sp_overlap *overlap, int32_t overlaps, const char *const *name, remarks *r);
+
 #endif
