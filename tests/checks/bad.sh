@@ -138,6 +138,9 @@ refused warped_face "'stone'.*plane"                                            
 refused flat_block "'flat'.*no volume"
 { scene; echo 'o dot'; printf 'v %s\n' '5 5 5' '5 5 5' '5 5 5'; echo 'f 17 18 19'; } > point_block.obj
 refused point_block "'dot'"
+{ scene; scene | tail -6; echo '#@ pressure stone 2 10'; } > twice_pressed.obj;         refused twice_pressed "'stone': faces are there twice in this file"
+{ scene; printf 'v %s\n' '0 0 .2' '1 0 .2' '1 1 .2' '0 1 .2'; printf 'f %s\n' '12 11 10 9' '17 18 19 20' '9 10 18 17' '10 11 19 18' \
+    '11 12 20 19' '12 9 17 20'; } > twice_needed.obj;                                   refused twice_needed "'stone': faces are there twice, and"
 bad no_faces "'nothing' has no faces" 'o nothing'
 bad no_name 'without a name' 'o'
 bad name_with_space "'two_words' has no faces" 'o two words'

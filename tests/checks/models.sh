@@ -256,6 +256,22 @@ in_millimetres() {                                      # the distance is in met
     return $status
 }
 
+# Faces that are there twice count once: listed again, begun at another corner, or of a second shell with its own vertices.
+awk '/^f / { print } /^f / && name == "b5" { print $1, $3, $4, $5, $2 } /^o / { name = $2 } !/^f /' arch.obj > listed-twice.obj
+awk '{ print } /^o / { n = 0 } /^v / { v[n++] = $0; all++ } /^f / && n { f[all / 8, c[all / 8]++] = $0 } END {
+    for (k = 0; k < n; k++) print v[k]
+    for (k = 0; k < c[all / 8]; k++) { split(f[all / 8, k], w, " "); print "f", w[2] + 8, w[3] + 8, w[4] + 8, w[5] + 8 } }' arch.obj > shell-twice.obj
+counts_once() {                                         # counts_once MODEL FACES ARGUMENT...: the forces of the arch, and it is told
+    model=$1 faces=$2
+    shift 2
+    same "$("$cli" convert "$@" "$model" 2> err | grep -c '^f ')" "$(grep -c '^f ' arch.obj)" || return 1
+    grep -q "remark .*$faces faces of 1 block, the first '.*', were there twice: counted once" err || { cat err; return 1; }
+    same "$(forces "$@" "$model")" "$(forces "$@" arch.obj)"
+}
+part "faces listed twice count once"        counts_once listed-twice.obj 6 --fixed b0,b16
+part "a shell that is there twice"          counts_once shell-twice.obj 6 --fixed b0,b15
+part "the same with --split"                counts_once shell-twice.obj 6 --split --fixed b0,b15
+
 on_floor() {                                            # a cube on z = 0 whose bottom is at $1 where x = 0, at $2 where x = 1
     awk -v l="$1" -v r="$2" 'BEGIN { n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
         split("1 4 3 2,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")

@@ -74,6 +74,7 @@ typedef struct obj_file {
     int down_told;              /* by gravity or up */
     int nodes;                  /* names are b and the key of a node: compas.h */
     compas_unread unread;
+    int32_t copies;             /* faces that were there twice and are gone: twins.h */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;
     obj_block *block;
     obj_face *face;

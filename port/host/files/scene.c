@@ -4,6 +4,7 @@
 #include "scene.h"
 #include "solids.h"
 #include "suspects.h"
+#include "twins.h"
 
 #include <float.h>
 #include <math.h>
@@ -340,6 +341,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
 static int build_from(obj_file *f, int status, const scene_settings *set, host_scene *s, failure *error)
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
+    if (!status) status = twins_check_pressures(f, error);
     if (!status) status = amend_file(f, &set->amend, set->contacts == SCENE_GIVEN && f->contacts > 0, error);
     if (!status) {
         s->path = malloc(strlen(f->path) + 1);
@@ -375,6 +377,12 @@ static void tell_unread(const compas_unread *u, remarks *told)
                 n == 1 ? "has" : "have");
 }
 
+static int mend(obj_file *f, const scene_settings *set, host_scene *s, failure *error)
+{
+    const int status = twins_drop(f, &s->remarks, error);
+    return status ? status : solids_mend(f, set->amend.split, &s->remarks, error);
+}
+
 int scene_read(const char *path, const scene_settings *set, host_scene *s, failure *error)
 {
     const host_scene empty = { 0 };
@@ -383,7 +391,7 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
     *s = empty;
     status = meshes_is_known(path) ? meshes_read(path, &f, &s->remarks, error) : obj_read(path, &f, error);
     if (!status) tell_unread(&f.unread, &s->remarks);
-    if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
+    if (!status) status = mend(&f, set, s, error);
     if (!status) status = obj_read_beside(&f, error);
     return build_from(&f, status, set, s, error);
 }
@@ -394,7 +402,7 @@ int scene_parse(const char *path, char *text, size_t length, const scene_setting
     obj_file f;
     int status = obj_parse(path, text, length, &f, error);
     *s = empty;
-    if (!status) status = solids_mend(&f, set->amend.split, &s->remarks, error);
+    if (!status) status = mend(&f, set, s, error);
     return build_from(&f, status, set, s, error);
 }
 
