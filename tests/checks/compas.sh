@@ -192,6 +192,15 @@ problem '"mu": 1' false '{"block_index": 1, "force": [0, 0]}' ''
 part "bad: a load of two numbers"               refused 'not three numbers' < problem.json
 printf '[{"frame": {"point": [0, 0, 0], "xaxis": [1, 0, 0]}, "xsize": 1, "ysize": 1, "zsize": 1}]' > box.json
 part "bad: a box without axes"                  refused 'its box has no frame' < box.json
+axes() { printf '[{"frame": {"point": [0, 0, 0], "xaxis": [%s], "yaxis": [%s]}, "xsize": 1, "ysize": 2, "zsize": 3}]' "$1" "$2" > box.json; }
+oblique() {                                             # axes of any length, not quite across each other: those of the same frame
+    axes 1,0,0 0,1,0 && "$cli" convert --quiet box.json > want && axes 2,0,0 3,0.5,0 && "$cli" convert --quiet box.json > got && cmp want got
+}
+part "a box whose axes are no unit vectors"     oblique
+axes 2,0,0 -3,0,0
+part "bad: a box with parallel axes"            refused 'two axes that are not parallel' < box.json
+axes 1,0,0 0,0,0
+part "bad: a box with an axis of no length"     refused 'two axes that are not parallel' < box.json
 printf '3D Geometry File Format        7\001\000' > m.3dm
 part "a model of Rhino: what to export"         sh -c "'$cli' check m.3dm 2>&1 | grep -q '^m.3dm:1: byte 0x01: a model of Rhino: export OBJ'"
 

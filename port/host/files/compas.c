@@ -254,15 +254,13 @@ static int is_box(const reader *r, const json_value *v)
     return is_table(v) && member(r, v, "xsize") && member(r, v, "frame");
 }
 
-/* x y z of a box's frame: its point and its axes, the third across the other two. */
+/* x y z of a box's frame: its point and its axes, unit vectors across each other. */
 static int read_box_frame(const reader *r, const json_value *box, double point[3], double axis[3][3])
 {
     const json_value *frame = plain_member(r, box, "frame");
     const int ok = read_point(r, member(r, frame, "point"), point) && read_point(r, member(r, frame, "xaxis"), axis[0])
                 && read_point(r, member(r, frame, "yaxis"), axis[1]);
-    for (int k = 0; k < 3 && ok; k++)
-        axis[2][k] = axis[0][(k + 1) % 3] * axis[1][(k + 2) % 3] - axis[0][(k + 2) % 3] * axis[1][(k + 1) % 3];
-    return ok;
+    return ok && compas_unit_axes(axis);
 }
 
 /* compas.geometry/Box: a frame in its middle and three sizes. */
@@ -270,7 +268,8 @@ static int read_box(reader *r, const json_value *box, const char *name)
 {
     static const char *const size[] = { "xsize", "ysize", "zsize" };
     double point[3], axis[3][3];
-    if (!read_box_frame(r, box, point, axis)) return fail(r, box, "block '%s': its box has no frame", name);
+    if (!read_box_frame(r, box, point, axis))
+        return fail(r, box, "block '%s': its box has no frame: a point and two axes that are not parallel", name);
     for (int k = 0; k < 3; k++) {
         const json_value *c = number(member(r, box, size[k]));
         if (!c) return fail(r, box, "block '%s': its box has no %s", name, size[k]);

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define PARALLEL 1e-9                   /* sine of the angle between axes that tell no plane */
+
 /* Room for one more entry.     returns 0: memory is out */
 static int grow(void **table, int32_t count, int32_t *room, size_t size)
 {
@@ -117,6 +119,30 @@ int compas_add_box(compas_solids *s, const double middle[3], double half[3][3])
         ok = ok && compas_end_face(s);
     }
     return ok;
+}
+
+static int make_unit(double x[3])
+{
+    const double most = fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2])));
+    for (int k = 0; k < 3 && most > 0; k++) x[k] /= most;
+    const double size = sqrt(dot(x, x));
+    for (int k = 0; k < 3 && most > 0; k++) x[k] /= size;
+    return most > 0;
+}
+
+static void cross(const double a[3], const double b[3], double n[3])
+{
+    for (int k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+int compas_unit_axes(double axis[3][3])
+{
+    if (!make_unit(axis[0]) || !make_unit(axis[1])) return 0;
+    cross(axis[0], axis[1], axis[2]);
+    if (!(dot(axis[2], axis[2]) > PARALLEL * PARALLEL)) return 0;
+    make_unit(axis[2]);
+    cross(axis[2], axis[0], axis[1]);
+    return 1;
 }
 
 void compas_end(compas_solids *s, const double frame[12])

@@ -28,6 +28,10 @@ int compas_end_face(compas_solids *s);
 /* A block that is a box: its middle, and from there half an edge each way. */
 int compas_add_box(compas_solids *s, const double middle[3], double half[3][3]);
 
+/* Axes of a frame of COMPAS, told by any two across each other: unit vectors, the second across the first in their plane, the
+ * third across both.     returns 0: the two are parallel, or one is no direction */
+int compas_unit_axes(double axis[3][3]);
+
 /* The block is whole: moved by a frame, 3 x 4 by rows, faces turned outward. */
 void compas_end(compas_solids *s, const double frame[12]);
 
