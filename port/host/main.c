@@ -4,6 +4,7 @@
 #include "files/obj.h"
 #include "files/failure.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #ifdef _WIN32
@@ -281,6 +282,9 @@ int main(int argc, char **argv)
     _setmode(0, _O_BINARY);
     _setmode(1, _O_BINARY);
     _setmode(2, _O_BINARY);
+#endif
+#ifdef SIGXFSZ                          /* a limit of file sizes is an error of writing, not death */
+    signal(SIGXFSZ, SIG_IGN);
 #endif
     if (argc < 2) {
         fputs("stonepack: a command is missing, see stonepack --help\n", stderr);

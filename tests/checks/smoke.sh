@@ -260,7 +260,23 @@ tables() {
 }
 
 half() {                                                # half COMMAND...: no room for what it writes, nothing of it stays
-    (trap '' XFSZ; ulimit -f 1; exits 70 "$@") && test ! -e "$tmp/half"
+    (ulimit -f 1; exits 70 "$@") && test ! -e "$tmp/half" || return 1
+    echo before > "$tmp/half"                           # and what was there stays as it was
+    (ulimit -f 1; exits 70 "$@") && [ "$(cat "$tmp/half")" = before ] && [ "$(echo "$tmp"/half*)" = "$tmp/half" ]
+    status=$?
+    rm -f "$tmp"/half*
+    return $status
+}
+replaces() {                                            # permissions and links stay; devices, pipes, where output goes: written as they are
+    o=$tmp/whole
+    gen arch && rm -rf "$o" && mkdir "$o" && echo before > "$o/new" && chmod 640 "$o/new" && ln -s new "$o/link" && ln -s later "$o/none" || return 1
+    for out in "$o/link" "$o/none" /dev/null; do "$cli" check --quiet --svg "$out" "$tmp/scene.obj" > "$tmp/said" || return 1; done
+    [ "$(stat -c %a "$o/new")" = 640 ] && [ -L "$o/link" ] && [ -L "$o/none" ] && grep -q '</svg>' "$o/new" && cmp "$o/new" "$o/later" || return 1
+    "$cli" check --quiet --svg /dev/stdout "$tmp/scene.obj" > "$o/both" && grep -q '</svg>' "$o/both" && grep -q STABLE "$o/both" || return 1
+    mkfifo "$o/pipe" && { cat "$o/pipe" > "$o/got" & } && "$cli" check --quiet --svg "$o/pipe" "$tmp/scene.obj" > "$tmp/said" && wait &&
+    cmp "$o/got" "$o/new" || return 1
+    [ "$(cd "$o" && echo *)" = "both got later link new none pipe" ] || { ls "$o"; return 1; }
+    [ ! -e /dev/full ] || exits 70 "$cli" check --svg /dev/full "$tmp/scene.obj" > "$tmp/said"
 }
 goes_on() {                                             # a bad scene between two others: they are told, it is on stderr
     gen arch && "$cli" check --json "$tmp/scene.obj" /dev/null "$tmp/scene.obj" > "$tmp/said"
@@ -438,6 +454,7 @@ part "csv: one scene: 64"             exits 64 "$cli" check --csv "$tmp/t" "$tmp
 part "csv: nothing half written"      sh -c "mkdir -p '$tmp/dir/t-blocks.csv'; ! '$cli' check --csv '$tmp/dir/t' '$tmp/scene.obj' 2> '$tmp/out' &&
     test \$(wc -l < '$tmp/out') = 1"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
+part "files are replaced when they are whole" replaces
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
 part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'
