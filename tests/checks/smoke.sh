@@ -278,6 +278,16 @@ replaces() {                                            # permissions and links 
     [ "$(cd "$o" && echo *)" = "both got later link new none pipe" ] || { ls "$o"; return 1; }
     [ ! -e /dev/full ] || exits 70 "$cli" check --svg /dev/full "$tmp/scene.obj" > "$tmp/said"
 }
+writes_over() {                                         # writes_over TEXT COMMAND...: refused, and what is read stays
+    text=$1
+    shift
+    gen arch && cp "$tmp/scene.obj" "$tmp/before.obj" && ln -sf scene.obj "$tmp/other.obj" && echo b1 > "$tmp/t-steps.csv" || return 1
+    exits 64 "$cli" "$@" 2> "$tmp/err" && grep -q -e "$text" "$tmp/err" && [ "$(wc -l < "$tmp/err")" -eq 1 ] && cmp "$tmp/scene.obj" "$tmp/before.obj" ||
+        { cat "$tmp/err"; return 1; }
+}
+in_place() {                                            # convert IN IN
+    gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/want.obj" && "$cli" convert "$tmp/scene.obj" "$tmp/scene.obj" && cmp "$tmp/scene.obj" "$tmp/want.obj"
+}
 goes_on() {                                             # a bad scene between two others: they are told, it is on stderr
     gen arch && "$cli" check --json "$tmp/scene.obj" /dev/null "$tmp/scene.obj" > "$tmp/said"
     [ $? -eq 65 ] && [ "$(grep -c '"verdict": *"stable"' "$tmp/said")" -eq 2 ]
@@ -455,6 +465,16 @@ part "csv: nothing half written"      sh -c "mkdir -p '$tmp/dir/t-blocks.csv'; !
     test \$(wc -l < '$tmp/out') = 1"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
 part "files are replaced when they are whole" replaces
+part "svg over the scene: 64"       writes_over "--svg would write over '.*other.obj', which is read" check --svg "$tmp/other.obj" "$tmp/scene.obj"
+part "page over the scene: 64"      writes_over "--html would write over" limit --body 1,0,0 --html "$tmp/scene.obj" "$tmp/scene.obj"
+part "table over the order: 64"     writes_over "--csv would write over '.*t-steps.csv'" sequence --csv "$tmp/t" --order-file "$tmp/t-steps.csv" "$tmp/scene.obj"
+part "convert over what stands beside: 64" writes_over "convert would write over" convert "$tmp/scene.obj" "$tmp/scene.obj.stonepack"
+part "two outputs of one name: 64"  writes_over "--svg and --html both write" check --svg "$tmp/x.svg" --html "$tmp/./x.svg" "$tmp/scene.obj"
+part "cost: svg over the scene: 64" writes_over "--svg would write over" cost --svg "$tmp/scene.obj" "$tmp/scene.obj"
+part "convert in place"             in_place
+for form in ply stl JSON 3dm; do
+    part "convert to .$form: 64"    writes_over "writes OBJ" convert "$tmp/scene.obj" "$tmp/x.$form"
+done
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
 part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'

@@ -2,6 +2,7 @@
 #include "../files/done.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "outputs.h"
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
@@ -106,7 +107,8 @@ int command_check(int argc, char **argv)
               : "stonepack: --html tells of one scene\n", stderr);
         return EXIT_USAGE;
     }
-    if (o.done && done_read(o.done, &done, &error)) {
+    if (outputs_check(&o, NULL, &error) || outputs_check_obj("--out-obj", o.model, &error)
+        || (o.done && done_read(o.done, &done, &error))) {
         fprintf(stderr, "%s\n", error.line);
         done_free(&done);
         return error.status;

@@ -7,6 +7,7 @@
 #include "../run.h"
 #include "commands.h"
 #include "options.h"
+#include "outputs.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +27,8 @@ int command_convert(int argc, char **argv)
 
     if (options_read(argc, argv, SCENE_OPTIONS, &o, &error) == 0 && (o.files < 1 || o.files > 2))
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
+    if (!error.status && o.files > 1 && outputs_check(&o, o.file[1], &error) == 0)
+        outputs_check_obj("convert", o.file[1], &error);
     if (!error.status) {
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0
             && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0 && !o.quiet)

@@ -5,6 +5,7 @@
 #include "../run.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "outputs.h"
 #include "progress.h"
 #include "report.h"
 
@@ -247,6 +248,7 @@ int command_cost(int argc, char **argv)
 
     memset(&s, 0, sizeof s);
     if (!code && o.files != 1) code = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: cost needs one scene");
+    if (!code) code = outputs_check(&o, NULL, &error);
     if (!code) code = scene_read(o.file[0], &o.scene, &s, &error);
     if (!code) tilt_turn(o.tilt, o.azimuth, s.scene.gravity);
     progress_begin(o.quiet);

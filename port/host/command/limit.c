@@ -4,6 +4,7 @@
 #include "../run.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "outputs.h"
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
@@ -282,6 +283,8 @@ int command_limit(int argc, char **argv)
                           SCENE_OPTIONS, &o,
                           &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
+    if (!status) status = outputs_check(&o, NULL, &error);
+    if (!status) status = outputs_check_obj("--out-obj", o.model, &error);
     if (!status) {
         memset(&r, 0, sizeof r);
         r.scene = &s;

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "html_page.h"
 #include "options.h"
+#include "outputs.h"
 #include "progress.h"
 #include "report.h"
 #include "report_csv.h"
@@ -603,6 +604,8 @@ int command_sequence(int argc, char **argv)
         else print_text(&r);
     }
     if (status) fprintf(stderr, "%s\n", error.line);
+    if (!status) status = outputs_check(&o, NULL, &error);
+    if (!status) status = outputs_check_obj("--out-obj", o.model, &error);
     else status = report_exit(r.worst);
     free_run(&r);
     return status;

@@ -1,5 +1,6 @@
 /* settle: where do the stones come to rest?  --confirm: does the scene keep still, and does statics say the same? */
 #include "commands.h"
+#include "outputs.h"
 
 #ifndef WITH_BULLET
 
@@ -543,6 +544,8 @@ int command_settle(int argc, char **argv)
     }
     if (!status && (o.files != 1 || (!o.out && !o.confirm && !o.frames)))
         status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
+    if (!status) status = outputs_check(&o, NULL, &error);
+    if (!status) status = outputs_check_obj("settle", o.out, &error);
     if (!status) status = read_settings(o.set, &s.set, &error);
     progress_begin(o.quiet);
     progress_hear();
