@@ -141,17 +141,21 @@ refused point_block "'dot'"
 { scene; scene | tail -6; echo '#@ pressure stone 2 10'; } > twice_pressed.obj;         refused twice_pressed "'stone': faces are there twice in this file"
 { scene; printf 'v %s\n' '0 0 .2' '1 0 .2' '1 1 .2' '0 1 .2'; printf 'f %s\n' '12 11 10 9' '17 18 19 20' '9 10 18 17' '10 11 19 18' \
     '11 12 20 19' '12 9 17 20'; } > twice_needed.obj;                                   refused twice_needed "'stone': faces are there twice, and"
-bad no_faces "'nothing' has no faces" 'o nothing'
+bad no_faces "'nothing' has no faces" 'o nothing' '#@ load nothing 0 0 1 0 0 0'
+bad no_faces_half_fixed "'nothing' has no faces" 'o nothing' '#@ fixed x'
+bad no_faces_of_vertices "'nothing' has no faces" 'o nothing' 'v 0 0 0'
+{ ground; echo 'o stone'; } > cut_after_name.obj;                                       refused cut_after_name "'stone' has no faces"
+only no_faces_at_all "'nothing' has no faces" 'o nothing' 'v 0 0 0'
 bad no_name 'without a name' 'o'
-bad name_with_space "'two_words' has no faces" 'o two words'
+bad name_with_space "'two_words' has no faces" 'o two words' '#@ fixed x'
 bad name_twice_by_space "'two_words' has the name" 'o two words' 'o two_words'
 only group_without_faces 'no block' 'g a' 'v 0 0 0'
 only group_again "'a' has the name" 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'g a' 'f 1 2 3' 'g b' 'f 1 2 3' 'g a' 'f 3 2 1'
 bad duplicate_name 'name' 'o stone' '#@ fixed'
-{ scene; head -c 3000 /dev/zero | tr '\0' 'x' | sed 's/^/o /'; } > long_name.obj
+{ scene; head -c 3000 /dev/zero | tr '\0' 'x' | sed 's/^/o /'; echo; echo '#@ fixed x'; } > long_name.obj
 refused long_name 'has no faces'
 bad unknown_statement 'unknown line' 'vertex 1 2 3'
-bad free_form_surface 'unknown line' 'surf 0 1 0 1 1 2 3 4'
+bad free_form_surface 'free-form surface: export meshes' 'surf 0 1 0 1 1 2 3 4'
 bad lonely_word 'unknown line' 'stone'
 
 # --------------------------------------------------------------------------------------------------------------- `#@` words

@@ -268,6 +268,21 @@ counts_once() {                                         # counts_once MODEL FACE
     grep -q "remark .*$faces faces of 1 block, the first '.*', were there twice: counted once" err || { cat err; return 1; }
     same "$(forces "$@" "$model")" "$(forces "$@" arch.obj)"
 }
+# A file that is one object without a name, named after it; its shells; what has no faces.
+grep '^[vf]' wall.obj > 'a wall.obj'
+{ echo 'o Camera'; cat arch.obj; printf 'o Curve\nl 1 2\n'; } > curves.obj
+one_block() {
+    same "$("$cli" convert "$@" 'a wall.obj' 2> err | grep '^o ')" "$(printf 'o a_wall')"
+}
+shells() {
+    same "$("$cli" convert --quiet --split 'a wall.obj' | grep -c '^o a_wall[.][0-9]*$')" "$(grep -c '^o ' wall.obj)" &&
+    same "$(forces --split --fixed ground 'a wall.obj')" "$(forces --fixed ground wall.obj)"
+}
+part "no o line: one block, named as the file" one_block
+part "no o line, --split: its shells"       shells
+part "from a pipe: the block is 'block'"    sh -c "'$cli' convert - < 'a wall.obj' 2> err | grep -qx 'o block'"
+part "objects without faces: passed over"   remarks "2 objects without faces, the first 'Camera', were passed over" --fixed lowest curves.obj
+part "the same answer as without them"      same "$(forces --fixed lowest curves.obj)" "$(forces --fixed lowest arch.obj)"
 part "faces listed twice count once"        counts_once listed-twice.obj 6 --fixed b0,b16
 part "a shell that is there twice"          counts_once shell-twice.obj 6 --fixed b0,b15
 part "the same with --split"                counts_once shell-twice.obj 6 --split --fixed b0,b15

@@ -134,7 +134,7 @@ static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
     const reach a = reach_of_all(f, t->a), b = reach_of_all(f, t->b);
     const double top = reach_of_all(f, t->down).high, wide = fmax(a.high - a.low, b.high - b.low);
     const double more = GROUND_BEYOND * wide;
-    const obj_block slab = { { "ground", 6 }, line, f->faces, 0, SP_FIXED };
+    const obj_block slab = { { "ground", 6 }, line, f->faces, 0, SP_FIXED, 0 };
 
     if (!make_room(f)) return out_of_memory(f, error);
     f->block[f->blocks++] = slab;

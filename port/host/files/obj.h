@@ -13,11 +13,14 @@
 /* The lines that a scene file may hold, one a line, as `stonepack --help` prints them. */
 extern const char *const obj_format;
 
+enum { OBJ_VERTICES = 1, OBJ_CURVES = 2 };      /* curves: or edges, or points */
+
 typedef struct obj_block {
     text_word name;
     int32_t line, face;         /* first of its faces; they end where the next block's begin */
     sp_real density;            /* [kg/m^3], 0: the scene's */
     uint32_t fixed;             /* as sp_block.fixed */
+    unsigned has;               /* what else was told of it: OBJ_VERTICES, OBJ_CURVES */
 } obj_block;
 
 typedef struct obj_face {
@@ -64,7 +67,7 @@ typedef struct compas_unread {
 typedef struct obj_file {
     const char *path;
     char *beside;               /* path of the file beside it; NULL: there is none */
-    char *text, *text_beside, *names;   /* names point into them */
+    char *text, *text_beside, *names, *stem;            /* names point into them */
     size_t length;
     int32_t lines;
     sp_real mu, strength[3], density, gravity[3];

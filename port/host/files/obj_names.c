@@ -91,5 +91,20 @@ static int find_load_blocks(obj_file *f, failure *error)
 int obj_names_resolve(obj_file *f, failure *error)
 {
     const int status = find_contact_blocks(f, error);
+char *obj_names_stem(const char *path, text_word *name)
+{
+    const char *last = path, *dot;
+    for (const char *p = path; *p; p++) if (*p == '/' || *p == '\\') last = p + 1;
+    if (strcmp(last, "-") == 0) last = "block";
+    dot = strrchr(last, '.');
+    char *stem = malloc(strlen(last) + 1);
+    name->s = stem;
+    name->n = dot && dot > last ? (size_t)(dot - last) : strlen(last);
+    if (!stem) return NULL;
+    strcpy(stem, last);
+    for (size_t i = 0; i < name->n; i++) if ((unsigned char)stem[i] <= ' ' || strchr("#\\,<>\177", stem[i])) stem[i] = '_';
+    return stem;
+}
+
     return status ? status : find_load_blocks(f, error);
 }

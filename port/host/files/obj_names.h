@@ -14,4 +14,8 @@ int obj_names_sort(obj_file *f, failure *error);
 /* The blocks that contacts and loads name. */
 int obj_names_resolve(obj_file *f, failure *error);
 
+/* The name of a block that is the whole file: the last part of its path without what follows the last dot. malloc's; NULL: out
+ * of memory. */
+char *obj_names_stem(const char *path, text_word *name);
+
 #endif

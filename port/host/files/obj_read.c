@@ -9,27 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const obj_format =
-    "  o NAME                             starts a block, its spaces become _; v and f as in any OBJ\n"
-    "  g NAME                             likewise, in a file without o lines before it\n"
-    "  #@ mu 0.84                         friction, whole scene; after an interface: that interface\n"
-    "  #@ gravity 0 0 -9.80665            [m/s^2]\n"
-    "  #@ density 2400                    [kg/m^3] whole scene; after an o line: that block\n"
-    "  #@ up y                            gravity as strong, along -y; also -x, z, ...\n"
-    "  #@ unit mm                         of all coordinates: mm, cm, m, in; forces stay N, densities kg/m^3\n"
-    "  #@ contact_distance 0.0005         [m] faces nearer than this touch; 0.05%: of the smaller block\n"
-    "  #@ contact_angle 1                 [degree] largest angle between touching faces\n"
-    "  #@ supports b1,foot*               blocks that are supports, by name or pattern; or lowest; or ground, which is added\n"
-    "  #@ fixed                           after an o line: this block is a support; fixed x y z rx ry rz: held in these "
-    "directions\n"
-    "  #@ interface A B x y z x y z ...   contact polygon, normal by the right hand from A into B\n"
-    "  #@ points A B nx ny nz x y z ...   point or edge contact with its normal\n"
-    "  #@ load A fx fy fz px py pz        force at a point; fx fy fz mx my mz couple: force and couple\n"
-    "  #@ live A ...                      the same, scaled by `limit`\n"
-    "  #@ mass A kg px py pz [live]       weight at a point, a gripper for instance\n"
-    "  #@ pressure A FACE p [live]        [Pa] on its FACE-th f line, from 1\n"
-    "  #@ cohesion c                      [Pa] of joints, as mu; also tension, crushing\n";
-
 #define DEFAULT_MU      ((sp_real)0.84)         /* [1] */
 #define DEFAULT_DENSITY ((sp_real)2400)         /* [kg/m^3] */
 #define DEFAULT_GRAVITY ((sp_real)-9.80665)     /* [m/s^2] along z */
@@ -48,6 +27,7 @@ typedef struct reader {
     int has_objects;            /* an o line was read: from there on g lines start no blocks */
     text_word group;            /* of the g line before, until its block starts; n = 0: none */
     int32_t group_line;
+    int32_t unnamed;            /* line of the first face of a file in which no o or g line came before it; 0: none */
 } reader;
 
 /* ------------------------------------------------------------------------------------------------------------ messages */
@@ -155,6 +135,8 @@ static int line_is_over(reader *r)
 
 /* ------------------------------------------------------------------------------------------------------- v, f, o lines */
 
+static void note(reader *r, unsigned what) { if (r->f->blocks) r->f->block[r->f->blocks - 1].has |= what; }
+
 static int read_vertex(reader *r)
 {
     sp_real x[3], ignored;
@@ -165,6 +147,7 @@ static int read_vertex(reader *r)
     status = read_reals(r, 3, x, "a vertex needs three numbers");
     while (!status && text_next_word(&r->at, &w) && w.s[0] != '#') status = read_real(r, w, &ignored);   /* weight, colour */
     if (status) return status;
+    note(r, OBJ_VERTICES);
     return append_triple(r, &r->f->vertex, &r->f->vertices, &r->f->room.vertex, x);
 }
 
@@ -218,9 +201,24 @@ static int read_name(reader *r, text_word *name)
 
 static int start_block(reader *r, text_word name, int32_t line)
 {
-    const obj_block block = { name, line, r->f->faces, 0, 0 };
+    const obj_block block = { name, line, r->f->faces, 0, 0, 0 };
     APPEND(r, block, blocks, room.block, block);
     return 0;
+}
+
+/* A file without o and g lines is one block, named after it. */
+static int start_unnamed(reader *r)
+{
+    text_word name;
+    r->unnamed = r->at.line;
+    r->f->stem = obj_names_stem(r->f->path, &name);
+    return r->f->stem ? start_block(r, name, r->at.line) : out_of_memory(r);
+}
+
+static int refuse_unnamed(reader *r)
+{
+    return fail_with(r->error, EXIT_SCENE, r->f->path, r->unnamed, "a face before the first block: an 'o NAME' or 'g NAME' "
+                     "line must start one");
 }
 
 static int read_block(reader *r)
@@ -228,6 +226,7 @@ static int read_block(reader *r)
     text_word name;
     if (!read_name(r, &name)) return fail(r, "a block without a name");
     if (r->beside) return choose_blocks(r, name);
+    if (r->unnamed) return refuse_unnamed(r);
     r->has_objects = 1;
     r->group.n = 0;
     return start_block(r, name, r->at.line);
@@ -243,6 +242,7 @@ static int read_group(reader *r)
     text_word name;
 
     if (r->beside || r->has_objects) return 0;
+    if (r->unnamed) return refuse_unnamed(r);
     if (!read_name(r, &name)) name = unnamed;
     r->group = name;
     r->group_line = line;
@@ -267,7 +267,7 @@ static int read_face(reader *r)
 
     r->in_block = 1;
     if (start_group(r)) return r->error->status;
-    if (r->f->blocks == 0) return fail(r, "a face before the first block: an 'o NAME' or 'g NAME' line must start one");
+    if (r->f->blocks == 0 && start_unnamed(r)) return r->error->status;
     while (text_next_word(&r->at, &w) && w.s[0] != '#') {
         int32_t i = 0;
         int status = corner_index(r, w, &i);
@@ -530,7 +530,9 @@ static int read_word(reader *r, text_word w)
 static int read_line(reader *r)
 {
     static const char *const ignored[] = { "vn", "vt", "vp", "s", "l", "p", "mg", "usemtl", "mtllib", "usemap", "maplib",
-                                           "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj" };
+                                           "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "cstype", "deg",
+                                           "bmat", "step", "curv", "curv2", "parm", "trim", "hole", "scrv", "sp", "end", "con",
+                                           "stech", "ctech" };
     text_word w;
 
     r->in_contact = 0;
@@ -557,8 +559,10 @@ static int check_corners(reader *r)
     int32_t b = 0;
     for (int32_t i = 0; i < f->faces; i++)
         for (int32_t k = 0; k < f->face[i].corners; k++) {
+    if (text_is(w, "l") || text_is(w, "p") || text_is(w, "curv")) note(r, OBJ_CURVES);
             const int32_t v = f->corner[f->face[i].corner + k];
             if (v < f->vertices) continue;
+    if (text_is(w, "surf")) return fail_in_line(r, "a free-form surface: export meshes");
             while (b + 1 < f->blocks && f->block[b + 1].face <= i) b++;
             return fail_with(r->error, EXIT_SCENE, f->path, f->face[i].line, "no such vertex: %ld, there are %ld; in block "
                              WORD_FORMAT, (long)v + 1, (long)f->vertices, WORD(f->block[b].name));
@@ -580,7 +584,7 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, failu
 {
     const obj_file empty = { 0 };
     reader r = { file, { text, text + length, 1 }, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 0, { NULL, 0 }, 0, 0,
-                 { NULL, 0 }, 0 };
+                 { NULL, 0 }, 0, 0 };
     int status;
 
     if (compas_is_json(text, length)) return compas_parse(path, text, length, file, error);
@@ -632,7 +636,7 @@ static int parse_beside(obj_file *file, size_t length, failure *error)
 {
     const text_cursor start = { file->text_beside, file->text_beside + length, 1 };
     reader r = { file, start, error, 0, 0, { { NULL, 0 }, { NULL, 0 } }, 1, { NULL, 0 }, file->contacts, 0,
-                 { NULL, 0 }, 0 };
+                 { NULL, 0 }, 0, 0 };
     const obj_file was = *file;
     int status;
 
@@ -667,21 +671,4 @@ int obj_read_beside(obj_file *file, failure *error)
     if (there) fclose(there);
     status = file_read(file->beside, &file->text_beside, &length, error);
     return status ? status : parse_beside(file, length, error);
-}
-
-void obj_free(obj_file *file)
-{
-    free(file->text);
-    free(file->text_beside);
-    free(file->names);
-    free(file->beside);
-    free(file->support);
-    free(file->block);
-    free(file->face);
-    free(file->corner);
-    free(file->vertex);
-    free(file->contact);
-    free(file->point);
-    free(file->load);
-    free(file->by_name);
 }

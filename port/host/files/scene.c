@@ -1,5 +1,6 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
 #include "../run.h"
+#include "bare.h"
 #include "meshes.h"
 #include "scene.h"
 #include "solids.h"
@@ -343,6 +344,7 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
     if (!status) status = twins_check_pressures(f, error);
     if (!status) status = amend_file(f, &set->amend, set->contacts == SCENE_GIVEN && f->contacts > 0, error);
+    if (!status) status = bare_drop(f, &s->remarks, error);
     if (!status) {
         s->path = malloc(strlen(f->path) + 1);
         status = s->path ? 0 : out_of_memory(f, error);

@@ -92,8 +92,8 @@ static int are_needed(const obj_file *f, int32_t b, const unsigned char *copy)
 
 static int refuse(const obj_file *f, int32_t line, text_word name, const char *why, failure *error)
 {
-    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "block '%.*s': faces are there twice%s", (int)(name.n < 60 ? name.n : 60),
-                     name.s, why);
+    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "block '%.*s': faces are there twice%s",
+                     (int)(name.n < 60 ? name.n : 60), name.s, why);
 }
 
 static void take_out(obj_file *f, const unsigned char *copy)

@@ -1,4 +1,4 @@
-/* Faces that a file has twice: listed again, or of a second shell in the same place. Each would count its block's mass again. */
+/* Faces that a file has twice: listed again, or of a second shell in the same place. They would count a mass again. */
 #ifndef STONEPACK_HOST_TWINS_H
 #define STONEPACK_HOST_TWINS_H
 
