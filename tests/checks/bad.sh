@@ -180,6 +180,8 @@ bad load_short 'three numbers' '#@ load stone 0 0'
 bad live_pointless 'point' '#@ live stone 10 0 0 0 0'
 bad load_nan 'not a number' '#@ load stone 0 0 nan 0 0 0'
 bad load_word 'unexpected' '#@ load stone 0 0 1 0 0 0 couples'
+bad load_blank "written _, or it stands in quotes; not a number: 'one'" '#@ load stone one 0 0 -100 0 0 1'
+bad load_open_quotes 'does not exist' '#@ load "stone 0 0 -100 0 0 1'
 bad mass_nobody 'does not exist' '#@ mass nobody 1 0 0 1'
 bad pressure_face 'no face 99' '#@ pressure stone 99 1'
 
@@ -238,6 +240,13 @@ accepted negative
 { echo '# by hand'; echo 'mtllib none.mtl'; scene; joint; echo '#@ mu 0.5'; printf '%s\n' 'vn 0 0 1' 'vt 0 0' 'g a b' 's off' 'usemtl x'
   echo '#@mu 0.6'; echo '#@ points ground stone 0 0 2 0.5 0.5 0'; } > ignored.obj;      accepted ignored
 { scene; joint; joint; } > repeated_joint.obj;                                          accepted repeated_joint
+{ scene; joint; printf '%s\n' '#@ load "stone" 0 0 0 0 0 0'; } | sed 's/^o stone/o "stone"/; s/ground stone/ground "stone"/' > quotes.obj
+accepted quotes
+{ scene; joint; printf '%s\n' '#@ supports "low ground"' '#@ load "stone	one" 0 0 -1 .5 .5 1' '#@ mass stone_one 1 .5 .5 1'; } |
+    sed 's/^o stone/o stone one/; s/^o ground/o low  ground/; s/ground stone/"low  ground" "stone one"/' > blanks.obj
+sed 's/supports "low ground"/supports "low  ground"/' blanks.obj > more_blanks.obj;     accepted more_blanks
+{ printf 'o Camera\no Curve\nv 8 8 8\nv 9 9 9\nl 1 2\np 1\n'; ground 3; cube stone 0 11; joint; echo 'o Last';
+  printf '%s\n' 'cstype bspline' 'deg 3' 'curv 0 1 1 2' 'parm u 0 0 1 1' 'end'; } > curves.obj;   accepted curves
 { scene; echo '#@ interface ground stone 0 0 0 .5 0 0 1 0 0 1 1 0 0 1 0'; } > collinear.obj;   accepted collinear
 { ground | sed '/^f 1 2 6 5$/d'; cube stone 0 9; joint; } > open_support.obj;           accepted open_support
 { printf 'o ground\n#@ fixed\n'; cube stone 0 1; joint; } > support_by_name.obj;        accepted support_by_name

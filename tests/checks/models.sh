@@ -381,6 +381,13 @@ part "unit: a wrong word: 64"               refuses 64 'needs mm, cm, m or in' c
 part "a file beside the model"              beside_goes_with
 part "beside: a name that is not there: 65" beside_refused "no block has such a name: 'x" '\no x\n'
 part "beside: a support not there: 65"      beside_refused "supports 'x'" '\n#@ supports b0,x\n'
+part "--support is told by its name"        refuses 64 "^arch.obj: --support '7': no block has such a name" check --support 7 arch.obj
+cut_name() {
+    sed 's/^o b0$/o base block/' arch.obj > named.obj
+    refuses 64 "'base': no block has such a name, blanks of names are written _; there are base_block" check --fixed base,b16 named.obj &&
+    same "$(forces --fixed 'base block,b16' named.obj)" "$(forces --fixed b0,b16 arch.obj)"
+}
+part "fixed: a name that is cut: told"      cut_name
 part "beside: no geometry"                  beside_refused 'the model has the geometry' '\nv 0 0 0\n'
 part "beside: a bad unit: 65"               beside_refused 'unit is mm, cm, m or in' '\n#@ unit km\n'
 part "beside: a load on nothing: 65"        beside_refused "block 'x', which does not exist" '\n#@ load x 0 0 0 0 0 0\n'

@@ -285,6 +285,18 @@ writes_over() {                                         # writes_over TEXT COMMA
     exits 64 "$cli" "$@" 2> "$tmp/err" && grep -q -e "$text" "$tmp/err" && [ "$(wc -l < "$tmp/err")" -eq 1 ] && cmp "$tmp/scene.obj" "$tmp/before.obj" ||
         { cat "$tmp/err"; return 1; }
 }
+spaced() {                                              # with _, with a blank, in a file in quotes: the same
+    "$cli" gen arch n=3 | sed 's/\<b2\>/stone one/; /^#@ interface/d' > "$tmp/spaced.obj"
+    printf 'b1 "stone one" # or b3, b2\nb3\n' > "$tmp/order"
+    "$cli" sequence --quiet --order b1,stone_one,b3 "$tmp/spaced.obj" > "$tmp/a"; [ $? -le 2 ] || return 1
+    "$cli" sequence --quiet --order 'b1, stone one,b3' "$tmp/spaced.obj" | cmp - "$tmp/a" &&
+    "$cli" sequence --quiet --order-file "$tmp/order" "$tmp/spaced.obj" | cmp - "$tmp/a"
+}
+spaced_cut() {
+    printf 'b1 stone one b3\n' > "$tmp/order"
+    exits 65 "$cli" sequence --order-file "$tmp/order" "$tmp/spaced.obj" 2> "$tmp/err" &&
+    grep -q "order:1: the scene has no block 'stone': blanks of a name are written _, or it stands in quotes" "$tmp/err"
+}
 in_place() {                                            # convert IN IN
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/want.obj" && "$cli" convert "$tmp/scene.obj" "$tmp/scene.obj" && cmp "$tmp/scene.obj" "$tmp/want.obj"
 }
@@ -475,6 +487,8 @@ part "convert in place"             in_place
 for form in ply stl JSON 3dm; do
     part "convert to .$form: 64"    writes_over "writes OBJ" convert "$tmp/scene.obj" "$tmp/x.$form"
 done
+part "sequence: names with blanks"  spaced
+part "sequence: a name that is cut: told" spaced_cut
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
 part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'

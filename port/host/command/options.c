@@ -99,6 +99,7 @@ static int take_fixed(options *o, const char *name, const char *value, failure *
     amendments *a = &o->scene.amend;
     if (!*value) return usage(error, name, "needs names or patterns of blocks, lowest or ground");
     if (a->lists == AMEND_LISTS) return usage(error, name, "is given too often: put the names into one list");
+    a->option[a->lists] = name;
     a->fixed[a->lists++] = value;
     return 0;
 }

@@ -67,15 +67,30 @@ static void *zeroed(size_t count, size_t size)
 
 /* --------------------------------------------------------------------------------------------------------------- order */
 
+static text_word word_of(const char *s)
+{
+    const text_word w = { s, strlen(s) };
+    return w;
+}
+
+/* Is it the first word of a name? */
+static int is_part(const run *r, text_word name)
+{
+    for (int32_t b = 0; b < r->scene.scene.count.blocks; b++) if (text_begins(name, word_of(r->scene.name[b]))) return 1;
+    return 0;
+}
+
 /* A stone of the order, by its name. `path` NULL: from the command line.                    returns 0 or an exit status */
 static int add_to_order(run *r, text_word name, const char *path, int32_t line, failure *error)
 {
     const sp_scene *s = &r->scene.scene;
     const int status = path ? EXIT_SCENE : EXIT_USAGE, n = name.n > 60 ? 60 : (int)name.n;
     int32_t b = 0;
-    while (b < s->count.blocks && !text_is(name, r->scene.name[b])) b++;
+    while (b < s->count.blocks && !text_names(name, word_of(r->scene.name[b]))) b++;
     if (!path) path = "stonepack: --order";
-    if (b == s->count.blocks) return fail_with(error, status, path, line, "the scene has no block '%.*s'", n, name.s);
+    if (b == s->count.blocks)
+        return fail_with(error, status, path, line, "the scene has no block '%.*s'%s", n, name.s,
+                         is_part(r, name) ? ": blanks of a name are written _, or it stands in quotes" : "");
     if (s->block[b].fixed == SP_FIXED) return fail_with(error, status, path, line, "'%.*s' is a support", n, name.s);
     for (int32_t k = 0; k < r->steps; k++)
         if (r->order[k] == b) return fail_with(error, status, path, line, "'%.*s' comes twice", n, name.s);
@@ -87,14 +102,17 @@ static int add_to_order(run *r, text_word name, const char *path, int32_t line, 
 static int read_list(run *r, const char *list, failure *error)
 {
     for (;;) {
-        const text_word name = { list, strcspn(list, ",") };
+        const size_t n = strcspn(list, ",");
+        text_word name = { list, n };
+        while (name.n && *name.s == ' ') name.s++, name.n--;
+        while (name.n && name.s[name.n - 1] == ' ') name.n--;
         const int status = add_to_order(r, name, NULL, 0, error);
-        if (status || !list[name.n]) return status;
-        list += name.n + 1;
+        if (status || !list[n]) return status;
+        list += n + 1;
     }
 }
 
-/* Names with white space between them; # starts a comment.    *line: of the last one */
+/* Names with white space between them, those with blanks in quotes; # starts a comment.    *line: of the last one */
 static int read_file(run *r, const char *path, int32_t *line, failure *error)
 {
     char *text = NULL;
@@ -104,7 +122,7 @@ static int read_file(run *r, const char *path, int32_t *line, failure *error)
     text_word name;
     *line = 1;
     do {
-        while (!status && text_next_word(&c, &name) && name.s[0] != '#') {
+        while (!status && text_next_name(&c, &name) && name.s[0] != '#') {
             *line = c.line;
             status = add_to_order(r, name, path, c.line, error);
         }
@@ -586,6 +604,8 @@ int command_sequence(int argc, char **argv)
                           " --tol --cone --stages --tilt --budget --order --order-file --remove"
                           " --suggest" SCENE_OPTIONS, &o, &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: sequence needs one scene");
+    if (!status) status = outputs_check(&o, NULL, &error);
+    if (!status) status = outputs_check_obj("--out-obj", o.model, &error);
     for (int32_t k = 0; !status && k < o.settings.stage_count; k++)
         if (o.settings.stage[k] == SP_STAGE_ADMM)
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --stages: a sequence has no stage admm");
@@ -604,8 +624,6 @@ int command_sequence(int argc, char **argv)
         else print_text(&r);
     }
     if (status) fprintf(stderr, "%s\n", error.line);
-    if (!status) status = outputs_check(&o, NULL, &error);
-    if (!status) status = outputs_check_obj("--out-obj", o.model, &error);
     else status = report_exit(r.worst);
     free_run(&r);
     return status;

@@ -170,40 +170,58 @@ static const char *first_names(const obj_file *f, char text[200])
     return text;
 }
 
-/* No block has this name: from the command line (line 0) or from a file. */
-static int refuse_name(const obj_file *f, text_word w, int32_t line, failure *error)
+/* Who tells a list: a line of a file, or for line 0 an option. */
+typedef struct teller { int32_t line; const char *by; } teller;
+
+/* Is it the first word of a name? */
+static int is_part(const obj_file *f, text_word w)
 {
-    const int n = (int)(w.n < 60 ? w.n : 60);
+    for (int32_t b = 0; b < f->blocks; b++) if (text_begins(w, f->block[b].name)) return 1;
+    return 0;
+}
+
+/* No block has this name. */
+static int refuse_name(const obj_file *f, text_word w, teller t, failure *error)
+{
     char names[200];
-    if (line == 0)
-        return fail_with(error, EXIT_USAGE, f->path, 0, "--fixed '%.*s': no block has such a name; there are %s", n, w.s,
-                         first_names(f, names));
-    return fail_with(error, EXIT_SCENE, OBJ_AT(f, line), "supports '%.*s': no block has such a name; there are %s", n, w.s,
+    return fail_with(error, t.line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, t.line),
+                     "%s '%.*s': no block has such a name%s; there are %s", t.by,
+                     (int)(w.n < 60 ? w.n : 60), w.s, is_part(f, w) ? ", blanks of names are written _" : "",
                      first_names(f, names));
 }
 
-static int refuse_level(const obj_file *f, text_word w, int32_t line, const char *why, failure *error)
+static int refuse_level(const obj_file *f, text_word w, teller t, const char *why, failure *error)
 {
-    const char *option = line ? "supports" : "--fixed";
-    return fail_with(error, line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, line), "%s %.*s: %s", option, (int)w.n, w.s, why);
+    return fail_with(error, t.line ? EXIT_SCENE : EXIT_USAGE, OBJ_AT(f, t.line), "%s %.*s: %s", t.by, (int)w.n, w.s, why);
+}
+
+/* Without the number that the reader of models put behind it: support.0. */
+static text_word without_number(text_word name)
+{
+    text_word w = name;
+    while (w.n > 1 && w.s[w.n - 1] >= '0' && w.s[w.n - 1] <= '9') w.n--;
+    if (w.n < 2 || w.n == name.n || w.s[w.n - 1] != '.') return name;
+    w.n--;
+    return w;
 }
 
 /* Is it a name or pattern of this block, or of the node that it was? */
 static int is_meant(const obj_file *f, int32_t b, text_word w)
 {
     const text_word name = f->block[b].name, key = { name.s + 1, name.n - 1 };
-    return text_matches(name, w) || (f->nodes && text_matches(key, w));
+    if (text_matches(name, w) || (f->nodes && text_matches(key, w))) return 1;
+    return f->numbered && text_matches(without_number(name), w);
 }
 
 /* One entry of a list. A block that has this very name comes first, whatever the name. */
-static int fix_word(obj_file *f, text_word w, int32_t line, int given, failure *error)
+static int fix_word(obj_file *f, text_word w, teller told, int given, failure *error)
 {
     const int own = is_named(f, w), ground = !own && text_is(w, "ground"), lowest = !own && text_is(w, "lowest");
     int32_t found = 0;
     frame t;
-    if ((ground || lowest) && !find_frame(f, &t)) return refuse_level(f, w, line, "without gravity nothing is low", error);
-    if (ground && given) return refuse_level(f, w, line, "the file tells its contacts, and none with a ground", error);
-    if (ground) return add_ground(f, &t, line, error);
+    if ((ground || lowest) && !find_frame(f, &t)) return refuse_level(f, w, told, "without gravity nothing is low", error);
+    if (ground && given) return refuse_level(f, w, told, "the file tells its contacts, and none with a ground", error);
+    if (ground) return add_ground(f, &t, told.line, error);
     if (lowest) {
         fix_lowest(f, &t);
         return 0;
@@ -213,18 +231,18 @@ static int fix_word(obj_file *f, text_word w, int32_t line, int given, failure *
             f->block[b].fixed = SP_FIXED;
             found++;
         }
-    return found ? 0 : refuse_name(f, w, line, error);
+    return found ? 0 : refuse_name(f, w, told, error);
 }
 
 /* NAME,PATTERN,... */
-static int fix_list(obj_file *f, text_word list, int32_t line, int given, failure *error)
+static int fix_list(obj_file *f, text_word list, teller told, int given, failure *error)
 {
     int status = 0;
     for (size_t at = 0; !status && at < list.n; at++) {
         text_word w = { list.s + at, 0 };
         while (at < list.n && list.s[at] != ',') at++, w.n++;
         while (w.n && *w.s == ' ') w.s++, w.n--;
-        if (w.n) status = fix_word(f, w, line, given, error);
+        if (w.n) status = fix_word(f, w, told, given, error);
     }
     return status;
 }
@@ -234,11 +252,14 @@ int amend_file(obj_file *f, const amendments *a, int given, failure *error)
     int status = 0;
     scale_file(f, a->unit.over ? a->unit : f->unit);
     turn_gravity(f, a);
-    for (int32_t i = 0; !status && i < f->supports; i++)
-        status = fix_list(f, f->support[i].list, f->support[i].line, given, error);
+    for (int32_t i = 0; !status && i < f->supports; i++) {
+        const teller line = { f->support[i].line, "supports" };
+        status = fix_list(f, f->support[i].list, line, given, error);
+    }
     for (int32_t i = 0; !status && i < a->lists; i++) {
         const text_word list = { a->fixed[i], strlen(a->fixed[i]) };
-        status = fix_list(f, list, 0, given, error);
+        const teller option = { 0, a->option[i] ? a->option[i] : "--fixed" };
+        status = fix_list(f, list, option, given, error);
     }
     return status;
 }

@@ -9,6 +9,7 @@ enum { AMEND_LISTS = 64 };
 /* The options that say so; they come before what the file and the one beside it say. */
 typedef struct amendments {
     const char *fixed[AMEND_LISTS];     /* as `#@ supports` */
+    const char *option[AMEND_LISTS];    /* that told it, NULL: --fixed */
     int32_t lists;
     int turn;                   /* up is told */
     sp_real up[3];              /* a unit vector */

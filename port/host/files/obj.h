@@ -76,6 +76,7 @@ typedef struct obj_file {
     int32_t strength_line[3], gravity_line;             /* 0: not told */
     int down_told;              /* by gravity or up */
     int nodes;                  /* names are b and the key of a node: compas.h */
+    int numbered;               /* names are those of nodes and .NUMBER: meshes.h */
     compas_unread unread;
     int32_t copies;             /* faces that were there twice and are gone: twins.h */
     int32_t blocks, faces, corners, vertices, contacts, points, loads, supports;

@@ -3,11 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int byte_of(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' ? '_' : (unsigned char)c; }
+
+/* Blanks count as the _ that they become. */
 static int compare(text_word a, text_word b)
 {
-    const size_t n = a.n < b.n ? a.n : b.n;
-    const int c = memcmp(a.s, b.s, n);
-    return c ? c : (a.n > b.n) - (a.n < b.n);
+    for (size_t i = 0; i < a.n && i < b.n; i++)
+        if (a.s[i] != b.s[i] && byte_of(a.s[i]) != byte_of(b.s[i])) return byte_of(a.s[i]) - byte_of(b.s[i]);
+    return (a.n > b.n) - (a.n < b.n);
 }
 
 typedef struct named { text_word name; int32_t block; } named;
@@ -88,9 +91,6 @@ static int find_load_blocks(obj_file *f, failure *error)
     return 0;
 }
 
-int obj_names_resolve(obj_file *f, failure *error)
-{
-    const int status = find_contact_blocks(f, error);
 char *obj_names_stem(const char *path, text_word *name)
 {
     const char *last = path, *dot;
@@ -106,5 +106,8 @@ char *obj_names_stem(const char *path, text_word *name)
     return stem;
 }
 
+int obj_names_resolve(obj_file *f, failure *error)
+{
+    const int status = find_contact_blocks(f, error);
     return status ? status : find_load_blocks(f, error);
 }

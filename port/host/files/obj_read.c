@@ -412,11 +412,23 @@ static int read_supports(reader *r)
 {
     obj_support support = { { NULL, 0 }, r->at.line };
     int32_t n = 0;
-    while (text_next_word(&r->at, &support.list) && support.list.s[0] != '#') {
+    while (text_next_name(&r->at, &support.list) && support.list.s[0] != '#') {
         APPEND(r, support, supports, room.support, support);
         n++;
     }
     return n ? 0 : fail(r, "supports needs names, lowest or ground");
+}
+
+/* The name of a block, before numbers.     returns 0, or fails */
+static int read_loaded(reader *r, text_word *name)
+{
+    text_cursor ahead;
+    text_word w;
+    double x;
+    if (!text_next_name(&r->at, name)) return fail(r, "a load needs the name of a block");
+    ahead = r->at;
+    if (!text_next_word(&ahead, &w) || w.s[0] == '#' || text_double(w, &x) != TEXT_NO_NUMBER) return 0;
+    return fail_word(r, "blanks of a name are written _, or it stands in quotes; not a number:", w);
 }
 
 /* NAME, then a force and its point; or a force at the centroid, a moment, and `couple`. live: it counts scene.live times. */
@@ -426,7 +438,7 @@ static int read_load(reader *r, int live)
     text_word w;
     int status;
 
-    if (!text_next_word(&r->at, &load.name)) return fail(r, "a load needs the name of a block");
+    if (read_loaded(r, &load.name)) return r->error->status;
     status = read_reals(r, 3, load.f, "a load needs a force of three numbers");
     if (!status) status = read_reals(r, 3, load.x, "a load needs a point, or a moment and the word 'couple'");
     if (status) return status;
@@ -450,7 +462,7 @@ static int read_weight(reader *r, obj_load_kind kind)
     text_word w;
     int status = 0;
 
-    if (!text_next_word(&r->at, &load.name)) return fail(r, "a load needs the name of a block");
+    if (read_loaded(r, &load.name)) return r->error->status;
     if (kind == OBJ_PRESSURE) {
         if (!text_next_word(&r->at, &w)) return fail(r, what);
         if (text_int(w, &load.face) != TEXT_NUMBER || load.face < 1) return fail_word(r, "faces are counted from 1, not by", w);
@@ -478,7 +490,7 @@ static int read_contact(reader *r, int polygon)
     text_word w;
     int status;
 
-    if (!text_next_word(&r->at, &c.name[0]) || !text_next_word(&r->at, &c.name[1]))
+    if (!text_next_name(&r->at, &c.name[0]) || !text_next_name(&r->at, &c.name[1]))
         return fail(r, "a contact needs the names of two blocks");
     r->in_contact = 1;
     r->pair[0] = c.name[0];
@@ -547,8 +559,10 @@ static int read_line(reader *r)
     if (text_is(w, "f")) return read_face(r);
     if (text_is(w, "o")) return read_block(r);
     if (text_is(w, "g")) return read_group(r);
+    if (text_is(w, "l") || text_is(w, "p") || text_is(w, "curv")) note(r, OBJ_CURVES);
     for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
         if (text_is(w, ignored[i])) return 0;
+    if (text_is(w, "surf")) return fail_in_line(r, "a free-form surface: export meshes");
     return fail_with(r->error, EXIT_SCENE, r->f->path, r->at.line, "unknown line: it starts with " WORD_FORMAT, WORD(w));
 }
 
@@ -559,10 +573,8 @@ static int check_corners(reader *r)
     int32_t b = 0;
     for (int32_t i = 0; i < f->faces; i++)
         for (int32_t k = 0; k < f->face[i].corners; k++) {
-    if (text_is(w, "l") || text_is(w, "p") || text_is(w, "curv")) note(r, OBJ_CURVES);
             const int32_t v = f->corner[f->face[i].corner + k];
             if (v < f->vertices) continue;
-    if (text_is(w, "surf")) return fail_in_line(r, "a free-form surface: export meshes");
             while (b + 1 < f->blocks && f->block[b + 1].face <= i) b++;
             return fail_with(r->error, EXIT_SCENE, f->path, f->face[i].line, "no such vertex: %ld, there are %ld; in block "
                              WORD_FORMAT, (long)v + 1, (long)f->vertices, WORD(f->block[b].name));

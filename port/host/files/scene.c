@@ -363,7 +363,7 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
 
 scene_settings scene_settings_default(void)
 {
-    const amendments none = { { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0, 0, 0 }, 0 };
+    const amendments none = { { NULL }, { NULL }, 0, 0, { 0, 0, 0 }, 0, { 0, 0, 0 }, { 0, 0 }, { 0, 0, 0, 0, 0 }, 0 };
     const scene_settings set = { -1, SCENE_GIVEN, none };
     return set;
 }

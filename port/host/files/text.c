@@ -38,6 +38,21 @@ int text_next_word(text_cursor *c, text_word *word)
     return word->n > 0;
 }
 
+int text_next_name(text_cursor *c, text_word *name)
+{
+    const text_cursor before = *c;
+    const char *p;
+    int blanks = 0;
+    if (!text_next_word(c, name)) return 0;
+    if (*name->s != '"') return 1;
+    for (p = name->s + 1; p < before.end && !is_line_end(*p) && *p != '"'; p++) blanks += is_blank(*p);
+    if (p == before.end || *p != '"' || !blanks) return 1;
+    name->s++;
+    name->n = (size_t)(p - name->s);
+    c->p = p + 1;
+    return 1;
+}
+
 int text_next_line(text_cursor *c)
 {
     while (c->p < c->end && !is_line_end(*c->p)) c->p++;
@@ -53,6 +68,20 @@ int text_is(text_word word, const char *s)
 }
 
 int text_same(text_word a, text_word b) { return a.n == b.n && memcmp(a.s, b.s, a.n) == 0; }
+
+int text_begins(text_word asked, text_word name)
+{
+    for (size_t i = 0; i < asked.n; i++)
+        if (i == name.n || (asked.s[i] != name.s[i] && !(is_blank(asked.s[i]) && name.s[i] == '_'))) return 0;
+    return name.n > asked.n && name.s[asked.n] == '_';
+}
+
+int text_names(text_word asked, text_word name)
+{
+    for (size_t i = 0; i < asked.n && i < name.n; i++)
+        if (asked.s[i] != name.s[i] && !(is_blank(asked.s[i]) && name.s[i] == '_')) return 0;
+    return asked.n == name.n;
+}
 
 static int matches_one(char c, char pattern) { return pattern == '?' || pattern == c || (pattern == ' ' && c == '_'); }
 

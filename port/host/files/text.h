@@ -21,11 +21,18 @@ typedef struct text_word {
 /* Next word of this line; 0 at its end. A backslash before the line's end joins the next line. */
 int text_next_word(text_cursor *c, text_word *word);
 
+/* The same for a name, which may stand in quotes, "two words", without them: only quotes that hold blanks are such. */
+int text_next_name(text_cursor *c, text_word *name);
+
 /* Go to the start of the next line (LF, CR LF or CR); 0 at the end of the text. */
 int text_next_line(text_cursor *c);
 
 int text_is(text_word word, const char *s);
 int text_same(text_word a, text_word b);
+
+/* Is this the name, with blanks or with the _ that stand for them? Does the name begin with the word and such a blank? */
+int text_names(text_word asked, text_word name);
+int text_begins(text_word asked, text_word name);
 
 /* Does the word follow a pattern, in which * is anything, also nothing, and ? one byte? */
 int text_matches(text_word word, text_word pattern);
