@@ -210,6 +210,11 @@ def meshes():
         sound(form + ".ply", ply(apart, form), "STABLE", *feet, joints=2)
     sound("door.off", off(apart), "STABLE", *feet, joints=2)
     sound("door.gltf", gltf(PARTS), "STABLE", "--fixed", "part0*,part1*", joints=2, remark="y up, in metres")
+    sound("nodes.gltf", gltf(PARTS), "STABLE", "--fixed", "part0,part1", joints=2)     # without the number behind them
+    broken("number.gltf", gltf(PARTS), "no block has such a name", "--fixed", "part", status=64)
+    for told in "up", "gravity":
+        status, out, err = run("check", "--" + told, "z" if told == "up" else "0,0,-9.8", "--fixed", "part0", "nodes.gltf")
+        ends("nodes.gltf, %s told" % told, "a remark:\n" + out if status > 2 or "y up" in out else "")
     sound("touching.stl", stl(PARTS), "STABLE", *feet, joints=2)       # corners and edges of posts and lintel are one
     stack = [box((x, x + 1), (0, 1), (z, z + 1)) for z in range(3) for x in range(3)]
     sound("stack.stl", stl(stack), "STABLE", "--split", "--fixed", "lowest", joints=10)     # whole faces are shared

@@ -33,11 +33,11 @@ int meshes_is_known(const char *path)
 
 #ifndef WITH_ASSIMP
 
-int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
+int meshes_read(const char *path, const amendments *asked, obj_file *file, remarks *told, failure *error)
 {
     const obj_file empty = { 0 };
     *file = empty;
-    (void)told;
+    (void)asked, (void)told;
     return fail_with(error, EXIT_UNAVAILABLE, path, 0, "built without Assimp (libassimp-dev), which reads such files: "
                      "export OBJ");
 }
@@ -228,17 +228,19 @@ static int run_importer(const char *path, char **text, size_t *length, failure *
 }
 
 /* What the form says of axes and lengths. */
-static void set_axes(const char *path, obj_file *f, remarks *told)
+static void set_axes(const char *path, const amendments *asked, obj_file *f, remarks *told)
 {
     static const char *const y_up[] = { "gltf", "glb", "dae", NULL };
     const sp_real y[3] = { 0, 1, 0 };
+    const int up = asked->turn || asked->pull, unit = asked->unit.over != 0;
     if (is_one_of(ending(path), y_up)) {
         obj_set_up(f, y);
         f->down_told = 1;
-        remarks_add(told, "--up z", "read with y up, in metres, as its form says; otherwise");
+        if (!up) remarks_add(told, "--up z", "read with y up, in metres, as its form says; otherwise");
     } else if (strcasecmp(ending(path), "fbx") == 0) {
-        remarks_add(told, "--unit UNIT, --up AXIS", "read in the unit and with the axis up that the file tells; otherwise");
-    } else if (strcmp(ending(path), "3mf") == 0 && !f->unit.over) {
+        if (!up || !unit)
+            remarks_add(told, "--unit UNIT, --up AXIS", "read in the unit and with the axis up that the file tells; otherwise");
+    } else if (strcmp(ending(path), "3mf") == 0 && !f->unit.over && !unit) {
         remarks_add(told, "--unit mm", "lengths were taken for metres, and are millimetres in most such files");
     }
 }
@@ -253,7 +255,7 @@ static int has_whole_header(const char *path, FILE *in)
     return 0;
 }
 
-int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
+int meshes_read(const char *path, const amendments *asked, obj_file *file, remarks *told, failure *error)
 {
     const obj_file empty = { 0 };
     FILE *in = fopen(path, "rb");
@@ -272,7 +274,8 @@ int meshes_read(const char *path, obj_file *file, remarks *told, failure *error)
     for (int32_t b = 0; b < file->blocks; b++) file->block[b].line = 0;
     for (int32_t i = 0; i < file->faces; i++) file->face[i].line = 0;
     file->lines = 0;
-    set_axes(path, file, told);
+    file->numbered = 1;
+    set_axes(path, asked, file, told);
     return solids_tidy(file) ? 0 : fail_with(error, EXIT_MEMORY, path, 0, "out of memory while reading");
 }
 

@@ -391,7 +391,7 @@ int scene_read(const char *path, const scene_settings *set, host_scene *s, failu
     obj_file f;
     int status;
     *s = empty;
-    status = meshes_is_known(path) ? meshes_read(path, &f, &s->remarks, error) : obj_read(path, &f, error);
+    status = meshes_is_known(path) ? meshes_read(path, &set->amend, &f, &s->remarks, error) : obj_read(path, &f, error);
     if (!status) tell_unread(&f.unread, &s->remarks);
     if (!status) status = mend(&f, set, s, error);
     if (!status) status = obj_read_beside(&f, error);
