@@ -296,7 +296,7 @@ int main(int argc, char **argv)
         return flush_output(0);
     }
     if (is_help(argv[1])) return help_on(NULL);
-    if (strcmp(argv[1], "help") == 0) return help_on(argc > 2 ? argv[2] : NULL);
+    if (strcmp(argv[1], "help") == 0) return help_on(argc > 2 && !is_help(argv[2]) ? argv[2] : NULL);
     const int k = find_command(argv[1]);
     if (k == COMMANDS) return unknown_command(argv[1]);
     return wants_help(argc, argv) ? help_on(argv[1]) : flush_output(run[k](argc, argv));

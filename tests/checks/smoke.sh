@@ -487,8 +487,10 @@ part "convert in place"             in_place
 for form in ply stl JSON 3dm; do
     part "convert to .$form: 64"    writes_over "writes OBJ" convert "$tmp/scene.obj" "$tmp/x.$form"
 done
+part "a body of zeros is told"      sh -c "'$cli' limit --body 0,0,0 x 2>&1 | grep -q 'DX,DY,DZ, not all 0'"
 part "sequence: names with blanks"  spaced
 part "sequence: a name that is cut: told" spaced_cut
+part "help --help"                  sh -c "'$cli' help --help > '$tmp/a' && '$cli' --help | cmp - '$tmp/a'"
 part "svg: nothing half written"    half "$cli" check --svg "$tmp/half" "$here/../scenes/vault.obj"
 part "effects: friction, not needed" sh -c "'$cli' gen two-cubes | '$cli' check --effects -friction - | grep -q ': STABLE'"
 part "effects: friction, each way"  each_way friction 'off .* left out by' 2 '^  left out  *friction$'

@@ -186,7 +186,7 @@ static int take_sliding(options *o, const char *name, const char *value, failure
 
 static int take_body(options *o, const char *name, const char *value, failure *error)
 {
-    return read_three(value, o->body) ? 0 : usage(error, name, "needs DX,DY,DZ");
+    return read_three(value, o->body) ? 0 : usage(error, name, "needs DX,DY,DZ, not all 0");
 }
 
 static int take_tilt(options *o, const char *name, const char *value, failure *error)
