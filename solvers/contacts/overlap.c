@@ -250,7 +250,7 @@ static sp_real sp__pair_depth(sp__touch *t, sp_real flat)
 static sp_real sp__pair_inside(const sp__touch *t)
 {
     const sp_real usual = 8 * t->now.snap;
-    sp_real gap = t->now.near;
+    sp_real gap = t->now.asked;
     if (gap <= usual) return gap;
     for (int side = 0; side < 2; side++) {
         const sp_block *k = &t->scene->block[side ? t->now.b : t->now.a];

@@ -93,8 +93,8 @@ static sp_real sp__body_limit(const sp__touch *t, int32_t block, const sp_real n
 static void sp__pair_limit(sp__touch *t, const sp__patch *p)
 {
     const sp_real usual = 8 * t->now.snap;
-    if (t->now.near <= usual) return;
-    t->now.gap = sp__body_limit(t, t->now.b, p->n, sp__body_limit(t, t->now.a, p->n, t->now.near));
+    if (t->now.asked <= usual) return;
+    t->now.gap = sp__body_limit(t, t->now.b, p->n, sp__body_limit(t, t->now.a, p->n, t->now.asked));
     t->now.gap = sp__max(t->now.gap, usual);
 }
 
@@ -138,7 +138,7 @@ static void sp__touch_pair(sp__touch *t, int32_t b)
     const sp__body *p = &t->all.body[t->now.a], *q = &t->all.body[b];
     if (t->scene->block[t->now.a].fixed == SP_FIXED && t->scene->block[b].fixed == SP_FIXED) return;
     sp__pair_start(t, b);
-    t->now.near = t->now.gap;
+    t->now.asked = t->now.gap;
     t->pair.points = t->pair.founds = 0;
     const int32_t n = sp__pair_near(t, p, q, t->pair.near_a), m = sp__pair_near(t, q, p, t->pair.near_b);
     for (int32_t i = 0; i < n; i++)
@@ -147,7 +147,7 @@ static void sp__touch_pair(sp__touch *t, int32_t b)
             if (!sp__pair_opposed(t, u, v)) continue;
             sp__pair_limit(t, u);
             sp__pair_clip(t, u, v);
-            t->now.gap = t->now.near;
+            t->now.gap = t->now.asked;
         }
     if (t->status) return;
     sp__pair_append(t);

@@ -111,7 +111,7 @@ typedef struct sp__present_pair {
     int32_t a, b;
     sp_real gap, noise, snap, unit;             /* unit: length of 1 in the plane [m] */
 #if !SP__WITH_SMALL
-    sp_real near;                               /* settings' distance of the blocks; gap is what counts for two patches */
+    sp_real asked;                              /* settings' distance of the blocks; gap is what counts for two patches */
 #endif
     sp_real e1[3], e2[3];                       /* its axes */
 } sp__present_pair;
