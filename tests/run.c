@@ -1,9 +1,9 @@
 /* run: calls the tests and counts.
  *
  *     run [FILTER] [SEED]        tests whose "file/name" contains FILTER; SEED of the random numbers
- *     run -l                     names only
+ *     run -l [FILTER]            names only
  *     LONG=1 run ...             all samples of every claim, not a few [SOME_OF in test.h]
- *     run -m                     names, bytes of memory touched, and milliseconds; for a board thousands of steps [board.mk]
+ *     run -m [FILTER] [SEED]     names, bytes of memory touched, and milliseconds; for a board thousands of steps [board.mk]
  *
  * TEST_SUITES is the list of files, X(scene) X(clip) ... for test_scene.c test_clip.c ...; the Makefile gives what is there,
  * a board may choose fewer. TEST_LEAVE_OUT is a file of "stem/name", one a line: tests too large for a board; they are named,
@@ -185,14 +185,15 @@ static int run(const char *stem, const test_entry *e)
 int main(int argc, char **argv)
 {
     const int list = argc > 1 && equal(argv[1], "-l"), measure = argc > 1 && equal(argv[1], "-m");
-    const char *filter = argc > 1 && !list && !measure ? argv[1] : "";
+    const int at = list || measure ? 2 : 1;
+    const char *filter = argc > at ? argv[at] : "";
     int passed = 0, failed = 0;
     TEST_START();
     test_long = TEST_LONG();
     if (measure) touched();
-    if (argc > 2) {
+    if (argc > at + 1) {
         seed = 0;
-        for (const char *s = argv[2]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');
+        for (const char *s = argv[at + 1]; *s >= '0' && *s <= '9'; s++) seed = 10 * seed + (uint64_t)(*s - '0');
     }
     for (size_t i = 0; i < sizeof suite / sizeof suite[0]; i++)
         for (const test_entry *e = suite[i].entry; e->run && !(TEST_FIRST && failed); e++) {

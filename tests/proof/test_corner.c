@@ -561,6 +561,7 @@ TEST(lengths_follow_the_edges_or_the_arms)
 
 /* ------------------------------------------------------------------------------------------- motions friction does not hinder */
 
+#if SP__WITH_STRONG
 /* Gap, pressure on what opens, friction that is not against the slip; s = 2, moved = 4. */
 TEST(each_law_of_contact_is_measured_by_forces_and_accelerations)
 {
@@ -686,6 +687,9 @@ TEST(a_motion_is_measured_block_by_block)
     }
 }
 
+#endif
+
+#if SP__WITH_STRONG || SP__WITH_SLIDING
 /* Pressure keeps fn where it presses and nothing else. */
 TEST(pressure_is_the_normal_part_that_presses)
 {
@@ -699,6 +703,8 @@ TEST(pressure_is_the_normal_part_that_presses)
     CHECK_NEAR(got, want, TOL(1e-12, 1e-5));
     for (int q = 0; q < 3 * LEAF_POINTS; q++) CHECK_WITHIN(g[q], h[q], TOL(1e-12, 1e-5));
 }
+
+#endif
 
 TEST_LIST(corner)
     RUN_FULL(scales_are_those_of_the_least_bilateral_force)
@@ -716,7 +722,11 @@ TEST_LIST(corner)
     RUN_FULL(each_condition_of_a_triple_is_just_met_and_just_exceeded)
     RUN_FULL(a_triple_is_as_bad_as_its_worst_corner)
     RUN_FULL(lengths_follow_the_edges_or_the_arms)
+#if SP__WITH_STRONG
     RUN_FULL(each_law_of_contact_is_measured_by_forces_and_accelerations)
     RUN_FULL(a_motion_is_measured_block_by_block)
+#endif
+#if SP__WITH_STRONG || SP__WITH_SLIDING
     RUN_FULL(pressure_is_the_normal_part_that_presses)
+#endif
 TEST_END
