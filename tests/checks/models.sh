@@ -61,6 +61,8 @@ scaled 0.5 > arch-small.obj
 { echo '#@ density 2.4'; cat arch.obj; } > arch-light.obj
 { cat arch.obj; echo 'o far'; awk '/^v / { print $1, $2 + 50, $3, $4 } /^f / { print } /^o b1$/ { exit }' arch.obj |
     awk '/^v / { print } /^f / { print "f", $2 - 9, $3 - 9, $4 - 9, $5 - 9 }'; } > arch-far.obj
+"$cli" gen two-cubes | awk '/^o / { print $1, n++ ? "stone" : "ground"; next } !/interface/ { print }' > joint-far.obj
+echo '#@ interface ground stone 0 0 50 1 0 50 1 1 50 0 1 50' >> joint-far.obj
 "$cli" gen h-model | sed '/^#@ gravity/d' > h-model.obj
 "$cli" gen wall rows=3 bricks=3 > wall-whole.obj
 awk '/^o /{ n++ } n != 1 || /^v /' wall-whole.obj | bare > wall.obj
@@ -74,6 +76,7 @@ part "remark: cm taken for m"               remarks 'weighs .* t, more than any 
 part "remark: m taken for mm"               remarks 'smaller than 1 mm.*: another --unit' --fixed lowest --unit mm arch-small.obj
 part "remark: g/cm^3 taken for kg/m^3"      remarks 'density of 2.4 kg/m^3, less than any foam' --fixed lowest arch-light.obj
 part "remark: a support far away"           remarks 'no support touches a block' --fixed far arch-far.obj
+part "remark: a joint off its blocks"       remarks "1 joint lies off the blocks told for it, that of 'ground' and 'stone'" joint-far.obj
 part "remark: down was told"                quiet --fixed b0,b16 --unit mm --gravity 0,0,-9.8 arch-y.obj
 part "remark: nothing of a sound model"     quiet whole.obj
 part "remark: a beam held by friction"      quiet h-model.obj

@@ -5,6 +5,7 @@
 #include "../../port/host/files/obj.h"
 #include "../../port/host/files/obj_write.h"
 #include "../../port/host/files/scene.h"
+#include "../../port/host/files/suspects.h"
 #include "../../port/host/files/text.h"
 
 #include <stdlib.h>
@@ -122,6 +123,65 @@ TEST(a_scene_without_supports_says_so)
     CHECK_INT(parse(STONE, -1, SCENE_GIVEN, &s), 0);
     CHECK_INT(s.remarks.count, 1);
     scene_free(&s);
+}
+
+/* A joint placed by hand is believed, and its maker is told where it lies: 4 m above the stone, 5 m above the ground. */
+TEST(a_joint_far_from_its_blocks_is_remarked_on)
+{
+    host_scene s;
+    CHECK_INT(parse(GROUND STONE "#@ interface ground stone 0 0 5 1 0 5 1 1 5 0 1 5\n", -1, SCENE_GIVEN, &s), 0);
+    CHECK_INT(s.remarks.count, 1);
+    CHECK_TEXT(s.remarks.each[0].text, "1 joint lies off the blocks told for it, that of 'ground' and 'stone': "
+                                       "up to 5 m from the one, 4 m from the other");
+    scene_free(&s);
+    CHECK_INT(parse(GROUND STONE "#@ points ground stone 0 0 1 0 0 3\n#@ points ground stone 0 0 1 0 0 2\n" JOINT, -1, SCENE_GIVEN,
+                    &s), 0);
+    CHECK_INT(s.remarks.count, 1);
+    CHECK_TEXT(s.remarks.each[0].text, "2 joints lie off the blocks told for them, the farthest that of 'ground' and 'stone': "
+                                       "up to 3 m from the one, 2 m from the other");
+    scene_free(&s);
+}
+
+/* Beside the one block only: still not between the two. A hundredth of the smaller, 0.017 m here, is a bed of mortar. */
+TEST(a_joint_off_one_block_by_more_than_mortar_is_remarked_on)
+{
+    static const char *const height[] = { "0", "0.017", "-0.017", "0.018", "1" };
+    for (int k = 0; k < 5; k++) {
+        char text[1024];
+        host_scene s;
+        snprintf(text, sizeof text, GROUND STONE "#@ interface ground stone 0 0 %s 1 0 %s 1 1 %s 0 1 %s\n",
+                 height[k], height[k], height[k], height[k]);
+        CHECK_INT(parse(text, -1, SCENE_GIVEN, &s), 0);
+        CHECK_INT(s.remarks.count, k > 2);
+        scene_free(&s);
+        CHECK_INT(parse(text, -1, SCENE_FIND, &s), 0);
+        CHECK_INT(s.remarks.count, 0);
+        scene_free(&s);
+    }
+}
+
+/* Where a block known by its mass and centroid ends is not known. */
+TEST(a_joint_of_a_block_without_geometry_is_not_remarked_on)
+{
+    static const sp_real middle[3] = { 0, 0, 1 }, face[12] = { 0, 0, 5, 1, 0, 5, 1, 1, 5, 0, 1, 5 };
+    static const char *const name[2] = { "floor", "stone" };
+    const sp_capacity room = { 2, 0, 0, 0, 1, 4, 0 };
+    const sp_strength dry = sp_strength_friction((sp_real)0.5);
+    const suspects_known told = { { 0, 0 }, 1, 1 };
+    remarks r = { 0, 0, NULL };
+    sp_scene s;
+    sp_arena a;
+    void *memory = malloc(sp_scene_memory(&room));
+
+    sp_arena_init(&a, memory, sp_scene_memory(&room));
+    CHECK_INT(sp_scene_create(&s, &room, &a), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 1, middle, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, 1, middle, 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, 4, face, &dry, NULL), SP_OK);
+    suspects_find(&s, name, told, &r);
+    CHECK_INT(r.count, 0);
+    remarks_free(&r);
+    free(memory);
 }
 
 TEST(a_scene_is_read)
@@ -478,6 +538,9 @@ TEST_LIST(obj)
     RUN(patterns_have_stars_and_question_marks)
     RUN(a_ground_is_level_under_any_gravity)
     RUN(a_scene_without_supports_says_so)
+    RUN(a_joint_far_from_its_blocks_is_remarked_on)
+    RUN(a_joint_off_one_block_by_more_than_mortar_is_remarked_on)
+    RUN(a_joint_of_a_block_without_geometry_is_not_remarked_on)
     RUN(a_scene_is_read)
     RUN(defaults_are_those_of_stone_on_earth)
     RUN(mu_of_the_caller_overrides_every_joint)

@@ -328,7 +328,8 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
 
 static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
 {
-    const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told };
+    const suspects_known known = { a->unit.over ? a->unit : f->unit, a->turn || a->pull || f->down_told,
+                                    !s->found };
     if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
     if (s->found) {
         const sp_contact_settings used = touching_settings(s->touching);

@@ -1,6 +1,8 @@
 #include "suspects.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 #define LARGE     100.0                 /* [m] no stone is that long */
 #define SMALL     1e-3                  /* [m] and a model of parts below this is in other units */
@@ -10,6 +12,7 @@
 #define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries little by pressure */
 #define WEDGED    0.01                  /* but stones of a flat arch rest on each other by as little */
 #define SOME      0.1                   /* share of all area */
+#define OFF       0.01                  /* of the smaller block: a joint farther from a block is none of its */
 
 static void suspect_supports(const sp_scene *s, remarks *r)
 {
@@ -98,9 +101,74 @@ static void suspect_direction(const sp_scene *s, remarks *r)
     remarks_add(r, "--up y", "no block rests on another: every face that touches stands upright, as if y were up");
 }
 
+typedef struct box { double low[3], high[3]; } box;
+
+static box box_around(const sp_scene *s, const sp_block *k)
+{
+    box b = { { DBL_MAX, DBL_MAX, DBL_MAX }, { -DBL_MAX, -DBL_MAX, -DBL_MAX } };
+    for (int32_t v = 0; v < k->vertices; v++)
+        for (int i = 0; i < 3; i++) {
+            b.low[i] = fmin(b.low[i], (double)s->vertex[k->vertex + v][i]);
+            b.high[i] = fmax(b.high[i], (double)s->vertex[k->vertex + v][i]);
+        }
+    return b;
+}
+
+/* How far the corner of this joint lies from the box that lies farthest from it. */
+static double distance_off(const sp_scene *s, const sp_joint *t, const box *b)
+{
+    double most = 0;
+    for (int32_t p = t->point; p < t->point + t->points; p++) {
+        double d[3];
+        for (int i = 0; i < 3; i++) {
+            const double x = (double)s->point[p][i];
+            d[i] = fmax(fmax(b->low[i] - x, x - b->high[i]), 0);
+        }
+        most = fmax(most, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    }
+    return most;
+}
+
+/* The joints that lie off their blocks, and the farthest of them. */
+typedef struct strays { int32_t count, farthest; double from_a, from_b; } strays;
+
+static strays find_strays(const sp_scene *s, const box *around)
+{
+    strays x = { 0, 0, 0, 0 };
+    for (int32_t j = 0; j < s->count.joints; j++) {
+        const sp_joint *t = &s->joint[j];
+        const sp_block *a = &s->block[t->a], *b = &s->block[t->b];
+        if (!a->vertices || !b->vertices) continue;                 /* given by its mass: where it ends is not known */
+        const double from_a = distance_off(s, t, &around[t->a]), from_b = distance_off(s, t, &around[t->b]);
+        if (!(fmax(from_a, from_b) > OFF * fmin((double)a->diameter, (double)b->diameter))) continue;
+        x.count++;
+        if (fmax(from_a, from_b) <= fmax(x.from_a, x.from_b)) continue;
+        x.farthest = j;
+        x.from_a = from_a;
+        x.from_b = from_b;
+    }
+    return x;
+}
+
+/* Joints that a file tells are believed wherever they are. */
+static void suspect_places(const sp_scene *s, const char *const *name, remarks *r)
+{
+    box *around = malloc(((size_t)s->count.blocks + 1) * sizeof *around);
+    if (!around) return;
+    for (int32_t b = 0; b < s->count.blocks; b++) around[b] = box_around(s, &s->block[b]);
+    const strays x = find_strays(s, around);
+    const sp_joint *t = &s->joint[x.farthest];
+    if (x.count)
+        remarks_add(r, NULL, "%ld joint%s off the blocks told for %s, %sthat of '%.60s' and '%.60s': up to %.3g m from the "
+                    "one, %.3g m from the other", (long)x.count, x.count == 1 ? " lies" : "s lie", x.count == 1 ? "it" : "them",
+                    x.count == 1 ? "" : "the farthest ", name[t->a], name[t->b], x.from_a, x.from_b);
+    free(around);
+}
+
 void suspects_find(const sp_scene *scene, const char *const *name, suspects_known known, remarks *r)
 {
     suspect_supports(scene, r);
+    if (known.joints) suspect_places(scene, name, r);
     if (!known.down) suspect_direction(scene, r);
     suspect_sizes(scene, name, known, r);
     suspect_densities(scene, name, r);

@@ -9,6 +9,7 @@
 typedef struct suspects_known {
     units_length unit;          /* as told, over 0: not */
     int down;                   /* which way is down is told */
+    int joints;                 /* so are the joints: none was found */
 } suspects_known;
 
 /* Add a remark for each kind of mistake. name: of each block. */
