@@ -138,8 +138,8 @@ PYTHON  ?= python3
 DRAW     = $(wildcard port/host/picture/*.c) port/host/weakest.c port/host/motion.c
 PY_FILES = $(wildcard port/python/stonepack/*.py) port/python/stonepack/py.typed port/python/README.md LICENSE
 
-build/libstonepack_files.so: port/python/files.c $(READ) $(DRAW) $(HOST_H) $(SHARED)
-	$(Q)$(CC) $(ALL_C) -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -shared -Wl,--gc-sections -Wl,-z,defs \
+build/libstonepack_files.so: port/python/files.c port/python/older.h $(READ) $(DRAW) $(HOST_H) $(SHARED)
+	$(Q)$(CC) $(ALL_C) -include port/python/older.h -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -shared -Wl,--gc-sections -Wl,-z,defs \
 	    '-Wl,-rpath,$$ORIGIN' $(filter %.c,$^) -Lbuild -l:$(SONAME) -lm -o $@
 
 # Where stones come to rest is a third one, over Bullet, if that is there.
@@ -155,7 +155,7 @@ build/libstonepack_settle.so: $(wildcard settle/*.c settle/*.cpp settle/*.h) $(S
 python: build/python/made
 	@cat $<
 
-build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h settle/settle.h
+build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) build/plugins port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h settle/settle.h
 	@rm -rf build/python && mkdir -p build/python/stonepack
 	@cp $(filter %.py %/py.typed,$(PY_FILES)) build/python/stonepack/
 	@cp $(filter-out %.py %/py.typed,$(PY_FILES)) build/python/
@@ -164,6 +164,7 @@ build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) port/pytho
 	@$(CC) -E -dM stonepack.h > build/python/macros
 	$(Q)$(CC) -E -P settle/settle.h | $(PYTHON) -B port/python/bind.py build/python/macros build/python/stonepack/_bindings.py build/python/layout.c
 	@$(CC) -std=c11 -I. -fsyntax-only build/python/layout.c
+	@rm -f build/stonepack-*.whl
 	@$(PYTHON) -B port/python/wheel.py build/python build > $@.new && mv $@.new $@
 
 build/bullet.o: settle/bullet.cpp $(wildcard settle/*.h) stonepack.h

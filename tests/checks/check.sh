@@ -361,6 +361,23 @@ py_install() {
     rm -rf $out/venv
     $py -m venv $out/venv && $py_bin -m pip install -q --no-index --no-deps "$(cat build/python/made)"
 }
+# Without Bullet the wheel is for every Linux since glibc 2.17, asks for nothing newer, and what does is told by its tag.
+py_listed() {
+    pl=$out/listed
+    rm -rf $pl && mkdir -p $pl/there && cp -r build/python $pl/python && cp -r build/python $pl/newer && rm -f $pl/*/stonepack/libstonepack_settle.so &&
+    ! objdump -T $pl/python/stonepack/*.so* | grep -E 'GLIBC_2\.(1[89]|[2-9][0-9])' &&
+    $py -B port/python/wheel.py $pl/python $pl | grep '/stonepack-[0-9.]*-py3-none-manylinux_2_17_x86_64.manylinux2014_x86_64.whl$' &&
+    $py -m pip install -q --root-user-action=ignore --no-index --no-deps --target $pl/there $pl/*.whl &&
+    PYTHONPATH=$pl/there $py -B -c 'import stonepack
+scene = stonepack.read("tests/scenes/arch.obj")
+scene.write("'$pl'/arch.obj"), scene.check().svg("'$pl'/arch.svg")' && ls $pl/arch.obj $pl/arch.svg &&
+    echo 'int stat(const char *, void *); int newer(const char *s) { char b[400]; return stat(s, b); }' |
+        $CC -shared -fPIC -x c - -o $pl/newer/stonepack/libnewer.so && $py -B port/python/wheel.py $pl/newer $pl | grep manylinux_2_33_ &&
+    echo 'double sin(double); double bullet(double x) { return sin(x); }' |
+        $CC -shared -fPIC -Wl,-soname,libBulletDynamics-float64.so.3.24 -x c - -o $pl/libbullet.so &&
+    echo 'double bullet(double); double asks(double x) { return bullet(x); }' |
+        $CC -shared -fPIC -x c - -x none $pl/libbullet.so -o $pl/newer/stonepack/libasks.so && $py -B port/python/wheel.py $pl/newer $pl | grep -- -none-linux_
+}
 py_alone() { env -i PATH=/nonexistent PYTHONDONTWRITEBYTECODE=1 "$(pwd)/$py_bin" -I "$@"; }
 py_here() { PYTHONPATH=$(pwd)/build/python /usr/bin/python3 -B tests/python/run.py "$@"; }
 py_types() { mypy --python-version 3.8 --cache-dir $out/mypy build/python/stonepack; }
@@ -411,6 +428,7 @@ check_python() {
     else skip "oracle: libFuzzer finds a planted mistake" "clang libclang-rt-14-dev"; fi
     if ! $py -c 'import ensurepip' 2> /dev/null; then skip "Python: wheel and its tests" "python3 python3-venv"; return; fi
     part "Python: wheel, twice the same bytes" py_wheel
+    if [ "$(uname -m)" = x86_64 ]; then part "Python: one wheel for Linux since glibc 2.17, without Bullet" py_listed; fi
     part "Python: a header that drifted is told" py_drift
     part "Python: warnings of the reader's door" py_warnings
     part "Python: installed without a compiler" py_install
