@@ -15,8 +15,9 @@
 /* Below the help of each command with a scene. */
 static const char help_scene[] =
 "\nThe model:\n"
-"  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that lie lowest, ground: a\n"
-"                     slab laid under the model; may be told several times; those the file tells stay\n"
+"  --fixed LIST       supports: names of blocks, patterns ('support*', b?), lowest: the blocks that reach down to the\n"
+"                     lowest point of all, or nearly: within 1 % of their own height; ground: a slab laid under the\n"
+"                     model; a block that is called so comes first; may be told several times; those the file tells stay\n"
 "  --support LIST     the same; of a COMPAS file (JSON) also the keys of nodes: --support 0 --support 1\n"
 "  --split            shells of an object that are not joined are blocks of their own: NAME.1, NAME.2 ...\n"
 "  --up AXIS          x, y, z, -x, -y or -z is up: gravity as strong as in the file, down along it    z\n"
@@ -27,7 +28,8 @@ static const char help_scene[] =
 "  --mu X             friction of every joint, whatever the scene says             0.84 where it says nothing\n"
 "  --quiet            the line of the verdict alone: no details, no remarks, no progress\n\n"
 "A file beside a model, MODEL.obj.stonepack, may hold what the model can't: lines as in a scene, and `o NAME` or a pattern\n"
-"for the blocks that the `#@ density` and `#@ fixed` after it are of. Options come before it, and it before the model.\n";
+"for the blocks that the `#@ density` and `#@ fixed` after it are of. Options come before it, and it before the model. What\n"
+"`convert` writes has all of it, and goes by another name.\n";
 
 static const char help_check[] =
 "stonepack check [options] SCENE...\n\n"

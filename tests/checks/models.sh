@@ -373,6 +373,38 @@ slab_fits() {                                           # it reaches beyond the 
         else { if (!m++ || $2 < a) a = $2; if (m == 1 || $2 > b) b = $2 } } END { exit !(g < a && h > b && h - g < 1.4 * (b - a)) }'
 }
 part "fixed: ground, as wide as the model"  slab_fits
+sheets() {                                              # a plane of one face: the ground, if it is told so; a stone that lacks a face is none
+    awk 'BEGIN { print "o Plane\nv -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4" } /^f / { for (k = 2; k <= NF; k++) $k += 4 } { print }' wall.obj > plane.obj
+    sed 's/^f 1 2 3 4$/f 1 2 3\nf 1 3 4/' plane.obj > plane-cut.obj
+    awk '!(/^f / && ++n == 2)' wall.obj > lacks.obj
+    for model in plane.obj plane-cut.obj; do
+        same "$(forces --fixed Plane $model)" "$(forces wall-whole.obj)" &&
+        refuses 65 "^$model:1: block 'Plane': the mesh is open.*: --fixed Plane$" check $model || return 1
+    done
+    refuses 65 "^lacks.obj:[0-9]*: block '.*': the mesh is open: an edge lacks its opposite$" check lacks.obj
+}
+as_keywords() {                                         # blocks that are called ground and lowest: they alone, and told
+    sed 's/^o b5$/o lowest/; s/^o b9$/o ground/' arch.obj > words.obj
+    for word in lowest ground; do
+        "$cli" check --fixed $word words.obj > out
+        grep -q "^  scene .*17 blocks, 16 free" out && grep -q "^  remark  *'$word' is a block of this model" out || { cat out; return 1; }
+    done
+    { printf '#@ supports lowest\n'; cat words.obj; } > words-told.obj
+    remarks "'lowest' is a block of this model" words-told.obj && ! "$cli" check --fixed 'low*' words.obj | grep "a block of this model"
+}
+nearly_lowest() {                                       # within 1 % of its own height, not beyond
+    for by in 0.009 0.011; do
+        awk -v by=$by 'NR == FNR { if (/^v / && (!n++ || $4 < low)) low = $4; next } /^o / { on = $2 == "b16" } /^v / && on { $4 += by * h } { print }' \
+            h="$(awk '/^o / { on = $2 == "b16" } /^v / && on { if (!n++ || $4 < a) a = $4; if (n == 1 || $4 > b) b = $4 } END { printf "%.17g", b - a }' arch.obj)" \
+            arch.obj arch.obj > lifted.obj
+        "$cli" check --fixed lowest lifted.obj | sed -n 's/.* \([0-9]* free\);.*/\1/p'
+    done > out
+    same "$(cat out)" "15 free
+16 free" && "$cli" check --help | tr '\n' ' ' | tr -s ' ' | grep -q 'within 1 % of their own height'
+}
+part "a sheet of one face can be the ground" sheets
+part "a block called ground or lowest: told" as_keywords
+part "lowest: within 1 % of a block's height" nearly_lowest
 part "fixed: ground, contacts told: 64"     refuses 64 'the file tells its contacts' check --fixed ground whole.obj
 part "y up, mm: the same forces"            same "$(forces --fixed lowest --up y --unit mm arch-y.obj)" "$(forces whole.obj)"
 part "gravity told instead"                 same "$(forces --fixed lowest --gravity 0,-9.80665,0 --unit mm arch-y.obj)" "$(forces whole.obj)"

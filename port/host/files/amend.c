@@ -171,7 +171,7 @@ static const char *first_names(const obj_file *f, char text[200])
 }
 
 /* Who tells a list: a line of a file, or for line 0 an option. */
-typedef struct teller { int32_t line; const char *by; } teller;
+typedef struct teller { int32_t line; const char *by; remarks *told; } teller;
 
 /* Is it the first word of a name? */
 static int is_part(const obj_file *f, text_word w)
@@ -213,6 +213,15 @@ static int is_meant(const obj_file *f, int32_t b, text_word w)
     return f->numbered && text_matches(without_number(name), w);
 }
 
+/* Blocks were meant that lie lowest, or a slab, and one of this name is there. */
+static void tell_own(text_word w, remarks *told)
+{
+    if (text_is(w, "ground"))
+        remarks_add(told, NULL, "'ground' is a block of this model: it is the support, and no slab is laid under the model");
+    if (text_is(w, "lowest"))
+        remarks_add(told, NULL, "'lowest' is a block of this model: it is the support, not the blocks that lie lowest");
+}
+
 /* One entry of a list. A block that has this very name comes first, whatever the name. */
 static int fix_word(obj_file *f, text_word w, teller told, int given, failure *error)
 {
@@ -226,6 +235,7 @@ static int fix_word(obj_file *f, text_word w, teller told, int given, failure *e
         fix_lowest(f, &t);
         return 0;
     }
+    if (own) tell_own(w, told.told);
     for (int32_t b = 0; b < f->blocks; b++)
         if (own ? text_same(f->block[b].name, w) : is_meant(f, b, w)) {
             f->block[b].fixed = SP_FIXED;
@@ -247,18 +257,18 @@ static int fix_list(obj_file *f, text_word list, teller told, int given, failure
     return status;
 }
 
-int amend_file(obj_file *f, const amendments *a, int given, failure *error)
+int amend_file(obj_file *f, const amendments *a, int given, remarks *told, failure *error)
 {
     int status = 0;
     scale_file(f, a->unit.over ? a->unit : f->unit);
     turn_gravity(f, a);
     for (int32_t i = 0; !status && i < f->supports; i++) {
-        const teller line = { f->support[i].line, "supports" };
+        const teller line = { f->support[i].line, "supports", told };
         status = fix_list(f, f->support[i].list, line, given, error);
     }
     for (int32_t i = 0; !status && i < a->lists; i++) {
         const text_word list = { a->fixed[i], strlen(a->fixed[i]) };
-        const teller option = { 0, a->option[i] ? a->option[i] : "--fixed" };
+        const teller option = { 0, a->option[i] ? a->option[i] : "--fixed", told };
         status = fix_list(f, list, option, given, error);
     }
     return status;

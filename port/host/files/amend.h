@@ -3,6 +3,7 @@
 #define STONEPACK_HOST_AMEND_H
 
 #include "obj.h"
+#include "remarks.h"
 
 enum { AMEND_LISTS = 64 };
 
@@ -21,8 +22,8 @@ typedef struct amendments {
 } amendments;
 
 /* Bring a file into metres, with gravity and supports as told. `given`: its own contacts count, so a ground would touch
- * nothing.
+ * nothing. What of it may surprise is a remark.
  *   returns    0 or an exit status: 64 where an option names no block, 65 where the file does */
-int amend_file(obj_file *f, const amendments *a, int given, failure *error);
+int amend_file(obj_file *f, const amendments *a, int given, remarks *told, failure *error);
 
 #endif

@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FLAT 1e-3                       /* of its extent: a mesh that reaches no farther out of its plane is a sheet */
+
 /* Text for messages about a block or a contact. */
 #define NAME(w) (int)((w).n < 60 ? (w).n : 60), (w).s, (w).n < 60 ? "" : "..."
 
@@ -105,6 +107,38 @@ static sp_status add_mesh(const obj_file *f, const obj_block *block, const sp_me
     return sp_scene_block(scene, mesh, block->density > 0 ? block->density : f->density, block->fixed, NULL);
 }
 
+/* Does no corner x stand off the plane of the first face, n . (x - o) = 0, by more than a thousandth of |x - o|? */
+static int is_sheet(const sp_mesh *m)
+{
+    const sp_real *o = m->xyz + 3 * m->corner[0];
+    double n[3] = { 0, 0, 0 };
+    for (int32_t k = 1; k + 1 < m->size[0]; k++) {
+        const sp_real *p = m->xyz + 3 * m->corner[k], *q = m->xyz + 3 * m->corner[k + 1];
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, l = (i + 2) % 3;
+            n[i] += (double)(p[j] - o[j]) * (double)(q[l] - o[l]) - (double)(p[l] - o[l]) * (double)(q[j] - o[j]);
+        }
+    }
+    for (int32_t v = 0; v < m->vertices; v++) {
+        const sp_real *x = m->xyz + 3 * v;
+        double off = 0, far = 0;
+        for (int i = 0; i < 3; i++) {
+            off += n[i] * (double)(x[i] - o[i]);
+            far = fmax(far, fabs((double)(x[i] - o[i])));
+        }
+        if (fabs(off) > FLAT * far * (fabs(n[0]) + fabs(n[1]) + fabs(n[2]))) return 0;
+    }
+    return fabs(n[0]) + fabs(n[1]) + fabs(n[2]) > 0;
+}
+
+/* A plane that a model stands on has no inside: it can be a support. */
+static int refuse_sheet(const obj_file *f, const obj_block *block, const char *what, failure *error)
+{
+    return fail_with(error, EXIT_SCENE, OBJ_AT(f, block->line), "%s: %s; a sheet can be a support alone, as of the ground: "
+                     "--fixed %.*s", what, sp_status_text(SP_E_OPEN), (int)(block->name.n < 60 ? block->name.n : 60),
+                     block->name.s);
+}
+
 static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene, failure *error)
 {
     const obj_block *block = &f->block[b];
@@ -115,6 +149,7 @@ static int add_block(const obj_file *f, int32_t b, mesh_room *m, sp_scene *scene
     if (status == SP_OK) return 0;
     snprintf(what, sizeof what, "block '%.*s%s'", NAME(block->name));
     if (mesh.faces == 0) return fail_with(error, EXIT_SCENE, OBJ_AT(f, block->line), "%s has no faces", what);
+    if (status == SP_E_OPEN && is_sheet(&mesh)) return refuse_sheet(f, block, what, error);
     return fail_status(error, status, OBJ_AT(f, block->line), what);
 }
 
@@ -344,7 +379,7 @@ static int build_from(obj_file *f, int status, const scene_settings *set, host_s
 {
     mesh_room m = { NULL, NULL, NULL, NULL, NULL };
     if (!status) status = twins_check_pressures(f, error);
-    if (!status) status = amend_file(f, &set->amend, set->contacts == SCENE_GIVEN && f->contacts > 0, error);
+    if (!status) status = amend_file(f, &set->amend, set->contacts == SCENE_GIVEN && f->contacts > 0, &s->remarks, error);
     if (!status) status = bare_drop(f, &s->remarks, error);
     if (!status) {
         s->path = malloc(strlen(f->path) + 1);
