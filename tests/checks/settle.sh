@@ -90,5 +90,16 @@ part "a setting that is no number" exits 64 "$cli" settle "$tmp/two.obj" --confi
 part "a setting out of range" exits 64 "$cli" settle "$tmp/two.obj" --confirm --set dt=-1
 part "a file that can't be written" exits 70 "$cli" settle "$tmp/two.obj" -o "$tmp/no/such/place.obj" --set steps=1,tamps=0,ramp_steps=0
 part "nothing half written" half
+part "what settled is told, though it can't be written" sh -c "'$cli' settle '$tmp/two.obj' -o '$tmp/no/such/place.obj' > '$tmp/told' 2> '$tmp/err'
+    [ \$? -eq 70 ] && grep -q ': 1 of 1 stone settled in [0-9]* steps' '$tmp/told' && grep -q \"can't write\" '$tmp/err'"
+apart() {                                               # what keeps still in Bullet and touches nothing for statics: the first line tells why
+    sed 's/^\(v [-.0-9]* [-.0-9]*\) 1$/\1 1.0001/; /^#@ interface/d' "$tmp/two.obj" | awk '/^o b/ { on = 1 } on && /^v/ && $4 == 0 { $4 = 0.0001 } { print }' > "$tmp/apart.obj"
+    "$cli" settle --confirm "$tmp/apart.obj" > "$tmp/told"
+    grep -q ': statics says unstable, .*, but 1 pair of blocks nearly touches$' "$tmp/told" || { cat "$tmp/told"; return 1; }
+    ! "$cli" settle --confirm "$tmp/two.obj" | grep nearly
+}
+part "--confirm: near misses are told first" apart
+part "a file beside: not settled in its place" sh -c "cp '$tmp/two.obj' '$tmp/in.obj' && echo '#@ unit m' > '$tmp/in.obj.stonepack' &&
+    '$cli' settle '$tmp/in.obj' -o '$tmp/in.obj' 2> '$tmp/err'; [ \$? -eq 64 ] && cmp '$tmp/in.obj' '$tmp/two.obj'"
 part "settings explained" exits 0 "$cli" settle --set help
 total

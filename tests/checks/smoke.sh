@@ -300,6 +300,46 @@ spaced_cut() {
 in_place() {                                            # convert IN IN
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/want.obj" && "$cli" convert "$tmp/scene.obj" "$tmp/scene.obj" && cmp "$tmp/scene.obj" "$tmp/want.obj"
 }
+beside_in_place() {                                     # what stands beside would count twice: refused; beside another file: told
+    gen arch && echo '#@ unit cm' > "$tmp/scene.obj.stonepack" && cp "$tmp/scene.obj" "$tmp/before.obj" || return 1
+    for out in "$tmp/scene.obj" "$tmp/./scene.obj"; do
+        exits 64 "$cli" convert "$tmp/scene.obj" "$out" 2> "$tmp/err" && grep -q 'would count once more' "$tmp/err" && cmp "$tmp/scene.obj" "$tmp/before.obj" || return 1
+    done
+    exits 0 "$cli" convert "$tmp/scene.obj" "$tmp/new.obj" 2> "$tmp/err" && ! grep 'is beside it' "$tmp/err" || return 1
+    echo '#@ unit cm' > "$tmp/new.obj.stonepack"
+    exits 0 "$cli" convert "$tmp/scene.obj" "$tmp/new.obj" 2> "$tmp/err" && grep -q 'remark .*new.obj.stonepack, which is beside it' "$tmp/err"
+    status=$?
+    rm "$tmp/scene.obj.stonepack" "$tmp/new.obj" "$tmp/new.obj.stonepack"
+    return $status
+}
+no_name() {                                             # no_name NAME: nothing is written that begins with -
+    gen arch && exits 64 "$cli" check --csv "$1" "$tmp/scene.obj" 2> "$tmp/err" && grep -q 'how the names of its tables begin' "$tmp/err" &&
+    [ ! -e "$tmp/-joints.csv" ] && [ ! -e -joints.csv ]
+}
+answers() {                                             # answers STATUS TEXT COMMAND...: of what can't be written; the answer comes first
+    want=$1 text=$2
+    shift 2
+    "$cli" "$@" > "$tmp/said" 2>&1
+    status=$?
+    [ $status -eq "$want" ] && sed -n 1p "$tmp/said" | grep -q -e "$text" && [ "$(grep -c "can't write" "$tmp/said")" -eq 1 ] && tail -n 1 "$tmp/said" |
+        grep -q "can't write" || { echo "exit status $status"; head -c 600 "$tmp/said"; return 1; }
+}
+one_of_each() {                                         # no "1 steps"
+    for command in check 'limit --body 1,0,0' sequence plan 'plan --ram' contacts 'contacts --sweep' cost 'check --strong'; do
+        # shellcheck disable=SC2086
+        "$cli" $command "$tmp/two.obj" > "$tmp/said" || [ $? -le 2 ] || return 1
+        ! grep -E '(^|[^0-9.,])1 (blocks|joints|steps|pairs|factorisations|iterations|contact points|contacts|overlaps|islands|cases|starts)\b' "$tmp/said" || return 1
+    done
+    grep -q . "$tmp/said" && "$cli" sequence "$tmp/two.obj" | sed -n 1p | grep -q ': 1 step, ' &&
+    "$cli" sequence "$tmp/two.obj" | grep -q ' cost  *[01] factorisations\{0,1\}, '
+}
+dropped() {                                             # more moves than page and model hold: told; fewer: not
+    for n in 330 60; do
+        gen tower n=$n lean=0 && awk '/^o / { name[++n] = $2 } END { for (k = n; k > 1; k--) print name[k] }' "$tmp/scene.obj" > "$tmp/order"
+        "$cli" sequence --order-file "$tmp/order" --out-obj "$tmp/m.obj" "$tmp/scene.obj" > "$tmp/said.$n"; [ $? -eq 1 ] || return 1
+    done
+    grep -q 'remark .*what moves of the first steps that fall only: [1-9][0-9]* more have no motion' "$tmp/said.330" && ! grep 'remark' "$tmp/said.60"
+}
 goes_on() {                                             # a bad scene between two others: they are told, it is on stderr
     gen arch && "$cli" check --json "$tmp/scene.obj" /dev/null "$tmp/scene.obj" > "$tmp/said"
     [ $? -eq 65 ] && [ "$(grep -c '"verdict": *"stable"' "$tmp/said")" -eq 2 ]
@@ -473,6 +513,9 @@ part "csv: every line has all columns" tables check "$tmp/scene.obj" joints 22 b
 part "csv: of a limit"                tables limit "$tmp/scene.obj" --body 1,0,0 joints 22 blocks 23
 part "csv: of a sequence"             tables sequence "$tmp/scene.obj" steps 21
 part "csv: one scene: 64"             exits 64 "$cli" check --csv "$tmp/t" "$tmp/scene.obj" "$tmp/scene.obj"
+for name in '' "$tmp/" "$tmp//"; do
+    part "csv: no name in '${name#"$tmp"}': 64" no_name "$name"
+done
 part "csv: nothing half written"      sh -c "mkdir -p '$tmp/dir/t-blocks.csv'; ! '$cli' check --csv '$tmp/dir/t' '$tmp/scene.obj' 2> '$tmp/out' &&
     test \$(wc -l < '$tmp/out') = 1"
 part "convert: nothing half written" half "$cli" convert "$here/../scenes/vault.obj" "$tmp/half"
@@ -484,6 +527,20 @@ part "convert over what stands beside: 64" writes_over "convert would write over
 part "two outputs of one name: 64"  writes_over "--svg and --html both write" check --svg "$tmp/x.svg" --html "$tmp/./x.svg" "$tmp/scene.obj"
 part "cost: svg over the scene: 64" writes_over "--svg would write over" cost --svg "$tmp/scene.obj" "$tmp/scene.obj"
 part "convert in place"             in_place
+part "convert in place, a file beside it: 64" beside_in_place
+"$cli" gen arch > "$tmp/twenty.obj"
+"$cli" gen two-cubes > "$tmp/two.obj"
+for written in --svg --html --out-obj; do
+    part "the answer, though $written fails: 70" answers 70 ': STABLE$' check $written "$tmp/none/x" "$tmp/twenty.obj"
+done
+part "the answer, though --csv fails: 70"   answers 70 ': STABLE$' check --csv "$tmp/none/t" "$tmp/twenty.obj"
+part "the answer in JSON likewise: 70"      answers 70 '"verdict": *"stable"' check --json --svg "$tmp/none/x" "$tmp/twenty.obj"
+part "the multiplier likewise: 70"          answers 70 ': MULTIPLIER' limit --body 1,0,0 --svg "$tmp/none/x" "$tmp/twenty.obj"
+part "the tilt margin likewise: 70"         answers 70 'degrees' limit --tilt-margin --svg "$tmp/none/x" "$tmp/twenty.obj"
+part "the build order likewise: 70"         answers 70 ': 20 steps, ' sequence --svg "$tmp/none/x" "$tmp/twenty.obj"
+part "the costs likewise: 70"               answers 70 ': stable by the exact' cost --svg "$tmp/none/x" "$tmp/two.obj"
+part "one thing is not told as many"        one_of_each
+part "sequence: motions left out are told"  dropped
 for form in ply stl JSON 3dm; do
     part "convert to .$form: 64"    writes_over "writes OBJ" convert "$tmp/scene.obj" "$tmp/x.$form"
 done

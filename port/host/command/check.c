@@ -30,7 +30,15 @@ static int ask_strong(report *r, sp_strong_result *x, void **memory, failure *er
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
 
-/* Read, turn, check, tell. */
+/* Pictures, page, model and tables. */
+static int draw(const report *r, failure *error)
+{
+    int status = report_draw(r, error);
+    if (!status) status = report_html(r, report_text, error);
+    return status || !r->options->csv ? status : report_csv(r, error);
+}
+
+/* Read, turn, check, tell: the answer also where one of its files can't be written. */
 static int check_one(const char *path, options *o, failure *error)
 {
     host_scene s;
@@ -50,15 +58,15 @@ static int check_one(const char *path, options *o, failure *error)
     if (!status) status = report_check(&r, &memory, error);
     if (!status && o->settings.coupled.asked && strcmp(o->solver_name, "ipopt") == 0) status = ask_published(&r, &p, error);
     if (!status && o->strong) status = ask_strong(&r, &strong, &more, error);
-    if (!status) status = report_draw(&r, error);
-    if (!status) status = report_html(&r, report_text, error);
-    if (!status && o->csv) status = report_csv(&r, error);
-    progress_end();
     if (!status) {
+        const int drawn = draw(&r, error);
+        progress_end();
         if (o->json) report_json(stdout, &r);
         else report_text(stdout, &r);
-        status = report_exit(r.result.verdict);
+        fflush(stdout);
+        status = drawn ? drawn : report_exit(r.result.verdict);
     }
+    progress_end();
     free(memory);
     free(more);
     scene_free(&s);

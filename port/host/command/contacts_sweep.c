@@ -118,8 +118,8 @@ static void print_table(const host_scene *s, const sweep *w, int quiet)
     else if (w->first == w->last)
         printf("%s: pairs that touch and verdict differ from distance to distance\n", s->path);
     else {
-        printf("%s: %s with %ld pairs that touch, the same from %g%% to %g%%", s->path, text_of(first->verdict),
-               (long)first->pairs, 100 * first->share, 100 * last->share);
+        printf("%s: %s with %ld pair%s that touch%s, the same from %g%% to %g%%", s->path, text_of(first->verdict),
+               (long)first->pairs, text_s(first->pairs), first->pairs == 1 ? "es" : "", 100 * first->share, 100 * last->share);
         report_near(stdout, first->verdict == SP_STABLE || first->pairs == w->row[w->rows - 1].pairs ? 0 : s->near, s->inside);
     }
     if (quiet) return;

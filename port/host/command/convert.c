@@ -29,10 +29,13 @@ int command_convert(int argc, char **argv)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: convert needs a scene and at most one file to write");
     if (!error.status && o.files > 1 && outputs_check(&o, o.file[1], &error) == 0)
         outputs_check_obj("convert", o.file[1], &error);
+    if (!error.status && o.files > 1) outputs_check_beside("convert", o.file[0], o.file[1], &error);
     if (!error.status) {
         if (scene_read(o.file[0], &o.scene, &s, &error) == 0
-            && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0 && !o.quiet)
+            && write_scene_to(o.files > 1 ? o.file[1] : NULL, &s.scene, s.name, &error) == 0 && !o.quiet) {
+            outputs_tell_beside(o.files > 1 ? o.file[1] : NULL, &s.remarks);
             remarks_print(stderr, &s.remarks);          /* standard output may be the scene */
+        }
         scene_free(&s);
     }
     if (error.status) fprintf(stderr, "%s\n", error.line);

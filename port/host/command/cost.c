@@ -159,8 +159,9 @@ static void table_words(FILE *out, const cost_table *t)
 static void cost_text(FILE *out, const host_scene *s, const cost_table *t, int quiet)
 {
     char flops[16];
-    fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joints, %ld contact points", s->path,
-            sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, (long)s->scene.count.points);
+    fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joint%s, %ld contact point%s", s->path,
+            sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, text_s(s->scene.count.joints),
+            (long)s->scene.count.points, text_s(s->scene.count.points));
     report_near(out, t->truth == SP_STABLE ? 0 : s->near, s->inside);
     if (quiet) return;
     fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, imbalance; no check above %s flop; "
@@ -255,12 +256,14 @@ int command_cost(int argc, char **argv)
     progress_hear();
     if (!code) status = cost_measure(&s, &o.settings, &table);
     if (status) code = scene_refused(&s, &o.settings, status, &error);
-    if (!code) code = draw_table(&o, &s, &table, &error);
     if (!code) {
+        code = draw_table(&o, &s, &table, &error);      /* the answer is told in any case */
         if (o.json) cost_json(stdout, &s, &table);
         else cost_text(stdout, &s, &table, o.quiet);
-        code = table.rows < COST_ROWS ? EXIT_STOPPED : report_exit(table.truth);
-    } else fprintf(stderr, "%s\n", error.line);
+        fflush(stdout);
+        if (!code) code = table.rows < COST_ROWS ? EXIT_STOPPED : report_exit(table.truth);
+    }
+    if (error.status) fprintf(stderr, "%s\n", error.line);
     scene_free(&s);
     return code;
 }

@@ -219,9 +219,9 @@ static void print_text(FILE *out, const report *r)
     fprintf(out, "%ld block%s, %ld joint%s%s\n", (long)n->blocks, n->blocks == 1 ? "" : "s", (long)n->joints,
             n->joints == 1 ? "" : "s", r->scene->found ? " found" : "");
     report_row(out, "cost");
-    fprintf(out, "%ld factorisations, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n", 
-            (long)x->cost.factorisations,
-            (long)x->cost.interior, 1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
+    fprintf(out, "%ld factorisation%s, %ld of them interior-point, %.3g Mflop, %.1f KiB, %.3g ms\n",
+            (long)x->cost.factorisations, text_s(x->cost.factorisations), (long)x->cost.interior,
+            1e-6 * (double)x->cost.flops, (double)r->cost.bytes / 1024, 1e3 * r->cost.seconds);
     remarks_print(out, &r->scene->remarks);
 }
 
@@ -236,6 +236,14 @@ static int set_body(host_scene *s, const options *o, failure *error)
     for (int32_t k = 0; k < s->scene.count.loads; k++) live |= s->scene.load[k].live;
     if (live || body > 0) return 0;
     return fail_with(error, EXIT_USAGE, s->path, 0, "limit needs a live load: `#@ live` lines, or --body");
+}
+
+/* Pictures, page, model and tables. */
+static int draw(const report *r, failure *error)
+{
+    int status = report_draw(r, error);
+    if (!status) status = report_html(r, print_text, error);
+    return status || !r->options->csv ? status : report_csv(r, error);
 }
 
 static int limit_command(report *r, failure *error)
@@ -259,12 +267,13 @@ static int limit_command(report *r, failure *error)
             r->sliding = &sliding;
             status = sliding_ask(r, &sliding, &r->sliding_cost, &more, error);
         }
-        if (!status) status = report_draw(r, error);
-        if (!status) status = report_html(r, print_text, error);
-        if (!status && r->options->csv) status = report_csv(r, error);
     }
-    if (!status && r->options->json) print_json(r);
-    if (!status && !r->options->json) print_text(stdout, r);
+    if (!status) {
+        status = draw(r, error);                        /* the answer is told in any case */
+        if (r->options->json) print_json(r);
+        else print_text(stdout, r);
+        fflush(stdout);
+    }
     free(memory);
     free(more);
     return status ? status : x.kind == SP_LIMIT_UNDECIDED ? EXIT_UNDECIDED : 0;

@@ -46,12 +46,22 @@ static int check_scene(const output *list, int n, const char *scene, int own, fa
     return status || length < 0 || (size_t)length >= sizeof beside ? status : check_input(list, n, beside, error);
 }
 
+/* The name of a table needs more than a folder. */
+static int check_table(const char *name, failure *error)
+{
+    const size_t n = name ? strlen(name) : 1;
+    if (!name || (n && !strchr("/\\", name[n - 1]))) return 0;
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: --csv needs how the names of its tables begin, as %.200sNAME",
+                     name);
+}
+
 int outputs_check(const options *o, const char *own, failure *error)
 {
     char table[TABLES][REPORT_CSV_PATH];
     output list[OUTPUTS];
     const int n = list_outputs(o, own, table, list), first = own && strcmp(own, "-");
-    int status = n ? check_input(list, n, o->order_file, error) : 0;
+    int status = check_table(o->csv, error);
+    if (n && !status) status = check_input(list, n, o->order_file, error);
     if (n && !status) status = check_input(list, n, o->done, error);
     for (int i = 0; n && !status && i < o->files; i++)
         if (o->file[i] != own) status = check_scene(list, n, o->file[i], first, error);
@@ -75,4 +85,29 @@ int outputs_check_obj(const char *option, const char *path, failure *error)
         wrong = !dot[i + 1] && !other[k][i];
     }
     return wrong ? fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: %s writes OBJ, not '%.20s'", option, dot) : 0;
+}
+
+/* The name of the file beside a scene.     returns 0: there is none, or no room for its name */
+static int find_beside(const char *scene, char beside[REPORT_CSV_PATH])
+{
+    const int n = snprintf(beside, REPORT_CSV_PATH, "%s" OBJ_BESIDE, scene);
+    FILE *there = n > 0 && n < REPORT_CSV_PATH ? fopen(beside, "rb") : NULL;
+    if (there) fclose(there);
+    return there != NULL;
+}
+
+int outputs_check_beside(const char *option, const char *scene, const char *path, failure *error)
+{
+    char read[REPORT_CSV_PATH], written[REPORT_CSV_PATH];
+    if (!path || strcmp(path, "-") == 0 || !find_beside(scene, read) || !find_beside(path, written)) return 0;
+    if (!file_is_same(read, written)) return 0;
+    return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: %s: '%.200s' would count once more for what is written there; "
+                     "write to another name", option, written);
+}
+
+void outputs_tell_beside(const char *path, remarks *told)
+{
+    char beside[REPORT_CSV_PATH];
+    if (path && strcmp(path, "-") && find_beside(path, beside))
+        remarks_add(told, NULL, "what is written will be read with %.300s, which is beside it", beside);
 }

@@ -8,8 +8,8 @@
 
 static void print_table(const host_scene *s, const sp_outlook *o, int quiet)
 {
-    printf("%s: %ld blocks, %ld joints, %ld island%s\n", s->path, (long)s->scene.count.blocks,
-           (long)s->scene.count.joints, (long)o->islands, o->islands == 1 ? "" : "s");
+    printf("%s: %ld block%s, %ld joint%s, %ld island%s\n", s->path, (long)s->scene.count.blocks, text_s(s->scene.count.blocks),
+           (long)s->scene.count.joints, text_s(s->scene.count.joints), (long)o->islands, text_s(o->islands));
     if (quiet) return;
     printf("\n%-10s %-4s %12s %12s %12s   %s\n", "effect", "", "unknowns", "flops", "bytes saved", "why");
     for (int k = 0; k < SP_EFFECTS; k++) {
@@ -96,7 +96,8 @@ static sp_status ram_count(const sp_scene *s, const sp_settings *settings, ram *
 static void ram_text(const host_scene *s, const ram *m)
 {
     const sp_capacity *n = &s->scene.count;
-    printf("%s: %ld blocks, %ld joints, %ld contact points\n\n", s->path, (long)n->blocks, (long)n->joints, (long)n->points);
+    printf("%s: %ld block%s, %ld joint%s, %ld contact point%s\n\n", s->path, (long)n->blocks,
+           text_s(n->blocks), (long)n->joints, text_s(n->joints), (long)n->points, text_s(n->points));
     printf("%-10s %12s %12s\n%-10s %12lu\n", "", "bytes", "with scene", "scene", (unsigned long)m->scene);
     for (int k = 0; k < RAM_OF; k++)
         printf("%-10s %12lu %12lu\n", ram_of[k].name, (unsigned long)m->bytes[k], (unsigned long)(m->scene + m->bytes[k]));

@@ -43,12 +43,13 @@ static void print_text(const run *r)
     printf("%s", sp_qp_status_text(a->status));
     if (has_point(r)) printf(", objective %.10g", objective(r));
     else printf(", certificate good up to radius %.2g", (double)a->radius);
-    printf("\n%ld columns, %ld rows, %ld entries, %ld of P\n", (long)r->file.qp.n, (long)r->file.rows, (long)r->file.entries,
-           (long)r->file.qp.Pp[r->file.qp.n]);
+    printf("\n%ld column%s, %ld row%s, %ld entries, %ld of P\n", (long)r->file.qp.n, text_s(r->file.qp.n), (long)r->file.rows,
+           text_s(r->file.rows), (long)r->file.entries, (long)r->file.qp.Pp[r->file.qp.n]);
     if (has_point(r))
         printf("residuals: primal %.2g, dual %.2g, gap %.2g%s\n", (double)a->primal, (double)a->dual, (double)a->gap,
                a->polished ? ", polished" : "");
-    printf("%ld iterations, %ld factorisations, ", (long)a->iterations, (long)a->factorisations);
+    printf("%ld iteration%s, %ld factorisation%s, ", (long)a->iterations, text_s(a->iterations), (long)a->factorisations,
+           text_s(a->factorisations));
     if (a->flops) printf("%.3g flops, %.3g s, %.4g MB\n", (double)a->flops, r->cost.seconds, 1e-6 * (double)r->cost.bytes);
     else printf("%.3g s, by %s\n", r->cost.seconds, r->solver_name);         /* others don't count, their memory is their own */
 }

@@ -54,7 +54,8 @@ static void text_certainty(FILE *out, const report *r)
         fprintf(out, "largest imbalance %.2g of a block's forces, tol %.2g", (double)x->imbalance, (double)x->tol);
     else if (x->verdict == SP_UNSTABLE && x->final) fprintf(out, "no forces of any size would do");
     else if (x->reason == SP_REASON_NO_MOTION)
-        fprintf(out, "no motion in any of %ld cases, margin %.2g", (long)x->coupled.proof.leaves, (double)x->coupled.margin);
+        fprintf(out, "no motion in any of %ld case%s, margin %.2g", (long)x->coupled.proof.leaves,
+                text_s(x->coupled.proof.leaves), (double)x->coupled.margin);
     else if (x->verdict == SP_UNSTABLE)
         fprintf(out, "at least %.2g of a block's forces stays unbalanced, tol %.2g", (double)x->least_imbalance,
                 (double)x->tol);
@@ -97,8 +98,8 @@ static void text_strong(FILE *out, const report *r)
     case SP_STRONG_AT_CORNERS:
     case SP_STRONG_STRONG:
         if (x->reason == SP_STRONG_CASES) {
-            fprintf(out, "%s: it does not move in any of %ld cases of sticking and slipping; verified\n",
-                    sp_strong_text(x->kind), (long)x->proof.leaves);
+            fprintf(out, "%s: it does not move in any of %ld case%s of sticking and slipping; verified\n",
+                    sp_strong_text(x->kind), (long)x->proof.leaves, text_s(x->proof.leaves));
             break;
         }
         fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n",
@@ -114,7 +115,8 @@ static void text_strong(FILE *out, const report *r)
     case SP_STRONG_ADMISSIBLE:
         if (x->reason == SP_STRONG_NOT_ASKED)
             fputs("admissible: with strength or loads with mass only pressure is asked\n", out);
-        else fprintf(out, "admissible: no proof that nothing moves, and no motion from %ld starts\n", (long)x->starts);
+        else fprintf(out, "admissible: no proof that nothing moves, and no motion from %ld start%s\n", (long)x->starts,
+                     text_s(x->starts));
         break;
     default: fputs("not asked: it is not known to stand\n", out);
     }
@@ -125,8 +127,9 @@ static void text_published(FILE *out, const solvers_published *p)
     const ipopt_cra_answer *a = p ? &p->answer : NULL;
     if (!a) return;
     report_row(out, "Ipopt");
-    fprintf(out, "%s after %ld iterations, %.3g s; objective %.9g, residual %.2g; %s\n", a->status, (long)a->iterations,
-            a->seconds, a->objective, p->residual, p->evidence.level == SP_COUPLED ? "verified" : "not verified");
+    fprintf(out, "%s after %ld iteration%s, %.3g s; objective %.9g, residual %.2g; %s\n", a->status,
+            (long)a->iterations, text_s(a->iterations), a->seconds, a->objective, p->residual,
+            p->evidence.level == SP_COUPLED ? "verified" : "not verified");
 }
 
 static void text_weakest(FILE *out, const report *r)
@@ -190,7 +193,7 @@ static void text_overlaps(FILE *out, const host_scene *s)
     report_row(out, "overlap");
     fprintf(out, "%s - %s by ", s->name[s->overlap[0].a], s->name[s->overlap[0].b]);
     put_scaled(out, (double)s->overlap[0].depth, "m");
-    if (s->overlaps > 1) fprintf(out, " and %ld more pairs", (long)(s->overlaps - 1));
+    if (s->overlaps > 1) fprintf(out, " and %ld more pair%s", (long)(s->overlaps - 1), text_s(s->overlaps - 1));
     fputc('\n', out);
 }
 
@@ -227,8 +230,9 @@ static void text_scene(FILE *out, const report *r)
     const sp_counts *n = &x->counts;
     const int32_t blocks = r->scene->scene.count.blocks;
     report_row(out, "scene");
-    fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact points\n", (long)blocks, blocks == 1 ? "" : "s",
-            (long)n->free_blocks, (long)n->joints, n->joints == 1 ? "" : "s", r->scene->found ? " found" : "", (long)n->points);
+    fprintf(out, "%ld block%s, %ld free; %ld joint%s%s, %ld contact point%s\n", (long)blocks, blocks == 1 ? "" : "s",
+            (long)n->free_blocks, (long)n->joints, n->joints == 1 ? "" : "s", r->scene->found ? " found" : "",
+            (long)n->points, text_s(n->points));
     if (x->reason != SP_REASON_EFFECT) return;
     report_row(out, "left out");
     fprintf(out, "%s\n", sp_effect_text(x->missing));

@@ -51,6 +51,7 @@ typedef struct run {
     size_t bytes;
     double seconds;
     int32_t moves;                      /* kept, of all steps */
+    int32_t dropped;                    /* steps that fall and whose motion is not kept */
 } run;
 
 static void show_progress(const run *r, int32_t k)
@@ -208,7 +209,11 @@ static sp_status keep_moves(run *r, int32_t k)
     outcome *t = &r->outcome[k];
     int32_t n = 0;
     for (int32_t b = 0; b < r->scene.scene.count.blocks; b++) n += t->mark[b] == MARK_FALLS || t->mark[b] == MARK_HELD;
-    if (t->step.verdict != SP_UNSTABLE || n > MOVES - r->moves) return SP_OK;
+    if (t->step.verdict != SP_UNSTABLE) return SP_OK;
+    if (n > MOVES - r->moves) {
+        r->dropped++;
+        return SP_OK;
+    }
     t->move = zeroed((size_t)n, sizeof *t->move);
     if (!t->move) return SP_E_MEMORY;
     for (int32_t b = 0; b < r->scene.scene.count.blocks; b++) {
@@ -218,6 +223,14 @@ static sp_status keep_moves(run *r, int32_t k)
     }
     r->moves += t->moves;
     return SP_OK;
+}
+
+/* Page and model show fewer motions than there are. */
+static void tell_dropped(run *r)
+{
+    if (r->dropped)
+        remarks_add(&r->scene.remarks, NULL, "page and model show what moves of the first steps that fall only: %ld more have "
+                    "no motion, beyond %ld blocks that move in all", (long)r->dropped, (long)MOVES);
 }
 
 static sp_status take_step(run *r, int32_t k)
@@ -286,7 +299,7 @@ static const char *const verdict_word[] = { "undecided", "stable", "UNSTABLE" };
 
 static void print_head(FILE *out, const run *r)
 {
-    fprintf(out, "%s: %ld steps, ", r->scene.path, (long)r->steps);
+    fprintf(out, "%s: %ld step%s, ", r->scene.path, (long)r->steps, text_s(r->steps));
     if (!r->first) fputs("every one stands\n", out);
     else {
         fprintf(out, "step %ld is the first that %s (%s)", (long)r->first,
@@ -323,8 +336,8 @@ static void print_foot(FILE *out, const run *r)
         fprintf(out, "at most %ld at once; ! falls even when all others are held\n", (long)most);
     }
     report_row(out, "cost");
-    fprintf(out, "%ld factorisations, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
-            1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
+    fprintf(out, "%ld factorisation%s, %.3g Mflop, %.1f KiB, %.3g ms for all steps\n", (long)r->cost.factorisations,
+            text_s(r->cost.factorisations), 1e-6 * (double)r->cost.flops, (double)r->bytes / 1024, 1e3 * r->seconds);
     remarks_print(out, &r->scene.remarks);
 }
 
@@ -463,7 +476,8 @@ static void write_title(const run *r, int shown, char title[160])
     char some[24] = "", how[48] = "every one stands";
     if (shown < r->steps) snprintf(some, sizeof some, " (%d shown)", shown);
     if (r->first) snprintf(how, sizeof how, "step %ld is the first that fails", (long)r->first);
-    snprintf(title, 160, "%.40s: %ld steps%s, %s", slash ? slash + 1 : r->scene.path, (long)r->steps, some, how);
+    snprintf(title, 160, "%.40s: %ld step%s%s, %s", slash ? slash + 1 : r->scene.path, (long)r->steps,
+             text_s(r->steps), some, how);
 }
 
 static int put_strip(FILE *out, const void *of)
@@ -617,11 +631,13 @@ int command_sequence(int argc, char **argv)
         const sp_status s = all_steps(&r);
         if (s) status = scene_refused(&r.scene, &o.settings, s, &error);
     }
-    if (!status) status = draw(&r, &error);
-    if (!status && o.csv) status = write_csv(&r, &error);
     if (!status) {
+        tell_dropped(&r);
+        status = draw(&r, &error);                      /* the answer is told in any case */
+        if (!status && o.csv) status = write_csv(&r, &error);
         if (o.json) print_json(&r);
         else print_text(&r);
+        fflush(stdout);
     }
     if (status) fprintf(stderr, "%s\n", error.line);
     else status = report_exit(r.worst);

@@ -402,6 +402,7 @@ static int write_frames(session *s, failure *error)
     const int n = s->frames < FRAMES - 1 ? s->frames : FRAMES - 1;
     FILE *file = file_create(s->o->frames, error);
     const char *slash = strrchr(s->in.path, '/');
+    const int32_t fixed = fixed_blocks(&s->in.scene);
     char title[160];
     int status = 0;
     if (!file) return error->status;
@@ -411,8 +412,8 @@ static int write_frames(session *s, failure *error)
     last->vertex = moved_vertices(s, s->result.pose);
     snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt,
              s->result.energy);
-    snprintf(title, sizeof title, "%.60s: %ld stones in %.2g s", slash ? slash + 1 : s->in.path,
-             (long)(s->result.stones - fixed_blocks(&s->in.scene)), s->result.steps * s->set.dt);
+    snprintf(title, sizeof title, "%.60s: %ld stone%s in %.2g s", slash ? slash + 1 : s->in.path,
+             (long)(s->result.stones - fixed), text_s(s->result.stones - fixed), s->result.steps * s->set.dt);
     const sheet_page page = { title, &s->o->view, &s->in.remarks, NULL, 0 };
     if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, &page))
         status = fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");
@@ -439,14 +440,15 @@ static void print_text(const session *s)
     int32_t points = 0;
     for (int32_t k = 0; k < r->contacts; k++) points += r->contact[k].points;
     if (s->stopped) fputs("stopped by Ctrl-C; stones as they were then\n", stderr);
-    printf("%s: %ld of %ld stones settled in %ld steps\n", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
-           (long)r->steps);
+    printf("%s: %ld of %ld stone%s settled in %ld step%s", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
+           text_s(r->stones - fixed), (long)r->steps, text_s(r->steps));
+    report_near(stdout, 0, s->in.inside);               /* gaps close while they settle */
     if (s->o->quiet) return;
     printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
            1e3 * r->drift);
     printf("  penetration    %.2g mm, %.2g mm per m of stone\n", 1e3 * r->penetration,
            1e3 * r->penetration / mean_diameter(&s->in.scene));
-    printf("  contacts       %ld in %ld points\n", (long)r->contacts, (long)points);
+    printf("  contacts       %ld in %ld point%s\n", (long)r->contacts, (long)points, text_s(points));
     if (s->o->out) printf("  written        %s\n", s->o->out);
     remarks_print(stdout, &s->in.remarks);
 }
@@ -502,8 +504,9 @@ static int compare_with_statics(session *s, failure *error)
         agree = r.result.verdict == SP_UNDECIDED ? "undecided" : status == EXIT_UNDECIDED ? "differ" : "agree";
         if (s->o->json) print_json(s, &r.result, agree);
         else {
-            printf("%s: statics says %s, settle %s: they %s\n", s->in.path, sp_verdict_text(r.result.verdict),
+            printf("%s: statics says %s, settle %s: they %s", s->in.path, sp_verdict_text(r.result.verdict),
                    s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
+            report_near(stdout, r.result.verdict == SP_STABLE ? 0 : s->in.near, s->in.inside);
             if (!s->o->quiet) print_motion(s);
         }
     }
@@ -511,17 +514,24 @@ static int compare_with_statics(session *s, failure *error)
     return status;
 }
 
+static int write_files(session *s, failure *error)
+{
+    const int status = s->o->frames ? write_frames(s, error) : 0;
+    return status || !s->o->out ? status : write_scene(s, error);
+}
+
 static int settle_and_tell(session *s, failure *error)
 {
     int status = scene_read(s->o->file[0], &s->o->scene, &s->in, error);
     if (!status) status = simulate(s, error);
-    if (!status && s->o->frames) status = write_frames(s, error);
-    if (!status && s->o->out) status = write_scene(s, error);
     if (status) return status;
-    if (s->o->confirm) return s->stopped ? EXIT_STOPPED : compare_with_statics(s, error);
+    outputs_tell_beside(s->o->out, &s->in.remarks);
+    status = write_files(s, error);                     /* the answer is told in any case */
+    if (s->o->confirm && !status) return s->stopped ? EXIT_STOPPED : compare_with_statics(s, error);
     if (s->o->json) print_json(s, NULL, NULL);
     else print_text(s);
-    if (s->stopped) return EXIT_STOPPED;
+    fflush(stdout);
+    if (status || s->stopped) return status ? status : EXIT_STOPPED;
     return s->result.settled == s->result.stones ? EXIT_STABLE : EXIT_UNSTABLE;
 }
 
@@ -546,6 +556,7 @@ int command_settle(int argc, char **argv)
         status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: settle needs one scene, and -o, --frames or --confirm");
     if (!status) status = outputs_check(&o, NULL, &error);
     if (!status) status = outputs_check_obj("settle", o.out, &error);
+    if (!status) status = outputs_check_beside("settle", o.file[0], o.out, &error);
     if (!status) status = read_settings(o.set, &s.set, &error);
     progress_begin(o.quiet);
     progress_hear();

@@ -84,7 +84,8 @@ void sliding_text(FILE *out, const report *r, const sp_sliding_result *x, const 
     else if (x->reason == SP_SLIDING_NOT_ASKED)
         fputs("not asked: for planar scenes of at most 400 free blocks, joints without strength\n", out);
     else
-        fprintf(out, "no state found from %ld starts; the multiplier above stays the upper value\n", (long)x->ends);
+        fprintf(out, "no state found from %ld start%s; the multiplier above stays the upper value\n", (long)x->ends,
+                text_s(x->ends));
     if (x->kind == SP_SLIDING_STATE && x->associative > x->upper * (sp_real)1.000001) {
         report_row(out, "mind");
         fputs("between that and the multiplier above nothing is said\n", out);

@@ -253,9 +253,12 @@ int tilt_report(report *r, failure *error)
         progress_end();
         if (slid != SP_OK) status = scene_refused(r->scene, settings, slid, error);
     }
-    if (!status) status = draw_margin(r, &m, &s, error);
-    if (!status && r->options->json) print_json(r, &m, &s);
-    if (!status && !r->options->json) print_text(stdout, r, &m, &s, r->options->quiet);
+    if (!status) {
+        status = draw_margin(r, &m, &s, error);         /* the answer is told in any case */
+        if (r->options->json) print_json(r, &m, &s);
+        else print_text(stdout, r, &m, &s, r->options->quiet);
+        fflush(stdout);
+    }
     free(memory);
     return status ? status : m.undecided ? EXIT_UNDECIDED : m.stands ? 0 : EXIT_UNSTABLE;
 }

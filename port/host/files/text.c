@@ -199,3 +199,5 @@ const char *text_shortest(sp_real x, char text[32])
     if (digits == most) snprintf(text, 32, "%.*g", most, (double)x);
     return text;
 }
+
+const char *text_s(int64_t n) { return n == 1 ? "" : "s"; }

@@ -51,4 +51,7 @@ text_number text_int(text_word word, int32_t *i);
 /* The shortest decimal that reads back as x, of finite x; returns text.           text: room for 32 bytes */
 const char *text_shortest(sp_real x, char text[32]);
 
+/* What a word of n things ends with: "s", of one thing nothing. */
+const char *text_s(int64_t n);
+
 #endif

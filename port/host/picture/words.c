@@ -43,8 +43,9 @@ static void title_of_limit(const words *w)
     fputs(x->kind == SP_LIMIT_FOUND ? "times its live loads: " : x->kind == SP_LIMIT_UNDECIDED ? "under its live loads: "
                                                                : "at any multiple of its live loads: ", w->out);
     page_text(w->out, file_name(w->of->scene->path), 50);
-    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld blocks, %ld joints",
-            PAGE_MARGIN, (long)w->d->s->count.blocks, (long)w->d->s->count.joints);
+    fprintf(w->out, "</tspan></text>\n<text x=\"%.0f\" y=\"62\" font-size=\"13\" fill=\"#555\">%ld block%s, %ld joint%s",
+            PAGE_MARGIN, (long)w->d->s->count.blocks, text_s(w->d->s->count.blocks), (long)w->d->s->count.joints,
+            text_s(w->d->s->count.joints));
     put_friction(w);
     fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
     if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
