@@ -40,6 +40,17 @@ static void sp__island_hint(const sp__island_claim *p, const sp_scene *scene, co
                    6 * sizeof *p->hint);
 }
 
+/* The margin of a proof against what j judges; 0: it proves nothing.     returns SP_E_MEMORY: it does not fit */
+SP__NOINLINE static sp_status sp__verify_refutation(sp__certifier *j, const sp__lengths *k, const sp_proof *proof, sp_arena a,
+                                                    sp_real *margin)
+{
+    const int32_t points = sp__problem_points(j->pb);
+    sp_arena whole = a;
+    if (points <= SP_EXACT_POINTS && !sp__take(&whole, 1, sp__refute_need(points, j->pb->blocks))) return SP_E_MEMORY;
+    *margin = sp__certify_refutation(j, k, proof, &a);
+    return SP_OK;
+}
+
 /* The margin of a proof that refutes an island, judged on that alone; 0: none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
 SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_settings *set, const sp__lengths *k,
                                              const sp_result *claim, sp_arena a, sp_real *margin)
@@ -61,13 +72,12 @@ SP__NOINLINE static sp_status sp__verify_island(const sp_scene *scene, const sp_
     if (!p->hint) return SP_E_MEMORY;
     if (claim->y0) sp__island_hint(p, scene, claim->y0);
     if (!sp__certifier_open(&p->j, &p->pb, set, claim->y0 ? p->hint : NULL, INT32_MAX, &a)) return SP_E_MEMORY;
-    *margin = sp__certify_refutation(&p->j, k, &claim->coupled.proof, &a);
-    return SP_OK;
+    return sp__verify_refutation(&p->j, k, &claim->coupled.proof, a, margin);
 }
 
 /* The triple of a coupled check, and a proof that there is none.     returns SP_E_MEMORY, SP_E_NOT_FINITE */
 SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim,
-                                                 sp_real *dq, sp_arena *scratch, sp_arena room, sp_evidence *e)
+                                                 sp_real *dq, sp_arena scratch, sp_arena room, sp_evidence *e)
 {
     sp_status status = SP_OK;
     if (c->set.coupled.asked && claim->coupled.dq && claim->coupled.alpha) {
@@ -78,7 +88,7 @@ SP__NOINLINE static sp_status sp__verify_coupled(const sp_scene *scene, sp__chec
     }
     if (c->set.coupled.asked && claim->coupled.proof.nodes > 0) {
         const sp__lengths k = sp__coupled_lengths(&c->pb, &c->set);
-        if (!claim->coupled.proof.island) e->margin = sp__certify_refutation(j, &k, &claim->coupled.proof, scratch);
+        if (!claim->coupled.proof.island) status = sp__verify_refutation(j, &k, &claim->coupled.proof, scratch, &e->margin);
         else status = sp__verify_island(scene, &c->set, &k, claim, room, &e->margin);
         if (status) return status;
         if (e->margin > 0) { e->verdict = SP_UNSTABLE; e->level = SP_NONE; }
@@ -96,7 +106,7 @@ static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb)
 static size_t sp__verify_island_need(const sp_scene *scene, const sp_settings *set) { return (void)scene, (void)set, 0; }
 static size_t sp__verify_proof_need(const sp_scene *scene, const sp_problem *pb) { return (void)scene, (void)pb, 0; }
 static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__certifier *j, const sp_result *claim, sp_real *dq,
-                                    sp_arena *scratch, sp_arena room, sp_evidence *e)
+                                    sp_arena scratch, sp_arena room, sp_evidence *e)
 {
     return (void)scene, (void)c, (void)j, (void)claim, (void)dq, (void)scratch, (void)room, (void)e, SP_OK;
 }
@@ -111,13 +121,14 @@ SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
     sp__problem_count(scene, &pb);
     sp_arena dry = sp__arena_dry();
     sp__take(&dry, 1, sizeof(sp__check));
-    const size_t part = dry.used + sp__verify_island_need(scene, &set);
+    sp_arena part = dry;
+    sp__take(&part, 1, sp__verify_island_need(scene, &set));
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, 1, sp__certifier_need(&pb, &set));
     const size_t proof = sp__verify_proof_need(scene, &pb);
     if (proof) sp__take(&dry, 1, proof);
-    return part > dry.used ? part : dry.used;
+    return part.used > dry.used ? part.used : dry.used;
 }
 
 SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, const sp_result *claim, sp_arena scratch,
@@ -148,7 +159,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     else if (e.least_imbalance > c->set.tol || (SP__WITH_LARGE && e.final)) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;
     if (e.verdict == SP_STABLE) e.level = SP_ADMISSIBLE;
-    if (SP__WITH_COUPLED) status = sp__verify_coupled(scene, c, &j, claim, dq, &scratch, room, &e);
+    if (SP__WITH_COUPLED) status = sp__verify_coupled(scene, c, &j, claim, dq, scratch, room, &e);
     if (status) return status;
     *evidence = e;
     return SP_OK;

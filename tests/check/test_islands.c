@@ -211,6 +211,105 @@ TEST(what_refutes_one_island_is_no_proof_against_another)
     }
 }
 
+/* A block on a level joint of so many corners; where `aside`, another that touches nothing. */
+static sp_scene on_corners(int32_t corners, int aside)
+{
+    const sp_real ground[3] = { 0, 0, R(-1) }, middle[3] = { 0, 0, R(0.5) }, far[3] = { R(9), 0, R(0.5) };
+    const sp_strength strength = sp_strength_friction(R(0.6));
+    sp_real xyz[3 * (SP_EXACT_POINTS + 1)];
+    test_arena.used = 0;
+    sp_scene s = room(3, 1, corners);
+    for (int32_t k = 0; k < corners; k++) {             /* on a parabola and the chord that shuts it */
+        xyz[3 * k] = R(2.0 * k / (corners - 1) - 1);
+        xyz[3 * k + 1] = xyz[3 * k] * xyz[3 * k] - R(0.5);
+        xyz[3 * k + 2] = 0;
+    }
+    CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&s, R(1000), middle, 0, NULL), SP_OK);
+    if (aside) CHECK_INT(sp_scene_body(&s, R(1000), far, 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_joint(&s, 0, 1, corners, xyz, &strength, NULL), SP_OK);
+    return s;
+}
+
+/* So many blocks, one point between each of the first `linked` and the next. */
+static sp_scene chain(int32_t blocks, int32_t linked)
+{
+    const sp_real along[3] = { R(1), 0, 0 };
+    const sp_strength strength = sp_strength_friction(R(0.6));
+    test_arena.used = 0;
+    sp_scene s = room(blocks, linked, linked);
+    for (int32_t k = 0; k < blocks; k++) {
+        const sp_real c[3] = { R(k), 0, 0 };
+        CHECK_INT(sp_scene_body(&s, R(1000), c, 0, NULL), SP_OK);
+    }
+    for (int32_t k = 0; k < linked; k++) {
+        const sp_real at[3] = { R(k + 0.5), 0, 0 };
+        CHECK_INT(sp_scene_points(&s, k, k + 1, along, 1, at, &strength, NULL), SP_OK);
+    }
+    return s;
+}
+
+/* sp_verify of a claim of a proof of one leaf that holds nothing, with so many bytes less than sp_memory tells. */
+static sp_status judged_with_less(const sp_scene *s, int32_t island, size_t less)
+{
+    static int32_t node[1] = { -1 };
+    static uint16_t row[1];
+    static sp_real f[3 * (SP_EXACT_POINTS + 1)], dq[6 * 256], y[1];
+    sp_settings set = sp_settings_default();
+    sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+    sp_result r;
+    memset(&r, 0, sizeof r);
+    CHECK(s->count.points <= SP_EXACT_POINTS + 1 && s->count.blocks <= 256);
+    r.f = f;
+    r.dq = dq;
+    r.coupled.proof.nodes = r.coupled.proof.leaves = r.coupled.proof.entries = 1;
+    r.coupled.proof.island = island;
+    r.coupled.proof.node = node;
+    r.coupled.proof.row = row;
+    r.coupled.proof.y = y;
+    set.coupled.asked = 1;
+    set.faces = 64;                                     /* what SP_FOR_VERIFY is told for */
+    const sp_status status = sp_verify(s, &set, &r, behind(test_bytes(s, SP_FOR_VERIFY, NULL) - less), &e);
+    CHECK(!(e.margin > 0));
+    return status;
+}
+
+/* A proof that does not fit is not taken for none: it is judged in the memory told, refused in a byte less. Of an island that
+ * is the whole scene the memory told is what it takes; what is too large for a proof needs less. */
+TEST(a_proof_is_judged_in_the_memory_told_and_refused_in_a_byte_less)
+{
+    for (int32_t corners = 3; corners <= SP_EXACT_POINTS; corners += 15) {
+        const sp_scene s = on_corners(corners, 0);
+        CHECK_INT(judged_with_less(&s, 1, 0), SP_OK);
+        CHECK_INT(judged_with_less(&s, 1, 1), SP_E_MEMORY);
+        CHECK_INT(judged_with_less(&s, 0, 0), SP_OK);
+        CHECK_INT(judged_with_less(&s, 2, 0), SP_OK);
+    }
+    for (int32_t blocks = 2; blocks <= SP_EXACT_POINTS; blocks += 23) {
+        const sp_scene s = chain(blocks, blocks - 1);
+        CHECK_INT(judged_with_less(&s, 1, 0), SP_OK);
+        CHECK_INT(judged_with_less(&s, 1, 1), SP_E_MEMORY);
+    }
+    for (int32_t aside = 0; aside < 2; aside++) {
+        const sp_scene most = on_corners(SP_EXACT_POINTS, aside);
+        CHECK_INT(judged_with_less(&most, 1, 0), SP_OK);
+        CHECK_INT(judged_with_less(&most, 0, 0), SP_OK);
+        CHECK_INT(judged_with_less(&most, 0, 9000), SP_E_MEMORY);
+        const sp_scene more = on_corners(SP_EXACT_POINTS + 1, aside);
+        CHECK_INT(judged_with_less(&more, 1, 9000), SP_OK);
+        CHECK_INT(judged_with_less(&more, 0, 9000), SP_OK);
+    }
+    const sp_scene too_long = chain(SP_EXACT_POINTS + 1, SP_EXACT_POINTS);
+    CHECK_INT(judged_with_less(&too_long, 1, 9000), SP_OK);
+    for (int32_t linked = 0; linked <= SP_EXACT_POINTS + 1; linked++) {
+        if (linked > 0 && linked < SP_EXACT_POINTS) continue;
+        const sp_scene loose = chain(200, linked);      /* the whole takes more than any of its islands */
+        CHECK_INT(judged_with_less(&loose, 200 - linked, 0), SP_OK);
+        CHECK_INT(judged_with_less(&loose, 0, 0), SP_OK);
+        CHECK_INT(judged_with_less(&loose, 0, 1), SP_E_MEMORY);
+    }
+}
+
 /* One of several scenes that are coupled, refuted, fall, or hang between. */
 static sp_scene some_part(void)
 {
@@ -367,6 +466,7 @@ TEST_LIST(islands)
 #ifndef SP_NO_CRA
     RUN(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
     RUN(what_refutes_one_island_is_no_proof_against_another)
+    RUN(a_proof_is_judged_in_the_memory_told_and_refused_in_a_byte_less)
     RUN(a_coupled_check_tells_of_each_island_what_it_says_of_that_alone_and_of_all_what_it_says_of_the_whole)
 #endif
     RUN(supports_join_nothing_and_contacts_between_them_take_no_part)

@@ -4,6 +4,12 @@
 
 #include <math.h>
 
+#if defined SP_SMALL || defined SP_NO_CRA || defined SP_EXACT_ONLY
+enum { TELLS_COUPLED = 0 };
+#else
+enum { TELLS_COUPLED = 1 };
+#endif
+
 static void build(const char *name, const char *param, double value, sp_scene *scene)
 {
     CHECK_INT(gen_make(name, param, value, &test_arena, scene), SP_OK);
@@ -372,6 +378,33 @@ TEST(an_imbalance_of_just_tol_is_balanced)
     CHECK_INT(e.verdict, SP_UNDECIDED);
 }
 
+/* A motion proves a fall where what it leaves unbalanced is more than tol. */
+TEST(what_a_motion_leaves_unbalanced_by_just_tol_may_stand)
+{
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    sp_settings set = sp_settings_default();
+    build("two-cubes", "offset", 0.55, &s);
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    CHECK_INT(r.verdict, SP_UNSTABLE);
+    for (int32_t i = 0; i < s.count.blocks; i++) r.dq[6 * i + 2] -= s.block[i].fixed == SP_FIXED ? 0 : R(1e-5);    /* not without work */
+    set.force_bound = 100;
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, SP_UNSTABLE);
+    if (e.final) return;                                /* in float nothing resists that, whatever the bound */
+    sp_real just = 0;
+    for (int it = 0; it < 9 && (e.least_imbalance < just || e.least_imbalance > just); it++) {     /* rounding is allowed for by tol */
+        just = set.tol = e.least_imbalance;
+        NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    }
+    CHECK_WITHIN(e.least_imbalance, just, 0);
+    CHECK_INT(e.verdict, SP_UNDECIDED);
+    set.tol = just * R(1 - TOL(1e-6, 1e-4));
+    NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+    CHECK_INT(e.verdict, SP_UNSTABLE);
+}
+
 #if !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_EXACT_ONLY
 /* COUPLED needs both, forces that balance and a triple that holds. */
 TEST(a_triple_is_coupled_only_with_forces_that_balance)
@@ -398,7 +431,116 @@ TEST(a_triple_is_coupled_only_with_forces_that_balance)
     CHECK_INT(e.verdict, SP_UNDECIDED);
     CHECK_INT(e.level, SP_NONE);
 }
+
+/* Motions moved farther and farther apart from a triple that holds: it is coupled up to a residual of 1, and no farther. A claim
+ * without motion or without alpha, or where nobody asks, is of forces alone. */
+TEST(a_triple_is_coupled_up_to_its_allowance_and_where_it_is_asked_for)
+{
+    sp_scene s;
+    sp_result r;
+    sp_evidence e;
+    sp_settings set = sp_settings_default();
+    set.coupled.asked = 1;
+    build("two-cubes", "offset", 0.3, &s);
+    NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+    const sp_real at = r.coupled.dq[8];
+    double within = 0, beyond = (double)r.coupled.eps;  /* by so much the upper cube may be lifted, and may not */
+    int near = 0;
+    for (int it = 0; it < TOL(60, 30); it++) {
+        const double lift = (within + beyond) / 2;
+        r.coupled.dq[8] = at + R(lift);
+        NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+        CHECK_INT(e.level, e.residual <= 1 ? SP_COUPLED : SP_ADMISSIBLE);
+        CHECK_INT(e.verdict, SP_STABLE);
+        near += e.residual > 1 && e.residual < 2;
+        if (e.residual <= 1) within = lift; else beyond = lift;
+    }
+    CHECK(near > 0);
+    r.coupled.dq[8] = at;
+    sp_real *dq = r.coupled.dq, *alpha = r.coupled.alpha;
+    for (int without = 0; without < 3; without++) {
+        r.coupled.dq = without == 0 ? NULL : dq;
+        r.coupled.alpha = without == 1 ? NULL : alpha;
+        set.coupled.asked = without != 2;
+        NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+        CHECK_INT(e.level, SP_ADMISSIBLE);
+        CHECK(!(e.residual > 0));
+    }
+}
+
+/* A cube that falls upwards: that its forces balance along z contradicts itself, for joints press only. A tree of one leaf says so. */
+TEST(a_proof_of_one_leaf_refutes_where_it_is_asked_for)
+{
+    int32_t node[1] = { -1 };
+    uint16_t row[1] = { 2 };                            /* balance of the first free block along z */
+    sp_real y[1];
+    sp_settings set = sp_settings_default();
+    sp_evidence e;
+    sp_scene s;
+    int held = 0;
+    build("two-cubes", NULL, 0, &s);
+    s.gravity[2] = 9;
+    sp_result r = empty_claim(&s);
+    r.coupled.proof.nodes = r.coupled.proof.leaves = r.coupled.proof.entries = 1;
+    r.coupled.proof.node = node;
+    r.coupled.proof.row = row;
+    r.coupled.proof.y = y;
+    for (int k = 0; k < 8; k++) {
+        y[0] = k % 2 ? 1 : -1;
+        set.coupled.asked = k / 2 % 2;
+        r.coupled.proof.island = k / 4;
+        NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+        CHECK_INT(e.verdict, e.margin > 0 ? SP_UNSTABLE : SP_UNDECIDED);
+        CHECK(set.coupled.asked || !(e.margin > 0));
+        held += e.margin > 0;
+    }
+    CHECK_INT(held, 2);                                 /* with one sign of y, of the whole and of its island */
+}
 #endif
+
+/* What lies behind the arrays of a claim is not read; their last numbers are. */
+TEST(a_claim_is_read_to_its_last_number_and_no_farther)
+{
+    enum { TRIED = 5 };
+    static sp_real f[3 * 8 + 32], dq[6 * 2 + 12], move[6 * 2 + 12], alpha[8 + 8];
+    sp_scene s;
+    sp_evidence e;
+    sp_settings set = sp_settings_default();
+    set.coupled.asked = TELLS_COUPLED;
+    build("two-cubes", NULL, 0, &s);
+    sp_result r = empty_claim(&s);
+    const int32_t nf = 3 * s.count.points, nq = 6 * s.count.blocks, na = s.count.points;
+    NEED(na <= 8 && s.count.blocks == 2);
+    r.f = f;
+    r.dq = dq;
+    r.coupled.dq = move;
+    r.coupled.alpha = alpha;
+    for (int k = 0; k < TRIED; k++) {
+        for (int32_t i = 0; i < 3 * 8 + 32; i++) f[i] = i < nf ? 0 : R(NAN);
+        for (int32_t i = 0; i < 6 * 2 + 12; i++) dq[i] = move[i] = i < nq ? 0 : R(NAN);
+        for (int32_t i = 0; i < 8 + 8; i++) alpha[i] = i < na ? 0 : R(NAN);
+        if (k == 1) f[nf - 1] = R(NAN);
+        if (k == 2) dq[nq - 1] = R(NAN);
+        if (k == 3) move[nq - 1] = R(NAN);
+        if (k == 4) alpha[na - 1] = R(NAN);
+        const int read = k > 0 && (k < 3 || set.coupled.asked);
+        CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), read ? SP_E_NOT_FINITE : SP_OK);
+    }
+}
+
+TEST(a_support_alone_stands)
+{
+    const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
+    const sp_real middle[3] = { 0, 0, 0 };
+    sp_evidence e;
+    sp_scene s;
+    NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+    sp_result r = empty_claim(&s);
+    CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_E_EMPTY);
+    NEED(sp_scene_body(&s, 0, middle, SP_FIXED, NULL) == SP_OK);
+    CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_OK);
+    CHECK_INT(e.verdict, SP_STABLE);
+}
 
 TEST(verify_says_which_argument_it_cannot_use)
 {
@@ -409,8 +551,18 @@ TEST(verify_says_which_argument_it_cannot_use)
     CHECK_INT(sp_verify(NULL, NULL, &r, test_arena, &e), SP_E_ARGUMENT);
     CHECK_INT(sp_verify(&s, NULL, NULL, test_arena, &e), SP_E_ARGUMENT);
     CHECK_INT(sp_verify(&s, NULL, &r, test_arena, NULL), SP_E_ARGUMENT);
+    const sp_arena nowhere = { NULL, 0, 0, 0 };
+    CHECK_INT(sp_verify(&s, NULL, &r, nowhere, &e), SP_E_ARGUMENT);
+    sp_real *f = r.f;
     r.f = NULL;
     CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_E_ARGUMENT);
+    r.f = f;
+    r.dq = NULL;
+    CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_E_ARGUMENT);
+    size_t bytes = 7;
+    CHECK_INT(sp_memory(NULL, SP_FOR_VERIFY, NULL, test_arena, &bytes), SP_E_ARGUMENT);
+    CHECK_INT(sp_memory(&s, SP_FOR_VERIFY, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    CHECK_INT((int64_t)bytes, 7);
     CHECK_INT(e.verdict, SP_STABLE);
 }
 
@@ -432,8 +584,13 @@ TEST_LIST(verify)
     RUN(a_force_bound_below_what_stands_proves_no_fall)
     RUN(evidence_says_what_was_proved_and_no_more)
     RUN(an_imbalance_of_just_tol_is_balanced)
+    RUN(what_a_motion_leaves_unbalanced_by_just_tol_may_stand)
 #if !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_EXACT_ONLY
     RUN(a_triple_is_coupled_only_with_forces_that_balance)
+    RUN(a_triple_is_coupled_up_to_its_allowance_and_where_it_is_asked_for)
+    RUN(a_proof_of_one_leaf_refutes_where_it_is_asked_for)
 #endif
+    RUN(a_claim_is_read_to_its_last_number_and_no_farther)
+    RUN(a_support_alone_stands)
     RUN(verify_says_which_argument_it_cannot_use)
 TEST_END

@@ -30,8 +30,9 @@ SETS = {
 # Suites by what is changed, quick ones first; `core` is asked by all of them.
 JUDGES = ['scale', 'leaf', 'corner', 'refute', 'still', 'triple', 'verify', 'claims', 'strong', 'shapes', 'spared',
           'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
+VERIFIES = ['hint', 'verify', 'islands', 'claims', 'exact', 'memory', 'strong']    # of verify alone
 LIMITS = ['limit', 'bracket', 'effort', 'sliding']  # of limit alone
-WHITE = ['scale', 'leaf', 'still', 'corner']      # what a survivor is asked by once more, fenced
+WHITE = ['scale', 'leaf', 'still', 'corner', 'hint']      # what a survivor is asked by once more, fenced
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
 
@@ -306,7 +307,7 @@ def main():
         with open('build/scenes.h', 'w') as f:
             f.write(run(['awk', '-f', 'tests/corpus/scenes.awk', *glob('tests/scenes/*.obj')]).stdout)
     compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
-    suites = Suites(args.suites or (LIMITS if args.of == ['limit'] else JUDGES), 'build/mutation/suites', compiler)
+    suites = Suites(args.suites or {'limit': LIMITS, 'verify': VERIFIES}.get(' '.join(args.of), JUDGES), 'build/mutation/suites', compiler)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     print('%d quick tests, %.1f s, and %d slow ones, %.1f s, of %d' % (counts[0], suites.seconds[0], counts[1], suites.seconds[1],
