@@ -96,6 +96,7 @@ help:
 	@echo "make pair      the library as two files, in build/pair/"
 	@echo "make package   one folder for CMake, Meson, Arduino, PlatformIO, ESP-IDF, Zephyr, in build/package/"
 	@echo "make dist      a release as one tarball, build/dist/; the same files make the same bytes"
+	@echo "               HOMEPAGE=ADDRESS: the project's page, for dist, deb, package, install, python"
 	@echo "make deb       Debian packages of it, build/deb/; needs dpkg-dev and debhelper"
 	@echo "make page      one HTML file that reads a model, checks it as it is changed, and shows it in 3D: build/page/stonepack.html"
 	@echo "make docs      manual page, completions for bash and zsh, in build/doc/"
@@ -155,10 +156,10 @@ build/libstonepack_settle.so: $(wildcard settle/*.c settle/*.cpp settle/*.h) $(S
 python: build/python/made
 	@cat $<
 
-build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) build/plugins port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h settle/settle.h
+build/python/made: $(SHARED) build/libstonepack_files.so $(PY_SETTLE) build/plugins build/homepage port/python/bind.py port/python/wheel.py $(PY_FILES) stonepack.h settle/settle.h
 	@rm -rf build/python && mkdir -p build/python/stonepack
 	@cp $(filter %.py %/py.typed,$(PY_FILES)) build/python/stonepack/
-	@cp $(filter-out %.py %/py.typed,$(PY_FILES)) build/python/
+	@cp $(filter-out %.py %/py.typed,$(PY_FILES)) build/homepage build/python/
 	@cp $(SHARED) build/python/stonepack/$(SONAME)
 	@cp build/libstonepack_files.so $(PY_SETTLE) build/python/stonepack/
 	@$(CC) -E -dM stonepack.h > build/python/macros
@@ -182,6 +183,11 @@ build/stonepack: $(PROGRAM_O) $(SETTLE_O) build/libstonepack.a build/plugins
 	$(Q)$(CC) $(ALL_C) $(filter %.o %.a,$^) $(PLUG_L) -lm -o $@
 
 -include $(PROGRAM_O:.o=.d)
+
+# The project's address, if there is one: port/package/homepage, or make HOMEPAGE=ADDRESS.
+build/homepage: always
+	@mkdir -p build
+	@sh port/package/package.sh --homepage > $@.new && if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 # What is built in; changes when one comes or goes.
 build/plugins: always

@@ -127,6 +127,18 @@ unpacked() {
         export SOURCE_DATE_EPOCH="$(stat -c %Y SHA256SUMS)" && sh port/package/dist.sh) &&
     cmp "build/dist/stonepack-$version.tar.gz" "$to/stonepack-$version/build/dist/stonepack-$version.tar.gz"
 }
+# The project's address stands in every package or in none; a tarball made with it keeps it.
+addressed() (
+    unset HOMEPAGE
+    ad=$to/addressed/stonepack-$version
+    ad_is=https://stones.example/pack
+    [ "$(sh port/package/package.sh --homepage)" ] || ! grep -rniE '^ *"?(url|homepage)"?[:=]' "$to/stonepack"/*.* || return 1
+    ! HOMEPAGE='not an address' sh port/package/package.sh --homepage || return 1
+    HOMEPAGE=$ad_is sh port/package/dist.sh "$to/addressed" && tar -xzf "$ad.tar.gz" -C "$to/addressed" && cd "$ad" &&
+    grep -x "url=$ad_is" package/library.properties && grep -x "url: \"$ad_is\"" package/idf_component.yml &&
+    grep "\"homepage\": \"$ad_is\"," package/library.json && sh port/package/package.sh --fill port/debian/control /usr | grep -x "Homepage: $ad_is" &&
+    sh port/package/package.sh --fill port/package/stonepack.pc /usr | grep -x "URL: $ad_is"
+)
 # Of the Debian packages, without installing them.
 deb_user() (
     rm -rf "$to/root"
@@ -146,6 +158,7 @@ part "tarball: the same bytes twice" twice
 part "tarball: checksums hold, and it makes itself" unpacked
 if have cmake; then part "CMake project, double and float" cmake_package; else skip "CMake" cmake; fi
 if have meson; then part "Meson subproject" meson_package; else skip "Meson" meson; fi
+part "address of the project: in every package or none" addressed
 part "switches: each is an option of CMake, Meson, ESP-IDF and Zephyr" every_switch
 if have cmake; then part "CMake: switches" cmake_switches; fi
 if have meson; then part "Meson: switches" meson_switches; fi

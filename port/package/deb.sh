@@ -10,6 +10,7 @@ mkdir -p build/deb
 tar -xzf "$tarball" -C build/deb
 cp "$tarball" "build/deb/stonepack_$version.orig.tar.gz"
 cp -r port/debian "$tree/debian"
+(cd "$tree" && sh port/package/package.sh --fill port/debian/control /usr > debian/control)
 date=$(date -R -d "@$(stat -c %Y "$tree/SHA256SUMS")")
 cat > "$tree/debian/changelog" <<EOT
 stonepack ($version-1) unstable; urgency=medium

@@ -1,7 +1,7 @@
 #!/bin/sh
 # dist: a release as one tarball, build/dist/stonepack-VERSION.tar.gz: this tree, in package/ the folder of `make package` (the pair,
 # its header, files for CMake, Meson and others), in doc/ the manual page, and SHA256SUMS of all of it. The same files make the same
-# bytes, whoever makes them wherever and whenever.
+# bytes, whoever makes them wherever and whenever. HOMEPAGE=ADDRESS goes into the packages, and into port/package/homepage there.
 #
 #     dist.sh [FOLDER]          default build/dist
 #     dist.sh --version         of port/CHANGELOG.md, which is the header's too, or it ends here
@@ -32,6 +32,8 @@ files | while read -r file; do
     mkdir -p "$to/$(dirname "$file")"
     cp "$file" "$to/$file"
 done
+homepage=$(sh port/package/package.sh --homepage)
+if [ "${HOMEPAGE:-}" ]; then echo "$homepage" > "$to/port/package/homepage"; fi
 sh port/package/package.sh "$to/package"
 cp build/doc/stonepack.1 "$to/doc/"
 (cd "$to" && find . -type f ! -name SHA256SUMS | sort | xargs sha256sum > SHA256SUMS)

@@ -3,10 +3,16 @@
 # Zephyr module at once, made of the pair.
 #
 #     package.sh [FOLDER]                       default build/package/stonepack
-#     package.sh --fill FILE PREFIX             the file with version and prefix put in
+#     package.sh --fill FILE PREFIX             the file with version, prefix and address put in
+#     package.sh --homepage                     the project's address: of HOMEPAGE, else of the file homepage beside this; or nothing
 set -eu
 here=$(dirname "$0")
 version=$(awk '$2 ~ /^SP_VERSION_(MAJOR|MINOR|PATCH)$/ { v = v (v == "" ? "" : ".") $3 } END { print v }' stonepack.h)
+homepage=${HOMEPAGE:-$(sed -n '/^[^#]/p' "$here/homepage")}
+if [ "$homepage" ] && ! echo "$homepage" | grep -qxE 'https?://[A-Za-z0-9._~/:@%?=#+-]+'; then
+    echo "package: no address of a page: $homepage" >&2
+    exit 1
+fi
 # Switches of the header's table, and what each leaves out: NAME TEXT, without SP_.
 switches() {
     awk '/^\/\* Switches: what is lost/ { on = 1 } /Calls left out/ { on = 0 }
@@ -15,7 +21,7 @@ switches() {
 }
 names=$(switches | awk '{ printf "%s%s", n++ ? " " : "", $1 }')
 lower=$(echo "$names" | tr '[:upper:] ' '[:lower:]\n' | sed "s/.*/'&'/" | paste -sd, | sed 's/,/, /g')
-fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" -e "s|@SWITCHES@|$names|g" -e "s|@switches@|$lower|g" "$1"; }
+fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" -e "${homepage:+s|@HOMEPAGE@|$homepage|g}" -e '/@HOMEPAGE@/d' -e "s|@SWITCHES@|$names|g" -e "s|@switches@|$lower|g" "$1"; }
 # Each switch as an option of Meson, of Kconfig.
 meson_options() {
     switches | while read -r name text; do
@@ -28,6 +34,10 @@ kconfig() {                                             # kconfig [what it depen
         [ $# -eq 0 ] || printf '\tdepends on %s\n' "$1"
     done | sed 's/SP_REAL_MIXED; lost:/SP_REAL_MIXED:/'
 }
+if [ "${1:-}" = --homepage ]; then
+    echo "$homepage"
+    exit
+fi
 if [ "${1:-}" = --fill ]; then
     fill "$2" "$3"
     exit

@@ -1,6 +1,6 @@
 """wheel: a folder with the package becomes a wheel, by the standard library alone; the same folder makes the same bytes.
 
-    python3 wheel.py FOLDER OUT        FOLDER has stonepack/ and LICENSE, README.md; prints the wheel's path
+    python3 wheel.py FOLDER OUT        FOLDER has stonepack/ and LICENSE, README.md, homepage; prints the wheel's path
 
 The tag says what the shared libraries ask of the system: of glibc the newest GLIBC_2.N that they name, manylinux_2_17 where that is no
 newer. What needs a library that manylinux does not list, such as Bullet, is linux_MACHINE: for machines that are known to have it.
@@ -18,7 +18,7 @@ Name: stonepack
 Version: %s
 Summary: Does an assembly of rigid blocks stand? Verdicts with proof, and a kit for testing packers and planners
 License: MIT
-Requires-Python: >=3.8
+%sRequires-Python: >=3.8
 Provides-Extra: testing
 Requires-Dist: hypothesis; extra == "testing"
 Requires-Dist: pytest; extra == "testing"
@@ -66,7 +66,9 @@ def main(folder, out):
     tags, info = machine_tags(package), "stonepack-%s.dist-info" % version
     contents = {"stonepack/" + name: read(os.path.join(package, name)) for name in os.listdir(package)
                 if os.path.isfile(os.path.join(package, name))}
-    contents[info + "/METADATA"] = (META % (version, read(os.path.join(folder, "README.md")).decode())).encode()
+    homepage = read(os.path.join(folder, "homepage")).decode().strip()
+    address = "Project-URL: Homepage, %s\n" % homepage if homepage else ""
+    contents[info + "/METADATA"] = (META % (version, address, read(os.path.join(folder, "README.md")).decode())).encode()
     contents[info + "/LICENSE"] = read(os.path.join(folder, "LICENSE"))
     contents[info + "/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: stonepack\nRoot-Is-Purelib: false\n"
                                  + "".join("Tag: py3-none-%s\n" % tag for tag in tags)).encode()

@@ -366,8 +366,9 @@ py_listed() {
     pl=$out/listed
     rm -rf $pl && mkdir -p $pl/there && cp -r build/python $pl/python && cp -r build/python $pl/newer && rm -f $pl/*/stonepack/libstonepack_settle.so &&
     ! objdump -T $pl/python/stonepack/*.so* | grep -E 'GLIBC_2\.(1[89]|[2-9][0-9])' &&
-    $py -B port/python/wheel.py $pl/python $pl | grep '/stonepack-[0-9.]*-py3-none-manylinux_2_17_x86_64.manylinux2014_x86_64.whl$' &&
+    echo https://stones.example/pack > $pl/python/homepage && $py -B port/python/wheel.py $pl/python $pl | grep '/stonepack-[0-9.]*-py3-none-manylinux_2_17_x86_64.manylinux2014_x86_64.whl$' &&
     $py -m pip install -q --root-user-action=ignore --no-index --no-deps --target $pl/there $pl/*.whl &&
+    grep '^Project-URL: Homepage, https://stones.example/pack$' $pl/there/*.dist-info/METADATA &&
     PYTHONPATH=$pl/there $py -B -c 'import stonepack
 scene = stonepack.read("tests/scenes/arch.obj")
 scene.write("'$pl'/arch.obj"), scene.check().svg("'$pl'/arch.svg")' && ls $pl/arch.obj $pl/arch.svg &&
