@@ -260,6 +260,16 @@ class Building(unittest.TestCase):
         self.assertEqual(t.joints[0].mu, 0.1)
 
 
+class Help(unittest.TestCase):
+    def test_every_field_and_call_is_told(self):
+        for kind in (getattr(stonepack, name) for name in stonepack.__all__ if isinstance(getattr(stonepack, name), type)):
+            for field in getattr(kind, "_fields", ()):
+                self.assertRegex(kind.__doc__, r"\b%s\b" % field, kind)
+            for name in dir(kind):
+                if name[0] != "_" and name not in ("args", "count", "index"):       # those are Python's
+                    self.assertTrue(getattr(kind, name).__doc__, "%s.%s" % (kind.__name__, name))
+
+
 class Refusals(unittest.TestCase):
     def refused(self, block, words, call, *args, **more):
         with self.assertRaisesRegex(stonepack.SceneError, words) as told:

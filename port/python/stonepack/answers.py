@@ -23,50 +23,82 @@ LEVELS = {v: text(c.SP_WORDS_LEVEL, v) for v in (c.SP_NONE, c.SP_ADMISSIBLE, c.S
 
 
 class Block(NamedTuple):
-    """A block of a scene."""
+    """A block of a scene.
+
+    number      from 0, in the order they were added
+    mass        [kg]
+    centroid    [m]
+    volume      [m^3]
+    fixed       held in all directions: a support; name: as given
+    """
     number: int
     name: str
-    mass: float                 # [kg]
-    centroid: Vec3              # [m]
-    volume: float               # [m^3]
-    fixed: bool                 # held in all directions: a support
+    mass: float
+    centroid: Vec3
+    volume: float
+    fixed: bool
 
 
 class Joint(NamedTuple):
-    """A contact of two blocks."""
+    """A contact of two blocks.
+
+    number      from 0, the order of Result.joints
+    a, b        names of its blocks
+    normal      of length 1, from a into b; t1, t2: the directions of friction, normal to it and to each other
+    area        [m^2]; 0 of point and edge contacts
+    mu          its friction
+    points      its corners, anticlockwise seen from b [m]; the order of Result.forces
+    """
     number: int
     a: str
-    b: str                      # the normal points from a into b
+    b: str
     normal: Vec3
     t1: Vec3
     t2: Vec3
-    area: float                 # [m^2], 0 of point and edge contacts
+    area: float
     mu: float
-    points: List[Vec3]          # corners, anticlockwise seen from b [m]
+    points: List[Vec3]
 
 
 class Overlap(NamedTuple):
-    """Two blocks inside each other."""
+    """Two blocks inside each other: names a, b, and their depth [m]."""
     a: str
     b: str
-    depth: float                # [m]
+    depth: float
 
 
 class JointForce(NamedTuple):
-    """What one joint passes on, as it acts on b."""
+    """What one joint passes on, as it acts on b.
+
+    number, a, b            as of Joint
+    force                   in x y z [N]
+    point                   where it acts [m]
+    min_fn, max_fn          least and largest normal force of its corners [N]; > 0 presses
+    utilisation             share of its friction that is used, of the joint as a whole
+    corner_utilisation      and of the corner that uses most
+    """
     number: int
     a: str
     b: str
-    force: Vec3                 # world axes [N]
-    point: Vec3                 # where it acts [m]
+    force: Vec3
+    point: Vec3
     min_fn: float
-    max_fn: float               # of its corners [N]
-    utilisation: float          # share of its friction that is used, of the joint as a whole
-    corner_utilisation: float   # and of the corner that uses most
+    max_fn: float
+    utilisation: float
+    corner_utilisation: float
 
 
 class Evidence(NamedTuple):
-    """What the evidence of a result proves, computed anew."""
+    """What the evidence of a result proves, computed anew.
+
+    verdict             that it proves; it is verified where this is the result's
+    final               of an unstable: no forces of any size would do
+    imbalance           largest imbalance of the forces, relative to what acts on that block
+    least_imbalance     no admissible forces come below
+    level               "admissible", "coupled", else "none"
+    residual            of a coupled: its largest violation, proved where <= 1
+    margin              of a proof that there is no coupled one, > 0
+    """
     verdict: str
     final: bool
     imbalance: float
@@ -77,15 +109,22 @@ class Evidence(NamedTuple):
 
 
 class Effect(NamedTuple):
+    """One effect of a plan: on, whether it is simulated, and why; unknowns, flops, bytes: saved by leaving it out."""
     on: bool
     why: str
-    unknowns: int               # saved by leaving it out, and so the next two
+    unknowns: int
     flops: int
     bytes: int
 
 
 class Plan(NamedTuple):
-    """What a check will simulate, and what it leaves out."""
+    """What a check will simulate, and what it leaves out.
+
+    effects                 by name
+    islands                 parts that do not touch and are checked one by one
+    unknowns, flops, bytes  of the check as planned; bytes besides the scene
+    full_unknowns, full_flops, full_bytes   of one that leaves nothing out
+    """
     effects: Dict[str, Effect]
     islands: int
     unknowns: int
@@ -97,43 +136,72 @@ class Plan(NamedTuple):
 
 
 class Hinge(NamedTuple):
-    """What a joint does in a mechanism."""
+    """What the joint of blocks a and b does in a mechanism.
+
+    kind            "hinge", "sliding", "open"
+    opening, slip   [m] of the motion as scaled
+    line            the two ends of a hinge or of a sliding joint [m]
+    """
     a: str
     b: str
-    kind: str                   # "hinge", "sliding", "open"
-    opening: float              # [m] of the motion as scaled
+    kind: str
+    opening: float
     slip: float
-    line: Tuple[Vec3, Vec3]     # of a hinge or a sliding joint
+    line: Tuple[Vec3, Vec3]
 
 
 class Step(NamedTuple):
-    """One step of a build order."""
-    block: str                  # that came, went, is held or let go
+    """One step of a build order.
+
+    block               that came, went, is held or let go
+    verdict, stable     of all that is there then; reason in words
+    final               of an unstable: no forces of any size would do
+    falls               a block that goes, None: nothing does
+    moving              blocks of the mechanism, fastest first
+    imbalance           largest of the forces, relative
+    hold                what must be held meanwhile, where that was asked, else None
+    """
+    block: str
     verdict: str
     stable: bool
     reason: str
     final: bool
-    falls: Optional[str]        # a block that goes, None: nothing does
-    moving: List[str]           # blocks of the mechanism, fastest first
+    falls: Optional[str]
+    moving: List[str]
     imbalance: float
-    hold: Optional[List[str]]   # what must be held meanwhile, where it was asked
+    hold: Optional[List[str]]
 
 
 class Held(NamedTuple):
+    """What to hold.
+
+    blocks      their names
+    must        of each: it falls even when all others of its island are held
+    proof       whether fewer would do
+    checks      how many it took
+    """
     blocks: List[str]
-    must: List[bool]            # it falls even when all others of its island are held
+    must: List[bool]
     proof: str
     checks: int
 
 
 class Strong(NamedTuple):
-    """Does it stand whatever friction does?"""
+    """Does it stand whatever friction does?
+
+    kind        "strong": nothing moves; "ambiguous": it stands or goes by its history; the others say what is known
+    reason      in words
+    verified    the certificate check finds the same kind
+    residual    of a strong: largest relative imbalance of the forces; of an ambiguous: of the motion
+    moves       of an ambiguous: largest acceleration of a block, in all forces on it / its mass
+    moving      of an ambiguous: acceleration of centroid and turn by block [m/s^2, rad/s^2]
+    """
     kind: str
     reason: str
     verified: bool
     residual: float
     moves: float
-    moving: Dict[str, Vec6]     # of an ambiguous: acceleration of centroid and turn [m/s^2, rad/s^2]
+    moving: Dict[str, Vec6]
 
 
 def speeds(dq: Any, count: int) -> List[float]:
@@ -161,6 +229,7 @@ class _Answer:
 
     @property
     def reason(self) -> str:
+        """Why, in words: of an undecided what was in the way."""
         return text(c.SP_WORDS_REASON, self._c.reason)
 
     @property
@@ -191,14 +260,17 @@ class Result(_Answer):
 
     @property
     def stable(self) -> bool:
+        """Forces exist that hold it."""
         return self._c.verdict == c.SP_STABLE
 
     @property
     def unstable(self) -> bool:
+        """A motion exists in which it falls."""
         return self._c.verdict == c.SP_UNSTABLE
 
     @property
     def undecided(self) -> bool:
+        """Neither is proved; reason says why."""
         return self._c.verdict == c.SP_UNDECIDED
 
     @property
@@ -223,10 +295,12 @@ class Result(_Answer):
 
     @property
     def tol(self) -> float:
+        """Imbalance that a stable one may have, relative; in force."""
         return self._c.tol
 
     @property
     def force_bound(self) -> float:
+        """Of an unstable that is not final: no forces up to so much would do, in the scene's usual forces."""
         return self._c.force_bound
 
     @property
@@ -241,18 +315,22 @@ class Result(_Answer):
 
     @property
     def max_utilisation(self) -> float:
+        """Largest share of its friction that a joint uses."""
         return self._c.extremes.utilisation
 
     @property
     def flops(self) -> int:
+        """Floating-point operations of the search."""
         return self._c.spent.total.flops
 
     @property
     def factorisations(self) -> int:
+        """Of matrices, in the search."""
         return self._c.spent.total.factorisations
 
     @property
     def peak_bytes(self) -> int:
+        """Memory of the check, besides the scene [byte]."""
         return self._c.spent.peak_bytes
 
     @property

@@ -227,6 +227,7 @@ class Scene:
 
     @property
     def names(self) -> List[str]:
+        """Of its blocks, by number."""
         return list(self._names)
 
     @property
@@ -639,6 +640,7 @@ class BuildOrder:
         return self._set(block, c.SP_PRESENT, ask_hold)
 
     def remove(self, block: Name, *, ask_hold: bool = False) -> Step:
+        """A stone is taken away."""
         return self._set(block, c.SP_ABSENT, ask_hold)
 
     def hold(self, block: Name, *, ask_hold: bool = False) -> Step:

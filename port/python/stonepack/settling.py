@@ -17,26 +17,43 @@ _KEPT = ("watch", "user", "pair", "pairs", "gravity", "mu")      # set by the sc
 
 
 class Pose(NamedTuple):
-    """Where a stone is: x' = R (x - c) + t of its points x as they were."""
-    R: List[Vec3]               # by rows
-    c: Vec3                     # its centroid as it was [m]
-    t: Vec3                     # where that is now [m]
-    moved: float                # how far that is [m]
-    turned: float               # [degree]
-    settled: bool               # fixed, or not below settings.lowest
+    """Where a stone is: x' = R (x - c) + t of its points x as they were.
+
+    R           by rows
+    c, t        its centroid as it was, as it is [m]
+    moved       how far that is [m]
+    turned      by what angle [degree]
+    settled     fixed, or not below the settings' `lowest`
+    """
+    R: List[Vec3]
+    c: Vec3
+    t: Vec3
+    moved: float
+    turned: float
+    settled: bool
 
 
 class Settled(NamedTuple):
-    """What came of a simulation. held: no stone moved or turned by more than the settings' `moved`, `turned`."""
+    """What came of a simulation.
+
+    held            no stone moved or turned by more than the settings' `moved`, `turned`
+    moved, turned   most of any stone [m, degree]
+    settled         how many stones did, fixed ones too
+    steps           of the simulation
+    energy          kinetic, at the end; where confirmed of a scene of unit stones [J]
+    penetration     deepest at the end [m]
+    poses           by block
+    scene           as it came to rest, joints to be found anew
+    """
     held: bool
-    moved: float                # most of any stone [m]
-    turned: float               # [degree]
-    settled: int                # stones, fixed ones too
+    moved: float
+    turned: float
+    settled: int
     steps: int
-    energy: float               # kinetic, at the end; where confirmed of a scene of unit stones [J]
-    penetration: float          # deepest at the end [m]
-    poses: Dict[str, Pose]      # by block
-    scene: "Scene"              # as it came to rest, joints to be found anew
+    energy: float
+    penetration: float
+    poses: Dict[str, Pose]
+    scene: "Scene"
 
 
 def _settings(lib: Any, scene: "Scene", confirm: bool, words: Dict[str, Any]) -> Any:
