@@ -342,7 +342,8 @@ TEST(every_refusal_tells_line_and_block)
     refuse(GROUND STONE "#@ interface ground wall 0 0 0 1 0 0 1 1 0\n", "t.obj:32: contact with block 'wall', which does not exist");
     refuse(GROUND STONE "#@ interface stone stone 0 0 0 1 0 0 1 1 0\n",
            "t.obj:32: contact 'stone' 'stone': a joint between a block and itself");
-    refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite");
+    refuse("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "t.obj:1: block 'a': the mesh is open: an edge lacks its opposite; "
+           "a sheet can be a support alone, as of the ground: --fixed a");
     refuse(GROUND STONE "#@ load wall 0 0 1 0 0 0\n", "t.obj:32: load on block 'wall', which does not exist");
     refuse("#@ load a 0 0 1 0 0\n", "t.obj:1: a load needs a point, or a moment and the word 'couple'");
     refuse("#@ cohesion -1\n", "t.obj:1: must not be negative: 'cohesion'");
