@@ -177,6 +177,58 @@ TEST(a_row_adds_its_terms_and_their_size)
     for (int32_t r = 0; r < LEAF_N; r++) CHECK_INT(sp__still_add(w, r, 1), !leaf_held(r));
 }
 
+/* Which sign a multiplier may have: of dn >= 0 down, once it is closed any; of slip none but where it sticks; of a sector's ends
+ * and of friction against them one each; of cones up; of fn >= 0 down, and of an open corner's forces any. */
+TEST(a_multiplier_has_the_sign_that_its_state_asks)
+{
+    static const char *const sign[5] = { "-0000000++++++++000-00", "-0000000++++++++000bbb", "b0000000++++++++000-00",
+                                         "bbb00000++++++++000-00", "b00-++-++++++++++++-00" };
+    NEED(begin());
+    for (int32_t state = 0; state < 32; state++) {
+        for (int32_t row = 0; row < SP__STILL_ROWS; row++) {
+            const char s = sign[state < 4 ? state : 4][row];
+            for (int k = -1; k < 2; k += 2) {
+                clear();
+                w->state[1] = state;
+                const int taken = sp__still_add(w, LEAF_N + 1 + SP__STILL_ROWS + row, R(k));
+                if (!CHECK_INT(taken, s == 'b' || s == (k > 0 ? '+' : '-'))) TEST_PRINT("    state %d, row %d, %d\n", (int)state, (int)row, k);
+                if (!taken) CHECK_WITHIN(w->size[1], 0, 0);
+            }
+        }
+    }
+}
+
+/* Two loads balanced but for a rest of `ulps` units in the last place of what was added up. */
+static sp_real nearly(int32_t from, double ulps)
+{
+    static uint16_t row[1100];
+    static sp_real y[1100];
+    const int32_t a = 0, b = 7;
+    const sp_proof proof = { .entries = from + 2, .row = row, .y = y };
+    row[from] = (uint16_t)a;
+    row[from + 1] = (uint16_t)b;
+    y[from] = R(-1 / o.p[a]);
+    y[from + 1] = R((1 - 2 * ulps * (double)SP_EPSILON) / o.p[b]);
+    w->proof = &proof;
+    return sp__still_leaf(w, from, from + 2);
+}
+
+/* The allowance for rounding, 32 and one a row times u of all that was added up: a margin just beyond it is one, within none. */
+TEST(a_margin_within_its_own_rounding_is_none)
+{
+    for (int k = 0; k < 40; k++) {
+        const sp_arena mark = test_arena;
+        const int32_t from = k % 2 ? 1000 : 0;
+        NEED(begin());
+        o.set.force_bound = 0;
+        memset(w->reach, 0, LEAF_N * sizeof *w->reach);
+        CHECK(nearly(from, 50) > 0);
+        CHECK(!(nearly(from, 24) > 0));
+        CHECK(!(nearly(from, -50) > 0));
+        test_arena = mark;
+    }
+}
+
 /* Rows hold for every pair in their state: what is open, sticks, or slips with friction full and opposite. */
 TEST(every_row_of_a_corner_holds_in_its_state)
 {
@@ -238,6 +290,7 @@ TEST(the_box_of_accelerations_is_that_of_all_loads)
         const sp_arena mark = test_arena;
         double P = 0, delta = 1e300;
         NEED(begin());
+        for (int r = 0; r < LEAF_N; r++) o.pb.p[r] *= R(k % 2 ? 1e-3 : 1);
         for (int i = 0; i < LEAF_BLOCKS; i++) {
             const sp_real *p = o.pb.p + 6 * i;
             for (int r = 0; r < 3; r++) {
@@ -255,6 +308,8 @@ TEST(the_box_of_accelerations_is_that_of_all_loads)
         }
         CHECK_NEAR(sp__still_delta(&o.j, M), delta, TOL(1e-12, 1e-4));
         M[1].known = 0;
+        CHECK_WITHIN(sp__still_delta(&o.j, M), 0, 0);
+        o.pb.blocks = 0;
         CHECK_WITHIN(sp__still_delta(&o.j, M), 0, 0);
         test_arena = mark;
     }
@@ -436,6 +491,8 @@ TEST_LIST(still)
 #if SP__WITH_STRONG
     RUN(a_leaf_that_nothing_moves_is_what_its_definition_says)
     RUN(a_row_adds_its_terms_and_their_size)
+    RUN(a_multiplier_has_the_sign_that_its_state_asks)
+    RUN(a_margin_within_its_own_rounding_is_none)
     RUN(every_row_of_a_corner_holds_in_its_state)
     RUN(rows_of_a_sector_are_at_its_ends_and_its_middle)
     RUN(the_box_of_accelerations_is_that_of_all_loads)
