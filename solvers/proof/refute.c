@@ -37,6 +37,7 @@ typedef struct sp__refute {
 } sp__refute;
 
 #define SP__PROOF_DEPTH 32              /* splits above a leaf, for every vertex */
+#define SP__PROOF_DEEP (1 << 26)        /* a sector of this state is not halved any more */
 #define SP__PROOF_ROWS 24               /* rows of a vertex */
 
 static void sp__refute_carve(sp__refute *w, int32_t points, int32_t blocks, sp_arena *a)
@@ -351,6 +352,9 @@ SP__NOINLINE static sp_real sp__refute_leaf(sp__refute *w, int32_t from, int32_t
     return margin > 0 ? sp__ratio(margin, scale) : 0;
 }
 
+/* A vertex splits at 0, at 2, and at 4 2^h below SP__PROOF_DEEP: no more often than the stack has room for. */
+typedef char sp__refute_stack_holds_every_split[SP__PROOF_DEEP / 4 <= 1 << (SP__PROOF_DEPTH - 2) ? 1 : -1];
+
 /* Walk the tree.     returns the least margin of its leaves, relative; 0: it proves nothing */
 SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
 {
@@ -361,7 +365,7 @@ SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
     for (int32_t k = 0; k < p->nodes; k++) {
         if (p->node[k] >= 0) {                          /* a vertex splits: 0 into 1, 2; 2 into 4..7; s into 2s, 2s + 1 */
             const int32_t v = p->node[k], state = v < w->points ? w->state[v] : 1;
-            if (state == 1 || state >= 1 << 26 || depth == SP__PROOF_DEPTH * w->points) return 0;
+            if (state == 1 || state >= SP__PROOF_DEEP) return 0;
             w->stack[2 * depth] = v;
             w->stack[2 * depth++ + 1] = state;
             w->state[v] = state ? 2 * state : 1;

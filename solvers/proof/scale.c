@@ -303,7 +303,7 @@ static int sp__certifier_bilateral(sp__certifier *j, const sp_real *y0)
     for (int own = !y0; own < 2; own++) {
         sp__certifier_read_hint(j, own ? NULL : y0, j->dual.potential);
         sp__certifier_read_hint(j, own ? NULL : correction, j->correction);
-        for (int round = 0; round < 4 && j->sweeps + 2 <= j->sweeps_most; round++) {
+        for (int round = 0; j->sweeps + 2 <= j->sweeps_most; round++) {     /* the fourth leaves by itself */
             if (!sp__certifier_sums(j)) return 1;
             sp__certifier_scale_rows(j, j->residual);
             if ((round || !own) && sp__certifier_is_optimal(j, round == 3)) return 1;

@@ -268,6 +268,9 @@ static int32_t sp__still_children(int32_t state, int32_t *first)
     return state == 2 ? 5 : 2;
 }
 
+/* A corner splits at 0, at 2, and at 4 2^h below SP__STILL_DEEP: no more often than the stack has room for. */
+typedef char sp__still_stack_holds_every_split[SP__STILL_DEEP / 4 <= 1 << (SP__STILL_DEPTH - 2) ? 1 : -1];
+
 /* Walk the tree.     returns the least margin of its leaves; 0: it proves nothing */
 SP__NOINLINE static sp_real sp__still_walk(sp__still *w)
 {
@@ -278,7 +281,7 @@ SP__NOINLINE static sp_real sp__still_walk(sp__still *w)
     for (int32_t k = 0; k < p->nodes; k++) {
         if (p->node[k] >= 0) {
             const int32_t v = p->node[k], state = v < w->points ? w->state[v] : 1;
-            if (state == 1 || state == 3 || state >= SP__STILL_DEEP || depth == SP__STILL_DEPTH * w->points) return 0;
+            if (state == 1 || state == 3 || state >= SP__STILL_DEEP) return 0;
             w->stack[2 * depth] = v;
             w->stack[2 * depth++ + 1] = state;
             sp__still_children(state, &w->state[v]);

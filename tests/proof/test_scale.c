@@ -241,6 +241,72 @@ TEST(a_residual_that_is_no_number_moves_nothing)
     for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
 }
 
+/* A chain of four blocks of unlike weight on few points near each other. */
+static int chain(one_block *o)
+{
+    const sp_capacity room = { 5, 0, 0, 0, 4, 12, 0 };
+    const sp_real ground[3] = { 0, 0, 0 };
+    const sp_strength rough = { R(0.5), 0, 0, 0 };
+    const double spread = pow(10, (double)test_random_real(-7, 0));
+    memset(o, 0, sizeof *o);
+    o->set.tol = R(TOL(1e-9, 1e-4f));
+    o->set.force_bound = 100;
+    if (!CHECK_INT(sp_scene_create(&o->scene, &room, &test_arena), SP_OK)) return 0;
+    if (!CHECK_INT(sp_scene_body(&o->scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
+    for (int b = 1; b < 5; b++) {
+        const sp_real at[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(b) };
+        const sp_real n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), 1 };
+        sp_real x[9];
+        for (int k = 0; k < 9; k++) x[k] = R(k % 3 == 2 ? b - 0.5 : spread * (double)test_random_real(-1, 1));
+        if (!CHECK_INT(sp_scene_body(&o->scene, R(pow(10, (double)test_random_real(0, 4))), at, 0, NULL), SP_OK)) return 0;
+        if (!CHECK_INT(sp_scene_points(&o->scene, b - 1, b, n, test_random_int(1, 3), x, &rough, NULL), SP_OK)) return 0;
+    }
+    return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
+}
+
+/* Where neither the residual nor what could lower it falls for 102 steps the search ends, and has lost nothing but to rounding. */
+TEST(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
+{
+    int stalls = 0, goes_on = 0, worse = 0;
+    for (int k = 0; k < 300; k++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        sp_real to[24], first[24], image[24];
+        NEED(chain(&o));
+        NEED(judge(&o, NULL));
+        for (int r = 0; r < 24; r++) { first[r] = o.j.residual[r] = test_random_real(-1, 1); to[r] = 0; }
+        o.j.sweeps = 0;
+        sp__certifier_least_squares(&o.j, to);
+        CHECK(o.j.sweeps <= 1 + 1000 + 24);
+        stalls += o.j.sweeps > 1 && (o.j.sweeps - 1) % 102 == 0;
+        goes_on += o.j.sweeps > 103;
+        sp__certifier_normal_product(&o.j, to, image);
+        for (int r = 0; r < 24; r++) image[r] -= first[r];
+        const double was = sqrt((double)sp__dot(first, first, 24)), far = sqrt((double)sp__dot(to, to, 24));
+        worse += !(sqrt((double)sp__dot(image, image, 24)) <= was + 1000 * (double)SP_EPSILON * (was + far));
+        test_arena = mark;
+    }
+    CHECK_INT(worse, 0);
+    CHECK(goes_on > 0 && (stalls > 0 || TOL(0, 1)));
+}
+
+/* Where products leave the range of numbers the search ends before its first step. */
+TEST(a_search_for_scales_whose_products_overflow_takes_no_step)
+{
+    one_block o;
+    sp_real to[6] = { 1, 2, 3, 4, 5, 6 };
+    NEED(place(&o, 1, 1, 0.5, 0.1, 0.5));
+    NEED(judge(&o, NULL));
+    o.j.scale[0].wf = o.j.scale[0].wm = R(TOL(1e160, 1e20));
+    for (int k = 0; k < 6; k++) o.j.residual[k] = R(k % 2 ? -1 : 1);
+    o.j.residual[1] = R(1e-3);                          /* so small that its own row has the other sign: inf - inf */
+    o.j.residual[3] = R(1e-3);
+    o.j.sweeps = 0;
+    sp__certifier_least_squares(&o.j, to);
+    CHECK_INT(o.j.sweeps, 1);
+    for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
+}
+
 #ifndef SP_SMALL
 /* A sweep is counted with 90 flops a corner, eight are kept for what comes after the scales, and two are had in any case. */
 TEST(a_budget_gives_scales_the_sweeps_it_has)
@@ -269,6 +335,8 @@ TEST_LIST(scale)
     RUN(motion_into_a_joint_proves_nothing)
     RUN(imbalance_is_relative_to_load_and_forces)
     RUN(a_residual_that_is_no_number_moves_nothing)
+    RUN(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
+    RUN(a_search_for_scales_whose_products_overflow_takes_no_step)
 #ifndef SP_SMALL
     RUN(a_budget_gives_scales_the_sweeps_it_has)
 #endif
