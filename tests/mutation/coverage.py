@@ -37,8 +37,24 @@ def text_of(place):
     return re.sub(r'\s+', ' ', inside)
 
 
-# What a switch of the build decides has one value in it.
-conditions = {p: v for p, v in conditions.items() if not re.search(r'SP__(HAS|WITH)_', re.split(r'&&|\|\|', text_of(p))[p[5]])}
+# What the build decides has one value in it; what is joined by && to what is false in it, by || to what is true, is not asked.
+FIXED = r'SP__(HAS|WITH)_|SP__(FELL|IPM)_LAST|sizeof\(sp_real\)'
+NEVER = r'\(*(!SP__WITH_(?!SMALL)|SP__WITH_SMALL|!SP__FELL_LAST)'
+ALWAYS = r'\(*SP__FELL_LAST'
+
+
+def decided(place):
+    parts = [p.strip() for p in re.split(r'(&&|\|\|)', text_of(place))]
+    k = 2 * place[5]
+    if re.search(FIXED, parts[k]): return True
+    while k >= 2 and not parts[k].startswith('('):
+        k -= 2
+        if re.match(NEVER if parts[k + 1] == '&&' else ALWAYS, parts[k]): return True
+        if parts[k + 1] == '||': return False
+    return False
+
+
+conditions = {p: v for p, v in conditions.items() if not decided(p)}
 
 
 def folder(place): return os.path.dirname(place[0]).replace('solvers/', '')

@@ -1,0 +1,213 @@
+/* Any budget, in every question: what is said with it is proved, and never the opposite of what is said without. A budget grows by
+ * a factor from far too little to more than enough, so that work ends at every place where it may. */
+#include "../scenes/stages.h"
+
+#ifndef SP_SMALL
+
+/* Scenes of one question: what is generated, one number changed, friction, glue and a cap of joints, loads along x and z. */
+typedef struct spent_scene { const char *name, *param; double value, mu, glue, cap, x, z; } spent_scene;
+
+static const spent_scene scenes[] = {
+    { "two-cubes", "offset", 0.2, 0.5, 0, 0, 1, 0 }, { "tower", "n", 4, 0.3, 0, 0, 1, 0 }, { "arch", "n", 8, 0.84, 0, 0, 1, 0 },
+    { "rubble", "rows", 2, 0.6, 0, 0, 0.3, 0.2 }, { "keystone", "angle", 20, 0.2, 0, 0, 1, 0 }, { "wall", "rows", 2, 0.5, 2000, 0, 1, 0.5 },
+    { "tower", "n", 3, 0.5, 0, 1e6, 1, -1 }, { "flat-arch", "n", 3, 0.4, 0, 0, 0, -1 }, { "h-model", NULL, 0, 0.5, 0, 0, 0, -1 },
+    { "diamond", "rows", 3, 0.2, 500, 5e5, 1, 0 }, { "incline", "angle", 35, 0.5, 0, 0, -1, 0 }, { "overhang", "n", 3, 0.5, 0, 0, 0, 1 }
+};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+static void make(int k, sp_scene *s)
+{
+    const spent_scene *o = &scenes[k];
+    test_arena.used = 0;
+    build(o->name, o->param, o->value, s);
+    for (int32_t q = 0; q < s->count.joints; q++) {
+        s->joint[q].strength.mu = R(o->mu);
+        s->joint[q].strength.cohesion = R(o->glue);
+        s->joint[q].strength.tension = R(o->glue / 4);
+        s->joint[q].strength.crushing = R(o->cap);
+    }
+    s->body[0] = R(9.80665 * o->x);
+    s->body[2] = R(9.80665 * o->z);
+}
+
+/* The next budget. */
+static int64_t more(int64_t budget) { return budget * SOME_OF(5, 9) / SOME_OF(4, 5) + 1; }
+
+/* Opposite verdicts. */
+static int opposite(sp_verdict a, sp_verdict b) { return a + b == SP_STABLE + SP_UNSTABLE && a != b && a && b; }
+
+#ifndef SP_NO_IPM
+TEST(a_limit_with_any_budget_has_ends_that_hold)
+{
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        sp_limit_result all;
+        int kinds = 0;
+        make(k, &s);
+        NEED(sp_limit(&s, NULL, &test_arena, &all) == SP_OK);
+        const double near = TOL(1e-6, 5e-3);
+        for (int64_t b = 1; b < 40 * all.cost.flops; b = more(b)) {
+            sp_arena a = test_arena;
+            sp_settings set = sp_settings_default();
+            sp_limit_result r;
+            int32_t held = 0;
+            set.budget = b;
+            NEED(sp_limit(&s, &set, &a, &r) == SP_OK);
+            kinds |= 1 << r.kind;
+            if (r.kind == SP_LIMIT_UNDECIDED) continue;
+            CHECK_INT(sp_limit_verify(&s, NULL, &r, a, &held), SP_OK);
+            CHECK(held && r.verified);
+            if (all.kind) CHECK_INT(r.kind, all.kind);
+            if (r.kind != SP_LIMIT_FOUND || all.kind != SP_LIMIT_FOUND) continue;
+            CHECK((double)r.lower <= (double)all.upper * (1 + near) + near && (double)r.upper >= (double)all.lower * (1 - near) - near);
+        }
+        CHECK(kinds & 1 || !all.kind);                  /* too little is told as too little */
+        if (all.kind) CHECK(kinds >> all.kind & 1);
+    }
+}
+#endif
+
+#if !defined SP_NO_IPM && !defined SP_NO_SLIDING
+TEST(a_sliding_limit_with_any_budget_is_proved)
+{
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        sp_limit_result limit;
+        sp_sliding_result all;
+        make(k, &s);
+        NEED(sp_limit(&s, NULL, &test_arena, &limit) == SP_OK);
+        NEED(sp_sliding(&s, NULL, NULL, &limit, &test_arena, &all) == SP_OK);
+        for (int64_t b = 1; b < 2 * all.cost.flops; b = more(more(b))) {
+            sp_arena a = test_arena;
+            sp_settings set = sp_settings_default();
+            sp_sliding_result r;
+            sp_sliding_evidence e;
+            set.budget = b;
+            NEED(sp_sliding(&s, &set, NULL, &limit, &a, &r) == SP_OK);
+            CHECK_INT(sp_sliding_verify(&s, NULL, &r, a, &e), SP_OK);
+            CHECK_INT(e.state, r.kind == SP_SLIDING_STATE);
+            CHECK(!(e.lower < r.lower) && !(e.lower_strong < r.lower_strong) && r.lower_strong <= r.lower);
+            if (r.kind == SP_SLIDING_STATE) CHECK(r.upper >= all.lower * R(1 - TOL(1e-6, 1e-2)));
+        }
+    }
+}
+#endif
+
+#ifndef SP_NO_STRONG
+TEST(a_strong_verdict_with_any_budget_is_proved)
+{
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        sp_strong_result all;
+        make(k, &s);
+        s.body[0] = s.body[2] = 0;
+        const sp_result rest = check(&s, NULL);
+        sp_settings most = sp_settings_default();
+        most.budget = SOME_OF(200000000, 1000000);
+        NEED(sp_strong(&s, &most, NULL, rest.f, NULL, &test_arena, &all) == SP_OK);
+        for (int64_t b = 1; b < most.budget; b = more(more(b))) {
+            sp_arena a = test_arena;
+            sp_settings set = sp_settings_default();
+            sp_strong_result r;
+            sp_strong_kind proved = SP_STRONG_NONE;
+            set.budget = b;
+            NEED(sp_strong(&s, &set, NULL, rest.f, NULL, &a, &r) == SP_OK);
+            CHECK_INT(sp_strong_verify(&s, NULL, &r, a, &proved), SP_OK);
+            CHECK_INT(proved, r.kind);
+            if (r.kind >= SP_STRONG_AT_CORNERS) CHECK(all.kind != SP_STRONG_AMBIGUOUS);
+            if (r.kind == SP_STRONG_AMBIGUOUS) CHECK(all.kind < SP_STRONG_AT_CORNERS);
+        }
+    }
+}
+#endif
+
+#ifndef SP_NO_CRA
+TEST(a_coupled_check_with_any_budget_says_what_it_proves)
+{
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        sp_settings set = sp_settings_default();
+        sp_result all;
+        make(k, &s);
+        s.body[0] = s.body[2] = 0;
+        for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength = sp_strength_friction(R(scenes[k].mu));
+        set.coupled.asked = 1;
+        const sp_settings ask = set;
+        NEED(sp_check(&s, &set, &test_arena, &all) == SP_OK);
+        for (int64_t b = 1; b < 2 * all.spent.total.flops; b = more(more(b))) {
+            sp_arena a = test_arena;
+            sp_result r;
+            sp_evidence e;
+            set.budget = b;
+            NEED(sp_check(&s, &set, &a, &r) == SP_OK);
+            CHECK(!opposite(r.verdict, all.verdict));
+            CHECK(!(r.coupled.verdict == SP_COUPLING_REFUTED && all.level == SP_COUPLED));
+            CHECK(!(r.level == SP_COUPLED && all.coupled.verdict == SP_COUPLING_REFUTED));
+            CHECK_INT(sp_verify(&s, &ask, &r, a, &e), SP_OK);
+            if (r.verdict) CHECK_INT(e.verdict, r.verdict);
+        }
+    }
+}
+#endif
+
+#ifndef SP_EXACT_ONLY
+TEST(a_build_order_with_any_budget_says_what_it_proves)
+{
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        sp_result whole;
+        sp_presence who[64];
+        make(k, &s);
+        s.body[0] = s.body[2] = 0;
+        NEED(s.count.blocks <= 64);
+        NEED(sp_check(&s, NULL, &test_arena, &whole) == SP_OK);
+        for (int32_t q = 0; q < s.count.blocks; q++) who[q] = SP_PRESENT;
+        for (int64_t b = 1; b < 4 * whole.spent.total.flops + 1000; b = more(more(b))) {
+            sp_arena a = test_arena;
+            sp_settings set = sp_settings_default();
+            sp_sequence *q;
+            sp_step step;
+            sp_held held;
+            sp_suggestion next;
+            set.budget = b;
+            NEED(sp_sequence_open(&s, &set, &a, &q) == SP_OK);
+            NEED(sp_sequence_fill(q, who, &step) == SP_OK);
+            CHECK(!opposite(step.verdict, whole.verdict));
+            NEED(sp_sequence_hold(q, b, &held) == SP_OK);
+            int32_t held_now[64], count = held.count;
+            for (int32_t i = 0; i < count; i++) held_now[i] = held.block[i];
+            NEED(sp_sequence_suggest(q, 0, b, &next) == SP_OK);
+            if (next.block >= 0) {
+                NEED(sp_sequence_set(q, next.block, SP_ABSENT, &step) == SP_OK);
+                CHECK(step.verdict != SP_UNSTABLE);
+                NEED(sp_sequence_set(q, next.block, SP_PRESENT, &step) == SP_OK);
+            }
+            for (int32_t i = 0; i < count; i++) NEED(sp_sequence_set(q, held_now[i], SP_HELD, &step) == SP_OK);
+            CHECK(step.verdict != SP_UNSTABLE);
+            if (whole.verdict == SP_STABLE && step.verdict == SP_STABLE) CHECK_INT(step.block, -1);
+        }
+    }
+}
+#endif
+
+#endif
+
+TEST_LIST(spent)
+#ifndef SP_SMALL
+#ifndef SP_NO_IPM
+    RUN(a_limit_with_any_budget_has_ends_that_hold)
+#endif
+#if !defined SP_NO_IPM && !defined SP_NO_SLIDING
+    RUN(a_sliding_limit_with_any_budget_is_proved)
+#endif
+#ifndef SP_NO_STRONG
+    RUN(a_strong_verdict_with_any_budget_is_proved)
+#endif
+#ifndef SP_NO_CRA
+    RUN(a_coupled_check_with_any_budget_says_what_it_proves)
+#endif
+#ifndef SP_EXACT_ONLY
+    RUN(a_build_order_with_any_budget_says_what_it_proves)
+#endif
+#endif
+TEST_END
