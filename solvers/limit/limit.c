@@ -142,7 +142,7 @@ static size_t sp__limit_scratch(const sp_scene *scene)
 SP__NOINLINE static sp_status sp__limit_memory(const sp_scene *scene, const sp_settings *settings, sp_arena scratch,
                                                size_t *bytes)
 {
-    if (!scene || !bytes || !scratch.base) return SP_E_ARGUMENT;
+    if (!scratch.base) return SP_E_ARGUMENT;
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     sp__limit *L = sp__take(&scratch, 1, sizeof *L);
     if (!L) return SP_E_MEMORY;

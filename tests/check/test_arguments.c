@@ -261,6 +261,8 @@ TEST(memory_is_told_of_what_there_is)
         CHECK(sp_memory(&s, f, NULL, test_arena, NULL) != SP_OK);
         CHECK_INT(bytes, 7);
         CHECK_INT(sp_memory_scratch(NULL, f, NULL), 0);
+        if (f == SP_FOR_CHECK || f == SP_FOR_WORK || f == SP_FOR_LIMIT || f == SP_FOR_SEQUENCE)
+            CHECK(sp_memory(&s, f, NULL, none, &bytes) != SP_OK && bytes == 7);
     }
     static const int32_t odd[] = { -1, INT32_MIN, SP_STAGES_MAX + 1, INT32_MAX };
     for (int k = 0; k < 4; k++) {

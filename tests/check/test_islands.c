@@ -57,6 +57,49 @@ TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
     }
 }
 
+/* What stands, what is left open within tol of its limit, what falls: in any order, of a check and of a build order. */
+TEST(what_falls_is_worse_than_what_is_open_and_that_worse_than_what_stands)
+{
+    static const struct { const char *name, *param; double value; } of[3] = {
+        { "two-cubes", "offset", 0.3 }, { "overhang", "factor", 1 + 2e-9 }, { "overhang", "factor", 1.1 } };
+    static const int bad[3] = { 1, 0, 2 };              /* UNDECIDED, STABLE, UNSTABLE */
+    for (int k = 0; k < 27; k++) {
+        const int which[3] = { k % 3, k / 3 % 3, k / 9 };
+        sp_verdict worst = SP_STABLE;
+        int near = 0;
+        test_arena.used = 0;
+        sp_scene s = room(20, 20, 80);
+        for (int q = 0; q < 3; q++) {
+            const sp_scene a = part(of[which[q]].name, of[which[q]].param, of[which[q]].value, -1);
+            add(&s, &a, 10 * q, plain);
+        }
+        sp_arena rest = test_arena;
+        const sp_result r = check(&s, NULL, &rest);
+        CHECK_INT(r.islands.count, 3);
+        NEED(r.islands.each != NULL);
+        for (int q = 0; q < 3; q++) {
+            const sp_verdict v = r.islands.each[q].verdict;
+            near |= which[q] == 1;
+            if (which[q] != 1) CHECK_INT(v, which[q] ? SP_UNSTABLE : SP_STABLE);
+            if (bad[v] > bad[worst]) worst = v;
+        }
+        CHECK_INT(r.verdict, worst);
+#ifndef SP_EXACT_ONLY
+        sp_sequence *order;
+        sp_presence who[20];
+        sp_step step;
+        for (int b = 0; b < 20; b++) who[b] = SP_PRESENT;
+        rest = test_arena;
+        NEED(sp_sequence_open(&s, NULL, &rest, &order) == SP_OK);
+        NEED(sp_sequence_fill(order, who, &step) == SP_OK);
+        CHECK_INT(step.islands, 3);
+        if (!near) CHECK_INT(step.verdict, worst);
+        if (which[0] == 2 || which[1] == 2 || which[2] == 2) CHECK_INT(step.verdict, SP_UNSTABLE);
+        CHECK_INT(step.block >= 0, step.verdict != SP_STABLE);
+#endif
+    }
+}
+
 /* Piles of boxes that touch nothing but what is under them, some off their base. */
 static sp_scene piles(int32_t count, manner m)
 {
@@ -461,6 +504,7 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
 TEST_LIST(islands)
     RUN(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
     RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
+    RUN(what_falls_is_worse_than_what_is_open_and_that_worse_than_what_stands)
     RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
     RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
 #ifndef SP_NO_CRA

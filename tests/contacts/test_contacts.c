@@ -300,6 +300,31 @@ TEST(blocks_inside_each_other_are_told_with_their_depth)
     CHECK_NEAR(overlap[2].depth, 1, TOL(1e-12, 1e-5f));
 }
 
+/* Room for some of them, for none, and none at all: they are counted, and the first are told. */
+TEST(overlaps_beyond_the_room_for_them_are_counted)
+{
+    const frame f = upright();
+    sp_overlap few[2];
+    for (int32_t k = 0; k < 4; k++) {
+        sp_contact_report told;
+        NEED(start(6));
+        for (int q = 0; q < 3; q++) {
+            box(&f, 10 * q, 0, 0, 10 * q + 1, 1, 1, SP_FIXED);
+            box(&f, 10 * q, 0, 0.9, 10 * q + 1, 1, 2, 0);
+        }
+        memset(&told, 0, sizeof told);
+        memset(few, 0, sizeof few);
+        told.overlap = k < 3 ? few : NULL;
+        told.overlap_capacity = k < 3 ? k : 2;
+        CHECK_INT(sp_contacts_find(&scene, NULL, test_arena, &told), SP_OK);
+        CHECK_INT(told.overlaps, 3);
+        for (int32_t q = 0; q < 2; q++) {
+            CHECK_INT(few[q].depth > 0, k < 3 && q < k);
+            if (k < 3 && q < k) CHECK(few[q].a == 2 * q && few[q].b == 2 * q + 1);
+        }
+    }
+}
+
 TEST(a_stone_in_the_notch_of_an_l_is_told_only_when_inside)
 {
     const frame f = turned(1, 2, 3, 4, 0, 1);
@@ -430,6 +455,7 @@ TEST_LIST(contacts)
     RUN(supports_do_not_touch_each_other)
     RUN(a_flat_support_is_enough)
     RUN(blocks_inside_each_other_are_told_with_their_depth)
+    RUN(overlaps_beyond_the_room_for_them_are_counted)
     RUN(a_stone_in_the_notch_of_an_l_is_told_only_when_inside)
     RUN(too_little_room_in_the_scene_changes_nothing)
     RUN(the_scratch_it_asks_for_is_enough_and_little_is_refused)

@@ -232,6 +232,74 @@ TEST(a_program_is_factored_anew_where_a_row_changes_its_kind)
     }
 }
 
+/* A guess of either kind, for every method: the same answer. */
+TEST(a_guess_of_unknowns_or_of_multipliers_changes_no_answer)
+{
+    static const sp_real far[] = { 7, -9 };
+    for (int k = 0; k < 12; k++) {
+        sp_arena a = test_arena;
+        sp_qp_settings set = sp_qp_default();
+        sp_qp_result r;
+        set.method = (sp_qp_method)(k % 3);
+#ifdef SP_QP_NO_INTERIOR
+        set.method = SP_QP_ADMM;
+#endif
+        const sp_status status = sp_qp_solve(&plain, &set, &a, k & 4 ? far : NULL, k >= 6 ? far : NULL, &r);
+        NEED(CHECK_INT(status, SP_OK));
+        CHECK_INT(r.status, SP_QP_SOLVED);
+        CHECK_WITHIN(r.x[0], 0.5, TOL(1e-4, 1e-3));
+        CHECK_WITHIN(r.x[1], 0, TOL(1e-4, 1e-3));
+    }
+}
+
+/* An off-diagonal entry without one on the diagonal: x'Px = 2 x y, which is no bowl. */
+TEST(a_column_without_its_diagonal_is_no_bowl)
+{
+    static const int32_t p[] = { 0, 1, 2 }, i[] = { 0, 0 };
+    static const sp_real x[] = { 2, 1 };
+    sp_qp saddle = plain;
+    saddle.Pp = p;
+    saddle.Pi = i;
+    saddle.Px = x;
+    for (int k = 0; k < 2; k++) {
+        sp_qp_settings set = sp_qp_default();
+        sp_arena a = test_arena;
+        sp_qp_result r;
+        set.backend = k ? SP_QP_DENSE : SP_QP_SPARSE;
+        CHECK_INT(sp_qp_solve(&saddle, &set, &a, NULL, NULL, &r), SP_E_INDEFINITE);
+    }
+}
+
+#ifndef SP_NO_DYKSTRA
+/* Projections told to end: by their number, by a budget; nearly solved, not solved, and with nothing to give back. */
+TEST(projections_end_where_they_are_told_to)
+{
+    static const int32_t p[] = { 0, 3, 6, 9 }, i[] = { 0, 1, 2, 0, 1, 2, 0, 1, 2 };
+    static const sp_real a[] = { 1, R(0.9), -1, 1, 1, R(0.8), 1, R(1.1), 2 }, lo[] = { 3, R(2.5), -1 }, hi[] = { 4, 3, 0 };
+    static const int32_t dp[] = { 0, 1, 2, 3 }, di[] = { 0, 1, 2 };
+    static const sp_real d[] = { 1, 2, 3 }, c[] = { -9, 4, 2 };
+    const sp_qp three = { 3, 3, dp, di, d, c, p, i, a, lo, hi };
+    const sp_qp_solver solver = sp_qp_dykstra();
+    sp_qp_settings set = sp_qp_default();
+    int seen = 0;
+    sp_qp_result r;
+    for (int32_t most = 1; most < 600; most += 1 + most / 3)
+        for (int64_t budget = 0; budget < 200000; budget = 3 * budget + 100) {
+            sp_arena room = test_arena;
+            set.iterations = most;
+            set.budget = budget;
+            NEED(solver.solve(solver.self, &three, &set, &room, NULL, NULL, &r) == SP_OK);
+            seen |= 1 << r.status;
+            CHECK(r.iterations <= most);
+            if (r.status == SP_QP_BUDGET) CHECK(budget > 0 && r.flops >= budget);
+            if (r.status == SP_QP_ITERATIONS) CHECK(r.iterations == most || r.iterations >= 500);
+            if (r.status == SP_QP_SOLVED) CHECK(r.primal <= R(TOL(1e-3, 1e-2)));
+            for (int k = 0; k < 3; k++) CHECK(r.x[k] - r.x[k] >= 0 && r.y[k] - r.y[k] >= 0);
+        }
+    CHECK(seen >> SP_QP_ITERATIONS & 1 && seen >> SP_QP_BUDGET & 1);
+}
+#endif
+
 #endif
 
 TEST_LIST(program)
@@ -241,5 +309,10 @@ TEST_LIST(program)
     RUN(bounds_and_sizes_of_a_program_make_sense)
     RUN(arguments_of_a_program_that_are_missing_are_refused)
     RUN(a_program_is_factored_anew_where_a_row_changes_its_kind)
+    RUN(a_guess_of_unknowns_or_of_multipliers_changes_no_answer)
+    RUN(a_column_without_its_diagonal_is_no_bowl)
+#ifndef SP_NO_DYKSTRA
+    RUN(projections_end_where_they_are_told_to)
+#endif
 #endif
 TEST_END

@@ -24,7 +24,7 @@ TEST(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
 }
 
 /* A cube .2 m from its edge tips under a load P .3 m beyond it at lambda P = 2/3 of its weight; pressure alone tells so. */
-TEST(what_tips_is_strong_up_to_where_it_tips)
+static sp_scene tipping(void)
 {
     sp_load load;
     sp_scene s = room_for(2, 2);
@@ -38,6 +38,12 @@ TEST(what_tips_is_strong_up_to_where_it_tips)
     load.point[1] = load.point[2] = R(0.5);
     load.force[2] = -s.block[1].mass * R(9.80665);
     CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+    return s;
+}
+
+TEST(what_tips_is_strong_up_to_where_it_tips)
+{
+    const sp_scene s = tipping();
     const sp_sliding_result r = slide(&s, &one_start);
     CHECK_INT(r.kind, SP_SLIDING_STATE);
     CHECK(fabs((double)r.upper - 2.0 / 3) < NEAR);
@@ -224,6 +230,53 @@ TEST(the_same_seed_gives_the_same_bits)
     CHECK(memcmp(a.v, b.v, 6 * (size_t)s.count.blocks * sizeof *a.v) == 0);
 }
 
+/* Nothing that could slide: supports alone, a stone that touches nothing, more stones than are asked for. */
+TEST(what_has_no_joint_or_no_stone_or_too_many_does_not_slide)
+{
+    for (int k = 0; k < 3; k++) {
+        const int32_t stones = k == 0 ? 0 : k == 1 ? 1 : 401;
+        const sp_capacity cap = { 1 + stones, 0, 0, 0, 0, 0, 0 };
+        const sp_real origin[3] = { 0, 0, 0 };
+        sp_scene s;
+        sp_limit_result limit;
+        sp_sliding_result r;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 0, origin, SP_FIXED, NULL), SP_OK);
+        for (int32_t b = 0; b < stones; b++) CHECK_INT(sp_scene_body(&s, 1, origin, 0, NULL), SP_OK);
+        s.body[0] = 1;
+        memset(&limit, 0, sizeof limit);
+        limit.kind = SP_LIMIT_NONE;
+        limit.upper = -1;
+        CHECK_INT(sp_memory(&s, SP_FOR_SLIDING, NULL, test_arena, &bytes), SP_OK);
+        NEED(sp_sliding(&s, NULL, &one_start, &limit, &test_arena, &r) == SP_OK);
+        CHECK(r.peak_bytes > 0 && bytes > 0);
+        CHECK_INT(r.kind, SP_SLIDING_NONE);
+        CHECK_INT(r.reason, SP_SLIDING_NOT_ASKED);
+        CHECK(!(r.lower > 0));
+    }
+}
+
+/* A claim's multiples: none below 0, a strong one no larger than the other. */
+TEST(multiples_that_are_claimed_are_in_their_order)
+{
+    const sp_scene s = tipping();
+    const sp_sliding_result r = slide(&s, &one_start);
+    sp_sliding_evidence e;
+    NEED(r.lower > 0 && r.lower_strong > 0);
+    for (int k = 0; k < 4; k++) {
+        sp_sliding_result c = r;
+        if (k == 1) c.upper = -1;
+        if (k == 2) c.lower = -1;
+        if (k == 3) c.lower_strong = 2 * c.lower;
+        CHECK_INT(sp_sliding_verify(&s, NULL, &c, test_arena, &e), SP_OK);
+        CHECK_INT(e.lower > 0, k != 2);
+        CHECK_INT(e.lower_strong > 0, k < 2);
+        CHECK(e.lower_strong <= e.lower);
+    }
+}
+
 TEST(sliding_takes_the_memory_it_says_and_no_byte_less)
 {
     static const char *const name[] = { "two-cubes", "wall", "h-model" };
@@ -298,6 +351,8 @@ TEST_LIST(sliding)
     RUN(scenes_that_are_not_planar_keep_the_associative_value)
     RUN(strength_of_joints_is_not_asked)
     RUN(the_same_seed_gives_the_same_bits)
+    RUN(what_has_no_joint_or_no_stone_or_too_many_does_not_slide)
+    RUN(multiples_that_are_claimed_are_in_their_order)
     RUN(sliding_takes_the_memory_it_says_and_no_byte_less)
     RUN(sliding_questions_that_make_no_sense_are_refused)
 #endif

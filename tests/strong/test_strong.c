@@ -415,6 +415,59 @@ TEST(strength_of_joints_proves_nothing_and_hinders_no_proof)
     }
 }
 
+/* A weight on a support turns with nothing; one on a stone turns with it or not: no motion is sought. Neither is one of a body
+ * that has no extent. */
+TEST(motions_are_sought_only_where_masses_and_inertias_are_known)
+{
+    for (int k = 0; k < 4; k++) {
+        const sp_capacity cap = { 2, 0, 0, 0, 1, 4, 1 };
+        const sp_strength rough = sp_strength_friction(R(0.5));
+        const sp_real ground[3] = { 0, 0, 0 }, at[3] = { 0, 0, R(k == 3 ? 1 : 2) }, slope[3] = { R(-0.2), 0, 1 };
+        const sp_real foot[12] = { R(k == 3 ? 0 : -1), -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1 }, mid[3] = { 0, 0, 1 };
+        sp_load load;
+        sp_scene s;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 5, at, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 1, slope, k == 3 ? 1 : 4, k == 3 ? mid : foot, &rough, NULL), SP_OK);
+        memset(&load, 0, sizeof load);
+        load.block = k == 1;
+        load.mass = 3;
+        if (k < 2) CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        const sp_strong_result r = ask(&s, NULL);
+        if (k == 1 || k == 3) CHECK_INT(r.reason, SP_STRONG_NOT_ASKED);
+        else CHECK(r.kind != SP_STRONG_NONE && r.reason != SP_STRONG_NOT_ASKED);
+    }
+}
+
+/* Forces that squeeze sideways prove nothing by pressure, those without friction do; loads that overflow are told. */
+TEST(pressure_is_taken_from_the_forces_that_have_no_friction)
+{
+    sp_scene s;
+    sp_result x;
+    sp_strong_result r;
+    test_arena.used = 0;
+    CHECK_INT(gen_make("two-cubes", "offset", 0, &test_arena, &s), SP_OK);
+    CHECK_INT(sp_check(&s, NULL, &test_arena, &x), SP_OK);
+    sp_real *tilted = (sp_real *)(void *)(test_arena.base + (test_arena.used + 63) / 64 * 64);
+    test_arena.used += 64 + 12 * sizeof *tilted;
+    for (int k = 0; k < 12; k++) tilted[k] = x.f[k];
+    tilted[0] *= 2;                                     /* out of balance */
+    for (int k = 0; k < 2; k++) {
+        sp_arena a = test_arena;
+        CHECK_INT(sp_strong(&s, NULL, NULL, tilted, k ? x.f : NULL, &a, &r), SP_OK);
+        CHECK_INT(r.kind, k ? SP_STRONG_STRONG : SP_STRONG_NONE);
+        CHECK_INT(sp_strong(&s, NULL, NULL, tilted, tilted, &a, &r), SP_OK);
+        CHECK_INT(r.kind, SP_STRONG_NONE);
+    }
+    s.gravity[2] = R(TOL(1e306, 1e36));
+    sp_strong_kind proved = SP_STRONG_AMBIGUOUS;
+    CHECK_INT(sp_strong(&s, NULL, NULL, x.f, NULL, &test_arena, &r), SP_E_NOT_FINITE);
+    CHECK_INT(sp_strong_verify(&s, NULL, &r, test_arena, &proved), SP_E_NOT_FINITE);
+    CHECK_INT(proved, SP_STRONG_AMBIGUOUS);
+}
+
 TEST(strong_takes_the_memory_it_says_and_no_byte_less)
 {
     static const char *const name[] = { "h-model", "wall", "incline" };
@@ -490,6 +543,8 @@ TEST_LIST(strong)
     RUN(answers_do_not_depend_on_how_the_scene_is_written)
     RUN(what_does_not_stand_is_never_strong)
     RUN(strength_of_joints_proves_nothing_and_hinders_no_proof)
+    RUN(motions_are_sought_only_where_masses_and_inertias_are_known)
+    RUN(pressure_is_taken_from_the_forces_that_have_no_friction)
     RUN(strong_takes_the_memory_it_says_and_no_byte_less)
     RUN(questions_that_make_no_sense_are_refused)
 #endif
