@@ -190,10 +190,114 @@ TEST(a_build_order_with_any_budget_says_what_it_proves)
 }
 #endif
 
+/* So many factorisations and no more, in 3 rows a block or 6, with the cone or a pyramid. */
+TEST(any_number_of_factorisations_proves_what_it_says)
+{
+    for (int k = 0; k < SCENES; k++)
+        for (int how = SOME_OF(0, k % 4); how < SOME_OF(4, k % 4 + 1); how++) {
+            sp_scene s;
+            sp_settings set = sp_settings_default();
+            make(k, &s);
+            if (how & 1) set.faces = 8;
+            if (how & 2) set.effect[SP_EFFECT_DEPTH] = SP_WITH;
+            const sp_result all = check(&s, &set);
+#ifndef SP_NO_IPM
+            sp_limit_result most, r;
+            NEED(sp_limit(&s, &set, &test_arena, &most) == SP_OK);
+#endif
+            for (int32_t n = 0; n < 24; n += 1 + n / 6) {
+                sp_arena a = test_arena;
+                sp_result x;
+                sp_evidence e;
+                set.iterations = n;
+                NEED(sp_check(&s, &set, &a, &x) == SP_OK);
+                CHECK(!opposite(x.verdict, all.verdict));
+                NEED(sp_verify(&s, &set, &x, a, &e) == SP_OK);
+                if (x.verdict) CHECK_INT(e.verdict, x.verdict);
+#ifndef SP_NO_IPM
+                int32_t held = 0;
+                NEED(sp_limit(&s, &set, &a, &r) == SP_OK);
+                if (r.kind && most.kind) CHECK_INT(r.kind, most.kind);
+                if (!r.kind) continue;
+                CHECK_INT(sp_limit_verify(&s, &set, &r, a, &held), SP_OK);
+                CHECK(held);
+#endif
+            }
+        }
+}
+
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+/* The specification's stages with constants that pass everything, nothing, or give up at once: they only propose. */
+TEST(constants_of_the_seed_never_turn_a_verdict)
+{
+    static const sp_stage_id stage[] = { SP_STAGE_LEAST_SQUARES, SP_STAGE_DENSE, SP_STAGE_POLISH };
+    for (int k = 0; k < SCENES; k++) {
+        sp_scene s;
+        make(k, &s);
+        for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength = sp_strength_friction(R(scenes[k].mu));
+        const sp_result all = check(&s, NULL);
+        for (int c = 0; c < 54; c++) {
+            sp_arena a = test_arena;
+            sp_seed constants = *sp_seed_table();
+            sp_settings set = sp_settings_seed();
+            sp_result r;
+            sp_evidence e;
+            constants.tension = R(c % 3 == 0 ? 0 : c % 3 == 1 ? 1e-3 : 1e9);
+            constants.cone = R(c / 3 % 3 == 0 ? 0 : c / 3 % 3 == 1 ? 1e-3 : 1e9);
+            constants.balance = R(c / 9 % 2 ? 1e-6 : 1e9);
+            constants.rounds = c % 2 ? 300 : 0;
+            set.seed = &constants;
+            set.stage_count = 2;
+            set.stage[1] = stage[c / 18];
+            NEED(sp_check(&s, &set, &a, &r) == SP_OK);
+            CHECK(!opposite(r.verdict, all.verdict));
+            NEED(sp_verify(&s, &set, &r, a, &e) == SP_OK);
+            if (r.verdict) CHECK_INT(e.verdict, r.verdict);
+        }
+    }
+}
+#endif
+
+#ifndef SP_NO_CRA
+/* Pyramids of few faces, which a proof knows one by one, and of many, of which it knows the eighths of a circle. */
+TEST(a_coupled_check_with_a_pyramid_says_what_it_proves)
+{
+    static const int32_t faces[] = { 3, 4, 8, 9, 16, 64 };
+    int several[4] = { 0, 0, 0, 0 };
+    for (int k = 0; k < SCENES; k++)
+        for (int q = 0; q < 12; q++) {
+            sp_scene s;
+            sp_settings set = sp_settings_default();
+            sp_result r;
+            sp_evidence e;
+            make(k, &s);
+            s.body[0] = s.body[2] = 0;
+            for (int32_t i = 0; i < s.count.joints; i++) s.joint[i].strength = sp_strength_friction(R(scenes[k].mu));
+            set.coupled.asked = 1;
+            set.coupled.box = q % 2;
+            set.faces = faces[q / 2];
+            set.budget = SOME_OF(0, 20000000);
+            NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+            NEED(sp_verify(&s, &set, &r, test_arena, &e) == SP_OK);
+            if (r.verdict) CHECK_INT(e.verdict, r.verdict);
+            if (r.level == SP_COUPLED) CHECK(e.residual <= 1 && e.level == SP_COUPLED);
+            several[r.coupled.verdict]++;
+        }
+    CHECK(several[SP_COUPLING_REFUTED] > 0);
+}
+#endif
+
 #endif
 
 TEST_LIST(spent)
 #ifndef SP_SMALL
+    RUN(any_number_of_factorisations_proves_what_it_says)
+#if !defined SP_NO_QP && !defined SP_NO_ADMM
+    RUN(constants_of_the_seed_never_turn_a_verdict)
+#endif
+#ifndef SP_NO_CRA
+    RUN(a_coupled_check_with_a_pyramid_says_what_it_proves)
+#endif
 #ifndef SP_NO_IPM
     RUN(a_limit_with_any_budget_has_ends_that_hold)
 #endif

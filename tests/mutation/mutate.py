@@ -30,8 +30,8 @@ SETS = {
 # Suites by what is changed, quick ones first; `core` is asked by all of them.
 JUDGES = ['scale', 'leaf', 'corner', 'refute', 'still', 'triple', 'verify', 'claims', 'strong', 'shapes', 'spared',
           'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
-VERIFIES = ['hint', 'verify', 'islands', 'claims', 'exact', 'memory', 'strong']    # of verify alone
-LIMITS = ['limit', 'bracket', 'effort', 'sliding']  # of limit alone
+VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'strong']    # of verify alone
+LIMITS = ['limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
 WHITE = ['scale', 'leaf', 'still', 'corner', 'hint']      # what a survivor is asked by once more, fenced
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
