@@ -258,7 +258,7 @@ typedef char sp__memory_bytes_holds_coupled[sizeof(sp_real) > 8 || (sizeof(sp__c
 typedef char sp__memory_bytes_holds_program[sizeof(sp_real) > 8 || sizeof(sp__program) + sizeof(sp__qp) <= 1280 ? 1 : -1];
 #endif
 
-/* As sp_memory, of a scene and a place for the number that are there; work: where not NULL, an arena that only counts in place of settings.work. */
+/* As sp_memory, which has seen to scene and bytes; work: where not NULL, an arena that counts in place of settings.work. */
 static sp_status sp__memory(const sp_scene *scene, const sp_settings *settings, sp_arena *work, sp_arena scratch, size_t *bytes)
 {
     if (!scratch.base) return SP_E_ARGUMENT;

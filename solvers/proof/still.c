@@ -241,7 +241,7 @@ static sp_real sp__still_least_motion(sp__still *w)
             if (i >= 0) w->rounding += w->size[v] * (m[0] + m[1] + m[2] + (m[3] + m[4] + m[5]) * j->scale[i].arm);
         }
     }
-    for (int32_t r = 0; r < 6 * pb->blocks; r++) least -= sp__abs(w->c[r]) * w->reach[r];       /* where it is held reach is 0 */
+    for (int32_t r = 0; r < 6 * pb->blocks; r++) least -= sp__abs(w->c[r]) * w->reach[r];    /* held: reach is 0 */
     return least;
 }
 
