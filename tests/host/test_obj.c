@@ -332,6 +332,13 @@ TEST(what_is_written_reads_back_the_same)
     scene_free(&t);
 }
 
+/* Under clang's UBSan, too: a text that was never begun is not read from its start on. */
+TEST(json_that_holds_nothing_has_no_block)
+{
+    refuse("[]", "t.obj:1: the scene has no block");
+    refuse("{\"node\": {}}", "t.obj:1: the scene has no block");
+}
+
 TEST(every_refusal_tells_line_and_block)
 {
     refuse("", "t.obj:1: the scene has no block");
@@ -552,6 +559,7 @@ TEST_LIST(obj)
     RUN(joints_may_name_blocks_of_later_lines)
     RUN(vertices_no_face_uses_are_left_out)
     RUN(what_is_written_reads_back_the_same)
+    RUN(json_that_holds_nothing_has_no_block)
     RUN(every_refusal_tells_line_and_block)
     RUN(what_a_check_refuses_is_told_with_its_line)
     RUN(masses_and_pressures_are_loads)

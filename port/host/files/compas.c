@@ -682,6 +682,7 @@ int compas_parse(const char *path, char *text, size_t length, obj_file *file, fa
     memset(text, ' ', mark);                            /* the byte order mark */
     status = json_parse(path, text, length, &r.tree, error);
     if (!status) status = read_assembly(&r);
+    if (!status && !r.out.text) status = fail_with(error, EXIT_SCENE, path, 1, "%s", sp_status_text(SP_E_EMPTY));
     if (!status) status = obj_parse(path, r.out.text, r.out.length, file, error);       /* it frees the text */
     else free(r.out.text);
     if (!status) take_lines(&r, file);
