@@ -14,53 +14,14 @@
 # Found inputs go to build/fuzz/, by the loop as small as they get and of `scene` as a scene file, too; run `build/fuzz/TARGET FILE`
 # again. FUZZ_SEED: of the loop, else the day.
 set -eu
-out=build/fuzz
-mkdir -p $out
+. tests/fuzz/targets.sh
 quick=
 if [ "${1:-}" = --quick ]; then quick=1; shift; fi
 targets=${*:-scene qp obj qps json blob}
-host="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
-plain='-std=c99 -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -w'
 seconds=${FUZZ_SECONDS:-}
 seed=${FUZZ_SEED:-$(date +%Y%m%d)}
 bad=0 passed=0
 
-seeds() {                                               # seeds TARGET: a folder of them
-    mkdir -p "$out/seeds/$1"
-    case $1 in
-    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/scenes/arch.obj tests/examples/doorway.json "$out/seeds/obj" \
-             2> /dev/null || : ;;
-    qps) cp tests/fuzz/seeds/qps/* "$out/seeds/qps" ;;
-    json) [ ! -x build/stonepack ] ||
-              build/stonepack check --json --forces tests/scenes/two-cubes.obj > "$out/seeds/json/two-cubes" || : ;;
-    *) cp tests/fuzz/seeds/scene/* "$out/seeds/$1" ;;
-    esac
-}
-needs() { case $1 in scene) echo port/fuzz/bytes.c ;; qp) ;; blob) echo "port/fuzz/bytes.c" ;; esac; }
-alone() { case $1 in scene | qp) true ;; *) false ;; esac; }
-
-# Objects of the program, compiled once for all targets that read files.
-program() {                                             # program FOLDER COMPILER FLAGS...
-    pr_to=$1
-    shift
-    mkdir -p "$pr_to"
-    # shellcheck disable=SC2012
-    pr_h=$(ls -t stonepack.h port/*/*.h port/host/*/*.h settle/*.h tests/scenes/*.h | head -n 1)        # the newest header
-    for pr_c in $host; do
-        pr_o=$pr_to/$(echo "$pr_c" | tr / _ | sed 's/c$/o/')
-        [ "$pr_o" -nt "$pr_c" ] && [ "$pr_o" -nt "$pr_h" ] && continue
-        # shellcheck disable=SC2086
-        printf '%s\0' "$* $plain -c $pr_c -o $pr_o"
-    done | xargs -0 -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c '{}'
-}
-link() {                                                # link TARGET PROGRAM LIBRARY DRIVER OUTPUT COMPILER FLAGS...
-    li_t=$1 li_prog=$2 li_lib=$3 li_drive=$4 li_out=$5
-    shift 5
-    li_more=
-    alone "$li_t" || li_more=$(ls "$li_prog"/*.o | tr '\n' ' ')
-    # shellcheck disable=SC2086,SC2046
-    "$@" $plain "tests/fuzz/fuzz_$li_t.c" $(needs "$li_t") $li_drive $li_more "$li_lib" -lm -o "$li_out"
-}
 said() {                                                # said TARGET HOW: the last line of its log; counts
     if [ "$3" -eq 0 ]; then passed=$((passed + 1)); echo "ok      $1, $2: $(grep -oE '[0-9]+ executions|Done [0-9]+ runs' "$4" | tail -n 1)"
     else bad=$((bad + 1)); echo "FAILED  $1, $2"; grep -vE '^#[0-9]+' "$4" | head -n 30 | sed 's/^/        /'; fi
@@ -92,25 +53,20 @@ planted() {
         [ "$(wc -c < $out/planted-found)" -le 60 ] && as_scene $out/planted-found
 }
 
-for t in $targets; do seeds "$t"; done
+for t in $targets; do seeds "$t"; unpack "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
-    san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-    # shellcheck disable=SC2086
-    [ $out/clang.o -nt stonepack.c ] || clang $plain $san -fsanitize=fuzzer-no-link -c stonepack.c -o $out/clang.o
-    for t in $targets; do alone "$t" || { program $out/clang clang $san -fsanitize=fuzzer-no-link; break; }; done
     for t in $targets; do
-        # shellcheck disable=SC2086
-        link "$t" $out/clang $out/clang.o '' "$out/$t" clang $san -fsanitize=fuzzer
+        guided "$t" sanitized
         mkdir -p "$out/corpus/$t"
         status=0
-        "$out/$t" -max_total_time="${seconds:-30}" -timeout=25 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$t-" \
-            -print_final_stats=1 "$out/corpus/$t" "$out/seeds/$t" > "$out/$t.log" 2>&1 || status=$?
+        "$out/sanitized-$t" -max_total_time="${seconds:-30}" -timeout=60 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$t-" \
+            -print_final_stats=1 "$out/corpus/$t" "$out/seeds/$t" "$out/kept/$t" > "$out/$t.log" 2>&1 || status=$?
         said "$t" "libFuzzer, ASan, UBSan" $status "$out/$t.log"
     done
 else
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     # shellcheck disable=SC2086
-    [ build/asan.o -nt stonepack.c ] || gcc $plain $san -c stonepack.c -o build/asan.o
+    fresh build/asan.o || gcc $plain $san -c stonepack.c -o build/asan.o
     for t in $targets; do alone "$t" || { program $out/gcc gcc $san; break; }; done
     for t in $targets; do
         # shellcheck disable=SC2086
