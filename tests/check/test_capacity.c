@@ -3,6 +3,7 @@
 #include "../test.h"
 #include "../scenes/gen.h"
 
+#include <stdint.h>
 #include <string.h>
 
 enum { FENCE = 64, PAINT = 0x5a };
@@ -279,6 +280,31 @@ TEST(every_capacity_is_refused_or_enough)
     }
 }
 
+/* Counts near the largest: what a scene takes is told, or 0 where no size_t (of 32 bits on some boards) can tell it. */
+TEST(counts_near_the_largest_wrap_no_size)
+{
+    static const int32_t near[] = { 1000, 30000000, 89478485, 178956970, 536870912, 1073741824, INT32_MAX - 1, INT32_MAX };
+    const uint64_t bytes[7] = { sizeof(sp_block), 3 * sizeof(sp_real), sizeof(sp_face), sizeof(int32_t), sizeof(sp_joint),
+                                3 * sizeof(sp_real), sizeof(sp_load) };
+    for (size_t k = 0; k < sizeof near / sizeof near[0]; k++)
+        for (int of = 0; of < 8; of++) {                /* one of them, or all */
+            int32_t n[7];
+            uint64_t all = 0;
+            sp_scene s;
+            for (int q = 0; q < 7; q++) n[q] = of == q || of == 7 ? near[k] : 1;
+            for (int q = 0; q < 7; q++) all = (all + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN + bytes[q] * (uint64_t)n[q];
+            const sp_capacity cap = { n[0], n[1], n[2], n[3], n[4], n[5], n[6] };
+            if (all < SIZE_MAX - SP_ALIGN) CHECK(sp_scene_memory(&cap) == all);
+            else CHECK(sp_scene_memory(&cap) == 0);
+            if (all > test_arena.capacity) CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_E_MEMORY);
+        }
+    for (int32_t n = INT32_MAX; n > 1000; n /= 3) {     /* a hull takes 2 n + 2 numbers of so many bytes, or more */
+        const size_t told = sp_support_memory(n);
+        CHECK(told == 0 || told / sizeof(sp_real) >= (size_t)n);
+    }
+}
+
 TEST_LIST(capacity)
     RUN_FULL(every_capacity_is_refused_or_enough)
+    RUN(counts_near_the_largest_wrap_no_size)
 TEST_END

@@ -73,7 +73,56 @@ TEST(stages_are_told_as_they_begin)
     CHECK(eye.stages > 1);
 }
 
+/* Flops of all stages at every place where a check is told of, and where it might end. */
+enum { PLACES = 64 };
+typedef struct places { int32_t count; int64_t before, stage, at[PLACES]; } places;
+
+static void note(void *self, sp_stage_id stage, const sp_cost *cost)
+{
+    places *p = self;
+    if (stage) p->before += p->stage;
+    p->stage = stage ? 0 : cost->flops;
+    if (p->count < PLACES) p->at[p->count++] = p->before + cost->flops + 1;
+}
+
+/* Ended there, the scene has every byte it had, and is checked as if nothing had been. */
+TEST(a_check_that_ends_anywhere_leaves_its_scene_as_it_was)
+{
+    for (size_t k = 0; k < sizeof sample / sizeof *sample; k += SOME_OF(1, 3)) {
+        places p;
+        const sp_watch watch = { note, &p };
+        sp_settings set = sp_settings_default();
+        sp_scene s;
+        sp_result all, r;
+        memset(&p, 0, sizeof p);
+        test_arena.used = 0;
+        NEED(gen_make(sample[k].name, sample[k].param, sample[k].value, &test_arena, &s) == SP_OK);
+        const size_t bytes = test_arena.used;
+        test_arena.used = (bytes + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN + bytes;
+        NEED(test_arena.used <= test_arena.capacity);
+        unsigned char *copy = test_arena.base + test_arena.used - bytes;
+        memcpy(copy, test_arena.base, bytes);
+        set.watch = &watch;
+        NEED(sp_check(&s, &set, &test_arena, &all) == SP_OK);
+        set.watch = NULL;
+        NEED(p.count > 0);
+        for (int32_t q = 0; q < p.count; q++) {
+            sp_arena a = test_arena;
+            set.budget = p.at[q];
+            CHECK_INT(sp_check(&s, &set, &a, &r), SP_OK);
+            CHECK(r.verdict == SP_UNDECIDED || r.verdict == all.verdict);
+            CHECK_INT(memcmp(copy, test_arena.base, bytes), 0);
+        }
+        set.budget = 0;
+        NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+        CHECK_INT(r.verdict, all.verdict);
+        CHECK_INT(r.spent.total.flops, all.spent.total.flops);
+        CHECK_INT(memcmp(r.f, all.f, 3 * (size_t)s.count.points * sizeof *r.f), 0);
+    }
+}
+
 TEST_LIST(watch)
     RUN(every_factorisation_is_told_once)
     RUN(stages_are_told_as_they_begin)
+    RUN(a_check_that_ends_anywhere_leaves_its_scene_as_it_was)
 TEST_END
