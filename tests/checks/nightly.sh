@@ -93,7 +93,14 @@ else skip "coverage" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
 if have python3; then
     line "worker: 10,000 mutated requests, 500 timeouts, 400 clients that die" python3 -B tests/checks/worker.py build/stonepack --whole
 else skip "worker campaign" python3; fi
-line "any bytes, five minutes each" env FUZZ_SECONDS=300 sh tests/fuzz/fuzz.sh
+if have clang; then
+    for target in scene qp obj qps json blob; do
+        line "campaign: $target, sanitized" sh tests/fuzz/campaign.sh sanitized $target
+        line "campaign: $target, optimised" sh tests/fuzz/campaign.sh optimised $target
+    done
+else skip "campaigns of any bytes" clang; fi
+if have frama-c; then line "Frama-C Eva: arena, indices, kernels, certificate check" sh tests/eva/eva.sh
+else skip "Frama-C Eva" frama-c-base; fi
 line "gcc -fanalyzer, as far as it gets" gcc -std=c99 -O1 -fanalyzer -Werror -c stonepack.c -o $out/analyzed.o
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "boards" "qemu-system-arm"; fi

@@ -5,7 +5,8 @@
 #                                               clang as --quick
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that ask
 #                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000 small
-#                                               scenes; then a fault is put into the certificate check, and must be found
+#                                               scenes
+# With `scene` a fault is put into the certificate check at the end, and must be found. Very many executions: campaign.sh.
 #
 #     scene   a small scene by port/fuzz, every question, its invariants          obj    scene files, JSON of COMPAS
 #     qp      sp_qp_solve                                                         qps    files of quadratic programs
@@ -53,9 +54,10 @@ planted() {
         [ "$(wc -c < $out/planted-found)" -le 60 ] && as_scene $out/planted-found
 }
 
-for t in $targets; do seeds "$t"; unpack "$t"; done
+for t in $targets; do seeds "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
     for t in $targets; do
+        unpack "$t"
         guided "$t" sanitized
         mkdir -p "$out/corpus/$t"
         status=0
@@ -79,10 +81,11 @@ else
         link "$t" '' build/stonepack.o tests/fuzz/loop.c "$out/$t-fast" gcc -O2
         case $t in scene) many=${seconds:-20000x} ;; *) many=${seconds:-4} ;; esac
         loop "$t" "optimised" "$out/$t-fast" "$many"
-        [ "$t" != scene ] && continue
-        if planted; then passed=$((passed + 1)); echo "ok      a planted fault is found: $(tail -n 1 $out/planted.log)"
-        else bad=$((bad + 1)); echo "FAILED  a planted fault is found"; cat $out/planted.log 2> /dev/null; fi
     done
 fi
+case " $targets " in *" scene "*)
+    if planted; then passed=$((passed + 1)); echo "ok      a planted fault is found: $(tail -n 1 $out/planted.log)"
+    else bad=$((bad + 1)); echo "FAILED  a planted fault is found"; cat $out/planted.log 2> /dev/null; fi ;;
+esac
 echo "$passed passed, $bad failed"
 [ $bad -eq 0 ]

@@ -1,0 +1,171 @@
+/* Frama-C Eva: the certificate check with any numbers at all, NaN and infinities among them, of a scene whose structure is
+ * given: two free blocks, one joint between them of two points, one to the ground of two, one block held in some directions.
+ * A proof is any nodes, rows and multipliers. Asked is memory: indices, what is uninitialised, overflow of whole numbers. */
+#include "eva.h"
+#include "../../solvers/base/words.c"
+#include "../../solvers/proof/refute.c"
+#include "../../solvers/proof/still.c"
+#include "../../solvers/proof/sliding.c"
+
+enum { BLOCKS = 2, JOINTS = 2, POINTS = 4, NODES = 6, ENTRIES = 6, SWEEPS = 6 };
+
+static sp_block block[BLOCKS + 1];
+static sp_joint joint[JOINTS];
+static sp_real point[POINTS][3], local[POINTS][3];
+static int32_t number[BLOCKS] = { 1, 2 };
+static sp_contact contact[JOINTS];
+static sp_real loads[6 * BLOCKS], f[3 * POINTS], dq[6 * (BLOCKS + 1)], alpha[POINTS], spare[3 * POINTS];
+static sp_scene scene;
+static sp_problem pb;
+static sp_settings set;
+static sp__certifier judge;
+static sp__inertia inertia[BLOCKS];
+static sp_proof proof;
+static int32_t node[NODES];
+static uint16_t row[ENTRIES];
+static sp_real y[ENTRIES];
+
+static void any_joint(sp_joint *t, int32_t a, int32_t b, int32_t from)
+{
+    any_numbers(t->n, 3); any_numbers(t->t1, 3); any_numbers(t->t2, 3);
+    t->a = a; t->b = b; t->point = from; t->points = 2;
+    t->strength.mu = any(); t->strength.cohesion = any(); t->strength.tension = any(); t->strength.crushing = any();
+}
+
+static void make(int32_t faces)
+{
+    scene.block = block; scene.joint = joint; scene.point = point;
+    scene.count.blocks = BLOCKS + 1; scene.count.joints = JOINTS; scene.count.points = POINTS;
+    block[0].fixed = SP_FIXED;
+    block[2].fixed = 2u | 8u;
+    for (int k = 0; k < POINTS; k++) { any_numbers(point[k], 3); any_numbers(local[k], 3); }
+    for (int c = 0; c < JOINTS; c++) {
+        any_joint(&joint[c], c, c + 1, 2 * c);
+        contact[c].joint = &joint[c];
+        contact[c].a = c - 1; contact[c].b = c;
+        contact[c].point = 2 * c; contact[c].points = 2;
+        any_numbers(contact[c].ra, 3); any_numbers(contact[c].rb, 3);
+    }
+    any_numbers(loads, 6 * BLOCKS); any_numbers(f, 3 * POINTS); any_numbers(dq, 6 * (BLOCKS + 1)); any_numbers(alpha, POINTS);
+    pb.scene = &scene; pb.blocks = BLOCKS; pb.contacts = JOINTS; pb.points = POINTS;
+    pb.block = number; pb.contact = contact; pb.point = point; pb.local = local; pb.p = loads;
+    set.tol = any(); set.force_bound = any(); set.faces = faces; set.inscribed = any_whole(0, 1);
+    set.coupled.box = any_whole(0, 1); set.coupled.eps = any(); set.coupled.eta = any();
+    for (int k = 0; k < NODES; k++) node[k] = any_whole(INT32_MIN, INT32_MAX);
+    for (int k = 0; k < ENTRIES; k++) row[k] = (uint16_t)any_whole(0, UINT16_MAX);
+    any_numbers(y, ENTRIES);
+    proof.nodes = any_whole(INT32_MIN, NODES); proof.entries = any_whole(INT32_MIN, ENTRIES);
+    proof.node = node; proof.row = row; proof.y = y;
+}
+
+static void any_inertia(void)
+{
+    for (int i = 0; i < BLOCKS; i++) {
+        inertia[i].mass = any();
+        for (int r = 0; r < 3; r++) {
+            any_numbers(inertia[i].J[r], 3); any_numbers(inertia[i].turn[r], 3);
+            inertia[i].inverse[r] = any();
+        }
+        inertia[i].known = any_whole(0, 1);
+    }
+}
+
+/* A certificate check whose scales are any numbers. */
+static void opened(int32_t faces, sp_arena *a)
+{
+    make(faces);
+    any_inertia();
+    sp__certifier_carve(&judge, &pb, faces, a);
+    sp__certifier_cone(&judge, &pb, &set);
+    judge.sweeps_most = SWEEPS;
+    for (int i = 0; i < BLOCKS; i++) any_numbers(&judge.scale[i].load, (int)(sizeof *judge.scale / sizeof(sp_real)));
+    any_numbers(judge.dual.motion, 6 * BLOCKS);
+    any_numbers(judge.correction, 6 * BLOCKS);
+    judge.total = any();
+    judge.force_cap = any();
+}
+
+/* The scales themselves, from a hint of any numbers and without one. */
+void eva_scale(void)
+{
+    static sp_real hint[12 * BLOCKS];
+    sp_arena a = memory_of(0);
+    make(0);
+    any_numbers(hint, 12 * BLOCKS);
+    sp__certifier_open(&judge, &pb, &set, any_whole(0, 1) ? hint : NULL, SWEEPS, &a);
+}
+
+/* Forces, motions, pressure. */
+static void forces(int32_t faces)
+{
+    int32_t final;
+    sp_arena a = memory_of(0);
+    opened(faces, &a);
+    sp__certify_forces(&judge, f, spare);
+    sp__certify_mechanism(&judge, dq, &final);
+    sp__motion_write(&judge, dq);
+    sp__certify_pressure(&judge, f, spare);
+}
+
+void eva_forces(void) { forces(0); }
+void eva_forces_faces(void) { forces(3); }
+
+/* Triples. */
+void eva_triple(void)
+{
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    const sp__lengths k = sp__coupled_lengths(&pb, &set);
+    sp__certify_coupled(&judge, &k, f, dq, alpha);
+}
+
+/* What slides, what moves from rest. */
+void eva_moving(void)
+{
+    sp_real share, moves;
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    sp__certify_sliding(&judge, loads, f, dq, &share);
+    sp__certify_moving(&judge, inertia, f, dq, &moves);
+}
+
+/* One leaf of a refutation in any states, any rows. */
+static void refute_leaf(int32_t faces)
+{
+    sp_arena a = memory_of(0);
+    static sp__refute w;
+    opened(faces, &a);
+    const sp__lengths k = sp__coupled_lengths(&pb, &set);
+    sp__refute_carve(&w, POINTS, BLOCKS, &a);
+    w.j = &judge; w.k = &k; w.proof = &proof;
+    for (int v = 0; v < POINTS; v++) {
+        w.contact[v] = v / 2; w.at[v] = v;
+        w.state[v] = any_whole(0, (1 << 27) - 1);
+        w.F[v] = any(); w.any_friction[v] = any();
+    }
+    any_numbers(w.reach, 6 * BLOCKS);
+    w.total = any(); w.slack_of_work = any();
+    sp__refute_leaf(&w, 0, ENTRIES);
+}
+
+void eva_refute(void) { refute_leaf(0); }
+void eva_refute_exact(void) { refute_leaf(8); }
+void eva_refute_faces(void) { refute_leaf(64); }
+
+/* Of a proof that nothing moves. */
+void eva_still(void)
+{
+    sp_arena a = memory_of(0);
+    static sp__still w;
+    opened(0, &a);
+    sp__still_carve(&w, POINTS, BLOCKS, &a);
+    w.j = &judge; w.M = inertia; w.proof = &proof;
+    for (int v = 0; v < POINTS; v++) {
+        w.contact[v] = v / 2; w.at[v] = v;
+        w.state[v] = any_whole(0, 2 * SP__STILL_DEEP - 1);
+    }
+    w.delta = any();
+    sp__still_delta(&judge, inertia);
+    sp__still_reach(&w);
+    sp__still_leaf(&w, 0, ENTRIES);
+}
