@@ -13,11 +13,12 @@
 #else
 #define SP__CASES_DUST ((sp_real)1e-8)
 #endif
+#define SP__CASES_FLOPS 8000000000      /* where there is no budget: for two blocks on a slope 5e9 */
 #define SP__CASES_RUB ((sp_real)1e-6)   /* friction off its slip's, in the corner's load, that counts as none */
 
-/* Room of a proof: nodes, and multipliers. Twice the corners ask for some ten times the nodes, with fewer multipliers each. */
-static int32_t sp__cases_nodes(int32_t points) { return points <= SP__CASES_FEW ? 4096 : 32768; }
-static int32_t sp__cases_multipliers(int32_t points) { return (points <= SP__CASES_FEW ? 24 : 12) * sp__cases_nodes(points); }
+/* Room of a proof: nodes, and multipliers. Two blocks on four corners each take some 100,000 nodes, 16 multipliers each. */
+static int32_t sp__cases_nodes(int32_t points) { return points <= SP__CASES_FEW ? 4096 : 131072; }
+static int32_t sp__cases_multipliers(int32_t points) { return (points <= SP__CASES_FEW ? 24 : 16) * sp__cases_nodes(points); }
 
 /* A node that was split: its corner, the state before, how many children are done. */
 typedef struct sp__case { int32_t corner, state, child; } sp__case;

@@ -114,7 +114,7 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
     if (r->kind == SP_STRONG_AMBIGUOUS || !r->proof.node) return;
-    const int64_t limit = s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS;
+    const int64_t limit = s->set.budget > 0 ? s->set.budget : SP__CASES_FLOPS;
     sp_strong_kind kind = SP_STRONG_NONE;
     if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, limit, a, r))
         kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);

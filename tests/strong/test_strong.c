@@ -148,6 +148,26 @@ TEST(a_block_on_a_slope_below_its_friction_is_strong_at_its_corners)
     CHECK_INT(of("incline", "angle", 41).kind, SP_STRONG_NONE);
 }
 
+/* Two cubes on a slope of 18 degrees, far below their friction: some 70,000 cases, more than the budget of `ask` allows. */
+TEST(two_cubes_on_a_slope_are_strong_at_their_corners)
+{
+    const double angle = 18 * 3.14159265358979323846 / 180;     /* tan 40 = .84 */
+    sp_strong_kind proved;
+    sp_result rest;
+    sp_strong_result r;
+    sp_scene s;
+    CHECK_INT(gen_make("tower", "n", 2, &test_arena, &s), SP_OK);
+    s.gravity[0] = R(-9.80665 * sin(angle));
+    s.gravity[2] = R(-9.80665 * cos(angle));
+    CHECK_INT(ask(&s, NULL).kind, SP_STRONG_ADMISSIBLE);
+    if (!CASES || !test_long) return;
+    CHECK_INT(sp_check(&s, NULL, &test_arena, &rest), SP_OK);
+    CHECK_INT(sp_strong(&s, NULL, NULL, rest.f, NULL, &test_arena, &r), SP_OK);
+    CHECK(r.kind == SP_STRONG_AT_CORNERS && r.reason == SP_STRONG_CASES && r.proof.leaves > 32768);
+    CHECK_INT(sp_strong_verify(&s, NULL, &r, test_arena, &proved), SP_OK);
+    CHECK_INT(proved, SP_STRONG_AT_CORNERS);
+}
+
 /* Corners at r1 that carry all the weight hold mu W r1, those at r2 > r1 mu W r2; the largest spin is (T - mu W r1) / J. */
 TEST(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
 {
@@ -533,6 +553,7 @@ TEST_LIST(strong)
     RUN(a_slope_is_decided_to_a_millionth_in_the_plane_and_to_a_thousandth_in_space)
     RUN(a_plate_on_its_corners_holds_what_moves_with_the_middles_of_its_edges_too)
     RUN(a_block_on_a_slope_below_its_friction_is_strong_at_its_corners)
+    RUN(two_cubes_on_a_slope_are_strong_at_their_corners)
     RUN(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
     RUN(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
     RUN(no_start_moves_what_cases_prove_strong)
