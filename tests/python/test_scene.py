@@ -1,6 +1,8 @@
 """Scenes, answers and refusals of the Python package; standard library alone, NumPy where it is there."""
 import copy
+import gc
 import math
+import pickle
 import random
 import threading
 import time
@@ -27,6 +29,102 @@ def overhang(by, mu=0.6):
     s.box((2, 1, 0.4), (1, 0.5, -0.2), name="table", fixed=True)
     s.box((2, 1, 0.8), (1 + by, 0.5, 0.4), name="stone")
     return s
+
+
+class Misuse(unittest.TestCase):
+    """What makes no sense is a SceneError, and no crash."""
+
+    def test_a_change_while_another_thread_asks_is_refused(self):
+        s, stop, wrong, refused = scenes.wall(courses=8, bricks=8), threading.Event(), [], 0
+
+        def ask():
+            while not stop.is_set():
+                try:
+                    s.check()
+                except stonepack.SceneError:
+                    pass
+                except Exception as other:
+                    wrong.append(other)
+        threads = [threading.Thread(target=ask) for _ in range(3)]
+        for t in threads:
+            t.start()
+        for k in range(100):
+            try:
+                s.box((0.1, 0.1, 0.1), (50 + k, 0, 0))
+            except stonepack.SceneError:
+                refused += 1
+        stop.set()
+        for t in threads:
+            t.join()
+        self.assertEqual(wrong, [])
+        self.assertEqual(len(s), len(scenes.wall(courses=8, bricks=8)) + 100 - refused)
+        s.box((0.1, 0.1, 0.1), (99, 9, 0), name="after")        # nothing is left under way
+
+    def test_a_question_under_way_keeps_changes_out(self):
+        s = overhang(0.5)
+        s.check()
+        self.assertTrue(s._turns.ask(s._is_ready))
+        for change in (lambda: s.box((1, 1, 1)), lambda: s.load("stone", (0, 0, -1)), lambda: setattr(s, "gravity", (0, 0, -1)),
+                       lambda: s.friction(0.1), lambda: s.find_contacts()):
+            self.assertRaisesRegex(stonepack.SceneError, "being asked", change)
+        s._turns.asked()
+        s.load("stone", (0, 0, -1))
+        self.assertTrue(s.check().stable)
+
+    def test_forces_outlive_their_result(self):
+        result = scenes.wall(courses=6, bricks=6).check()
+        f, kept = result.f, result.forces
+        del result
+        gc.collect()
+        other = [scenes.wall(courses=6, bricks=6, mu=0.9).check() for _ in range(20)]
+        self.assertEqual([tuple(row) for row in f.tolist()], kept)
+        self.assertEqual(len(other), 20)
+
+    def test_no_number_is_cut_off_or_taken_for_another(self):
+        s = overhang(0.5)
+        for call in (lambda: s.box((1, 1, 1), fixed=2 ** 40), lambda: s.box((1, 1, 1), fixed=-1),
+                     lambda: s.box((1, 1, 1), fixed=3.5),
+                     lambda: s.pressure("stone", 2 ** 32, 1), lambda: s.pressure("stone", 0, "1"),
+                     lambda: s.check(iterations=2 ** 32), lambda: s.check(budget="x"), lambda: s.check(tol="x"),
+                     lambda: s.check(cone=8), lambda: s.check(cone="\u00b2i"), lambda: s.number(0.7), lambda: s.number(None),
+                     lambda: s.body("1", (0, 0, 0)), lambda: s.limit("x"), lambda: s.joint(0, 1, [(0, 0, 0)] * 3, mu="x"),
+                     lambda: stonepack.Scene(density="x").box((1, 1, 1)), lambda: s.box((1, 1, 1j)),
+                     lambda: s.box((1, 1, 1), name="a\0b"), lambda: s.box((1, 1, 1), name="\udc80")):
+            self.assertRaises(stonepack.SceneError, call)
+        self.assertEqual(len(s), 2)
+
+    def test_the_error_of_a_number_names_its_block(self):
+        with self.assertRaisesRegex(stonepack.SceneError, "block 'key': density"):
+            stonepack.Scene().box((1, 1, 1), name="key", density="x")
+
+    def test_pickling_says_what_to_send(self):
+        s = overhang(0.5)
+        result, order = s.check(), s.building()
+        for thing, word in ((s, "to_obj"), (result, "verdict"), (order, "not pickled")):
+            self.assertRaisesRegex(stonepack.StonepackError, word, pickle.dumps, thing)
+        self.assertEqual(copy.deepcopy(result).forces, result.forces)
+        self.assertEqual(copy.copy(s).check().forces, result.forces)
+        self.assertEqual(stonepack.parse(s.to_obj().encode()).check().verdict, "stable")
+
+    def test_no_blocks_are_told(self):
+        s = stonepack.Scene()
+        for ask in (s.check, s.limit, s.plan, s.strong, lambda: s.sequence([])):
+            self.assertRaisesRegex(stonepack.SceneError, "the scene has no block", ask)
+        self.assertEqual((s.joints, s.blocks, stonepack.check_many([])), ([], [], []))
+
+    @unittest.skipUnless(numpy, "NumPy")
+    def test_arrays_of_any_layout_are_the_same_block(self):
+        v, f = (numpy.array(x) for x in TETRAHEDRON)
+        still = v.astype("d")
+        still.flags.writeable = False
+        for vertices, faces in ((v.astype("d"), f), (v.astype("f4"), f.astype("u1")), (v.astype(">f8"), f.astype(">i8")),
+                                (numpy.asfortranarray(v), numpy.asfortranarray(f)), (numpy.repeat(v, 2, 0)[::2], f), (still, f)):
+            s = stonepack.Scene(density=6)
+            s.add(vertices, faces)
+            self.assertAlmostEqual(s.blocks[0].mass, 1)
+        for vertices, faces in ((v.ravel(), f), (v[None], f), (v, f.ravel()), (v, f[None]), (v, f + 0.5), (v.astype(complex), f),
+                                (v * numpy.nan, f), (v[:0], f), (v, f[:0]), (v, f.astype("u8") + 2 ** 40), (numpy.array(1.0), f)):
+            self.assertRaises(stonepack.SceneError, stonepack.Scene().add, vertices, faces)
 
 
 class Verdicts(unittest.TestCase):

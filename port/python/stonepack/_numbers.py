@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from array import array
 from itertools import chain
 from typing import Any, Optional, Sequence, Tuple
@@ -20,6 +21,25 @@ def triple(values: Vector, what: str) -> Any:
         raise SceneError("%s: three numbers are wanted, not %r" % (what, values)) from None
 
 
+def number(value: Any, what: str) -> float:
+    """One number as C has it."""
+    try:
+        return ctypes.c_double(value).value
+    except TypeError:
+        raise SceneError("%s: a number is wanted, not %r" % (what, value)) from None
+
+
+def whole(value: Any, what: str, most: int = 2 ** 31 - 1) -> int:
+    """One whole number from 0; C would cut off what is beyond."""
+    try:
+        k = operator.index(value)
+    except TypeError:
+        k = -1
+    if not 0 <= k <= most:
+        raise SceneError("%s: a whole number from 0 to %d is wanted, not %r" % (what, most, value))
+    return k
+
+
 def rows(values: Any, what: str) -> Tuple[int, Any]:
     """(n, n x 3 doubles) of an n x 3 array or a list of points."""
     try:
@@ -31,6 +51,8 @@ def rows(values: Any, what: str) -> Tuple[int, Any]:
         count = view.shape[0]
         return count, (ctypes.c_double * (3 * count)).from_buffer_copy(view.cast("B"))
     try:
+        if view is not None and "Z" in view.format:     # complex: half of it would be lost
+            raise ValueError
         points = list(values)
         if set(map(len, points)) - {3}:
             raise ValueError

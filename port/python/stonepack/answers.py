@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple
 
 from . import _bindings as c
 from ._library import StonepackError, lib, refuse, text
+from ._turns import asks
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -237,6 +238,15 @@ class _Answer:
         """The evidence passed the certificate check."""
         return bool(self._c.verified)
 
+    def __copy__(self) -> Any:
+        return self                                 # nothing of it changes
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return self
+
+    def __reduce__(self) -> Any:
+        raise StonepackError("an answer is not pickled: send its verdict, forces, motion, which are plain Python")
+
     def _there(self) -> "Scene":
         if self._scene._version != self._version:
             raise StonepackError("the scene has changed since this answer")
@@ -339,7 +349,8 @@ class Result(_Answer):
         count = self._there()._c.count.points
         if not count:
             return memoryview(b"").cast("B")
-        block = ctypes.cast(self._c.f, ctypes.POINTER(ctypes.c_double * (3 * count))).contents
+        at = ctypes.addressof(self._c.f.contents) - ctypes.addressof(self._memory)
+        block = (ctypes.c_double * (3 * count)).from_buffer(self._memory, at)         # keeps that memory
         return memoryview(block).cast("B").cast("d", (count, 3))
 
     @property
@@ -372,6 +383,7 @@ class Result(_Answer):
         return self._joint(self._c.extremes.weakest) if self._c.extremes.weakest >= 0 else None
 
     @property
+    @asks
     def reactions(self) -> Dict[str, Tuple[Vec3, Vec3]]:
         """{support: (force on it [N], moment about its centroid [N m])}."""
         scene = self._there()
@@ -387,11 +399,13 @@ class Result(_Answer):
         """Compute anew, by other code than the search's, what the evidence proves."""
         return self._there().verify(self)
 
+    @asks
     def svg(self, path: Optional[str] = None, *, names: bool = False, title: str = "scene") -> str:
         """The picture of `stonepack check --svg`, as text and into a file."""
         from . import pictures
         return pictures.draw(self._there(), self._c, None, path, names, title)
 
+    @asks
     def _joint(self, k: int) -> JointForce:
         scene, out = self._there(), c.sp_joint_force()
         status = lib.sp_joint_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), k, ctypes.byref(out))
@@ -453,6 +467,7 @@ class Limit(_Answer):
         return motion_of(self._names[:self._count], self._c.dq) if self._c.upper >= 0 else {}
 
     @property
+    @asks
     def hinges(self) -> List[Hinge]:
         """The joints that give way in the mechanism."""
         found: List[Hinge] = []
@@ -469,6 +484,7 @@ class Limit(_Answer):
                                    out.slip, (vec3(out.a), vec3(out.b))))
         return found
 
+    @asks
     def svg(self, path: Optional[str] = None, *, names: bool = False, title: str = "scene") -> str:
         """The picture of `stonepack limit --svg`, as text and into a file."""
         from . import pictures

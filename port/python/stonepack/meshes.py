@@ -35,7 +35,7 @@ def _halves(size: Sequence[float], at: Sequence[float]) -> Tuple[float, float, f
     try:
         (a, b, h), (x, y, z) = size, at
         a, b, h = a / 2, b / 2, h / 2
-        return x - a, x + a, y - b, y + b, z - h, z + h
+        return float(x - a), float(x + a), float(y - b), float(y + b), float(z - h), float(z + h)
     except (TypeError, ValueError):
         raise SceneError("box: size and at are three numbers each") from None
 

@@ -3,15 +3,17 @@ from __future__ import annotations
 
 import ctypes
 import os
+import operator
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, NoReturn, Optional, Sequence, Tuple, Union
 
 from . import _bindings as c
 from . import meshes
-from ._library import SceneError, arena, lib, refuse, text
-from ._numbers import Vector, polygons, rows, triple
+from ._library import SceneError, StonepackError, arena, lib, refuse, text
+from ._numbers import Vector, number, polygons, rows, triple, whole
+from ._turns import Turns, asks, changes
 from .answers import (LEVELS, VERDICTS, Block, Effect, Evidence, Held, Joint, Limit, Overlap, Plan, Result, Step, Strong,
                       motion_of, speeds, vec3)
 from .settling import Settled, settle
@@ -30,14 +32,16 @@ _ON = (c.SP_WHY_CALLED, c.SP_WHY_ASKED, c.SP_WHY_STAGES)
 
 def _held(fixed: Fixed) -> int:
     """Directions held, as sp_block.fixed."""
-    if isinstance(fixed, bool):
+    if isinstance(fixed, bool) or type(fixed).__name__ in ("bool_", "bool"):                # NumPy's too
         return c.SP_FIXED if fixed else 0
-    if isinstance(fixed, int):
-        return fixed
+    if hasattr(fixed, "__index__"):
+        return whole(fixed, "fixed", c.SP_FIXED)
     try:
         return sum({_DIRECTIONS[w] for w in (fixed.split() if isinstance(fixed, str) else fixed)})
     except KeyError as wrong:
         raise SceneError("fixed: %s is not one of x y z rx ry rz" % wrong) from None
+    except TypeError:
+        raise SceneError("fixed: True, False or directions are wanted, not %r" % (fixed,)) from None
 
 
 def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[float] = None, eta: Optional[float] = None,
@@ -49,20 +53,20 @@ def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[
         return None
     s = lib.sp_settings_default()
     if tol is not None:
-        s.tol = tol
+        s.tol = number(tol, "tol")
     if coupled:
         s.coupled.asked = 1
-        s.coupled.eps = -1 if eps is None else eps
-        s.coupled.eta = 0 if eta is None else eta
+        s.coupled.eps = -1 if eps is None else number(eps, "eps")
+        s.coupled.eta = 0 if eta is None else number(eta, "eta")
     if cone != "true":
-        if cone[-1:] not in ("i", "c") or not cone[:-1].isdigit():
+        if not isinstance(cone, str) or cone[-1:] not in ("i", "c") or not (cone.isascii() and cone[:-1].isdigit()):
             raise SceneError("cone: true, or so many faces, inscribed or circumscribed: 8i, 4c; not %r" % cone)
-        s.faces, s.inscribed = int(cone[:-1]), int(cone[-1] == "i")
-    s.budget, s.localise = int(budget), int(localise)
+        s.faces, s.inscribed = whole(int(cone[:-1]), "cone"), int(cone[-1] == "i")
+    s.budget, s.localise = whole(budget, "budget", 2 ** 63 - 1), int(bool(localise))
     if iterations is not None:
-        s.iterations = iterations
+        s.iterations = whole(iterations, "iterations")
     if force_bound is not None:
-        s.force_bound = force_bound
+        s.force_bound = number(force_bound, "force_bound")
     for effect in without:
         try:
             s.effect[("friction", "depth", "together").index(effect)] = c.SP_WITHOUT
@@ -98,7 +102,7 @@ class Scene:
     gravity     [m/s^2]
 
     Joints are found from the meshes unless some are given; blocks that are added later are found with all others.
-    One scene may be asked by several threads at once while none changes it.
+    One scene may be asked by several threads at once; a change meanwhile is refused: change a copy.
     """
 
     def __init__(self, *, mu: float = 0.84, density: float = 2400.0, gravity: Vector = GRAVITY):
@@ -114,7 +118,8 @@ class Scene:
         self._found: Any = None                     # how joints were found: settings; None: not yet
         self._overlaps: List[Overlap] = []
         self._needs: Dict[Any, int] = {}            # bytes of a check by its settings
-        self._lock = threading.Lock()
+        self._lock = threading.Lock()               # one thread finds joints, others wait for them
+        self._turns = Turns()
         self._create(c.sp_capacity(8, 64, 48, 192, 16, 64, 4))
         self.gravity = gravity                      # type: ignore[assignment]
 
@@ -150,6 +155,9 @@ class Scene:
         new.count, new.live = old.count, old.live
         new.gravity[:], new.body[:] = old.gravity[:], old.body[:]
 
+    def __reduce__(self) -> NoReturn:
+        raise StonepackError("a scene is not pickled: send scene.to_obj(), and stonepack.parse it there")
+
     def _touched(self, recipe: Optional[str] = None) -> None:
         """Something changed: answers before this are of another scene, which no recipe makes."""
         self._version += 1
@@ -158,6 +166,7 @@ class Scene:
 
     # ------------------------------------------------------------------------------------------------------------ blocks
 
+    @changes
     def add(self, vertices: Any, faces: Any = None, *, name: Optional[str] = None, density: Optional[float] = None,
             fixed: Fixed = False) -> str:
         """Add a block; returns its name.
@@ -175,6 +184,7 @@ class Scene:
         nf, sizes, corners, nc = polygons(faces, what)
         return self._add_mesh(label, c.sp_mesh(nv, nf, xyz, sizes, corners), nc, density, fixed)
 
+    @changes
     def box(self, size: Vector, at: Vector = (0, 0, 0), *, name: Optional[str] = None, density: Optional[float] = None,
             fixed: Fixed = False) -> str:
         """Add a box of that size (x, y, z) [m] about the centre `at` [m]; returns its name."""
@@ -182,17 +192,19 @@ class Scene:
 
     def _add_mesh(self, label: str, mesh: Any, corners: int, density: Optional[float], fixed: Fixed) -> str:
         self._room(blocks=1, vertices=mesh.vertices, faces=mesh.faces, corners=corners)
-        kg = self.density if density is None else density
+        kg = number(self.density if density is None else density, "block '%s': density" % label)
         status = lib.sp_scene_block(byref(self._c), byref(mesh), kg, _held(fixed), None)
         if status:
             raise refuse(status, "block '%s'" % label, label)
         return self._named(label)
 
+    @changes
     def body(self, mass: float, centroid: Vector, *, name: Optional[str] = None, fixed: Fixed = False) -> str:
         """Add a block without a mesh, known by its mass [kg] and centroid [m]; what it touches must be given."""
         label = self._label(name)
         self._room(blocks=1)
-        status = lib.sp_scene_body(byref(self._c), mass, triple(centroid, "block '%s'" % label), _held(fixed), None)
+        status = lib.sp_scene_body(byref(self._c), number(mass, "block '%s': mass" % label),
+                                   triple(centroid, "block '%s'" % label), _held(fixed), None)
         if status:
             raise refuse(status, "block '%s'" % label, label)
         return self._named(label)
@@ -201,6 +213,8 @@ class Scene:
         label = "b%d" % len(self._names) if name is None else "_".join(str(name).split())      # as in files
         if not label:
             raise SceneError("a name of a block is empty")
+        if "\0" in label or any("\ud800" <= letter <= "\udfff" for letter in label):
+            raise SceneError("block %r: no file can hold this name" % label, 0, label)
         if label in self._index:
             raise SceneError("block '%s': there is one of this name" % label, 0, label)
         return label
@@ -220,7 +234,10 @@ class Scene:
                 return self._index[block]
             except KeyError:
                 raise SceneError("no block is called '%s'" % block, c.SP_E_INDEX, block) from None
-        k = int(block)
+        try:
+            k = operator.index(block)
+        except TypeError:
+            raise SceneError("a block is told by its name or number, not %r" % (block,), c.SP_E_INDEX) from None
         if not 0 <= k < len(self._names):
             raise SceneError("no block has number %d" % k, c.SP_E_INDEX)
         return k
@@ -250,8 +267,10 @@ class Scene:
     # ------------------------------------------------------------------------------------------------------------ joints
 
     def _strength(self, mu: Optional[float], cohesion: float, tension: float, crushing: float) -> Any:
-        return c.sp_strength(self.mu if mu is None else mu, cohesion, tension, crushing)
+        told = ("mu", self.mu if mu is None else mu), ("cohesion", cohesion), ("tension", tension), ("crushing", crushing)
+        return c.sp_strength(*[number(x, what) for what, x in told])
 
+    @changes
     def joint(self, a: Name, b: Name, polygon: Any, *, mu: Optional[float] = None, cohesion: float = 0, tension: float = 0,
               crushing: float = 0) -> int:
         """Add a contact polygon, n x 3 corners anticlockwise seen from b [m]; returns its number. Strength in Pa."""
@@ -261,6 +280,7 @@ class Scene:
         return self._append(n, what, self._label_of(b),
                             lambda: lib.sp_scene_joint(byref(self._c), i, j, n, xyz, byref(strength), None))
 
+    @changes
     def points(self, a: Name, b: Name, normal: Vector, points: Any, *, mu: Optional[float] = None) -> int:
         """Add a point or edge contact: n x 3 points [m] that share a normal from a into b; returns its number."""
         i, j, what = self.number(a), self.number(b), "contact '%s' '%s'" % (self._label_of(a), self._label_of(b))
@@ -287,6 +307,7 @@ class Scene:
         self._touched()
         return count.joints - 1
 
+    @changes
     def find_contacts(self, *, distance: Optional[float] = None, share: Optional[float] = None, angle: Optional[float] = None,
                       mu: Optional[float] = None, cohesion: float = 0, tension: float = 0,
                       crushing: float = 0) -> List[Overlap]:
@@ -300,16 +321,17 @@ class Scene:
         if distance is not None and share is not None:
             raise SceneError("distance and share exclude each other")
         if distance is not None:
-            s.distance, s.absolute, s.angle = distance, 1, -8
+            s.distance, s.absolute, s.angle = number(distance, "distance"), 1, -8
         if share is not None:
-            s.distance, s.angle = share, -8
+            s.distance, s.angle = number(share, "share"), -8
         if angle is not None:
-            s.angle = angle
+            s.angle = number(angle, "angle")
         s.strength = self._strength(mu, cohesion, tension, crushing)
         self._given = False
         self._find(s)
         return self.overlaps
 
+    @changes
     def _find(self, settings: Any) -> None:
         s, scene = settings, self._c
         need = ctypes.c_size_t()
@@ -334,9 +356,12 @@ class Scene:
         self._touched(self.recipe)                      # finding joints is part of it
         self._found = (self._version, s)
 
+    def _is_ready(self) -> bool:
+        return self._given or (self._found is not None and self._found[0] == self._version)
+
     def _ready(self) -> None:
         """Joints are there: given, or found of the blocks as they are."""
-        if self._given or (self._found is not None and self._found[0] == self._version):
+        if self._is_ready():
             return
         with self._lock:
             if self._found is None:
@@ -347,9 +372,9 @@ class Scene:
                 self._find(self._found[1])
 
     @property
+    @asks
     def joints(self) -> List[Joint]:
         """All joints; they are found if none was given."""
-        self._ready()
         out = []
         for k in range(self._c.count.joints):
             j = self._c.joint[k]
@@ -364,10 +389,11 @@ class Scene:
         self._ready()
         return list(self._overlaps)
 
+    @changes
     def friction(self, mu: float) -> None:
         """One friction coefficient for every joint."""
         self._ready()
-        status = lib.sp_scene_friction(byref(self._c), mu)
+        status = lib.sp_scene_friction(byref(self._c), number(mu, "friction"))
         if status:
             raise refuse(status, "friction")
         self.mu = mu
@@ -385,25 +411,29 @@ class Scene:
 
     # ------------------------------------------------------------------------------------------------------------- loads
 
+    @changes
     def load(self, block: Name, force: Vector = (0, 0, 0), at: Optional[Vector] = None, *, couple: Vector = (0, 0, 0),
              mass: float = 0, live: bool = False) -> None:
         """Add a load: force [N] and mass [kg] at a point [m] (None: the centroid) that goes with the block, couple [N m].
         live: counts `live` times, and is what `limit` scales."""
         k, what = self.number(block), "load on '%s'" % self._label_of(block)
         point = self._c.block[k].centroid if at is None else triple(at, what)
-        each = c.sp_load(k, int(live), point, triple(force, what), triple(couple, what), mass)
+        each = c.sp_load(k, int(live), point, triple(force, what), triple(couple, what), number(mass, what))
         self._room(loads=1)
         status = lib.sp_scene_load(byref(self._c), byref(each), None)
         if status:
             raise refuse(status, what, self._label_of(block))
         self._numbers_changed()
 
+    @changes
     def pressure(self, block: Name, face: int, pressure: float, *, live: bool = False) -> None:
         """Press on a face (its number within the block) [Pa]; below 0 it pulls."""
+        what = "pressure on '%s'" % self._label_of(block)
         self._room(loads=1)
-        status = lib.sp_scene_pressure(byref(self._c), self.number(block), face, pressure, int(live), None)
+        status = lib.sp_scene_pressure(byref(self._c), self.number(block), whole(face, what + ": face"),
+                                       number(pressure, what), int(live), None)
         if status:
-            raise refuse(status, "pressure on '%s'" % self._label_of(block), self._label_of(block))
+            raise refuse(status, what, self._label_of(block))
         self._numbers_changed()
 
     @property
@@ -412,6 +442,7 @@ class Scene:
         return tuple(self._c.gravity)
 
     @gravity.setter
+    @changes
     def gravity(self, g: Vector) -> None:
         self._c.gravity = triple(g, "gravity")
         self._numbers_changed()
@@ -422,8 +453,9 @@ class Scene:
         return self._c.live
 
     @live.setter
+    @changes
     def live(self, multiple: float) -> None:
-        self._c.live = multiple
+        self._c.live = number(multiple, "live")
         self._numbers_changed()
 
     @property
@@ -432,6 +464,7 @@ class Scene:
         return tuple(self._c.body)
 
     @live_acceleration.setter
+    @changes
     def live_acceleration(self, a: Vector) -> None:
         self._c.body = triple(a, "live_acceleration")
         self._numbers_changed()
@@ -450,6 +483,7 @@ class Scene:
             raise refuse(status)
         return need.value
 
+    @asks
     def check(self, **settings: Any) -> Result:
         """Does it stand?
 
@@ -460,7 +494,6 @@ class Scene:
         localise    False: don't ask where help is wanted, where it does not stand
         without     effects to leave out: "friction", "depth", "together"
         """
-        self._ready()
         key, s = _settings_of(settings)
         p, result = (byref(s) if s is not None else None), Result(self, s)
         need = self._needs.get(key)
@@ -475,6 +508,7 @@ class Scene:
             raise refuse(status)
         return result
 
+    @asks
     def verify(self, result: Result) -> Evidence:
         """What the evidence of a result proves, computed anew from the scene."""
         p = byref(result._settings) if result._settings is not None else None
@@ -487,18 +521,18 @@ class Scene:
         return Evidence(VERDICTS[out.verdict], bool(out.final), out.imbalance, out.least_imbalance, LEVELS[out.level],
                         out.residual, out.margin)
 
+    @asks
     def limit(self, body: Optional[Vector] = None, **settings: Any) -> Limit:
         """How much more until it falls: the largest multiple of the live loads.
 
         body      a live load of every block's weight times this vector: (1, 0, 0) asks for an earthquake's share of gravity
         settings  tol, cone, budget, iterations, force_bound, as of check
         """
-        self._ready()
         s = _settings(**settings) if settings else None
         scene = c.sp_scene.from_buffer_copy(self._c)        # numbers of its own, the same arrays
         if body is not None:
             g = sum(x * x for x in self._c.gravity) ** 0.5
-            scene.body = triple([g * x for x in body], "body")
+            scene.body = triple([g * x for x in triple(body, "body")], "body")
         need = self._bytes(c.SP_FOR_LIMIT, s, scene)
         limit = Limit(self, body)
         limit._memory, a = arena(need)
@@ -507,9 +541,9 @@ class Scene:
             raise refuse(status)
         return limit
 
+    @asks
     def plan(self, **settings: Any) -> Plan:
         """What will a check simulate, what not, and why?"""
-        self._ready()
         s, out = _settings(**settings) if settings else None, c.sp_outlook()
         kept, scratch = arena(self._bytes(c.SP_FOR_PLAN, s))
         status = lib.sp_plan(byref(self._c), byref(s) if s is not None else None, scratch, byref(out))
@@ -519,6 +553,7 @@ class Scene:
                                                       e.bytes) for k, e in enumerate(out.effect)}
         return Plan(effects, out.islands, out.unknowns, out.flops, out.bytes, out.full_unknowns, out.full_flops, out.full_bytes)
 
+    @asks
     def strong(self, **settings: Any) -> Strong:
         """Does it stand whatever friction does, or by its history only?"""
         result = self.check(**settings)
@@ -550,31 +585,35 @@ class Scene:
 
     # ------------------------------------------------------------------------------------------------------------- files
 
+    @asks
     def settle(self, *, confirm: bool = False, **settings: Any) -> Settled:
         """Let the stones fall into place, simulated by Bullet, where this was built with it. No proof: compare verdicts.
 
         confirm   True: does the scene, as it is, keep still? `held` tells, lengths measured in mean stones
         settings  those of settle/settle.h by name: steps=3000, container=(1, 1, 1), lift=0, dt=1 / 1200 ...
         """
-        self._ready()
         return settle(self, confirm, settings)
 
+    @asks
     def write(self, path: str) -> None:
         """Write a scene file (OBJ with `#@` comments) that reads back as the same scene, joints with it."""
         from . import scenefiles
-        self._ready()
         scenefiles.write(self, path)
 
+    @asks
     def to_obj(self) -> str:
         """The text of that file."""
         from . import scenefiles
-        self._ready()
         return scenefiles.text_of(self)
 
     def copy(self) -> "Scene":
         """A scene of its own with the same blocks, joints and loads."""
         new = Scene(mu=self.mu, density=self.density)
-        new._copy_of(self._c, self._memory, c.sp_capacity.from_buffer_copy(self._c.capacity))
+        self._turns.ask(lambda: True)
+        try:
+            new._copy_of(self._c, self._memory, c.sp_capacity.from_buffer_copy(self._c.capacity))
+        finally:
+            self._turns.asked()
         new._names, new._index = list(self._names), dict(self._index)
         new._given, new._overlaps, new.remarks = self._given, list(self._overlaps), list(self.remarks)
         new.recipe = self.recipe
@@ -588,9 +627,9 @@ class Scene:
     def __deepcopy__(self, memo: Any) -> "Scene":
         return self.copy()
 
+    @asks
     def part(self, blocks: Iterable[Name]) -> "Scene":
         """A scene of its own of these blocks alone, with the joints between them and the loads on them."""
-        self._ready()
         chosen = sorted({self.number(b) for b in blocks})
         new, old = Scene(mu=self.mu, density=self.density, gravity=self.gravity), self._c
         number: Dict[int, int] = {}
@@ -647,28 +686,34 @@ class BuildOrder:
         """A stone comes and is held in place, by a robot, a prop, centring."""
         return self._set(block, c.SP_HELD, ask_hold)
 
+    @asks
     def must_hold(self, budget: int = 0) -> Held:
         """The smallest set of blocks to hold now; budget: flops after which the best so far is taken."""
         out, names = c.sp_held(), self._scene._names
-        status = lib.sp_sequence_hold(self._here(), budget, byref(out))
+        status = lib.sp_sequence_hold(self._here(), whole(budget, "budget", 2 ** 63 - 1), byref(out))
         if status:
             raise refuse(status)
         return Held([names[k] for k in out.block[0:out.count]], [bool(m) for m in out.must[0:out.count]],
                     text(c.SP_WORDS_HELD_PROOF, out.proof), out.checks)
 
+    @asks
     def suggest(self, *, add: bool = True, budget: int = 0) -> Optional[str]:
         """A next stone to lay (or to take away) after which everything stands; None: there is none."""
         out = c.sp_suggestion()
-        status = lib.sp_sequence_suggest(self._here(), int(add), budget, byref(out))
+        status = lib.sp_sequence_suggest(self._here(), int(add), whole(budget, "budget", 2 ** 63 - 1), byref(out))
         if status:
             raise refuse(status)
         return self._scene._names[out.block] if out.block >= 0 else None
+
+    def __reduce__(self) -> NoReturn:
+        raise StonepackError("a build order under way is not pickled")
 
     def _here(self) -> Any:
         if self._scene._version != self._version:
             raise SceneError("the scene has changed since this build order began")
         return self._c
 
+    @asks
     def _set(self, block: Name, presence: int, ask_hold: bool) -> Step:
         out, names, k = c.sp_step(), self._scene._names, self._scene.number(block)
         status = lib.sp_sequence_set(self._here(), k, presence, byref(out))

@@ -28,12 +28,19 @@ def _options(fixed: Names, up: Optional[str], unit: Optional[str], gravity: Opti
     return told
 
 
-def _read(path: str, content: Optional[str], told: list) -> Scene:
+def _read(path: str, content: Union[str, bytes, None], told: list) -> Scene:
     with files_lock:
         return _read_alone(files(), path, content, told)
 
 
-def _read_alone(reader: Any, path: str, content: Optional[str], told: list) -> Scene:
+def _bytes(content: Union[str, bytes], path: str) -> bytes:
+    try:
+        return content if isinstance(content, bytes) else content.encode()
+    except UnicodeEncodeError as wrong:
+        raise FileError("%s: no text: %s" % (path, wrong)) from None
+
+
+def _read_alone(reader: Any, path: str, content: Union[str, bytes, None], told: list) -> Scene:
     handle = reader.files_new()
     if not handle:
         raise MemoryError
@@ -44,7 +51,7 @@ def _read_alone(reader: Any, path: str, content: Optional[str], told: list) -> S
             kept.append(text)
             if not reader.files_option(handle, name.encode(), text):
                 raise FileError("%s: %r is not understood" % (name, value))
-        raw = None if content is None else content.encode()
+        raw = None if content is None else _bytes(content, path)
         if reader.files_read(handle, os.fsencode(path), raw, len(raw) if raw is not None else 0):
             raise FileError(reader.files_error(handle).decode(errors="replace"))
         return _scene_of(reader, handle)
@@ -95,7 +102,7 @@ def read(path: Union[str, "os.PathLike[str]"], *, fixed: Names = (), up: Optiona
     return _read(os.fspath(path), None, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
 
 
-def parse(content: str, name: str = "text", *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
+def parse(content: Union[str, bytes], name: str = "text", *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
           gravity: Optional[Vector] = None, contact_distance: Union[float, str, None] = None,
           contact_angle: Optional[float] = None, split: bool = False, mu: Optional[float] = None) -> Scene:
     """The same from text, as `read`: a scene file, or JSON, compas.json_dumps(assembly) for instance. name is for messages."""
