@@ -146,9 +146,7 @@ function open(name, words, text, changes) {
   try {
     model.open(name, words, text, changes);
   } catch (e) {
-    $('error').textContent = e.message;
-    $('error').hidden = false;
-    say(e.message);
+    complain(e.message);
     if (keep.text.length && keep.text !== text) model.open(keep.name, keep.words, keep.text, keep);
     return false;
   }
@@ -229,9 +227,15 @@ function listen() {
 /* The scene that the address holds.     returns 1, 0: none */
 async function openLink() {
   const s = await fromLink(location.hash.slice(1));
+  if (!s && location.hash.length > 8) complain('This link holds no scene, or not all of one');
   if (!s || (model.shape && JSON.stringify(await toLink(model.state)) === JSON.stringify(location.hash.slice(1)))) return !!s;
   const { name, words, text, ...changes } = s;
   return open(name, words, text, changes);
+}
+function complain(text) {
+  $('error').textContent = text;
+  $('error').hidden = false;
+  say(text);
 }
 function startView() {
   try {
@@ -263,7 +267,11 @@ async function start() {
   model = new Model(core);
   $('example').append(...examples.map(e => element('option', e.title)));
   listen();
-  if (!(await openLink())) openExample(0);
+  if (!(await openLink())) {
+    const why = $('error').textContent;
+    openExample(0);
+    if (why) complain(why + '. This is an example.');
+  }
   document.body.dataset.answered = Math.round(performance.now());       /* [ms] since the page was asked for */
   await new Promise(f => setTimeout(f));                                /* the answer is seen before the picture is made */
   startView();

@@ -5,6 +5,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { Chromium } from './chromium.mjs';
+import { fromLink, toLink } from '../../port/page/link.js';
 
 const [page, program, screens] = process.argv.slice(2), url = 'file://' + resolve(page), browser = new Chromium(program);
 let passed = 0, failed = 0;
@@ -191,6 +192,38 @@ async function link(tab) {
   test('no error on its console', other.errors.length === 0, other.errors.join('; '));
   await other.close();
 }
+/* A link may come from anyone: what the page did not make is told, and an example is there. */
+async function forged() {
+  const wall = { name: 'x.obj', words: [], text: readFileSync('tests/scenes/wall.obj'), mu: null, tilt: 0, azimuth: 0, push: null,
+    change: {} };
+  const bad = { 'no words': { words: 5 }, 'mu in letters': { mu: '<img src=x onerror=window.hit=1>' }, 'no name': { name: 7 },
+    'a move of no numbers': { change: { 0: { by: null, out: false, fixed: 0 } } }, 'a push of nothing': { push: { block: 'x' } },
+    'no change': { change: null }, 'a push without end': { push: { block: 1, along: [1, 0, 0], share: 1e300, from: null } } };
+  const links = [['letters', 'AAAA_AAAA-AAAA'], ['half a link', (await toLink(wall)).slice(0, 300)]];
+  for (const [name, change] of Object.entries(bad)) links.push([name, await toLink({ ...wall, ...change })]);
+  test('a link of the page is one', (await fromLink(await toLink(wall)))?.name === wall.name);
+  for (const [name, hash] of links) test('no link: ' + name, await fromLink(hash) === null);
+  for (const [name, hash] of [links[0], links[3]]) {
+    const tab = await browser.open(url + '#' + hash);
+    const error = `document.getElementById('error')`;
+    const said = await ready(tab) && await tab.value(`${error}.hidden ? '' : ${error}.textContent`);
+    test('a forged link: ' + name, /example/.test(said) && await verdict(tab) === 'stable' && tab.errors.length === 0,
+      said + ' ' + tab.errors.join('; '));
+    await tab.close();
+  }
+}
+/* Names and file names are text, wherever they are shown. */
+async function names(tab) {
+  const evil = '<img/src=x/onerror=window.hit=1>&"', cube = readFileSync('tests/scenes/wall.obj', 'latin1');
+  const first = /^o (\S+)/m.exec(cube)[1];
+  await drop(tab, '<img src=x onerror=window.hit=1>.obj', cube.replaceAll(first, evil));
+  test('a name of marks is a name', await tab.until(`${P}.model.shape.names.includes(${JSON.stringify(evil)})`));
+  await tab.frames(3);
+  test('and no element', await tab.value(`!window.hit && document.querySelectorAll('img').length === 0`));
+  test('nor in the picture', await tab.value(`(() => { const d = new DOMParser().parseFromString(${P}.core.picture(),
+    'image/svg+xml'); return !d.querySelector('parsererror, img, script'); })()`));
+  test('nor in the JSON', await tab.value(`!!JSON.parse(${P}.core.json())`));
+}
 async function small() {
   const tab = await browser.open(url, { width: 390, height: 780, phone: true, dark: true, still: true });
   await ready(tab);
@@ -236,9 +269,10 @@ async function flat() {
 }
 try {
   const tab = await begins();
-  for (const part of [decides, changes, drags, keys, files, link]) await part(tab);
+  for (const part of [decides, changes, drags, keys, files, link, names]) await part(tab);
   test('no error on the console', tab.errors.length === 0, tab.errors.join('; '));
   test('nothing is fetched', tab.fetched.length === 0, tab.fetched.join(' '));
+  await forged();
   await small();
   await dark();
   await flat();
