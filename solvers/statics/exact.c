@@ -31,6 +31,16 @@ SP__NOINLINE static int sp__bilateral_admissible(sp__system *w, sp_state *state)
     return each || (!w->budget.spent && sp__system_imbalance(w, w->r) <= little);
 }
 
+/* The y that the search in the plane came to before this one, in 6 rows: no forces are kept that balance less well. */
+SP__NOINLINE static void sp__exact_recall(sp__system *w, sp__newton *n, sp_state *state)
+{
+    const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
+    memcpy(w->d, w->y, bytes);
+    memcpy(w->y, state->y, bytes);
+    sp__newton_measure(w, n, state);
+    memcpy(w->y, w->d, bytes);
+}
+
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.
  * looked: w->r is of w->y already. */
 static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *state)
@@ -39,6 +49,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     int idle = 0;                                       /* too long for these factors: no other way gets there, either */
     if (w->singular) sp__newton_unresisted(w, n, state);
     if (sp__system_metric(w)) { sp__system_bilateral(w); looked = 0; }
+    if (!SP__FELL_LAST && !sp__reduced(w) && state->brief == SP__BRIEF_FELL) sp__exact_recall(w, n, state);
     if (whole) sp__newton_record_proof(w, n, w->y, state);
     if (looked) sp__newton_record(w, n, state);
     else sp__newton_measure(w, n, state);
@@ -108,7 +119,10 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     sp__reduction_to_space(w, state->dq);
     sp__reduction_copy_forces(reduction, w->pb, state->f);
     if (reduction) reduction->spent = spent;
-    if (!SP__FELL_LAST && reduction && reduction->mode == SP__PLANE && n->falls && !state->brief) state->brief = SP__BRIEF_FELL;
+    if (!SP__FELL_LAST && reduction && reduction->mode == SP__PLANE && n->falls && !state->brief) {
+        state->brief = SP__BRIEF_FELL;
+        sp__reduction_to_space(w, state->y);
+    }
     *claim = n->proved ? SP_UNSTABLE : n->best <= w->set->tol ? SP_STABLE : SP_UNDECIDED;
     const int nearly = n->best <= SP__NEAR * w->set->tol || n->falls;
     state->reason = n->proved ? SP_REASON_MECHANISM : n->best <= w->set->tol ? SP_REASON_FORCES
