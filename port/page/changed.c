@@ -271,6 +271,7 @@ static int borrow(changed *c, const sp_capacity *room, failure *error)
     c->now.strength = r->strength;
     c->now.near = any_moved(c) || room->blocks < r->scene.count.blocks ? 0 : r->near;
     c->now.inside = any_moved(c) || room->blocks < r->scene.count.blocks ? 0 : r->inside;
+    c->now.across = any_moved(c) || room->blocks < r->scene.count.blocks ? 0 : r->across;
     c->now.remarks = r->remarks;
     c->now.name = malloc((size_t)room->blocks * sizeof *c->now.name + 1);
     if (!c->now.name) return out_of_memory(c, error);

@@ -35,6 +35,13 @@ beside_goes_with() {                                    # what stands beside, an
     grep -q '"free_blocks": *9,' json && grep -q '"text": *"more about this scene was read from arch-y.obj.stonepack' json &&
     ! same "$(sed 's/.*"max_compression": *\([^,]*\),.*/\1/' json)" "$(sed 's/.*"max_compression": *\([^,]*\),.*/\1/' other)" > out
 }
+beside_marked() {                                       # as editors of Windows write it: byte order mark, CR LF
+    printf '\357\273\277#@ mu 0.1\r\n#@ unit mm\r\n' > arch.obj.stonepack
+    "$cli" convert arch.obj > out 2> err
+    status=$?
+    rm arch.obj.stonepack
+    [ $status -eq 0 ] && grep -q '^#@ mu 0\.1' out
+}
 beside_refused() {                                      # beside_refused TEXT LINES: the message names that file and the line
     printf '%b' "$2" > arch.obj.stonepack
     refuses 65 "^arch.obj.stonepack:2: .*$1" check arch.obj
@@ -231,6 +238,22 @@ slates() {                                              # two thirds of the uppe
     done
 }
 
+leaf() {                                                # leaf NAME X0 X1 Z0 Z1 AT: 1 deep
+    awk -v name="$1" -v a="$2" -v b="$3" -v lo="$4" -v hi="$5" -v at="$6" 'BEGIN {
+        n = split("0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", v, " ")
+        print "o", name
+        for (k = 1; k < n; k += 3) print "v", v[k] ? b : a, v[k + 1], v[k + 2] ? hi : lo
+        m = split("4 3 2 1,5 6 7 8,1 2 6 5,2 3 7 6,3 4 8 7,4 1 5 8", f, ",")
+        for (k = 1; k <= m; k++) { split(f[k], c, " "); print "f", c[1] + at, c[2] + at, c[3] + at, c[4] + at } }'
+}
+bridged_told() {                                        # a cube on a leaf under its edge falls, unless it is joined across the leaf
+    { leaf floor 0 1 -1 0 0; leaf sheet 0 0.1 0 0.001 8; leaf cube 0 1 0.001 1 16; } > sheet.obj
+    same "$(first check --fixed floor --contact-distance 0.0005 sheet.obj | cut -d, -f1)" "sheet.obj: UNSTABLE" &&
+    same "$(first check --fixed floor --contact-distance 1% sheet.obj)" "sheet.obj: STABLE, but 1 joint reaches across a block" &&
+    same "$(first limit --body 1,0,0 --fixed floor --contact-distance 1% sheet.obj | cut -d, -f2)" " but 1 joint reaches across a block" &&
+    remarks "that of 'floor' and 'cube' across 'sheet'" --fixed floor --contact-distance 1% sheet.obj
+}
+
 inside_told() {                                         # a stone sunk into its support by a tenth
     on_floor -0.1 -0.1 > sunk.obj
     same "$(first check sunk.obj)" "sunk.obj: UNSTABLE, but 1 pair of blocks lies inside each other" && remarks 'lies inside each other and does not touch: floor and cube' sunk.obj
@@ -346,6 +369,7 @@ part "curved: facets of one in the other's" curved 24 17 0.0025
 part "curved: fewer facets than the cradle" curved 9 14 0.03
 part "curved: as many, at other places"     curved 100 100 0.0003
 part "no distance reaches through a slate"  slates
+part "a joint across a sheet is told"       bridged_told
 part "a sunk stone is told, not only felled" inside_told
 part "two stones at one place are told"     twice_told
 part "contacts --sweep: a row a distance"   swept
@@ -414,6 +438,7 @@ part "up and gravity: 64"                   refuses 64 'exclude each other' chec
 part "up: a wrong word: 64"                 refuses 64 'needs x, y, z' check --up up arch.obj
 part "unit: a wrong word: 64"               refuses 64 'needs mm, cm, m or in' check --unit km arch.obj
 part "a file beside the model"              beside_goes_with
+part "a file beside it with a byte order mark" beside_marked
 part "beside: a name that is not there: 65" beside_refused "no block has such a name: 'x" '\no x\n'
 part "beside: a support not there: 65"      beside_refused "supports 'x'" '\n#@ supports b0,x\n'
 part "--support is told by its name"        refuses 64 "^arch.obj: --support '7': no block has such a name" check --support 7 arch.obj

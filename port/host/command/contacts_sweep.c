@@ -120,7 +120,8 @@ static void print_table(const host_scene *s, const sweep *w, int quiet)
     else {
         printf("%s: %s with %ld pair%s that touch%s, the same from %g%% to %g%%", s->path, text_of(first->verdict),
                (long)first->pairs, text_s(first->pairs), first->pairs == 1 ? "es" : "", 100 * first->share, 100 * last->share);
-        report_near(stdout, first->verdict == SP_STABLE || first->pairs == w->row[w->rows - 1].pairs ? 0 : s->near, s->inside);
+        report_near(stdout, first->verdict == SP_STABLE || first->pairs == w->row[w->rows - 1].pairs ? 0 : s->near, s->inside,
+                    s->across);
     }
     if (quiet) return;
     printf("  %-16s %11s %8s %8s %8s %13s %9s   %s\n", "distance", "least [m]", "pairs", "joints", "points", "area [m^2]",

@@ -162,7 +162,7 @@ static void cost_text(FILE *out, const host_scene *s, const cost_table *t, int q
     fprintf(out, "%s: %s by the exact stage with the true cone at tol %.0e: %ld joint%s, %ld contact point%s", s->path,
             sp_verdict_text(t->truth), t->truth_tol, (long)s->scene.count.joints, text_s(s->scene.count.joints),
             (long)s->scene.count.points, text_s(s->scene.count.points));
-    report_near(out, t->truth == SP_STABLE ? 0 : s->near, s->inside);
+    report_near(out, t->truth == SP_STABLE ? 0 : s->near, s->inside, s->across);
     if (quiet) return;
     fprintf(out, "S stable, U unstable, ? undecided, ! another verdict; flops, imbalance; no check above %s flop; "
             "ms: the tightest tol\n\n", scaled((double)t->budget, flops, sizeof flops));

@@ -166,7 +166,7 @@ static void print_multiplier(FILE *out, const report *r)
     default:                 fprintf(out, "UNDECIDED: %s", x->reason == SP_REASON_BUDGET
                                      ? "the search spent its budget" : "the two bounds do not meet at this tol");
     }
-    report_near(out, x->kind == SP_LIMIT_UNBOUNDED ? 0 : r->scene->near, r->scene->inside);
+    report_near(out, x->kind == SP_LIMIT_UNBOUNDED ? 0 : r->scene->near, r->scene->inside, r->scene->across);
     if (r->options->quiet) return;
     report_row(out, "how sure");
     if (x->lower >= 0) fprintf(out, "forces carry %.12g, largest imbalance %.2g", (double)x->lower, (double)x->imbalance);

@@ -31,8 +31,8 @@ int report_check(report *r, void **memory, failure *error);
 void report_text(FILE *out, const report *r);
 void report_json(FILE *out, const report *r);
 
-/* The end of a first line: an answer that may rest on missing contacts says so. */
-void report_near(FILE *out, int32_t near, int32_t inside);
+/* The end of a first line: an answer that may rest on missing contacts, or on one too many, says so. */
+void report_near(FILE *out, int32_t near, int32_t inside, int32_t across);
 
 /* The label of a line of report_text. */
 void report_row(FILE *out, const char *label);

@@ -254,20 +254,23 @@ static void text_cost(FILE *out, const report *r)
     fprintf(out, ", %.1f KiB\n", (double)r->coupled_bytes / 1024);
 }
 
-void report_near(FILE *out, int32_t near, int32_t inside)
+void report_near(FILE *out, int32_t near, int32_t inside, int32_t across)
 {
     if (near > 0)
         fprintf(out, ", but %ld pair%s of blocks nearly touch%s", (long)near, near == 1 ? "" : "s", near == 1 ? "es" : "");
     if (inside > 0)
         fprintf(out, ", %s %ld pair%s of blocks lie%s inside each other", near > 0 ? "and" : "but", (long)inside,
                 inside == 1 ? "" : "s", inside == 1 ? "s" : "");
+    if (across > 0)
+        fprintf(out, ", %s %ld joint%s across a block", near > 0 || inside > 0 ? "and" : "but", (long)across,
+                across == 1 ? " reaches" : "s reach");
     fputc('\n', out);
 }
 
 static void text_verdict(FILE *out, const report *r)
 {
     fprintf(out, "%s: %s", r->scene->path, capitals(r->result.verdict));
-    report_near(out, r->result.verdict == SP_STABLE ? 0 : r->scene->near, r->scene->inside);
+    report_near(out, r->result.verdict == SP_STABLE ? 0 : r->scene->near, r->scene->inside, r->scene->across);
 }
 
 void report_text(FILE *out, const report *r)

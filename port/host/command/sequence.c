@@ -122,6 +122,7 @@ static int read_file(run *r, const char *path, int32_t *line, failure *error)
     text_cursor c = { text, text ? text + length : NULL, 1 };
     text_word name;
     *line = 1;
+    if (!status) text_skip_mark(&c);
     do {
         while (!status && text_next_name(&c, &name) && name.s[0] != '#') {
             *line = c.line;
@@ -304,7 +305,7 @@ static void print_head(FILE *out, const run *r)
     else {
         fprintf(out, "step %ld is the first that %s (%s)", (long)r->first,
                 r->outcome[r->first - 1].step.verdict ? "fails" : "is undecided", name_of(r, r->order[r->first - 1]));
-        report_near(out, r->scene.near, r->scene.inside);
+        report_near(out, r->scene.near, r->scene.inside, r->scene.across);
     }
 }
 

@@ -442,7 +442,7 @@ static void print_text(const session *s)
     if (s->stopped) fputs("stopped by Ctrl-C; stones as they were then\n", stderr);
     printf("%s: %ld of %ld stone%s settled in %ld step%s", s->in.path, (long)(r->settled - fixed), (long)(r->stones - fixed),
            text_s(r->stones - fixed), (long)r->steps, text_s(r->steps));
-    report_near(stdout, 0, s->in.inside);               /* gaps close while they settle */
+    report_near(stdout, 0, s->in.inside, s->in.across);    /* gaps close while they settle */
     if (s->o->quiet) return;
     printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
            1e3 * r->drift);
@@ -506,7 +506,7 @@ static int compare_with_statics(session *s, failure *error)
         else {
             printf("%s: statics says %s, settle %s: they %s", s->in.path, sp_verdict_text(r.result.verdict),
                    s->result.held ? "held" : "fell", agree[0] == 'u' ? "can't be compared" : agree);
-            report_near(stdout, r.result.verdict == SP_STABLE ? 0 : s->in.near, s->in.inside);
+            report_near(stdout, r.result.verdict == SP_STABLE ? 0 : s->in.near, s->in.inside, s->in.across);
             if (!s->o->quiet) print_motion(s);
         }
     }

@@ -136,14 +136,14 @@ static void print_text(FILE *out, const report *r, const tilt_margin *m, const s
     const char *path = r->scene->path;
     if (!m->stands) {
         fprintf(out, "%s: %s", path, m->undecided ? "UNDECIDED while level" : "does not stand while level");
-        report_near(out, r->scene->near, r->scene->inside);
+        report_near(out, r->scene->near, r->scene->inside, r->scene->across);
         if (!quiet) remarks_print(out, &r->scene->remarks);
         return;
     }
     if (m->least >= 90) fprintf(out, "%s: TILT MARGIN at least 90 degrees, towards every azimuth", path);
     else fprintf(out, "%s: TILT MARGIN %s%.6g degrees, towards azimuth %g (from x to y)", path,
                  tilt_at_least(m) ? "at least " : "", m->least, fmod(floor(100 * m->azimuth + 0.5) / 100, 360));
-    report_near(out, r->scene->near, r->scene->inside);
+    report_near(out, r->scene->near, r->scene->inside, r->scene->across);
     if (quiet) return;
     if (m->least < 90 && m->within > 1e-3 * m->least) {
         report_row(out, "how near");

@@ -343,7 +343,7 @@ typedef struct verified {
     sp_strong_kind proved;
     int proof;                  /* the result has a proof that there is no triple */
     sp_evidence evidence;
-    int32_t near, inside;       /* pairs of blocks that nearly touch; inside each other without a joint */
+    int32_t near, inside, across;       /* host_scene's */
 } verified;
 
 static int verify(const char *scene_path, const char *path, verified *v, failure *error)
@@ -367,6 +367,7 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         memcpy(v->turned, s.scene.gravity, sizeof v->turned);
         v->near = s.near;
         v->inside = s.inside;
+        v->across = s.across;
         scene_body(&s, v->o.body);
         if (v->sliding) status = judge_sliding(&r, &v->o, &v->slid, &v->slides);
         else status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
@@ -413,7 +414,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     if (o->settings.coupled.asked)
         printf(", eps %.3g, eta %.3g m", (double)o->settings.coupled.eps, (double)o->settings.coupled.eta);
     if (v->strong) printf(", whatever friction does: %s", sp_strong_text(v->proved));
-    report_near(stdout, e->verdict == SP_STABLE ? 0 : v->near, v->inside);
+    report_near(stdout, e->verdict == SP_STABLE ? 0 : v->near, v->inside, v->across);
 }
 
 /* Is what the result says of its state proved, whatever else?     returns an exit status */
@@ -425,7 +426,7 @@ static int print_sliding(const char *scene_path, const char *path, const verifie
     else printf("no sliding state by %s", path);
     printf(", none below %.9g, strong up to %.9g, tol %.2g", (double)e->lower, (double)e->lower_strong,
            (double)v->o.settings.tol);
-    report_near(stdout, v->near, v->inside);
+    report_near(stdout, v->near, v->inside, v->across);
     return e->state ? 0 : EXIT_UNDECIDED;
 }
 

@@ -585,6 +585,7 @@ static int check_corners(reader *r)
 static int read_lines(reader *r)
 {
     int status, more;
+    text_skip_mark(&r->at);
     do {
         status = read_line(r);
         more = !status && text_next_line(&r->at);
@@ -607,7 +608,6 @@ int obj_parse(const char *path, char *text, size_t length, obj_file *file, failu
     file->mu = DEFAULT_MU;
     file->density = DEFAULT_DENSITY;
     file->gravity[2] = DEFAULT_GRAVITY;
-    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) r.at.p += 3;     /* byte order mark of UTF-8 */
     status = read_lines(&r);
     if (status) return status;
     file->lines = r.at.line;

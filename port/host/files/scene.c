@@ -1,4 +1,5 @@
 /* From the tables of a file to the library's scene. What the library refuses is told with the line of the block or contact. */
+#include "across.h"
 #include "../run.h"
 #include "bare.h"
 #include "meshes.h"
@@ -370,6 +371,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
         const sp_contact_settings used = touching_settings(s->touching);
         s->near = touching_near(&s->scene, &used, &s->remarks);
         s->inside = touching_inside(&s->scene, s->overlap, s->overlaps, s->name, &s->remarks);
+        s->across = across_find(&s->scene, &s->touching, s->name, &s->remarks);
     }
     suspects_find(&s->scene, s->name, known, &s->remarks);
 }

@@ -19,6 +19,7 @@ typedef struct host_scene {
     sp_strength strength;       /* of contacts found */
     int32_t near;               /* pairs of blocks that nearly touch: touching_near */
     int32_t inside;             /* pairs of blocks deep inside each other that have no joint: touching_inside */
+    int32_t across;             /* joints that reach across a thin block: across_find */
     int32_t overlaps;
     sp_overlap *overlap;        /* blocks inside each other, only where contacts were found */
     int32_t *line;              /* of the file: of each block, of each contact given, of each load */

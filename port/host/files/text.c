@@ -53,6 +53,11 @@ int text_next_name(text_cursor *c, text_word *name)
     return 1;
 }
 
+void text_skip_mark(text_cursor *c)
+{
+    if (c->end - c->p >= 3 && memcmp(c->p, "\xef\xbb\xbf", 3) == 0) c->p += 3;
+}
+
 int text_next_line(text_cursor *c)
 {
     while (c->p < c->end && !is_line_end(*c->p)) c->p++;

@@ -24,6 +24,9 @@ int text_next_word(text_cursor *c, text_word *word);
 /* The same for a name, which may stand in quotes, "two words", without them: only quotes that hold blanks are such. */
 int text_next_name(text_cursor *c, text_word *name);
 
+/* Text begins behind the byte order mark of UTF-8, which editors of Windows write. */
+void text_skip_mark(text_cursor *c);
+
 /* Go to the start of the next line (LF, CR LF or CR); 0 at the end of the text. */
 int text_next_line(text_cursor *c);
 

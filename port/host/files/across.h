@@ -1,0 +1,12 @@
+/* Joints that reach across a block: two blocks are joined at a distance, though a third one stands between them. */
+#ifndef STONEPACK_HOST_ACROSS_H
+#define STONEPACK_HOST_ACROSS_H
+
+#include "remarks.h"
+#include "touching.h"
+
+/* Of joints found at a distance: how many have a block between the two they join, thinner than the distance; a remark names
+ * the first.     returns how many; 0 also where there was no memory to look */
+int32_t across_find(const sp_scene *scene, const touching *t, const char *const *name, remarks *r);
+
+#endif
