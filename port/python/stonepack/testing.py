@@ -12,9 +12,10 @@ import os
 import re
 from typing import Any, Iterable, List, Optional
 
+from ._assembly import Name
 from ._library import StonepackError
 from .answers import Result, Step
-from .scene import Name, Scene
+from .scene import Scene
 
 __all__ = ["Fails", "Undecided", "assert_build_order", "assert_falls", "assert_stands"]
 
