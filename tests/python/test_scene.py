@@ -2,6 +2,7 @@
 import copy
 import gc
 import math
+import os
 import pickle
 import random
 import threading
@@ -92,6 +93,30 @@ class Misuse(unittest.TestCase):
                      lambda: s.box((1, 1, 1), name="a\0b"), lambda: s.box((1, 1, 1), name="\udc80")):
             self.assertRaises(stonepack.SceneError, call)
         self.assertEqual(len(s), 2)
+
+    def test_wrong_types_are_refused_in_our_words(self):
+        s, text = overhang(0.5), overhang(0.5).to_obj()
+        result, limit = s.check(), s.limit((1, 0, 0))
+        for words, call in (
+                ("scenes are wanted, not 1", lambda: stonepack.check_many([1])), ("a list", lambda: stonepack.check_many(None)),
+                ("threads", lambda: stonepack.check_many([s, s], threads=-3)), ("called wind", lambda: stonepack.check_many([s], wind=1)),
+                ("called wind", lambda: s.limit(wind=1)), ("called wind", lambda: s.building(wind=1)),
+                ("a list", lambda: s.sequence(5)), ("a list", lambda: s.part(5)), ("without", lambda: s.check(without=5)),
+                ("not \\(5, 6\\)", lambda: s.check(cone=(5, 6))), ("tol", lambda: s.check(tol=10 ** 400)),
+                ("mu: a number", lambda: stonepack.Scene(mu="a")), ("n x 3", lambda: s.add([(0, 0, 10 ** 400)], [(0, 1, 2)])),
+                ("box", lambda: s.box((10 ** 400, 1, 1))), ("an answer of check", lambda: s.verify(limit)),
+                ("of another scene", lambda: scenes.wall(courses=2, bricks=2).verify(result)),
+                ("gravity", lambda: stonepack.parse(text, gravity="xyz")), ("gravity", lambda: stonepack.parse(text, gravity=(1,))),
+                ("fixed: a list", lambda: stonepack.parse(text, fixed=5)), ("title", lambda: limit.svg(title=5))):
+            self.assertRaisesRegex(stonepack.SceneError, words, call)
+        for words, call in (
+                ("a path", lambda: stonepack.read(None)), ("a path", lambda: stonepack.read("a\0b")), ("a path", lambda: s.write(5)),
+                ("a path", lambda: s.write("a\0b")), ("a path", lambda: result.svg([5])), ("no text", lambda: stonepack.parse(None)),
+                ("mu", lambda: stonepack.parse(text, mu=[])), ("up", lambda: stonepack.parse(text, up="\ud800"))):
+            self.assertRaisesRegex(stonepack.FileError, words, call)
+        self.assertFalse(os.path.exists("a"))           # a name is not cut off either
+        self.assertEqual(overhang(0.5).verify(result).verdict, result.verdict)
+        self.assertTrue(s.check(without="friction", budget=1).undecided)
 
     def test_the_error_of_a_number_names_its_block(self):
         with self.assertRaisesRegex(stonepack.SceneError, "block 'key': density"):
@@ -236,7 +261,7 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(s.check(cone="8i").stable)
         with self.assertRaisesRegex(stonepack.SceneError, "cone"):
             s.check(cone="round")
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(stonepack.SceneError, "tolerance"):
             s.check(tolerance=1)
 
 
@@ -519,6 +544,9 @@ class Settling(unittest.TestCase):
     def test_settings_that_are_none_are_named(self):
         with self.assertRaisesRegex(stonepack.SceneError, "no setting 'wind'"):
             self.shelf(0).settle(wind=1)
+        for name, value in ("steps", 2 ** 32), ("steps", 2.5), ("container", 5), ("dt", "x"):
+            with self.assertRaisesRegex(stonepack.SceneError, name):
+                self.shelf(0).settle(**{name: value})
 
     def test_a_scene_with_loads_is_refused(self):
         scene = self.shelf(0)

@@ -43,7 +43,7 @@ class Assembly:
     """A scene without its questions: see Scene."""
 
     def __init__(self, *, mu: float = 0.84, density: float = 2400.0, gravity: Vector = GRAVITY):
-        self.mu, self.density = mu, density
+        self.mu, self.density = number(mu, "mu"), number(density, "density")
         self.remarks: List[str] = []                # of the file it was read from
         self.recipe: Optional[str] = None           # the call that made it, by stonepack.scenes
         self._c = c.sp_scene()

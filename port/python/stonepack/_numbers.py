@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import ctypes
 import operator
+import os
 from array import array
 from itertools import chain
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
-from ._library import SceneError
+from ._library import FileError, SceneError
 
 Vector = Sequence[float]                                # three numbers
 
@@ -17,7 +18,7 @@ def triple(values: Vector, what: str) -> Any:
     try:
         x, y, z = values
         return (ctypes.c_double * 3)(x, y, z)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise SceneError("%s: three numbers are wanted, not %r" % (what, values)) from None
 
 
@@ -25,7 +26,7 @@ def number(value: Any, what: str) -> float:
     """One number as C has it."""
     try:
         return ctypes.c_double(value).value
-    except TypeError:
+    except (TypeError, OverflowError):
         raise SceneError("%s: a number is wanted, not %r" % (what, value)) from None
 
 
@@ -38,6 +39,38 @@ def whole(value: Any, what: str, most: int = 2 ** 31 - 1) -> int:
     if not 0 <= k <= most:
         raise SceneError("%s: a whole number from 0 to %d is wanted, not %r" % (what, most, value))
     return k
+
+
+def several(values: Any, what: str) -> List[Any]:
+    """All of a list; a word alone is one of them, not its letters."""
+    if isinstance(values, str):
+        return [values]
+    try:
+        return list(values)
+    except TypeError:
+        raise SceneError("%s: a list is wanted, not %r" % (what, values)) from None
+
+
+def path_of(path: Any) -> bytes:
+    """A path as C has it."""
+    try:
+        raw = os.fsencode(path)
+    except (TypeError, UnicodeEncodeError):
+        raw = b"\0"
+    if b"\0" in raw:                                    # C would read up to there
+        raise FileError("a path is wanted, not %r" % (path,))
+    return raw
+
+
+def letters(value: Any, what: str) -> bytes:
+    """Text as C has it."""
+    try:
+        raw = value.encode()
+    except (AttributeError, UnicodeEncodeError):
+        raw = b"\0"
+    if b"\0" in raw:
+        raise SceneError("%s: text is wanted, not %r" % (what, value))
+    return raw
 
 
 def rows(values: Any, what: str) -> Tuple[int, Any]:
@@ -57,7 +90,7 @@ def rows(values: Any, what: str) -> Tuple[int, Any]:
         if set(map(len, points)) - {3}:
             raise ValueError
         flat = array("d", chain.from_iterable(points))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise SceneError("%s: points of three numbers are wanted, n x 3" % what) from None
     if not flat:
         raise SceneError("%s: no points" % what)

@@ -36,7 +36,7 @@ def _halves(size: Sequence[float], at: Sequence[float]) -> Tuple[float, float, f
         (a, b, h), (x, y, z) = size, at
         a, b, h = a / 2, b / 2, h / 2
         return float(x - a), float(x + a), float(y - b), float(y + b), float(z - h), float(z + h)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise SceneError("box: size and at are three numbers each") from None
 
 

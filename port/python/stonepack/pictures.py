@@ -2,21 +2,23 @@
 from __future__ import annotations
 
 import ctypes
-import os
 from typing import Any, Optional
 
 from . import _bindings as c
 from ._library import FileError, files, files_lock
+from ._numbers import letters, path_of
 from .scene import Scene
 from .scenefiles import by_file, c_names
 
 
 def draw(scene: Scene, result: Any, limit: Any, path: Optional[str], names: bool, title: str) -> str:
+    heading = letters(title, "title")
+
     def put(where: str) -> None:
         message = ctypes.create_string_buffer(512)
         with files_lock:
-            failed = files().files_draw(os.fsencode(where), ctypes.byref(scene._c), c_names(scene), title.encode(),
-                                        ctypes.byref(result), ctypes.byref(limit) if limit is not None else None, int(names),
+            failed = files().files_draw(path_of(where), ctypes.byref(scene._c), c_names(scene), heading,
+                                        ctypes.byref(result), ctypes.byref(limit) if limit is not None else None, bool(names),
                                         message)
         if failed:
             raise FileError(message.value.decode(errors="replace"))

@@ -5,12 +5,12 @@ import ctypes
 import os
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref
-from typing import Any, Dict, Iterable, List, NoReturn, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterable, List, NoReturn, Optional, Sequence, Tuple, Union
 
 from . import _bindings as c
 from ._assembly import Assembly, Name
 from ._library import SceneError, StonepackError, arena, lib, refuse, text
-from ._numbers import Vector, number, triple, whole
+from ._numbers import Vector, number, several, triple, whole
 from ._turns import asks
 from .answers import LEVELS, VERDICTS, Effect, Evidence, Held, Limit, Plan, Result, Step, Strong, motion_of, speeds
 from .settling import Settled, settle
@@ -20,8 +20,10 @@ _ON = (c.SP_WHY_CALLED, c.SP_WHY_ASKED, c.SP_WHY_STAGES)
 
 def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[float] = None, eta: Optional[float] = None,
               cone: str = "true", budget: int = 0, localise: bool = True, iterations: Optional[int] = None,
-              force_bound: Optional[float] = None, without: Sequence[str] = ()) -> Any:
+              force_bound: Optional[float] = None, without: Union[str, Sequence[str]] = (), **other: Any) -> Any:
     """sp_settings of these words; None: the default ones."""
+    if other:
+        raise SceneError("no setting is called %s; help(stonepack.Scene.check) tells them" % ", ".join(other))
     if tol is None and not coupled and cone == "true" and not budget and localise and iterations is None \
             and force_bound is None and not without:
         return None
@@ -34,18 +36,18 @@ def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[
         s.coupled.eta = 0 if eta is None else number(eta, "eta")
     if cone != "true":
         if not isinstance(cone, str) or cone[-1:] not in ("i", "c") or not (cone.isascii() and cone[:-1].isdigit()):
-            raise SceneError("cone: true, or so many faces, inscribed or circumscribed: 8i, 4c; not %r" % cone)
+            raise SceneError("cone: true, or so many faces, inscribed or circumscribed: 8i, 4c; not %r" % (cone,))
         s.faces, s.inscribed = whole(int(cone[:-1]), "cone"), int(cone[-1] == "i")
     s.budget, s.localise = whole(budget, "budget", 2 ** 63 - 1), int(bool(localise))
     if iterations is not None:
         s.iterations = whole(iterations, "iterations")
     if force_bound is not None:
         s.force_bound = number(force_bound, "force_bound")
-    for effect in without:
+    for effect in several(without, "without"):
         try:
             s.effect[("friction", "depth", "together").index(effect)] = c.SP_WITHOUT
         except ValueError:
-            raise SceneError("without: friction, depth, together; not %r" % effect) from None
+            raise SceneError("without: friction, depth, together; not %r" % (effect,)) from None
     return s
 
 
@@ -58,14 +60,14 @@ def _settings_of(words: Dict[str, Any]) -> Tuple[Any, Any]:
         return (), None
     key = tuple(words.items())
     try:
-        return key, _KEPT[key]
-    except KeyError:
-        if len(_KEPT) > 100:
-            _KEPT.clear()
-        _KEPT[key] = _settings(**words)
-        return key, _KEPT[key]
+        s = _KEPT.get(key, _KEPT)                       # itself: not there
     except TypeError:                                   # a list among them
         return None, _settings(**words)
+    if s is _KEPT:
+        if len(_KEPT) > 100:
+            _KEPT.clear()
+        s = _KEPT[key] = _settings(**words)
+    return key, s
 
 
 class Scene(Assembly):
@@ -121,8 +123,12 @@ class Scene(Assembly):
     @asks
     def verify(self, result: Result) -> Evidence:
         """What the evidence of a result proves, computed anew from the scene."""
+        if not isinstance(result, Result):
+            raise SceneError("verify: an answer of check is wanted, not %r" % (result,))
         p = byref(result._settings) if result._settings is not None else None
-        result._there()
+        asked, here = result._there()._c.count, self._c.count
+        if (asked.blocks, asked.joints, asked.points) != (here.blocks, here.joints, here.points):
+            raise SceneError("verify: this is the answer of another scene")
         kept, scratch = arena(self._bytes(c.SP_FOR_VERIFY, None))
         out = c.sp_evidence()
         status = lib.sp_verify(byref(self._c), p, byref(result._c), scratch, byref(out))
@@ -187,7 +193,7 @@ class Scene(Assembly):
         under_way = BuildOrder(self, **settings)
         if order is None:
             order = [k for k in range(len(self._names)) if self._c.block[k].fixed != c.SP_FIXED]
-        return [under_way.add(block, ask_hold=hold) for block in order]
+        return [under_way.add(block, ask_hold=hold) for block in several(order, "order")]
 
     def building(self, **settings: Any) -> "BuildOrder":
         """A build order under way: add, remove, hold and let go of stones one by one."""
@@ -240,7 +246,7 @@ class Scene(Assembly):
     @asks
     def part(self, blocks: Iterable[Name]) -> "Scene":
         """A scene of its own of these blocks alone, with the joints between them and the loads on them."""
-        chosen = sorted({self.number(b) for b in blocks})
+        chosen = sorted({self.number(b) for b in several(blocks, "part")})
         new, old = Scene(mu=self.mu, density=self.density, gravity=self.gravity), self._c
         number: Dict[int, int] = {}
         for k in chosen:
@@ -341,8 +347,11 @@ class BuildOrder:
 def check_many(scenes: Iterable[Scene], *, threads: Optional[int] = None, **settings: Any) -> List[Result]:
     """Check many scenes at once over threads (None: one per processor); results in their order.
     A scene that is refused raises."""
-    every = list(scenes)
-    count = min(threads or os.cpu_count() or 1, len(every)) or 1
+    every = several(scenes, "check_many")
+    for each in every:
+        if not isinstance(each, Scene):
+            raise SceneError("check_many: scenes are wanted, not %r" % (each,))
+    count = min(whole(threads or 0, "threads") or os.cpu_count() or 1, len(every)) or 1
     if count == 1:
         return [s.check(**settings) for s in every]
     size = max(1, len(every) // (8 * count))

@@ -7,8 +7,8 @@ import tempfile
 from typing import Any, Iterable, Optional, Union
 
 from . import _bindings as c
-from ._library import FileError, files, files_lock
-from ._numbers import Vector
+from ._library import FileError, SceneError, files, files_lock
+from ._numbers import Vector, letters, number, path_of, several, triple
 from .answers import Overlap
 from .scene import Scene
 
@@ -17,42 +17,47 @@ Names = Union[str, Iterable[str]]
 
 def _options(fixed: Names, up: Optional[str], unit: Optional[str], gravity: Optional[Vector], contact_distance: Any,
              contact_angle: Optional[float], split: bool, mu: Optional[float]) -> list:
-    each = [fixed] if isinstance(fixed, str) else list(fixed)
-    told = [("fixed", name) for name in each if name]
+    told = [("fixed", name) for name in several(fixed, "fixed") if name != ""]
     told += [(k, v) for k, v in (("up", up), ("unit", unit), ("contact-distance", contact_distance),
                                  ("contact-angle", contact_angle), ("mu", mu)) if v is not None]
     if gravity is not None:
-        told += [("gravity-" + axis, "%.17g" % x) for axis, x in zip("xyz", gravity)]
+        told += [("gravity-" + axis, "%.17g" % x) for axis, x in zip("xyz", triple(gravity, "gravity"))]
     if split:
         told.append(("split", ""))
     return told
 
 
-def _read(path: str, content: Union[str, bytes, None], told: list) -> Scene:
+def _option(name: str, value: Any) -> bytes:
+    try:
+        return letters(value if isinstance(value, str) else "%.17g" % number(value, name), name)
+    except SceneError:
+        raise FileError("%s: %r is not understood" % (name, value)) from None
+
+
+def _read(path: bytes, raw: Optional[bytes], told: list) -> Scene:
     with files_lock:
-        return _read_alone(files(), path, content, told)
+        return _read_alone(files(), path, raw, told)
 
 
 def _bytes(content: Union[str, bytes], path: str) -> bytes:
     try:
         return content if isinstance(content, bytes) else content.encode()
-    except UnicodeEncodeError as wrong:
+    except (AttributeError, UnicodeEncodeError) as wrong:
         raise FileError("%s: no text: %s" % (path, wrong)) from None
 
 
-def _read_alone(reader: Any, path: str, content: Union[str, bytes, None], told: list) -> Scene:
+def _read_alone(reader: Any, path: bytes, raw: Optional[bytes], told: list) -> Scene:
     handle = reader.files_new()
     if not handle:
         raise MemoryError
     try:
         kept = []                                       # the reader keeps the strings while it reads
         for name, value in told:
-            text = (value if isinstance(value, str) else "%.17g" % value).encode()
+            text = _option(name, value)
             kept.append(text)
             if not reader.files_option(handle, name.encode(), text):
                 raise FileError("%s: %r is not understood" % (name, value))
-        raw = None if content is None else _bytes(content, path)
-        if reader.files_read(handle, os.fsencode(path), raw, len(raw) if raw is not None else 0):
+        if reader.files_read(handle, path, raw, len(raw) if raw is not None else 0):
             raise FileError(reader.files_error(handle).decode(errors="replace"))
         return _scene_of(reader, handle)
     finally:
@@ -99,14 +104,14 @@ def read(path: Union[str, "os.PathLike[str]"], *, fixed: Names = (), up: Optiona
     split             each shell of an object is a block
     mu                friction instead of all that the file says
     """
-    return _read(os.fspath(path), None, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
+    return _read(path_of(path), None, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
 
 
 def parse(content: Union[str, bytes], name: str = "text", *, fixed: Names = (), up: Optional[str] = None, unit: Optional[str] = None,
           gravity: Optional[Vector] = None, contact_distance: Union[float, str, None] = None,
           contact_angle: Optional[float] = None, split: bool = False, mu: Optional[float] = None) -> Scene:
     """The same from text, as `read`: a scene file, or JSON, compas.json_dumps(assembly) for instance. name is for messages."""
-    return _read(name, content, _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
+    return _read(path_of(name), _bytes(content, name), _options(fixed, up, unit, gravity, contact_distance, contact_angle, split, mu))
 
 
 def c_names(scene: Scene) -> Any:
@@ -116,7 +121,7 @@ def c_names(scene: Scene) -> Any:
 def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:
     message = ctypes.create_string_buffer(512)
     with files_lock:
-        failed = files().files_write(os.fsencode(path), ctypes.byref(scene._c), c_names(scene), message)
+        failed = files().files_write(path_of(path), ctypes.byref(scene._c), c_names(scene), message)
     if failed:
         raise FileError(message.value.decode(errors="replace"))
 
@@ -124,7 +129,7 @@ def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:
 def by_file(put: Any, path: Optional[str], suffix: str) -> str:
     """What put(path) writes, as text; the file stays if it was named."""
     if path is not None:
-        put(os.fspath(path))
+        put(path)
         with open(path, encoding="utf-8") as file:
             return file.read()
     with tempfile.TemporaryDirectory() as folder:

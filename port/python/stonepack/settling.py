@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional
 
 from . import _bindings as c
 from ._library import SceneError, settling
+from ._numbers import number, triple, whole
 from .answers import Vec3, vec3
 
 if TYPE_CHECKING:
@@ -66,10 +67,8 @@ def _settings(lib: Any, scene: "Scene", confirm: bool, words: Dict[str, Any]) ->
         if name in _KEPT or not hasattr(s, name):
             raise SceneError("settle has no setting '%s'" % name)
         field = getattr(s, name)
-        if isinstance(field, ctypes.Array):
-            field[:] = value
-        else:
-            setattr(s, name, value)
+        wanted: Any = triple if isinstance(field, ctypes.Array) else number if isinstance(field, float) else whole
+        setattr(s, name, wanted(value, name))
     return s
 
 
@@ -100,7 +99,7 @@ def settle(scene: "Scene", confirm: bool, words: Dict[str, Any]) -> Settled:
     pairs = _frictions(scene, s.mu)
     s.pairs, s.pair = len(pairs), pairs
     try:
-        status = lib.settle_from_scene(byref(scene._c), int(confirm), byref(assembly))
+        status = lib.settle_from_scene(byref(scene._c), int(bool(confirm)), byref(assembly))
         if not status:
             status = lib.settle_run(assembly.stones, assembly.stone, byref(s), byref(found))
         if status:
