@@ -1,7 +1,9 @@
 /* packer: a small packer with a mistake in it, and the property that finds the mistake: what is packed stands.
  *
  *     cc -O2 -ffp-contract=off -I. port/oracle/packer.c stonepack.c -lm -o packer                       a plain loop
- *     clang -O2 -ffp-contract=off -I. -fsanitize=fuzzer -DPACKER_FUZZER port/oracle/packer.c stonepack.c -lm -o packer
+ *     clang -O2 -ffp-contract=off -I. -fsanitize=fuzzer -DPACKER_FUZZER port/oracle/packer.c build/libstonepack.a -lm -o packer
+ *
+ * The fuzzer is to look into the packer: a library that it instruments, too, is five times as slow.
  *
  * The packer keeps boxes side by side and one on another, all in one plane, numbers in mm, and lays each where it comes to
  * lie lowest. It accepts a box whose centre is above what carries it: true for that box alone, and it may tip the one below.
