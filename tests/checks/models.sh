@@ -254,6 +254,13 @@ bridged_told() {                                        # a cube on a leaf under
     remarks "that of 'floor' and 'cube' across 'sheet'" --fixed floor --contact-distance 1% sheet.obj
 }
 
+bridge_left_out() {                                     # no distance across the leaf is proposed; a gap beside it is, by its own
+    same "$(first check --fixed floor sheet.obj)" "sheet.obj: UNSTABLE" || return 1
+    { leaf floor 0 1 -1 0 0; leaf sheet 0 0.1 0 0.001 8; leaf cube 0 1 0.00101 1 16; } > gap.obj
+    same "$(first check --fixed floor gap.obj)" "gap.obj: UNSTABLE, but 1 pair of blocks nearly touches" &&
+    remarks ': --contact-distance 0.001%$' --fixed floor gap.obj
+}
+
 inside_told() {                                         # a stone sunk into its support by a tenth
     on_floor -0.1 -0.1 > sunk.obj
     same "$(first check sunk.obj)" "sunk.obj: UNSTABLE, but 1 pair of blocks lies inside each other" && remarks 'lies inside each other and does not touch: floor and cube' sunk.obj
@@ -370,6 +377,7 @@ part "curved: fewer facets than the cradle" curved 9 14 0.03
 part "curved: as many, at other places"     curved 100 100 0.0003
 part "no distance reaches through a slate"  slates
 part "a joint across a sheet is told"       bridged_told
+part "no distance across a thin block is proposed" bridge_left_out
 part "a sunk stone is told, not only felled" inside_told
 part "two stones at one place are told"     twice_told
 part "contacts --sweep: a row a distance"   swept

@@ -131,7 +131,7 @@ int command_check(int argc, char **argv)
         }
         const int before = done_find(&done, o.file[i]), status = before >= 0 ? before : check_one(o.file[i], &o, &error);
         if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
-        if (!o.json && i + 1 < o.files && before < 0) fputc('\n', stdout);
+        if (!o.json && !o.quiet && i + 1 < o.files && before < 0) fputc('\n', stdout);
         fflush(stdout);
         worst = worse_status(worst, status);
     }

@@ -93,18 +93,20 @@ static sp_status ram_count(const sp_scene *s, const sp_settings *settings, ram *
     return status;
 }
 
-static void ram_text(const host_scene *s, const ram *m)
+static void ram_text(const host_scene *s, const ram *m, int quiet)
 {
     const sp_capacity *n = &s->scene.count;
-    printf("%s: %ld block%s, %ld joint%s, %ld contact point%s\n\n", s->path, (long)n->blocks,
+    printf("%s: %ld block%s, %ld joint%s, %ld contact point%s\n", s->path, (long)n->blocks,
            text_s(n->blocks), (long)n->joints, text_s(n->joints), (long)n->points, text_s(n->points));
-    printf("%-10s %12s %12s\n%-10s %12lu\n", "", "bytes", "with scene", "scene", (unsigned long)m->scene);
+    if (quiet) return;
+    printf("\n%-10s %12s %12s\n%-10s %12lu\n", "", "bytes", "with scene", "scene", (unsigned long)m->scene);
     for (int k = 0; k < RAM_OF; k++)
         printf("%-10s %12lu %12lu\n", ram_of[k].name, (unsigned long)m->bytes[k], (unsigned long)(m->scene + m->bytes[k]));
     printf("\nin firmware, whatever its precision, where all free blocks hang together:\n"
            "  SP_SCENE_BYTES(%ld, %ld, %ld, %ld, %ld, %ld, %ld) + SP_CHECK_BYTES(%ld, %ld, %ld, %ld)\n",
            (long)n->blocks, (long)n->vertices, (long)n->faces, (long)n->corners, (long)n->joints, (long)n->points,
            (long)n->loads, (long)n->blocks, (long)n->joints, (long)n->points, m->fill);
+    remarks_print(stdout, &s->remarks);
 }
 
 static void ram_json(const host_scene *s, const ram *m)
@@ -128,7 +130,7 @@ static void ram_tell(const host_scene *s, const options *o, failure *error)
     const sp_status status = ram_count(&s->scene, &o->settings, &m);
     if (status) scene_refused(s, &o->settings, status, error);
     else if (o->json) ram_json(s, &m);
-    else ram_text(s, &m);
+    else ram_text(s, &m, o->quiet);
 }
 
 int command_plan(int argc, char **argv)

@@ -444,8 +444,12 @@ static void print_text(const session *s)
            text_s(r->stones - fixed), (long)r->steps, text_s(r->steps));
     report_near(stdout, 0, s->in.inside, s->in.across);    /* gaps close while they settle */
     if (s->o->quiet) return;
-    printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
-           1e3 * r->drift);
+    if (r->settled == r->stones)
+        printf("  at rest        kinetic energy %.2g J; nothing moved more than %.2g mm in the last 100 steps\n", r->energy,
+               1e3 * r->drift);
+    else
+        printf("  at the end     kinetic energy %.2g J; in the last 100 steps one moved %.2g mm; those that fell out "
+               "count, too\n", r->energy, 1e3 * r->drift);
     printf("  penetration    %.2g mm, %.2g mm per m of stone\n", 1e3 * r->penetration,
            1e3 * r->penetration / mean_diameter(&s->in.scene));
     printf("  contacts       %ld in %ld point%s\n", (long)r->contacts, (long)points, text_s(points));

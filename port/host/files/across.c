@@ -100,24 +100,27 @@ static double distance_of(const sp_scene *s, const sp_joint *t, const touching *
     return (double)told->distance * (told->share ? fmin(a, b) : 1);
 }
 
-int32_t across_find(const sp_scene *s, const touching *told, const char *const *name, remarks *r)
+int across_mark(const sp_scene *s, const touching *told, int32_t *third)
 {
     incidence w = { NULL, NULL };
-    int32_t n = 0, first = -1, third = -1;
-    const int there = told->has_distance && make_incidence(s, &w);
-    for (int32_t j = 0; there && j < s->count.joints; j++) {
-        const int32_t c = between(s, &w, j, distance_of(s, &s->joint[j], told));
-        if (c < 0) continue;
-        if (!n++) {
-            first = j;
-            third = c;
-        }
-    }
+    const int good = make_incidence(s, &w);
+    for (int32_t j = 0; good && j < s->count.joints; j++)
+        third[j] = between(s, &w, j, distance_of(s, &s->joint[j], told));
     free(w.start);
     free(w.list);
+    return good;
+}
+
+int32_t across_find(const sp_scene *s, const touching *told, const char *const *name, remarks *r)
+{
+    int32_t *third = told->has_distance ? malloc(((size_t)s->count.joints + 1) * sizeof *third) : NULL;
+    int32_t n = 0, first = -1;
+    if (third && across_mark(s, told, third))
+        for (int32_t j = 0; j < s->count.joints; j++) if (third[j] >= 0 && !n++) first = j;
     if (n) remarks_add(r, "--contact-distance", "%ld joint%s a block thinner than the contact distance, that of '%.60s' and "
                        "'%.60s' across '%.60s'%s: a lesser distance leaves %s out", (long)n, n == 1 ? " reaches across" :
-                       "s reach across", name[s->joint[first].a], name[s->joint[first].b], name[third],
+                       "s reach across", name[s->joint[first].a], name[s->joint[first].b], name[third[first]],
                        n == 1 ? "" : " first", n == 1 ? "it" : "them");
+    free(third);
     return n;
 }

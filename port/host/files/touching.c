@@ -4,10 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define WIDEST   1e-2                   /* of the smaller block: what is farther apart does not nearly touch */
-#define STEPS    4                      /* of ten each, up to that */
 #define SLOPE    8.0                    /* faces may rise by so many distances across the narrower of them */
-#define LEAST    0.99                   /* of its area a contact needs to count as whole */
 #define STEEPEST 0.5                    /* sine, the library's limit */
 
 int touching_read_distance(text_word w, touching *t)
@@ -124,75 +121,6 @@ int touching_find(const sp_scene *s, const sp_contact_settings *set, touching_fo
     return 0;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ near misses */
-
-/* Area of the joints of one pair from joint *k on, which goes behind them. */
-static double add_area(const sp_scene *s, int32_t a, int32_t b, int32_t *k)
-{
-    double area = 0;
-    for (; *k < s->count.joints && s->joint[*k].a == a && s->joint[*k].b == b; ++*k) area += (double)s->joint[*k].area;
-    return area;
-}
-
-/* Pairs that touch in `wide` and in `s` not, or not whole. Both have their joints in the order of pairs, as
- * the library finds them. */
-static int32_t count_missing(const sp_scene *s, const sp_scene *wide)
-{
-    int32_t missing = 0, k = 0;
-    for (int32_t i = 0; i < wide->count.joints; ) {
-        const int32_t a = wide->joint[i].a, b = wide->joint[i].b;
-        const double most = add_area(wide, a, b, &i);
-        while (k < s->count.joints && (s->joint[k].a < a || (s->joint[k].a == a && s->joint[k].b < b))) k++;
-        missing += add_area(s, a, b, &k) < most * LEAST;
-    }
-    return missing;
-}
-
-/* Distance as a share of the smaller block, with the angle that follows from it. */
-static sp_contact_settings settings_at(double share, const sp_contact_settings *used)
-{
-    touching t = { 1, 1, 0, 0, 0 };
-    t.distance = (sp_real)share;
-    sp_contact_settings set = touching_settings(t);
-    set.strength = used->strength;
-    return set;
-}
-
-/* The least power of ten that counts what the widest does. */
-static double find_share(const sp_scene *s, const sp_scene *wide, const sp_contact_settings *used)
-{
-    double share = WIDEST;
-    for (int k = 1; k < STEPS; k++) {
-        const double less = WIDEST * pow(10, -k);
-        const sp_contact_settings set = settings_at(less, used);
-        touching_found p;
-        if (!touching_find(s, &set, &p)) return share;
-        const int32_t missing = count_missing(&p.scene, wide);
-        touching_free(&p);
-        if (missing) return share;
-        share = less;
-    }
-    return share;
-}
-
-int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
-{
-    const sp_contact_settings set = settings_at(WIDEST, used);
-    char option[64];
-    touching_found p;
-    if (!used->absolute && used->distance >= set.distance) return 0;
-    if (!touching_find(scene, &set, &p)) return 0;
-    const int32_t missing = count_missing(scene, &p.scene);
-    const double share = missing ? find_share(scene, &p.scene, used) : 0;
-    touching_free(&p);
-    if (!missing) return 0;
-    snprintf(option, sizeof option, "--contact-distance %g%%", 100 * share);
-    remarks_add(r, option, "%ld pair%s of blocks nearly touch%s and %s not counted, or not whole: faces up to %g %% of "
-                "the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "",
-                missing == 1 ? "is" : "are", 100 * share);
-    return missing;
-}
-
 /* -------------------------------------------------------------------------------------------------------- inside each other */
 
 static int has_joint(const sp_scene *s, int32_t a, int32_t b)
@@ -208,7 +136,7 @@ static int is_deep(const sp_scene *s, const sp_overlap *o)
     for (int side = 0; side < 2; side++) {
         const sp_block *k = &s->block[side ? o->b : o->a];
         const double d = (double)k->diameter, thin = (double)k->volume / d / d / 4;
-        const double most = k->volume > 0 ? fmin(WIDEST * d, thin) : WIDEST * d;
+        const double most = k->volume > 0 ? fmin(TOUCHING_WIDEST * d, thin) : TOUCHING_WIDEST * d;
         least = least < 0 ? most : fmin(least, most);
     }
     return (double)o->depth > least;

@@ -6,6 +6,8 @@
 #include "remarks.h"
 #include "text.h"
 
+#define TOUCHING_WIDEST 1e-2            /* of the smaller block: what is farther apart does not nearly touch */
+
 /* Nothing told: all 0. */
 typedef struct touching {
     int has_distance, share, has_angle;         /* share: distance counts in diameters of the smaller block */
@@ -44,8 +46,9 @@ void touching_free(touching_found *found);
  * nearly touch; null where contacts were given (t is NULL). */
 void touching_json(json_out *j, const touching *t, int32_t near);
 
-/* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or not a whole one; add
- * a remark with the option that counts them all.     returns how many pairs; 0 also where there was no memory to look */
+/* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or not a whole one, not counting
+ * contacts across a thin block; add a remark with the option that counts them all.
+ *   returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 
 /* Pairs of blocks inside each other that have no joint, deeper than a distance of 1 % could mend; a remark names the first.

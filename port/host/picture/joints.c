@@ -14,8 +14,9 @@ static void put_polygon(const drawing *d, const sp_joint *c)
     fputs(c->points > 2 ? "Z\"/>\n" : "\"/>\n", d->out);
 }
 
-/* A ring around a joint that is small on paper. */
-static void draw_ring(const drawing *d, const sp_joint *c)
+#define RING 17.0                       /* radius [px] */
+
+double joints_ring(const drawing *d, const sp_joint *c, double middle[2])
 {
     double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL }, at[2];
     for (int32_t k = 0; k < c->points; k++) {
@@ -25,11 +26,17 @@ static void draw_ring(const drawing *d, const sp_joint *c)
             high[i] = fmax(high[i], at[i]);
         }
     }
-    if (!(high[0] - low[0] + high[1] - low[1] < 40)) return;
-    for (int halo = 1; halo >= 0; halo--)
-        fprintf(d->out, "<circle class=\"ring\" cx=\"%.1f\" cy=\"%.1f\" r=\"17\" fill=\"none\" stroke=\"%s\" "
-                "stroke-width=\"%s\"/>\n",
-                (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, halo ? "#fff" : INK_WEAK, halo ? "6" : "3");
+    for (int i = 0; i < 2; i++) middle[i] = (low[i] + high[i]) / 2;
+    return high[0] - low[0] + high[1] - low[1] < 40 ? RING : 0;
+}
+
+static void draw_ring(const drawing *d, const sp_joint *c)
+{
+    double at[2];
+    const double r = joints_ring(d, c, at);
+    for (int halo = 1; r > 0 && halo >= 0; halo--)
+        fprintf(d->out, "<circle class=\"ring\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.0f\" fill=\"none\" stroke=\"%s\" "
+                "stroke-width=\"%s\"/>\n", at[0], at[1], r, halo ? "#fff" : INK_WEAK, halo ? "6" : "3");
 }
 
 int joints_draw_weakest(const drawing *d, int32_t weakest, int *behind)

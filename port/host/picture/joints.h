@@ -4,6 +4,9 @@
 
 #include "drawing.h"
 
+/* Radius of the ring [px] round the weakest joint if it is small on paper, else 0; its middle there. */
+double joints_ring(const drawing *d, const sp_joint *weakest, double middle[2]);
+
 /* The weakest joint, tinted, through what is before it; -1: none. *behind: nothing of it is seen, its rim is dashed.
  *   returns 0: out of memory */
 int joints_draw_weakest(const drawing *d, int32_t weakest, int *behind);

@@ -12,7 +12,8 @@
 
 typedef struct placed {
     seen view;
-    seen_box *name;                          /* those drawn */
+    seen_box *name;                     /* those drawn */
+    seen_box clear;                     /* no name goes here; high is below low: nothing kept clear */
     int32_t *order;                     /* blocks, the nearest first */
     int32_t count;
 } placed;
@@ -32,6 +33,7 @@ static seen_box name_box(const char *text, const char *more, const double at[2])
 
 static int is_free(const placed *p, const seen_box *b)
 {
+    if (!apart(&p->clear, b)) return 0;
     for (int32_t k = 0; k < p->count; k++)
         if (!apart(&p->name[k], b)) return 0;
     return 1;
@@ -91,6 +93,17 @@ static void draw_asked(placed *p, const drawing *d, const char *text, int32_t bl
     if (is_free(p, &b) && seen_block_at(&p->view, block, at)) draw_name(p, d->out, text, "", at, NULL);
 }
 
+/* The square that a small joint needs to be seen under its ring. */
+static void keep_clear(placed *p, const drawing *d, const names *n)
+{
+    double at[2] = { 0, 0 };
+    if (n->at) drawing_point(d, n->at, at);
+    for (int i = 0; i < 2; i++) {
+        p->clear.low[i] = n->at && n->clear > 0 ? at[i] - n->clear : HUGE_VAL;
+        p->clear.high[i] = n->at && n->clear > 0 ? at[i] + n->clear : -HUGE_VAL;
+    }
+}
+
 static const drawing *ordered;          /* what nearest_first compares in */
 
 static int nearest_first(const void *pa, const void *pb)
@@ -104,6 +117,7 @@ static void draw_names(const names *n, placed *p, const drawing *d)
 {
     const int32_t blocks = d->s->count.blocks;
     for (int32_t b = 0; b < blocks; b++) p->order[b] = b;
+    keep_clear(p, d, n);
     ordered = d;
     qsort(p->order, (size_t)blocks, sizeof *p->order, nearest_first);
     fputs("<g font-size=\"11\" text-anchor=\"middle\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"2.6\" stroke-"
@@ -121,7 +135,7 @@ static void draw_names(const names *n, placed *p, const drawing *d)
 int names_draw(const names *n, const drawing *d, int32_t *drawn)
 {
     const size_t blocks = (size_t)d->s->count.blocks + 1;
-    placed p = { { d, NULL }, malloc(blocks * sizeof *p.name), malloc(blocks * sizeof *p.order), 0 };
+    placed p = { { d, NULL }, malloc(blocks * sizeof *p.name), { { 0, 0 }, { 0, 0 } }, malloc(blocks * sizeof *p.order), 0 };
     const int good = seen_begin(&p.view, d) && p.name && p.order;
     if (good) draw_names(n, &p, d);
     *drawn = p.count;

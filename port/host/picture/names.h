@@ -8,6 +8,7 @@ typedef struct names {
     const char *const *text;            /* of each block */
     const unsigned char *told;          /* is this block named in the words? NULL: none */
     const sp_real *at;                  /* names of those told stand near it; NULL: on their middles */
+    double clear;                       /* [px] round `at` that stay free of names */
     int all;                            /* the others, too: those whose middle is seen, where their name fits */
 } names;
 

@@ -99,7 +99,7 @@ static void draw_ring(const sheet *t, int32_t b, block_mark mark)
 static int draw_names(const sheet *t, const sheet_frame *f)
 {
     const int32_t blocks = t->s.count.blocks;
-    names n = { t->page->name, NULL, NULL, t->page->names };
+    names n = { t->page->name, NULL, NULL, 0, t->page->names };
     unsigned char *told = calloc((size_t)blocks + 1, 1);
     int32_t drawn, some = 0;
     if (!told) return 0;

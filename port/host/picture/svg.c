@@ -71,7 +71,8 @@ static int draw_names(words *w, picture *p, const drawing *d, int after)
     const int32_t blocks = d->s->count.blocks;
     sp_real middle[3];
     const sp_joint *told = !after && w->weakest >= 0 ? &d->s->joint[w->weakest] : NULL;
-    const names n = { w->of->scene->name, p->told, told ? middle : NULL, w->of->names };
+    double at[2];
+    const names n = { w->of->scene->name, p->told, told ? middle : NULL, told ? joints_ring(d, told, at) : 0, w->of->names };
     memset(p->told, 0, (size_t)blocks);
     if (told) p->told[told->a] = p->told[told->b] = 1;
     for (int c = 0; told && c < 3; c++) {
