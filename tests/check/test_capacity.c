@@ -222,7 +222,7 @@ static void counts_alone(question *q, const char *scene)
     const size_t told = sp_scene_memory(&q->scene->count);
     for (size_t k = 0; k < sizeof alone / sizeof alone[0]; k++) {
         const size_t need = alone[k].ask == ask_created ? told : alone[k].most ? alone[k].most : sp_support_memory(4);
-        const size_t enough = sweep(q, alone[k].ask, need, need > 8000 ? need / 400 | 1 : 1);
+        const size_t enough = sweep(q, alone[k].ask, need, alone[k].most > 8000 ? need / 400 | 1 : 1);
         if (enough == SIZE_MAX || !CHECK(alone[k].most ? enough < need : enough + SP_ALIGN > need))
             TEST_PRINT("    %s of %s: %ld of %ld bytes\n", alone[k].what, scene, (long)enough, (long)need);
         CHECK(enough < SIZE_MAX);
