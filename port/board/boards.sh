@@ -25,7 +25,7 @@ armhf    qemu-arm            gcc-arm-linux-gnueabihf,qemu-user        double
 powerpc  qemu-ppc            gcc-powerpc-linux-gnu,qemu-user          float
 mips     qemu-mips           gcc-mips-linux-gnu,qemu-user             double
 s390x    qemu-s390x          gcc-s390x-linux-gnu,qemu-user            double
-i686     true                gcc-i686-linux-gnu                       float
+i686     qemu-i386           gcc-i686-linux-gnu,qemu-user             float
 '
 
 on() { MAKEFLAGS='' make --no-print-directory -s -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
