@@ -491,8 +491,8 @@ tilt_margin_files() {                                   # all forms of it; the m
 }
 tilt_margin_falls() {                                   # a page and an empty table, too, where it falls while level
     "$cli" gen two-cubes offset=0.6 > "$tmp/t.obj"
-    "$cli" limit --tilt-margin --html "$tmp/p.html" --csv "$tmp/t" --out-obj "$tmp/m.obj" "$tmp/t.obj" > "$tmp/out"
-    [ $? -eq 1 ] && grep -q '<h1>.*does not stand while level' "$tmp/p.html" && [ "$(wc -l < "$tmp/t-tilt.csv")" -eq 1 ]
+    "$cli" limit --tilt-margin --svg "$tmp/p.svg" --html "$tmp/p.html" --csv "$tmp/t" --out-obj "$tmp/m.obj" "$tmp/t.obj" > "$tmp/out"
+    [ $? -eq 1 ] && grep -q '>Does not stand while level<' "$tmp/p.svg" && grep -q '<h1>.*does not stand while level' "$tmp/p.html" && [ "$(wc -l < "$tmp/t-tilt.csv")" -eq 1 ]
 }
 "$cli" gen wall rows=25 bricks=45 > "$tmp/many.obj"
 part "svg: of 3000 joints the largest forces of their places" sh -c "'$cli' check --svg '$tmp/p.svg' '$tmp/many.obj' > '$tmp/out' && \

@@ -15,8 +15,10 @@ static const char style[] =
 "dt { opacity: .75; } dd { margin: 0; overflow-wrap: anywhere; }\n"
 "canvas { width: 100%; height: auto; border: 1px solid var(--line); touch-action: none; cursor: grab; }\n"
 "p label { margin-right: 1.2rem; white-space: nowrap; }\n"
+"@media (max-width: 30rem) { p label { white-space: normal; } }\n"
 ":focus-visible { outline: 3px solid #2f7fd6; outline-offset: 1px; }\n"
 "div { overflow-x: auto; } div > svg { min-width: 44rem; max-width: 100%; height: auto; }\n"
+"div.rose > svg { min-width: 0; }\n"
 "table { border-collapse: collapse; }\n"
 "th, td { border-bottom: 1px solid var(--line); padding: .15rem .6rem; text-align: right; }\n"
 "th button, td button { font: inherit; color: inherit; background: none; border: 0; text-decoration: underline; }\n";

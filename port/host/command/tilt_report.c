@@ -183,7 +183,7 @@ static int put_body(FILE *out, const void *of)
     const margin *t = of;
     const report worst = of_worst(t->r, t->m);
     int good;
-    fputs("<div>\n", out);
+    fputs("<div class=\"rose\">\n", out);
     good = put_margin(out, of);
     fputs("</div>\n", out);
     if (!t->m->stands) return good;

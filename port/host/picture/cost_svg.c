@@ -109,7 +109,7 @@ static void draw_legend(FILE *out, double y)
 void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
 {
     const char *slash = strrchr(s->path, '/');
-    const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96 + MIND_ROW * mind_rows(&s->remarks);
+    const double width = 2 * PANEL_W + 190, height = TOP + PANEL_H + 96 + MIND_ROW * mind_rows(&s->remarks, 124);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
             "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#444\">\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n", width, height, width, height);

@@ -6,10 +6,10 @@
 
 #define MIND_ROW 26.0                   /* [px] */
 
-/* How many rows they take. */
-int mind_rows(const remarks *r);
+/* How many rows they take where so many letters have room in one. */
+int mind_rows(const remarks *r, size_t letters);
 
-/* A row each, the first with its letters' foot at y; so many letters have room in a row. */
+/* The first row with its letters' foot at y; what is longer than a row goes on in the next. */
 void mind_write(FILE *out, const remarks *r, double x, double y, size_t letters);
 
 #endif

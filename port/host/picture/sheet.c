@@ -182,7 +182,7 @@ static int draw_page(sheet *t, FILE *out)
     for (int32_t k = 0; k < t->all->count.vertices; k++)
         t->lowest = fmin(t->lowest, view_height(&t->axes, t->frame[0].vertex[k]));
     high = lay_out(t);
-    page_begin(out, high + (p->told ? MIND_ROW * mind_rows(p->told) : 0));
+    page_begin(out, high + (p->told ? MIND_ROW * mind_rows(p->told, 124) : 0));
     fprintf(out, "<text x=\"%.0f\" y=\"40\" font-size=\"%d\" font-weight=\"bold\" fill=\"#333\">", PAGE_MARGIN,
             strlen(p->title) > 48 ? 17 : 20);
     page_text(out, p->title, 90);

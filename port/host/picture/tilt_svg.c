@@ -34,19 +34,23 @@ static void draw_grid(FILE *out, double most, double step)
     }
 }
 
+static int falls_level(const tilt_plot *p) { return !p->at_least && !(p->least > 0); }
+
 static void draw_title(FILE *out, const tilt_plot *p)
 {
     const char *slash = strrchr(p->path, '/');
-    const double high = SIDE + 20 + MIND_ROW * mind_rows(p->told);
+    const double high = SIDE + 20 + MIND_ROW * mind_rows(p->told, 74);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfbf8\"/>\n", SIDE, high, SIDE, high);
-    fprintf(out, "<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">Stands tilted by %s %.3g&#176;"
-            "<tspan font-weight=\"normal\" font-size=\"15\" dx=\"10\">", p->at_least ? "at least" : "up to", p->least);
+    fputs("<text x=\"28\" y=\"36\" font-size=\"20\" font-weight=\"bold\" fill=\"#333\">", out);
+    if (falls_level(p)) fputs("Does not stand while level", out);
+    else fprintf(out, "Stands tilted by %s %.3g&#176;", p->at_least ? "at least" : "up to", p->least);
+    fputs("<tspan font-weight=\"normal\" font-size=\"15\" dx=\"10\">", out);
     page_text(out, slash ? slash + 1 : p->path, 24);
-    fprintf(out, "</tspan></text>\n<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">"
-            "worst towards azimuth %.4g&#176; (from x to y); "
-            "%s cone</text>\n", p->azimuth, p->cone);
+    fputs("</tspan></text>\n<text x=\"28\" y=\"57\" font-size=\"13\" fill=\"#555\">", out);
+    if (!falls_level(p)) fprintf(out, "worst towards azimuth %.4g&#176; (from x to y); ", p->azimuth);
+    fprintf(out, "%s cone</text>\n", p->cone);
 }
 
 int tilt_svg(FILE *out, const tilt_plot *p)

@@ -224,7 +224,7 @@ static void legend_joints(const words *w, double x, double y)
 
 int words_legend_lines(const words *w)
 {
-    return 1 + mind_rows(&w->of->scene->remarks)
+    return 1 + mind_rows(&w->of->scene->remarks, 124)
          + (w->weakest >= 0 || w->of->limit) + (w->motion->shift > 0 || w->of->names);
 }
 
