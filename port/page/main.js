@@ -71,13 +71,20 @@ function tellControls() {
   $('tilt-out').textContent = s.tilt.toFixed(1) + '°';
   $('azimuth-out').textContent = Math.round(s.azimuth) + '°';
   $('push').value = s.push ? Math.min(2, s.push.share) : 0;
-  $('push-out').textContent = push
-    ? scaled(Math.hypot(...push), 'N') + ' on ' + model.shape.names[model.number.get(s.push.block)]
-    : chosen < 0 ? 'no stone' : 'none';
+  $('push-out').textContent = push ? scaled(Math.hypot(...push), 'N') : 'none';
+  $('pushed').textContent = push ? model.shape.names[model.number.get(s.push.block)] + ' is pushed'
+    : chosen < 0 ? 'Choose a stone first.' : '';
+  if (s.push) tellTowards(azimuthOf(s.push.along));
+  $('push-azimuth-out').textContent = $('push-azimuth').value + '°';
   $('mu-own').disabled = s.mu === null;
   $('level').disabled = !s.tilt;
   $('ask-margin').disabled = $('no-push').disabled = !push;
   $('restore').disabled = !model.isChanged();
+}
+/* The slider of the push stands where the push points; its two ends are one direction. */
+function tellTowards(degrees) {
+  const now = +$('push-azimuth').value, off = Math.abs(((degrees - now) % 360 + 540) % 360 - 180);
+  if (off > 0.5) $('push-azimuth').value = Math.round(degrees);
 }
 /* Friction of the joints as read, each value once. */
 function ownFriction() {
@@ -132,6 +139,11 @@ function level(degrees) {
   const w = [0, 1, 2].map(k => h[(k + 1) % 3] * u[(k + 2) % 3] - h[(k + 2) % 3] * u[(k + 1) % 3]);
   const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
   return h.map((x, k) => c * x + s * w[k]);
+}
+/* The azimuth of a direction, in [0, 360): of what of it is level. */
+function azimuthOf(along) {
+  const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+  return (Math.atan2(dot(along, level(90)), dot(along, level(0))) * 180 / Math.PI + 360) % 360;
 }
 function askMargin() {
   if (!model.pushForce()) return;
@@ -235,6 +247,7 @@ async function openLink() {
 function complain(text) {
   $('error').textContent = text;
   $('error').hidden = false;
+  $('error').scrollIntoView({ block: 'nearest' });
   say(text);
 }
 function startView() {
@@ -272,6 +285,7 @@ async function start() {
     openExample(0);
     if (why) complain(why + '. This is an example.');
   }
+  if (window.early) await openFile(window.early);
   document.body.dataset.answered = Math.round(performance.now());       /* [ms] since the page was asked for */
   await new Promise(f => setTimeout(f));                                /* the answer is seen before the picture is made */
   startView();

@@ -35,8 +35,10 @@ export class View {
     if (!(box.width > 0 && box.height > 0)) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(box.width, box.height, false);
+    const before = Math.min(1, this.camera.aspect);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
+    if (this.solids) this.step(0, 0, Math.min(1, this.camera.aspect) / before);         /* what was in view stays there */
     this.draw();
   }
   /* Colours of the page's style. */

@@ -130,6 +130,10 @@ async function drags(tab) {
   await tab.drag(at, [at[0] + 90, at[1] + 10]);
   test('a drag pushes', await tab.value(`${P}.model.state.push.share`) > 0.05);
   test('and the arrow is drawn', await tab.value(`${P}.view.forces.arrow.visible`));
+  const along = await tab.value(`${P}.model.state.push.along`);
+  const degrees = +await tab.value(`document.getElementById('push-azimuth').value`);
+  const across = Math.atan2(along[1], along[0]) * 180 / Math.PI;
+  test('and its slider points there', Math.abs(((degrees - across) % 360 + 540) % 360 - 180) <= 0.51, degrees + ' ' + across);
   await tab.value(`document.querySelector('[value=turn]').click()`);
 }
 async function keys(tab) {
@@ -179,6 +183,17 @@ async function files(tab) {
   await tab.until(`document.getElementById('name').textContent === 'again.obj'`);
   test('the scene reads back', await verdict(tab) === 'stable' && JSON.parse(await told('json')).interfaces === 12);
 }
+/* A model that is dropped while the page is still being made ready. */
+async function early() {
+  const wall = readFileSync('tests/scenes/wall.obj').toString('base64');
+  const tab = await browser.open(url, { first: `addEventListener('DOMContentLoaded', () => { const t = new DataTransfer();
+    t.items.add(new File([Uint8Array.from(atob('${wall}'), c => c.charCodeAt(0))], 'early.obj'));
+    dispatchEvent(new DragEvent('drop', { dataTransfer: t, cancelable: true })); })` });
+  test('dropped before the page is ready', await ready(tab) && await tab.value(`${P}.model.state.name`) === 'early.obj'
+    && await verdict(tab) === 'stable');
+  test('no error on its console', tab.errors.length === 0, tab.errors.join('; '));
+  await tab.close();
+}
 async function link(tab) {
   await example(tab, 5);
   await set(tab, 'mu', 0.21);
@@ -224,6 +239,30 @@ async function names(tab) {
     'image/svg+xml'); return !d.querySelector('parsererror, img, script'); })()`));
   test('nor in the JSON', await tab.value(`!!JSON.parse(${P}.core.json())`));
 }
+/* What is on the screen at all of it: nothing sticks out sideways, all stones are in view. */
+const within = tab => tab.value(`Array.from(document.querySelectorAll('header *, .panel *'), e => [e, e.getBoundingClientRect()])
+  .filter(([e, r]) => r.width && getComputedStyle(e).clipPath === 'none' && !e.closest('.skip, .unseen')
+    && (r.right > innerWidth + 0.5 || r.left < -0.5)).map(([e]) => e.id || e.tagName).join(' ')`);
+const inView = tab => tab.value(`(() => { const v = ${P}.view, at = v.camera.position.clone(); let most = 0;
+  for (let k = 0; k < v.shape.vertices.length; k += 3) {
+    at.fromArray(v.shape.vertices, k).sub(v.solids.origin).applyQuaternion(v.world.quaternion).project(v.camera);
+    most = Math.max(most, Math.abs(at.x), Math.abs(at.y)); } return most; })()`);
+async function sizes() {
+  for (const [name, width, height, phone] of [['phone-light', 390, 780, true], ['phone-narrow', 320, 568, true],
+    ['phone-landscape', 780, 390, true], ['tablet', 820, 1180, true], ['desktop-wide', 1920, 1080, false]]) {
+    const tab = await browser.open(url, { width, height, phone, still: true });
+    await ready(tab);
+    await tab.frames(3);
+    test(name + ': nothing sticks out', await within(tab) === '', await within(tab));
+    test(name + ': all stones are in view', await inView(tab) < 1, String(await inView(tab)));
+    await shot(tab, name);
+    await tab.send('Emulation.setDeviceMetricsOverride', { width: height, height: width, deviceScaleFactor: 1, mobile: phone });
+    await tab.frames(4);
+    test(name + ', turned: all stones stay in view', await inView(tab) < 1, String(await inView(tab)));
+    test(name + ', turned: nothing sticks out', await within(tab) === '', await within(tab));
+    await tab.close();
+  }
+}
 async function small() {
   const tab = await browser.open(url, { width: 390, height: 780, phone: true, dark: true, still: true });
   await ready(tab);
@@ -244,6 +283,13 @@ async function small() {
   await tab.value('scrollTo(0, 600)');
   await tab.frames();
   await shot(tab, 'phone-dark-below');
+  await drop(tab, 'bad.obj', 'o a\nv 1 2\n');
+  await tab.until(`/bad\\.obj:2:/.test(document.getElementById('error').textContent)`);
+  await tab.frames();
+  test('what is refused is told where it is seen', await tab.value(`(() => {
+    const r = document.getElementById('error').getBoundingClientRect();
+    const on = document.elementFromPoint(r.left + r.width / 2, r.top + r.height / 2);
+    return r.top >= 0 && r.bottom <= innerHeight && on.id === 'error'; })()`));
   test('no error on its console', tab.errors.length === 0, tab.errors.join('; '));
   await tab.close();
 }
@@ -272,7 +318,9 @@ try {
   for (const part of [decides, changes, drags, keys, files, link, names]) await part(tab);
   test('no error on the console', tab.errors.length === 0, tab.errors.join('; '));
   test('nothing is fetched', tab.fetched.length === 0, tab.fetched.join(' '));
+  await early();
   await forged();
+  await sizes();
   await small();
   await dark();
   await flat();
