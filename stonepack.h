@@ -656,7 +656,7 @@ typedef enum sp_memory_for {
     SP_FOR_LIMIT_VERIFY,        /* sp_limit_verify's scratch, at most */
     SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
     SP_FOR_PROBLEM,             /* sp_problem_build */
-    SP_FOR_STRONG,              /* sp_strong; SP_E_ARGUMENT where it is left out */
+    SP_FOR_STRONG,              /* sp_strong: with a budget less, a proof that it has work for; SP_E_ARGUMENT: it is left out */
     SP_FOR_STRONG_VERIFY,       /* sp_strong_verify's scratch; likewise */
     SP_FOR_SLIDING,             /* sp_sliding; likewise */
     SP_FOR_SLIDING_VERIFY       /* sp_sliding_verify's scratch; likewise */

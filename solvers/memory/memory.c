@@ -30,7 +30,7 @@ SP_API sp_status sp_memory(const sp_scene *scene, sp_memory_for what, const sp_s
                            size_t *bytes)
 {
     if (!scene || !bytes) return SP_E_ARGUMENT;
-    if (SP__WITH_STRONG && what == SP_FOR_STRONG) return sp__memory_counted(sp__holds_memory(scene), bytes);
+    if (SP__WITH_STRONG && what == SP_FOR_STRONG) return sp__memory_counted(sp__holds_memory(scene, settings), bytes);
     if (SP__WITH_STRONG && what == SP_FOR_STRONG_VERIFY) return sp__memory_counted(sp__holds_verify_memory(scene), bytes);
     if (SP__WITH_SLIDING && (what == SP_FOR_SLIDING || what == SP_FOR_SLIDING_VERIFY))
         return sp__memory_counted(sp__sliding_bytes(scene, what == SP_FOR_SLIDING), bytes);

@@ -16,9 +16,21 @@
 #define SP__CASES_FLOPS 8000000000      /* where there is no budget: for two blocks on a slope 5e9 */
 #define SP__CASES_RUB ((sp_real)1e-6)   /* friction off its slip's, in the corner's load, that counts as none */
 
-/* Room of a proof: nodes, and multipliers. Two blocks on four corners each take some 100,000 nodes, 16 multipliers each. */
-static int32_t sp__cases_nodes(int32_t points) { return points <= SP__CASES_FEW ? 4096 : 131072; }
-static int32_t sp__cases_multipliers(int32_t points) { return (points <= SP__CASES_FEW ? 24 : 16) * sp__cases_nodes(points); }
+#define SP__CASES_SWEEPS 12             /* over the inverse, that a node costs at least: 25 to 90 were counted */
+
+/* Room of a proof. */
+typedef struct sp__cases_room { int32_t nodes, multipliers; } sp__cases_room;
+
+/* Two blocks on four corners each take some 100,000 nodes, 16 multipliers each; a budget (0: none) has work for fewer. */
+static sp__cases_room sp__cases_room_for(int32_t points, int32_t blocks, int64_t budget)
+{
+    const int32_t few = points <= SP__CASES_FEW, most = few ? 4096 : 131072, n = 3 * points + 6 * blocks;
+    const int64_t worth = budget / (SP__CASES_SWEEPS * (int64_t)n * n) + 64;
+    sp__cases_room room = { most, 0 };
+    if (budget > 0 && worth < most) room.nodes = (int32_t)worth;
+    room.multipliers = (few ? 24 : 16) * room.nodes;
+    return room;
+}
 
 /* A node that was split: its corner, the state before, how many children are done. */
 typedef struct sp__case { int32_t corner, state, child; } sp__case;
@@ -37,6 +49,7 @@ typedef struct sp__cases {
     sp__case *stack;
     int32_t depth;
     sp_proof *proof;
+    sp__cases_room room;                /* its */
 } sp__cases;
 
 /* Entries of the program's rows: 6b of M, 3 x 6 a corner and side in M a - Aeq f, work, 5 rows of d, 14 of f. */
@@ -296,11 +309,11 @@ static int sp__cases_close(sp__cases *s)
         const sp_real y = k < lp->n ? -sign * lp->t[k] : sign;
         if (row < 0 || sp__abs(y) <= SP__LP_ZERO * largest) continue;
         if (y > 0 ? lp->upper[i] >= SP__LP_FREE : lp->lower[i] <= -SP__LP_FREE) continue;
-        if (p->entries == sp__cases_multipliers(s->points)) return 0;
+        if (p->entries == s->room.multipliers) return 0;
         p->row[p->entries] = (uint16_t)row;
         p->y[p->entries++] = y * weight;
     }
-    if (p->nodes == sp__cases_nodes(s->points)) return 0;
+    if (p->nodes == s->room.nodes) return 0;
     p->node[p->nodes++] = from - p->entries;
     p->leaves++;
     return 1;
@@ -332,7 +345,7 @@ SP__NOINLINE static int sp__cases_run(sp__cases *s, int64_t limit)
         sp__lp_status status = sp__lp_run(&s->lp, 50 * s->lp.n);
         while (status == SP__LP_POINT) {
             const int32_t v = sp__cases_pick(s);
-            if (v < 0 || p->nodes == sp__cases_nodes(s->points) || s->depth == SP__STILL_DEPTH * s->points) return 0;
+            if (v < 0 || p->nodes == s->room.nodes || s->depth == SP__STILL_DEPTH * s->points) return 0;
             sp__case *f = &s->stack[s->depth++];
             p->node[p->nodes++] = v;
             f->state = s->state[v];
@@ -358,16 +371,16 @@ SP__NOINLINE static size_t sp__cases_need(int32_t points, int32_t blocks)
 }
 
 /* Room for a proof. */
-static void sp__cases_proof(sp_proof *p, int32_t points, sp_arena *a)
+static void sp__cases_proof(sp_proof *p, const sp__cases_room *room, sp_arena *a)
 {
-    const size_t entries = (size_t)sp__cases_multipliers(points);
+    const size_t entries = (size_t)room->multipliers;
     p->y = sp__take(a, entries, sizeof *p->y);
-    p->node = sp__take(a, (size_t)sp__cases_nodes(points), sizeof *p->node);
+    p->node = sp__take(a, (size_t)room->nodes, sizeof *p->node);
     p->row = sp__take(a, entries, sizeof *p->row);
 }
 
-/* Does nothing move? The proof in r->proof, which has room, is not judged yet.     returns 0: not decided */
-SP__NOINLINE static int sp__cases_decide(const sp_problem *pb, const sp__certifier *j, const sp__inertia *M, int64_t limit,
+/* Does nothing move? The proof in r->proof, which has room for the budget, is not judged yet.     returns 0: not decided */
+SP__NOINLINE static int sp__cases_decide(const sp_problem *pb, const sp__certifier *j, const sp__inertia *M, int64_t budget,
                                          sp_arena a, sp_strong_result *r)
 {
     const sp_real delta = sp__still_delta(j, M);
@@ -377,8 +390,9 @@ SP__NOINLINE static int sp__cases_decide(const sp_problem *pb, const sp__certifi
     if (sp__failed(&a)) return 0;
     s->pb = pb; s->j = j; s->M = M;
     s->proof = &r->proof;
+    s->room = sp__cases_room_for(s->points, pb->blocks, budget);
     sp__cases_make(s, delta);
-    const int proved = sp__cases_run(s, limit);
+    const int proved = sp__cases_run(s, budget > 0 ? budget : SP__CASES_FLOPS);
     r->cost.flops += s->lp.flops;
     return proved;
 }

@@ -27,14 +27,16 @@ SP__NOINLINE static size_t sp__holds_cases_need(const sp_scene *scene, int searc
     return check > cases ? check : cases;
 }
 
-/* Room for a proof by cases; none where there are too many corners. */
-SP__NOINLINE static sp_proof sp__holds_proof(const sp_scene *scene, sp_arena *a)
+/* Room for a proof by cases that the budget has work for; none where there are too many corners. */
+SP__NOINLINE static sp_proof sp__holds_proof(const sp_scene *scene, const sp_settings *settings, sp_arena *a)
 {
     sp_proof p;
     sp_problem pb;
     memset(&p, 0, sizeof p);
     sp__problem_count(scene, &pb);
-    if (sp__cases_allowed(scene, pb.blocks)) sp__cases_proof(&p, sp__points_count(scene), a);
+    if (!sp__cases_allowed(scene, pb.blocks)) return p;
+    const sp__cases_room room = sp__cases_room_for(sp__points_count(scene), pb.blocks, settings ? settings->budget : 0);
+    sp__cases_proof(&p, &room, a);
     return p;
 }
 
@@ -72,14 +74,14 @@ SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
-SP__NOINLINE static size_t sp__holds_memory(const sp_scene *scene)
+SP__NOINLINE static size_t sp__holds_memory(const sp_scene *scene, const sp_settings *settings)
 {
     sp_arena dry = sp__arena_dry();
     if (!scene) return 0;
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
-    sp__holds_proof(scene, &dry);
+    sp__holds_proof(scene, settings, &dry);
     sp__take(&dry, 1, sizeof(sp__holds));
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, 1, sp__starts_need(scene));
@@ -114,9 +116,8 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
     if (r->kind == SP_STRONG_AMBIGUOUS || !r->proof.node) return;
-    const int64_t limit = s->set.budget > 0 ? s->set.budget : SP__CASES_FLOPS;
     sp_strong_kind kind = SP_STRONG_NONE;
-    if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, limit, a, r))
+    if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, s->set.budget, a, r))
         kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);
     if (kind) {
         r->kind = kind;
@@ -165,7 +166,7 @@ SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, c
     at[1] = sp__take(&a, points, sizeof *f);
     at[2] = sp__take(&a, (size_t)scene->count.blocks, 6 * sizeof *f);
     const size_t kept = a.used;
-    const sp_proof proof = sp__holds_proof(scene, &a);
+    const sp_proof proof = sp__holds_proof(scene, settings, &a);
     const size_t with_proof = a.used;
     sp__holds *s = sp__take(&a, 1, sizeof *s);
     if (!s) return SP_E_MEMORY;
@@ -226,7 +227,7 @@ SP_API sp_status sp_strong_verify(const sp_scene *scene, const sp_settings *sett
 #elif SP__WITH_STONES
 
 static size_t sp__holds_verify_memory(const sp_scene *scene) { return (void)scene, 0; }
-static size_t sp__holds_memory(const sp_scene *scene) { return (void)scene, 0; }
+static size_t sp__holds_memory(const sp_scene *scene, const sp_settings *settings) { return (void)scene, (void)settings, 0; }
 
 #endif
 

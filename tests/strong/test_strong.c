@@ -491,23 +491,26 @@ TEST(pressure_is_taken_from_the_forces_that_have_no_friction)
 TEST(strong_takes_the_memory_it_says_and_no_byte_less)
 {
     static const char *const name[] = { "h-model", "wall", "incline" };
+    static const int64_t budget[] = { 200000000, 0, 1000000 };      /* two blocks on eight corners: 21 MB where there is none */
     for (int k = 0; k < 3; k++) {
+        sp_settings set = sp_settings_default();
         sp_scene s;
         sp_result x;
         sp_strong_result r;
         size_t bytes = 0;
         test_arena.used = 0;
+        set.budget = budget[k];
         CHECK_INT(gen_make(name[k], NULL, 0, &test_arena, &s), SP_OK);
         CHECK_INT(sp_check(&s, NULL, &test_arena, &x), SP_OK);
-        CHECK_INT(sp_memory(&s, SP_FOR_STRONG, NULL, test_arena, &bytes), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_STRONG, &set, test_arena, &bytes), SP_OK);
         sp_arena a = test_arena;
         a.used = (a.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         a.base += a.used;
         a.used = a.peak = 0;
         a.capacity = bytes - 1;
-        CHECK_INT(sp_strong(&s, NULL, NULL, x.f, NULL, &a, &r), SP_E_MEMORY);
+        CHECK_INT(sp_strong(&s, &set, NULL, x.f, NULL, &a, &r), SP_E_MEMORY);
         a.capacity = bytes;
-        CHECK_INT(sp_strong(&s, NULL, NULL, x.f, NULL, &a, &r), SP_OK);
+        CHECK_INT(sp_strong(&s, &set, NULL, x.f, NULL, &a, &r), SP_OK);
         CHECK(a.peak == bytes && r.peak_bytes == bytes);
         const size_t kept = (bytes + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
         CHECK_INT(sp_memory(&s, SP_FOR_STRONG_VERIFY, NULL, test_arena, &bytes), SP_OK);
@@ -520,6 +523,25 @@ TEST(strong_takes_the_memory_it_says_and_no_byte_less)
         a.capacity = bytes;
         CHECK_INT(sp_strong_verify(&s, NULL, &r, a, &proved), SP_OK);
     }
+}
+
+/* A proof by cases has room for what the budget has work for, and for no more. */
+TEST(a_lesser_budget_takes_less_memory)
+{
+    static const int64_t budget[] = { 1000000, 10000000, 100000000, 0 };
+    size_t last = 0;
+    for (int k = 0; k < 4; k++) {
+        sp_settings set = sp_settings_default();
+        sp_scene s;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        set.budget = budget[k];
+        CHECK_INT(gen_make("tower", "n", 2, &test_arena, &s), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_STRONG, &set, test_arena, &bytes), SP_OK);
+        CHECK(CASES ? bytes > last : bytes >= last);
+        last = bytes;
+    }
+    CHECK(last < 32000000);
 }
 
 TEST(questions_that_make_no_sense_are_refused)
@@ -567,6 +589,7 @@ TEST_LIST(strong)
     RUN(motions_are_sought_only_where_masses_and_inertias_are_known)
     RUN(pressure_is_taken_from_the_forces_that_have_no_friction)
     RUN(strong_takes_the_memory_it_says_and_no_byte_less)
+    RUN(a_lesser_budget_takes_less_memory)
     RUN(questions_that_make_no_sense_are_refused)
 #endif
 TEST_END
