@@ -89,9 +89,20 @@ E2
         arm-none-eabi-g++ $ar_cpu -mthumb -Os -Wall -Werror -fno-exceptions -fno-rtti -I"$to/stonepack/src" -I"$to" -include Arduino.h \
             -x c++ -c "$to/stonepack/examples/verdict/verdict.ino" -o "$to/sketch.o" || return 1
     done
-    for ar_field in name version author maintainer sentence paragraph category architectures; do
-        grep -q "^$ar_field=." "$to/stonepack/library.properties" || { echo "library.properties: no $ar_field"; return 1; }
+}
+# The rules of https://arduino.github.io/arduino-cli/latest/library-specification: required fields, each once; what is allowed in them.
+arduino_rules() {
+    ar=$to/stonepack/library.properties
+    for ar_field in name version author maintainer sentence paragraph category url architectures; do
+        [ "$(grep -c "^$ar_field=." "$ar")" -eq 1 ] || { echo "library.properties: not one $ar_field"; return 1; }
     done
+    for ar_rule in 'name=[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}' 'version=[0-9]+\.[0-9]+\.[0-9]+' 'maintainer=[^<]+ <[^@ ]+@[a-z0-9.-]+>' \
+        'category=(Display|Communication|Signal Input/Output|Sensors|Device Control|Timing|Data Storage|Data Processing|Other)' \
+        'url=https?://[a-z0-9.-]+\.[a-z]+(:[0-9]+)?(/[^ ]*)?' 'architectures=(\*|[a-z0-9_,]+)' 'includes=stonepack\.h'; do
+        grep -qxE "$ar_rule" "$ar" || { echo "library.properties: against $ar_rule"; return 1; }
+    done
+    [ -z "$(grep -vE '^(#|[a-z_]+=)' "$ar")" ] && ls "$to/stonepack/src/stonepack.h" "$to/stonepack/examples/verdict/verdict.ino" &&
+    { [ "$(sh port/package/package.sh --homepage)" ] || grep '^#.*stand-in' "$ar"; }
 }
 platformio() { python3 -m json.tool "$to/stonepack/library.json"; }
 # Their tools are not in Debian: what the files name must be there.
@@ -132,10 +143,12 @@ addressed() (
     unset HOMEPAGE
     ad=$to/addressed/stonepack-$version
     ad_is=https://stones.example/pack
-    [ "$(sh port/package/package.sh --homepage)" ] || ! grep -rniE '^ *"?(url|homepage)"?[:=]' "$to/stonepack"/*.* || return 1
+    [ "$(sh port/package/package.sh --homepage)" ] || ! grep -rniE '^ *"?(url|homepage)"?[:=]' "$to/stonepack"/*.* |
+        grep -v 'library.properties:[0-9]*:url=https://example.org/$' | grep . || return 1
     ! HOMEPAGE='not an address' sh port/package/package.sh --homepage || return 1
     HOMEPAGE=$ad_is sh port/package/dist.sh "$to/addressed" && tar -xzf "$ad.tar.gz" -C "$to/addressed" && cd "$ad" &&
-    grep -x "url=$ad_is" package/library.properties && grep -x "url: \"$ad_is\"" package/idf_component.yml &&
+    grep -x "url=$ad_is" package/library.properties && ! grep stand-in package/library.properties &&
+    grep -x "url: \"$ad_is\"" package/idf_component.yml &&
     grep "\"homepage\": \"$ad_is\"," package/library.json && sh port/package/package.sh --fill port/debian/control /usr | grep -x "Homepage: $ad_is" &&
     sh port/package/package.sh --fill port/package/stonepack.pc /usr | grep -x "URL: $ad_is"
 )
@@ -163,6 +176,7 @@ part "switches: each is an option of CMake, Meson, ESP-IDF and Zephyr" every_swi
 if have cmake; then part "CMake: switches" cmake_switches; fi
 if have meson; then part "Meson: switches" meson_switches; fi
 if have arm-none-eabi-g++; then part "Arduino library" arduino; else skip "Arduino library" gcc-arm-none-eabi; fi
+part "Arduino library.properties: each field its rules ask for" arduino_rules
 if have python3; then part "PlatformIO library.json" platformio; else skip "PlatformIO library.json" python3; fi
 part "ESP-IDF and Zephyr: files named are there" sources
 if have dpkg-buildpackage && have dh && have lintian; then

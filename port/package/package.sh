@@ -21,7 +21,10 @@ switches() {
 }
 names=$(switches | awk '{ printf "%s%s", n++ ? " " : "", $1 }')
 lower=$(echo "$names" | tr '[:upper:] ' '[:lower:]\n' | sed "s/.*/'&'/" | paste -sd, | sed 's/,/, /g')
-fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" -e "${homepage:+s|@HOMEPAGE@|$homepage|g}" -e '/@HOMEPAGE@/d' -e "s|@SWITCHES@|$names|g" -e "s|@switches@|$lower|g" "$1"; }
+# @HOMEPAGE@ goes with its line where there is none; @URL@ is a stand-in then, and what @NO_HOMEPAGE@ begins says so.
+fill() { sed -e "s|@VERSION@|$version|g" -e "s|@PREFIX@|$2|g" -e "${homepage:+s|@HOMEPAGE@|$homepage|g}" -e '/@HOMEPAGE@/d' \
+    -e "s|@URL@|${homepage:-https://example.org/}|g" -e "${homepage:+/@NO_HOMEPAGE@/d}" -e 's|@NO_HOMEPAGE@||' \
+    -e "s|@SWITCHES@|$names|g" -e "s|@switches@|$lower|g" "$1"; }
 # Each switch as an option of Meson, of Kconfig.
 meson_options() {
     switches | while read -r name text; do
