@@ -154,6 +154,14 @@ static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*poi
     return !(sp__abs(twice) > t->now.gap * round);
 }
 
+/* Is a polygon in both planes as exactly as coordinates of nine digits can be, or rounding leaves it? */
+static int sp__pair_exact(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
+{
+    const sp_real most = sp__max(t->now.noise, t->now.snap / 128);
+    for (int32_t k = 0; k < size; k++) if (!(sp__abs(sp__pair_gap(p, q, point[k])) <= most)) return 0;
+    return 1;
+}
+
 /* Of a polygon in A's plane what is within the distance of B's: all of it where no corner is farther than twice that and
  * the middle of all is within, for then the planes are parallel as far as the distance can tell.
  *   returns its size, 0: nothing, or no room (status) */

@@ -50,6 +50,14 @@ static void sp__pair_canonical(const sp__touch *t, sp_real (*p)[3], int32_t size
     sp__reverse(p, 0, size);
 }
 
+/* Is a loop of the clipper too narrow to be told from an edge: narrower than a distance above the default, of faces that are in
+ * one plane by no more than that distance? Pieces cut at holes are of wider ones. */
+static int sp__pair_is_edge(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
+{
+    if (t->now.gap <= 8 * t->now.snap || t->clip.cut.opening) return 0;
+    return sp__pair_narrow(t, p, point, size) && !sp__pair_exact(t, p, q, point, size);
+}
+
 /* Keep of loop l of the clipper what is near B's plane. */
 static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch *q, int32_t l)
 {
@@ -59,7 +67,7 @@ static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch 
     if (size > t->pair.room - t->pair.points || t->pair.founds >= t->pair.room) { t->status = SP_E_MEMORY; return; }
     for (int32_t k = 0; k < size; k++) sp__pair_corner(t, p, from + k, point[k]);
     size = sp__pair_within(t, p, q, point, size);
-    if (!size) return;
+    if (!size || sp__pair_is_edge(t, p, q, point, size)) return;
     sp__pair_between(t, p, q, point, size);
     sp__pair_canonical(t, point, size);
     t->pair.found[t->pair.founds].start = t->pair.points;
@@ -71,10 +79,12 @@ static void sp__pair_add_loop(sp__touch *t, const sp__patch *p, const sp__patch 
 /* Polygons of patch p of A and q of B, in the plane of p. */
 static void sp__pair_clip(sp__touch *t, const sp__patch *p, const sp__patch *q)
 {
+    const sp_real usual = 8 * t->now.snap, thin = usual < t->now.gap ? usual : t->now.gap;
     sp__pair_plane(t, p);
     sp__pair_region(t, p, p, 0);
     sp__pair_region(t, p, q, 1);
-    if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, t->now.gap / t->now.unit)) { t->status = SP_E_MEMORY; return; }
+    t->clip.slit = t->now.gap / t->now.unit;
+    if (!sp__clip_run(&t->clip, t->now.snap / t->now.unit, thin / t->now.unit)) { t->status = SP_E_MEMORY; return; }
     for (int32_t l = 0; l < t->clip.loops && !t->status; l++) sp__pair_add_loop(t, p, q, l);
 }
 

@@ -11,6 +11,7 @@
  *
  *   P, Q   regions 0 and 1         w    winding number          eps    points nearer than this are one        [length]
  *   thin   loops with 2 area / perimeter below this are left out: for a long strip that is its width          [length]
+ *   slit   holes below this are filled                                                                        [length]
  *
  * Work O(E^2) for E pieces. A result never has corners that are not needed, except where lines cut a region with holes.
  */
@@ -62,6 +63,7 @@ typedef struct sp__clip {
     int32_t full;               /* a capacity was too small: no result */
     int32_t torn;               /* loops that did not close, or holes that cuts did not open; 0 unless rounding won */
     sp_real eps, thin, snap;    /* snap: eps of this attempt */
+    sp_real slit;               /* the caller's before sp__clip_run, no less than thin in it */
 } sp__clip;
 
 /* Room for regions of p and q segments that cross at most `crossings` times. */
@@ -91,6 +93,7 @@ static void sp__clip_clear(sp__clip *c)
 {
     c->in.segments = c->corners = c->loops = 0;
     c->full = c->torn = 0;
+    c->slit = 0;
 }
 
 /* Add a segment of region `side` (0: P, 1: Q) from (x0, y0) to (x1, y1); numbers of its ends or -1. */
@@ -406,7 +409,7 @@ static void sp__clip_put_loop(sp__clip *c, int32_t from, int32_t to)
         c->loop[++c->loops] = c->corners;
         return;
     }
-    if (-area2 > c->thin * around) {
+    if (-area2 > c->slit * around) {
         c->cut.holes++;
         if (!c->cut.opening) sp__clip_add_cut(c);
     }
@@ -503,7 +506,7 @@ static void sp__clip_cut_holes(sp__clip *c)
         c->cut.hi[k] += wide;
     }
     const sp_real end = c->cut.hi[0];
-    c->thin = c->eps;
+    c->thin = c->slit = c->eps;
     c->cut.opening = 1;
     for (int32_t k = 0; k <= cuts && !c->full; k++) {
         c->in.segments = pieces;
@@ -520,6 +523,7 @@ static int sp__clip_run(sp__clip *c, sp_real eps, sp_real thin)
 {
     c->eps = eps;
     c->thin = thin > eps ? thin : eps;
+    if (c->slit < c->thin) c->slit = c->thin;
     c->corners = c->loops = c->cut.holes = c->cut.lines = c->cut.opening = 0;
     c->loop[0] = 0;
     if (!c->full) sp__clip_intersect(c);

@@ -261,6 +261,22 @@ bridge_left_out() {                                     # no distance across the
     remarks ': --contact-distance 0.001%$' --fixed floor gap.obj
 }
 
+ledges() { leaf left -1 0.003 -1 0 0; leaf right 0.997 2 -1 0 8; leaf beam 0 1 "$1" 0.3 16; }
+narrow_kept() {                                         # a beam that bears 3 mm at each end, of faces in one plane to the bit
+    ledges 0 > ledges.obj
+    for d in 0.001 0.01 5% 50%; do
+        same "$(first check --fixed left,right --contact-distance $d ledges.obj)" "ledges.obj: STABLE" || return 1
+    done
+    "$cli" check --fixed left,right --contact-distance 0.01 ledges.obj | grep remark && return 1
+    return 0
+}
+narrow_told() {                                         # 2e-7 m above, which the default distance counts
+    ledges 2e-7 > ledges.obj
+    same "$(first check --fixed left,right ledges.obj)" "ledges.obj: STABLE" &&
+    same "$(first check --fixed left,right --contact-distance 0.01 ledges.obj)" "ledges.obj: UNSTABLE, but 2 pairs of blocks nearly touch" &&
+    remarks '2 pairs of blocks touch where it is narrower than the contact distance.*: --contact-distance$' --fixed left,right --contact-distance 0.01 ledges.obj
+}
+
 inside_told() {                                         # a stone sunk into its support by a tenth
     on_floor -0.1 -0.1 > sunk.obj
     same "$(first check sunk.obj)" "sunk.obj: UNSTABLE, but 1 pair of blocks lies inside each other" && remarks 'lies inside each other and does not touch: floor and cube' sunk.obj
@@ -378,6 +394,8 @@ part "curved: as many, at other places"     curved 100 100 0.0003
 part "no distance reaches through a slate"  slates
 part "a joint across a sheet is told"       bridged_told
 part "no distance across a thin block is proposed" bridge_left_out
+part "an exact contact narrower than the distance is kept" narrow_kept
+part "another one is told"                  narrow_told
 part "a sunk stone is told, not only felled" inside_told
 part "two stones at one place are told"     twice_told
 part "contacts --sweep: a row a distance"   swept

@@ -213,23 +213,48 @@ TEST(narrow_faces_make_up_what_they_share)
     CHECK_INT(r.verdict, SP_STABLE);
 }
 
-/* What is narrower than the distance as a whole is left out, in one face or in two. */
+/* What is narrower than the distance as a whole is left out, in one face or in two; but not of exact faces, whose gap is 0. */
 TEST(what_is_narrower_than_the_distance_is_left_out)
 {
     const frame f = upright();
     sp_contact_settings set = sp_contact_settings_default();
     set.absolute = 1;
     set.distance = R(0.01);
-    for (int fan = -1; fan < 1; fan++)
-        for (int wide = 0; wide < 2; wide++) {
-            double low[4][2] = { { -2, 0 }, { 0, 0 }, { 0, 1 }, { -2, 1 } }, high[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
-            high[0][0] = high[3][0] = wide ? -0.015 : -0.007;
-            NEED(start(2));
-            prism(&f, 4, low, -1, 0, fan, 0, SP_FIXED);
-            prism(&f, 4, high, 0, 1, fan, 0, 0);
-            CHECK_INT(find(&set), SP_OK);
-            CHECK_INT(report.joints, wide);
-        }
+    for (int k = 0; k < 8; k++) {
+        const int fan = k % 2 - 1, wide = k / 2 % 2, exact = k / 4;
+        double low[4][2] = { { -2, 0 }, { 0, 0 }, { 0, 1 }, { -2, 1 } }, high[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
+        high[0][0] = high[3][0] = wide ? -0.015 : -0.007;
+        NEED(start(2));
+        prism(&f, 4, low, -1, 0, fan, 0, SP_FIXED);
+        prism(&f, 4, high, exact ? 0 : 1e-4, 1, fan, 0, 0);
+        CHECK_INT(find(&set), SP_OK);
+        CHECK_INT(report.joints, wide || (exact && !CONVEX_ONLY));
+    }
+}
+
+/* A beam on two ledges, bearing 3 mm on each: it stands at every distance, as at the default. */
+TEST(an_exact_contact_narrower_than_the_distance_is_kept)
+{
+    const frame f = turned(2, -1, 3, 0.5, 3, 1);
+    sp_contact_settings set = sp_contact_settings_default();
+    sp_result r;
+    set.absolute = 1;
+    for (int k = 0; k < 6; k++) {
+        double beam[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 0.3 }, { 0, 0.3 } };
+        NEED(start(3));
+        box(&f, -0.5, -0.1, -0.5, 0.003, 0.4, 0, SP_FIXED);
+        box(&f, 1.997, -0.1, -0.5, 2.5, 0.4, 0, SP_FIXED);
+        prism(&f, 4, beam, 0, 0.4, k % 2 - 1, 0, 0);
+        for (int c = 0; c < 3; c++) scene.gravity[c] = R(-9.81 * f.r[c][2]);
+        set.distance = k < 2 ? R(1e-6) : k < 4 ? R(0.01) : R(0.1);
+        CHECK_INT(find(&set), SP_OK);
+        if (CONVEX_ONLY && k > 1) continue;             /* the smallest build leaves it out */
+        CHECK_INT(report.joints, 2);
+        CHECK_NEAR(area_sum(), 2 * 0.003 * 0.3, TOL(1e-9, 1e-2));
+        sp_arena a = test_arena;
+        CHECK_INT(sp_check(&scene, NULL, &a, &r), SP_OK);
+        CHECK_INT(r.verdict, SP_STABLE);
+    }
 }
 
 /* A stone across a gap between two plates of one support. */
@@ -249,7 +274,7 @@ TEST(two_rims_of_a_gap_narrower_than_the_distance_do_not_make_a_wide_contact)
             double xy[4][2] = { { left, 0 }, { right, 0 }, { right, 1 }, { left, 1 } };
             NEED(start(2));
             CHECK_INT(sp_scene_block(&scene, &plates, 2400, SP_FIXED, NULL), SP_OK);
-            prism(&f, 4, xy, 0, 1, fan, 0, 0);
+            prism(&f, 4, xy, 1e-4, 1, fan, 0, 0);
             CHECK_INT(find(&set), SP_OK);
             CHECK_INT(report.joints, CONVEX_ONLY ? wide > 0 : wide);
             sp_arena a = test_arena;
@@ -347,6 +372,7 @@ TEST_LIST(patch)
     RUN(drums_of_many_triangles_touch_all_round)
     RUN(narrow_faces_make_up_what_they_share)
     RUN(what_is_narrower_than_the_distance_is_left_out)
+    RUN(an_exact_contact_narrower_than_the_distance_is_kept)
     RUN(two_rims_of_a_gap_narrower_than_the_distance_do_not_make_a_wide_contact)
     RUN(triangulated_slabs_overhang_as_far_as_polygonal_ones)
     RUN(a_ring_on_a_slab_has_the_area_of_the_ring)

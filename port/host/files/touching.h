@@ -47,7 +47,8 @@ void touching_free(touching_found *found);
 void touching_json(json_out *j, const touching *t, int32_t near);
 
 /* Look for blocks that nearly touch, up to 1 % of the smaller block, and have no contact or not a whole one, not counting
- * contacts across a thin block; add a remark with the option that counts them all.
+ * contacts across a thin block; and for such as touch, but in less than the distance in use. Add remarks with the option that
+ * counts them all.
  *   returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 

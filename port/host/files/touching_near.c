@@ -62,7 +62,8 @@ static double find_share(const sp_scene *s, const sp_scene *wide, const int32_t 
     return share;
 }
 
-int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
+/* Pairs that touch at the widest distance and in the scene not, or not whole. */
+static int32_t near_wide(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
 {
     const sp_contact_settings set = settings_at(TOUCHING_WIDEST, used);
     char option[64];
@@ -81,4 +82,28 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
                 "the smaller block apart", (long)missing, missing == 1 ? "" : "s", missing == 1 ? "es" : "",
                 missing == 1 ? "is" : "are", 100 * share);
     return missing;
+}
+
+/* Pairs that touch at the default distance and at a larger one in use not: what they share is narrower than that. */
+static int32_t near_narrow(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
+{
+    sp_contact_settings set = sp_contact_settings_default();
+    touching_found p;
+    if (!used->absolute && used->distance <= set.distance) return 0;
+    set.strength = used->strength;
+    if (used->angle >= 0) set.angle = used->angle;
+    if (!touching_find(scene, &set, &p)) return 0;
+    const int32_t missing = count_missing(scene, &p.scene, NULL);
+    touching_free(&p);
+    if (missing)
+        remarks_add(r, "--contact-distance", "%ld pair%s of blocks touch%s where it is narrower than the contact distance, "
+                    "and %s not counted, or not whole: a lesser distance counts %s", (long)missing, missing == 1 ? "" : "s",
+                    missing == 1 ? "es" : "", missing == 1 ? "is" : "are", missing == 1 ? "it" : "them");
+    return missing;
+}
+
+int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r)
+{
+    const int32_t wide = near_wide(scene, used, r);
+    return wide + near_narrow(scene, used, r);
 }
