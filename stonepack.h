@@ -1284,7 +1284,7 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
                   + (sizeof(sp_island) + 32) * ((uint64_t)(blocks) + 1))
 #define SP_LIMIT_BYTES(blocks, joints, vertices, fill) \
     SP_NEAR_BYTES((216 * sizeof(sp_real) + 36) * (uint64_t)(blocks) + (sizeof(sp_contact) + 12) * (uint64_t)(joints) \
-                  + 15 * sizeof(sp_real) * (uint64_t)(vertices) + SP_BELOW_BYTES(fill, joints, vertices) \
+                  + 21 * sizeof(sp_real) * (uint64_t)(vertices) + SP_BELOW_BYTES(fill, joints, vertices) \
                   + SP_MIXED_BYTES(blocks, joints) + SP_FRAME_BYTES + 62 * sizeof(sp_real) + 690)
 #define SP_SEQUENCE_BYTES(blocks, joints, vertices, fill) \
     SP_NEAR_BYTES((120 * sizeof(sp_real) + 128) * (uint64_t)(blocks) + (14 * sizeof(sp_real) + 88) * (uint64_t)(joints) \
@@ -1635,10 +1635,10 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 
-/* Switches: what is lost, and the code saved of 220916 bytes on a Cortex-M7, of 213880 on an M4F in float.
+/* Switches: what is lost, and the code saved of 222398 bytes on a Cortex-M7, of 215310 on an M4F in float.
  *
- *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         40980   39230
- *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    11702   11726
+ *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         42462   40660
+ *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    11686   11718
  *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       35986   34612
  *   SP_NO_STRONG      sp_strong: what friction holds whatever it does                                 12884   12350
  *   SP_NO_SLIDING     sp_sliding: limits without dilatancy                                            14396   13842
@@ -1648,9 +1648,9 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1536    1492
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3788    3592
  *   SP_QP_NO_INTERIOR interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior           4104    4018
- *   SP_QP_ONLY        all that knows of stones                                                       194916  188542
- *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      171797  166283
- *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             188333  182351
+ *   SP_QP_ONLY        all that knows of stones                                                       196398  189972
+ *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      173279  167713
+ *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             189815  183781
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Any may be combined, but
  * two contradictions stop at an #error: SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY; more than one of SP_REAL_MIXED,

@@ -55,32 +55,53 @@ static void sp__soc_square(const sp__nt *W, sp_real v[3])
     v[2] = s * (t * W->w[2] + v[2]);
 }
 
-/* a = lambda \ (aim e - (W^-1 dx) o (W dz)): towards x o z = aim e, (dx, dz) the step that ignores the product of changes.
- * a \ b solves a o (a \ b) = b. */
-static void sp__soc_product(const sp__nt *W, const sp_real z[3], const sp_real dx[3], const sp_real dz[3], sp_real aim,
-                            sp_real a[3])
+/* a = l \ q, which solves l o a = q; l inside the cone. */
+static void sp__soc_divide(const sp_real l[3], const sp_real q[3], sp_real a[3])
 {
-    sp_real l[3], b[3], q[3];
-    sp__soc_scale(W, z, 0, l);
-    sp__soc_scale(W, dx, 1, a);
-    sp__soc_scale(W, dz, 0, b);
-    q[0] = aim - sp__dot3(a, b);
-    q[1] = -(a[0] * b[1] + b[0] * a[1]);
-    q[2] = -(a[0] * b[2] + b[0] * a[2]);
     const sp_real t = l[1] * q[1] + l[2] * q[2], d = sp__soc_det(l);
     a[0] = (l[0] * q[0] - t) / d;
     a[1] = q[1] / l[0] + (t / l[0] - q[0]) / d * l[1];
     a[2] = q[2] / l[0] + (t / l[0] - q[0]) / d * l[2];
 }
 
-/* h = W a - x, a of sp__soc_product. h may be dx. */
-static void sp__soc_corrector(const sp__nt *W, const sp_real x[3], const sp_real z[3], const sp_real dx[3], const sp_real dz[3],
-                              sp_real aim, sp_real h[3])
+/* a = lambda \ (aim e - (W^-1 dx) o (W dz)): towards x o z = aim e, (dx, dz) the step that ignores the product of changes. */
+static void sp__soc_product(const sp__nt *W, const sp_real z[3], const sp_real dx[3], const sp_real dz[3], sp_real aim,
+                            sp_real a[3])
 {
-    sp_real a[3];
-    sp__soc_product(W, z, dx, dz, aim, a);
-    sp__soc_scale(W, a, 0, h);
-    for (int k = 0; k < 3; k++) h[k] -= x[k];
+    sp_real l[3], q[3];
+    sp__soc_scale(W, dx, 1, a);
+    sp__soc_scale(W, dz, 0, q);
+    const sp_real b = q[0];
+    q[0] = aim - sp__dot3(a, q);
+    q[1] = -(a[0] * q[1] + b * a[1]);
+    q[2] = -(a[0] * q[2] + b * a[2]);
+    sp__soc_scale(W, z, 0, l);
+    sp__soc_divide(l, q, a);
+}
+
+/* How much a product v = x z of a pair is to change: back to a tenth to ten times what is aimed at.       [Gondzio 1996] */
+static sp_real sp__centred(sp_real v, sp_real aim)
+{
+    return v < aim / 10 ? aim / 10 - v : v > 10 * aim ? sp__max(10 * aim - v, -10 * aim) : 0;
+}
+
+/* h <- h + W (lambda \ q), q the change of both eigenvalues of (W^-1 xt) o (W zt) back to the centre; (xt, zt) a trial point, z
+ * the point at hand. xt and zt are overwritten, a and b scratch. */
+static void sp__soc_centre(const sp__nt *W, const sp_real z[3], sp_real xt[3], sp_real zt[3], sp_real aim, sp_real a[3],
+                           sp_real b[3], sp_real h[3])
+{
+    sp__soc_scale(W, xt, 1, a);
+    sp__soc_scale(W, zt, 0, b);
+    const sp_real v = sp__dot3(a, b), v1 = a[0] * b[1] + b[0] * a[1], v2 = a[0] * b[2] + b[0] * a[2];
+    const sp_real r = SP_SQRT(v1 * v1 + v2 * v2), hi = sp__centred(v + r, aim), lo = sp__centred(v - r, aim);
+    const sp_real c = r > 0 ? (hi - lo) / (2 * r) : 0;
+    a[0] = (hi + lo) / 2;                                                   /* q */
+    a[1] = c * v1;
+    a[2] = c * v2;
+    sp__soc_scale(W, z, 0, b);
+    sp__soc_divide(b, a, xt);
+    sp__soc_scale(W, xt, 0, zt);
+    for (int k = 0; k < 3; k++) h[k] += zt[k];
 }
 
 /* Largest s <= most with x + s d in the cone, x inside: the first root of det (x + s d) = a s^2 + 2 b s + c. There is none when

@@ -12,6 +12,9 @@ typedef struct sp__homogeneous {
     sp__ipm m;
     sp_real l, s, dl, ds;
     sp_real along[2];                   /* a step is its free part and these multiples of Vq and Vp */
+    sp_real left;                       /* of the way, that the predictor does not get */
+    sp_real pl, pt;                     /* products of changes that are aimed at, of l s and tau kappa */
+    sp_real before[5];                  /* reach, dl, ds, dtau, dkappa of the step before a corrector */
 } sp__homogeneous;
 
 /* The exact stage as the engine that a limit asks, and the dual with the live loads in it [interior.c, strong.c]. */

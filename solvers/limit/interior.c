@@ -141,14 +141,14 @@ SP__NOINLINE static void sp__interior_motions(sp__limit *L)
  *
  *   [ -(q.Vq + s/l)            1 - q.Vp - a s/l              ] [ dl'  ]
  *   [ -(1 + q.Vp + a s/l)     -(p'.Vp + kappa/tau + a^2 s/l) ] [ dtau ]  = b                                            */
-static void sp__interior_homogeneous(sp__limit *L, const sp_real *dy, sp_real pl, sp_real pt)
+static void sp__interior_homogeneous(sp__limit *L, const sp_real *dy)
 {
     sp__engine *g = &L->engine;
     sp__ipm *m = &g->h.m;
     const size_t n = 6 * (size_t)g->w->pb->blocks;
     const sp_real keep = 1 - m->sigma, a = g->at, t = g->h.s / g->h.l, *G = g->G;
     const sp_real E = keep * (g->h.l - a * m->tau), T = keep * m->tau;
-    const sp_real cl = m->sigma * m->mu - g->h.l * g->h.s - pl, ct = m->sigma * m->mu - m->tau * m->kappa - pt;
+    const sp_real cl = m->sigma * m->mu - g->h.l * g->h.s - g->h.pl, ct = m->sigma * m->mu - m->tau * m->kappa - g->h.pt;
     const sp_real r1 = sp__dot(g->q, g->w->y, n) + g->h.s + m->tau;
     const sp_real r2 = m->kappa + sp__system_work(g->w, g->w->y) - g->h.l + a * (g->h.s + m->tau);
     const sp_real b1 = E * G[0] + T * G[1] - keep * r1 - cl / g->h.l - sp__dot(g->q, dy, n);
@@ -175,30 +175,106 @@ static void sp__interior_reach(sp__limit *L, sp_real *dy)
     g->h.m.reach = sp__ray_step(g->h.l, g->h.dl, sp__ray_step(g->h.s, g->h.ds, g->h.m.reach));
 }
 
-/* Predictor and corrector, from what sp__interior_motions left in w->d. */
-SP__NOINLINE static void sp__interior_step(sp__limit *L)
+#define SP__LIMIT_CENTRES 4             /* solves a step may take with the factor at hand */
+#define SP__LIMIT_GAINS ((sp_real)0.03) /* of the way, and no less, that makes another one worth its while */
+
+/* Products of a step m->reach long are brought back to the centre: the step dy towards that.     returns 0: no budget left */
+SP__NOINLINE static int sp__interior_centred(sp__limit *L, sp_real *dy)
 {
-    sp__engine *g = &L->engine;
-    sp__system *w = g->w;
-    sp__ipm *m = &g->h.m;
-    sp__interior_homogeneous(L, w->d, 0, 0);
+    sp__homogeneous *h = &L->engine.h;
+    sp__ipm *m = &h->m;
+    const sp_real t = m->reach, aim = m->sigma * m->mu;
+    h->pl -= sp__centred((h->l + t * h->dl) * (h->s + t * h->ds), aim);
+    h->pt -= sp__centred((m->tau + t * m->dtau) * (m->kappa + t * m->dkappa), aim);
+    sp__ipm_sweep(L->engine.w, m, SP__CENTRE, dy);
+    if (L->engine.w->budget.spent) return 0;
+    sp__system_solve(L->engine.w, dy, dy);
+    m->kept = (int16_t)(3 - m->kept);
+    sp__interior_homogeneous(L, dy);
+    sp__interior_reach(L, dy);
+    return 1;
+}
+
+static void sp__interior_keep(sp__homogeneous *h)
+{
+    h->before[0] = h->m.reach;
+    h->before[1] = h->dl;
+    h->before[2] = h->ds;
+    h->before[3] = h->m.dtau;
+    h->before[4] = h->m.dkappa;
+}
+
+/* Back to the step dy that was before. */
+static void sp__interior_back(sp__homogeneous *h, sp_real *dy)
+{
+    sp__ipm *m = &h->m;
+    m->kept = (int16_t)(3 - m->kept);
+    m->along[2] = dy;
+    m->reach = h->before[0];
+    h->dl = h->before[1];
+    h->ds = h->before[2];
+    m->dtau = h->before[3];
+    m->dkappa = h->before[4];
+}
+
+/* Single products far from the centre keep steps short: they are brought back with the same factor while steps get longer.
+ *     returns the dy of the step it ends with, w->r as at first, or w->d                                      [Gondzio 1996] */
+SP__NOINLINE static sp_real *sp__interior_centre(sp__limit *L)
+{
+    sp__homogeneous *h = &L->engine.h;
+    sp__ipm *m = &h->m;
+    sp_real *dy = L->engine.w->r, *next = L->engine.w->d;
+    for (int k = 0; k < SP__LIMIT_CENTRES && m->reach < (sp_real)0.9; k++) {
+        sp__interior_keep(h);
+        m->reach = m->reach * (sp_real)1.5 + (sp_real)0.3;
+        if (m->reach > 1) m->reach = 1;
+        if (!sp__interior_centred(L, next)) { m->reach = h->before[0]; return dy; }
+        if (m->reach < h->before[0]) { sp__interior_back(h, dy); return dy; }
+        sp_real *was = dy;
+        dy = next;
+        next = was;
+        if (m->reach < h->before[0] + SP__LIMIT_GAINS) return dy;
+    }
+    return dy;
+}
+
+/* Predictor and corrector, from what sp__interior_motions left in w->d. */
+static void sp__interior_correct(sp__limit *L)
+{
+    sp__homogeneous *h = &L->engine.h;
+    sp__system *w = L->engine.w;
+    sp__ipm *m = &h->m;
+    h->pl = h->pt = 0;
+    sp__interior_homogeneous(L, w->d);
     m->along[1] = w->d;
     sp__interior_reach(L, w->d);
-    const sp_real left = 1 - (m->reach < 1 ? m->reach : 1), pl = g->h.dl * g->h.ds, pt = m->dtau * m->dkappa;
+    h->left = 1 - (m->reach < 1 ? m->reach : 1);
+    h->pl = h->dl * h->ds;
+    h->pt = m->dtau * m->dkappa;
     m->corrected = 1;
-    m->sigma = left * left * left;
+    m->sigma = h->left * h->left * h->left;
     sp__ipm_sweep(w, m, SP__AIM, w->r);
     sp__system_solve(w, w->r, w->r);
-    sp__interior_homogeneous(L, w->r, pl, pt);
+    sp__interior_homogeneous(L, w->r);
     sp__interior_reach(L, w->r);
-    m->reach *= left < SP__LIMIT_CLOSE ? SP__LIMIT_KEEP : SP__IPM_KEEP;
+}
+
+/* A step, and on to where it ends. */
+SP__NOINLINE static void sp__interior_step(sp__limit *L)
+{
+    sp__homogeneous *h = &L->engine.h;
+    sp__system *w = L->engine.w;
+    sp__ipm *m = &h->m;
+    sp__interior_correct(L);
+    sp_real *dy = sp__interior_centre(L);
+    m->reach *= h->left < SP__LIMIT_CLOSE ? SP__LIMIT_KEEP : SP__IPM_KEEP;
     if (m->reach > 1) m->reach = 1;
     sp__ipm_sweep(w, m, SP__MOVE, NULL);
-    sp__system_axpy(w, m->reach, w->r, w->y);
+    sp__system_axpy(w, m->reach, dy, w->y);
     m->tau += m->reach * m->dtau;
     m->kappa += m->reach * m->dkappa;
-    g->h.l += m->reach * g->h.dl;
-    g->h.s += m->reach * g->h.ds;
+    h->l += m->reach * h->dl;
+    h->s += m->reach * h->ds;
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
@@ -263,6 +339,7 @@ static void sp__interior_start(sp__limit *L)
 {
     sp__engine *g = &L->engine;
     sp__ipm_start(g->w, &g->h.m);
+    g->h.m.kept = 1;
     g->h.l = g->h.s = 1;
 }
 

@@ -18,26 +18,67 @@
  * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
  *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
 
-/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h of cone/ipm.c.
- * AIM, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
-SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3], sp__visit *s)
+/* Where copy k of the targets is, from x on: each has as many numbers as x. */
+static size_t sp__ipm_copy(const sp__system *w, int k)
 {
+    return (size_t)k * (size_t)w->pb->points * (size_t)(w->law.cone.faces ? w->law.cone.faces : 3);
+}
+
+/* Is a pass without a step of its own? It makes a right-hand side. */
+static int sp__ipm_aims(sp__pass pass) { return pass == SP__AIM || pass == SP__COLUMN || pass == SP__CENTRE; }
+
+/* Are the targets of a step kept, and made? */
+static int sp__ipm_has_targets(const sp__ipm *m) { return m->corrected && m->kept && m->pass != SP__AIM; }
+
+/* h of a cone: -x, or W a - x, a of sp__soc_product, the predictor in u. */
+static void sp__ipm_target(const sp__ipm *m, const sp_real *x, const sp_real u[3], const sp__nt *W, sp__visit *s)
+{
+    sp_real *h = s->h, *a = s->edge;
+    for (int k = 0; k < 3; k++) h[k] = -x[k];
+    if (!m->corrected) return;
+    for (int k = 0; k < 3; k++) h[k] = u[k];
+    h[0] += m->theta;
+    sp__scale3(-1, h, s->dz);
+    sp__soc_square(W, h);
+    sp__sub3(h, x, h);
+    sp__soc_product(W, s->z, h, s->dz, m->sigma * m->mu, a);
+    sp__soc_scale(W, a, 0, h);
+    sp__sub3(h, x, h);
+}
+
+/* h of a cone as it was kept, the step in u. CENTRE: and what brings the products of a step m->reach long back to the centre,
+ * for the next.                                                                                            [Gondzio 1996] */
+SP__NOINLINE static void sp__ipm_kept(const sp__system *w, const sp__ipm *m, sp_real *x, const sp_real u[3], const sp__nt *W)
+{
+    sp__visit *s = sp__visit_of(w);
+    const sp_real t = m->reach;
+    sp_real *h = s->h, *xt = s->edge, *zt = s->rate;
+    memcpy(h, x + sp__ipm_copy(w, m->kept), 3 * sizeof *h);
+    if (m->pass != SP__CENTRE) return;
+    for (int k = 0; k < 3; k++) xt[k] = u[k];
+    xt[0] += (1 - m->sigma) * m->theta;                                     /* -dz */
+    for (int k = 0; k < 3; k++) zt[k] = s->z[k] - t * xt[k];
+    sp__soc_square(W, xt);
+    for (int k = 0; k < 3; k++) xt[k] = x[k] + t * (h[k] + xt[k]);
+    sp__soc_centre(W, s->z, xt, zt, m->sigma * m->mu, s->D, s->D + 3, h);
+    memcpy(x + sp__ipm_copy(w, 3 - m->kept), h, 3 * sizeof *h);
+}
+
+/* One cone, E' Aeq' of y, predictor and step in u: dz = -(1 - sigma) theta e - u[2], dx = h - W^2 dz, h of cone/ipm.c.
+ * AIM, CENTRE, with no step yet: g = -(1 - sigma) x - dx, what Aeq E of the step has to make up for. */
+SP__NOINLINE static void sp__ipm_cone(const sp__system *w, sp__ipm *m, sp_real *x, sp_real u[3][3], sp_real g[3])
+{
+    sp__visit *s = sp__visit_of(w);
     sp__nt W;
     const sp_real keep = 1 - m->sigma;
     sp_real *h = s->h, *z = s->z, *dz = s->dz;
     sp__scale3(-1, u[0], z);
     z[0] += m->theta;
     if (!sp__soc_scaling(x, z, &W)) { m->outside = 1; return; }
-    for (int k = 0; k < 3; k++) h[k] = -x[k];
-    if (m->corrected) {
-        for (int k = 0; k < 3; k++) h[k] = u[1][k];
-        h[0] += m->theta;
-        sp__scale3(-1, h, dz);
-        sp__soc_square(&W, h);
-        sp__sub3(h, x, h);
-        sp__soc_corrector(&W, x, z, h, dz, m->sigma * m->mu, h);
-    }
-    for (int k = 0; k < 3; k++) g[k] = m->pass == SP__AIM ? 0 : u[2][k];
+    if (sp__ipm_has_targets(m)) sp__ipm_kept(w, m, x, u[2], &W);
+    else sp__ipm_target(m, x, u[1], &W, s);
+    if (m->kept && m->corrected && m->pass == SP__AIM) memcpy(x + sp__ipm_copy(w, m->kept), h, 3 * sizeof *h);
+    for (int k = 0; k < 3; k++) g[k] = sp__ipm_aims(m->pass) ? 0 : u[2][k];
     g[0] += keep * m->theta;
     sp__scale3(-1, g, dz);
     sp__soc_square(&W, g);
@@ -50,15 +91,22 @@ SP__NOINLINE static void sp__ipm_cone(sp__ipm *m, sp_real *x, sp_real u[3][3], s
 }
 
 /* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. */
-static sp_real sp__ipm_ray(sp__ipm *m, sp_real *x, const sp_real u[3])
+static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real *x, const sp_real u[3])
 {
-    const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z;
+    const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z, aim = m->sigma * m->mu;
     sp_real h = -*x;
-    if (m->corrected) {
+    if (sp__ipm_has_targets(m)) h = x[sp__ipm_copy(w, m->kept)];
+    else if (m->corrected) {
         const sp_real dz = -m->theta - u[1], dx = -*x - s * dz;
-        h += (m->sigma * m->mu - dx * dz) / z;
+        h += (aim - dx * dz) / z;
+        if (m->kept) x[sp__ipm_copy(w, m->kept)] = h;
     }
-    const sp_real dz = -keep * m->theta - (m->pass == SP__AIM ? 0 : u[2]), dx = h - s * dz;
+    if (m->pass == SP__CENTRE) {
+        const sp_real dz = -keep * m->theta - u[2], dx = h - s * dz;
+        h += sp__centred((*x + m->reach * dx) * (z + m->reach * dz), aim) / z;
+        x[sp__ipm_copy(w, 3 - m->kept)] = h;
+    }
+    const sp_real dz = -keep * m->theta - (sp__ipm_aims(m->pass) ? 0 : u[2]), dx = h - s * dz;
     if (m->pass == SP__REACH) m->reach = sp__ray_step(z, dz, sp__ray_step(*x, dx, m->reach));
     if (m->pass == SP__MOVE) *x += m->reach * dx;
     return -(keep * *x + dx);
@@ -71,7 +119,7 @@ SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c
     for (int32_t k = 0; k < w->law.cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
-        const sp_real a = sp__ipm_ray(m, x + k, rate);
+        const sp_real a = sp__ipm_ray(w, m, x + k, rate);
         for (int q = 0; q < 3; q++) g[q] += a * e[q];
     }
 }
@@ -83,7 +131,7 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t
     if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
-    sp__ipm_cone(m, m->x + 3 * (size_t)v, u, g, sp__visit_of(w));
+    sp__ipm_cone(w, m, m->x + 3 * (size_t)v, u, g);
     g[0] *= S; g[1] *= T; g[2] *= T;
 }
 
@@ -92,9 +140,9 @@ SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t
 SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass, sp_real *r)
 {
     const sp_problem *pb = w->pb;
-    const int gathers = pass == SP__AIM || pass == SP__COLUMN;
-    const int counts[3] = { 1, m->corrected, !gathers }, rates = 1 + counts[1] + counts[2];
     m->pass = pass;
+    const int gathers = sp__ipm_aims(pass), targets = sp__ipm_has_targets(m);
+    const int counts[3] = { 1, m->corrected && !targets, !gathers || pass == SP__CENTRE }, rates = 1 + counts[1] + counts[2];
     if (!sp__system_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
     if (gathers) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -324,6 +372,7 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
     m->force_scale = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->measure.size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
     if (w->measure.metric > 0) m->force_scale = 1 / (4 * w->measure.metric);
+    m->kept = 0;
     m->theta = m->tau = 1;
     m->kappa = m->kappa_weight;
     m->ray = 0;

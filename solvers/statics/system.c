@@ -19,7 +19,7 @@
 
 #if SP__WITH_LARGE
 
-typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE, SP__COLUMN } sp__pass;
+typedef enum sp__pass { SP__AIM, SP__REACH, SP__MOVE, SP__COLUMN, SP__CENTRE } sp__pass;
 
 /* Interior points of joints with strength (capped.c), and scratch of the vertex at hand. Rows are 5: 3 of the cone, 2 of its
  * ends. */
@@ -45,7 +45,8 @@ typedef struct sp__ipm {
     sp_real *x;                         /* 3 a vertex, or one an edge of its pyramid */
     sp_real force_scale;                /* force of x = e where S = 1 */
     sp_real theta, gap;                 /* what is left of the start's residuals; sum of x z */
-    int outside;                        /* x or z is no longer inside, by rounding */
+    int16_t outside;                    /* x or z is no longer inside, by rounding */
+    int16_t kept;                       /* targets of a step are kept behind x, in copy 1 or 2; 0: they are not */
     sp__pass pass;                      /* right-hand side; step length; step */
     int corrected;                      /* the product of the predictor's changes is taken into account */
     int16_t ray;                        /* forces are asked for the live loads alone */
@@ -167,14 +168,14 @@ static int sp__form_capped(const sp_problem *pb, const sp_settings *set, sp__for
     return strong;
 }
 
-/* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid;
+/* Numbers a vertex that it keeps in x: interior points 3, or one an edge of a pyramid, and for a limit two targets of each;
  * the polish its best forces on a budget. */
 static size_t sp__form_numbers(sp__form form, const sp_settings *set, int capped)
 {
     if (form == SP__POLISH) return set->budget > 0 ? 3 : 0;
     if (!SP__WITH_INTERIOR || (form != SP__EXACT && form != SP__LIMIT)) return 0;
     if (capped) return SP__CAPPED;
-    return set->faces ? (size_t)set->faces : 3;
+    return (size_t)(form == SP__LIMIT ? 3 : 1) * (set->faces ? (size_t)set->faces : 3);
 }
 
 #ifdef SP_REAL_MIXED

@@ -85,7 +85,9 @@ TEST(the_aim_is_what_the_corrector_asks_for)
         point(0.3, z);
         for (int k = 0; k < 3; k++) { dx[k] = test_random_real(-1, 1); dz[k] = test_random_real(-1, 1); }
         NEED(sp__soc_scaling(x, z, &W));
-        sp__soc_corrector(&W, x, z, dx, dz, R(aim), h);
+        sp__soc_product(&W, z, dx, dz, R(aim), a);
+        sp__soc_scale(&W, a, 0, h);
+        for (int k = 0; k < 3; k++) h[k] -= x[k];
         sp__soc_scale(&W, z, 0, l);
         sp__soc_scale(&W, dx, 1, a);
         sp__soc_scale(&W, dz, 0, b);

@@ -331,7 +331,8 @@ TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
         const sp_limit_result x = limit_of(&s, &set), all = limit_of(&s, &space);
         CHECK_INT(x.kind, SP_LIMIT_FOUND);
         CHECK_INT(all.kind, SP_LIMIT_FOUND);
-        CHECK_NEAR(x.multiplier, all.multiplier, NEAR);
+        /* in float the ends of a thin arch are a fifth of it apart, and either multiplier is somewhere between them */
+        CHECK_WITHIN(x.multiplier, all.multiplier, NEAR * (double)all.multiplier + TOL(0, 0.1) * (double)x.within);
         const double times = (double)all.cost.flops / (double)x.cost.flops;     /* in float either may end sooner: by 1.4 at least */
         if (!CHECK(PLANS && mirrored[k / 3].planar ? times > TOL(2, 1.2) : times > 0.9 && times < 1.1))       /* dead loads may have one */
             TEST_PRINT("    %s, %s %g, %d faces: %.2f\n", mirrored[k / 3].name, mirrored[k / 3].param, mirrored[k / 3].value, (int)set.faces, times);
