@@ -28,7 +28,9 @@ def _xyz(v):
 
 
 def scene_of(msg):
-    """stonepack.Scene of a Scene message."""
+    """stonepack.Scene of a Scene message. Weightless, which is what a message says that was not filled in, everything would stand."""
+    if not any(_xyz(msg.gravity)):
+        raise Refused("gravity is 0: say where down is, (0, 0, -9.80665) for one")
     scene = stonepack.Scene(mu=msg.mu, gravity=_xyz(msg.gravity))
     for block in msg.blocks:
         add_block(scene, block)
@@ -47,6 +49,8 @@ def add_block(scene, block):
     name = block.name or None
     if not len(block.vertices):
         return scene.body(block.mass, _xyz(block.centroid), name=name, fixed=bool(block.fixed))
+    if sum(block.sizes) != len(block.corners):
+        raise Refused("block '%s': its sizes are of %d corners, it has %d" % (block.name, sum(block.sizes), len(block.corners)))
     faces, at = [], 0
     for size in block.sizes:
         faces.append([int(k) for k in block.corners[at:at + size]])
@@ -167,6 +171,7 @@ class Bridge:
     def __init__(self, types, worker=None):
         self.types, self.worker, self.scene, self.distance = types, worker or Worker(), stonepack.Scene(), 0.0
         self._names = []                                    # what was inserted, in that order
+        self._turn = threading.Lock()                       # executors of several threads: one request after the other
 
     def check_scene(self, scene, tol=0.0, push=(0.0, 0.0)):
         return answer_of(self.worker.ask(request_of(scene, tol, push)), scene)
@@ -217,7 +222,8 @@ class Bridge:
     def _answered(self, response, what):
         """Do it; what is refused is told in the response."""
         try:
-            what()
+            with self._turn:
+                what()
             response.ok = True
         except (Refused, stonepack.StonepackError) as wrong:
             response.ok, response.message = False, str(wrong)

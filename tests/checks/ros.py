@@ -163,9 +163,42 @@ got = call("Insert", block=box("inside", 0.2, 0.1, 0.1, (0.1, 0.05, 0.05)))
 check("one inside another is refused, by name", not got.ok and "inside" in got.message)
 got = call("Insert", block=msgs.Block(name="flat", vertices=stone.vertices[:3], sizes=[3], corners=[0, 1, 2]))
 check("one that is no stone is refused, by name", not got.ok and "flat" in got.message)
+short = msgs.Block(name="short", vertices=stone.vertices, sizes=[4] * 6, corners=stone.corners[:-1])
+got = call("Insert", block=short)
+check("one whose faces don't fit is refused, by name", not got.ok and "short" in got.message)
+got = call("Start", scene=msgs.Scene(blocks=[ground]))
+check("gravity that was not filled in is refused", not got.ok and "gravity" in got.message)
 call("Undo")
 got = call("Undo")
 check("what was there from the start stays", not got.ok and got.message == "nothing was inserted")
+
+# The node of README.md, but for ROS: stand-ins for rclpy and for what rosidl makes.
+offered = {}
+
+
+class Node:
+    def __init__(self, name):
+        offered["name"] = name
+
+    def create_service(self, kind, name, call):
+        offered[name] = kind, call
+
+
+def module(name, **has):
+    sys.modules[name] = types.ModuleType(name)
+    sys.modules[name].__dict__.update(has)
+    return sys.modules[name]
+
+
+services = {n: n for n in ("Check", "Start", "Insert", "Margin", "Undo")}
+module("rclpy", init=lambda: None, spin=lambda node: None), module("rclpy.node", Node=Node)
+module("stonepack_msgs", msg=module("stonepack_msgs.msg", **made), srv=module("stonepack_msgs.srv", **services))
+exec(re.search(r"```python\n(.*?)```", (root / "README.md").read_text(), re.S).group(1), {})
+check("the node offers its five services", set(offered) == {"name"} | {"~/" + n.lower() for n in services}
+      and all(kind == n for n in services for kind, _ in [offered["~/" + n.lower()]]))
+offered["~/check"][1].__self__.worker = worker
+got = offered["~/check"][1](made["Check_Request"](scene=scene(ground, stone)), made["Check_Response"]())
+check("and answers", got.ok and got.verdict.verdict == 1)
 
 worker.close()
 late = bridge.Bridge(msgs, bridge.Worker(["sleep", "60"], seconds=0.2))
