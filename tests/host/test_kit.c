@@ -1,8 +1,12 @@
-/* The kit for tests of others: scenes by family and distance from their limit, parts, the smallest part, bytes and back. */
+/* The kit for tests of others: scenes by family and distance from their limit, parts, the smallest part, bytes and back, files. */
 #include "../test.h"
 #include "../../port/fuzz/bytes.c"
 #include "../../port/fuzz/families.c"
 #include "../../port/fuzz/shrink.c"
+#include "../../port/fuzz/write.c"
+#include "../../port/host/files/scene.h"
+
+#include <stdlib.h>
 
 static sp_verdict verdict_of(const sp_scene *s, sp_arena a)
 {
@@ -180,6 +184,62 @@ TEST(what_bytes_cannot_say_has_none)
     test_arena = mark;
 }
 
+/* -------------------------------------------------------------------------------------------------------------- files */
+
+/* The scene that the program reads of what sp_scene_write wrote.     returns 1: it is one */
+static int read_again(const sp_scene *s, host_scene *back)
+{
+    static failure error;
+    scene_settings set = scene_settings_default();
+    FILE *f = tmpfile();
+    if (!f || sp_scene_write(s, f) != SP_OK) return 0;
+    const size_t n = (size_t)ftell(f);
+    char *text = calloc(n + 1, 1);
+    rewind(f);
+    const int whole = text && fread(text, 1, n, f) == n;
+    fclose(f);
+    set.contacts = SCENE_GIVEN;
+    if (whole && scene_parse("t.obj", text, n, &set, back, &error) == 0) return 1;
+    printf("%s\n", error.line);
+    scene_free(back);
+    return 0;
+}
+
+TEST(what_is_written_the_program_decides_alike)
+{
+    for (int round = 0; round < SOME_OF(400, 60); round++) {
+        const sp_arena mark = test_arena;
+        uint8_t in[160];
+        sp_scene s;
+        host_scene back;
+        for (int k = 0; k < 160; k++) in[k] = (uint8_t)test_random_int(0, 255);
+        const int family = round % (SP_FUZZ_FAMILIES + 1);
+        NEED((family < SP_FUZZ_FAMILIES ? sp_scene_of_family((sp_fuzz_family)family, (uint64_t)round, &test_arena, &s)
+            : sp_scene_from_bytes(in, 160, &test_arena, &s)) == SP_OK);
+        if (family < SP_FUZZ_FAMILIES) sp_scene_at(&s, R(round % 2 ? 0.1 : -0.1), test_arena);
+        NEED(read_again(&s, &back));
+        CHECK_INT(back.scene.count.joints, s.count.joints);
+        CHECK(s.live > 0 || same_blocks(&s, &back.scene));
+        const sp_verdict here = verdict_of(&s, test_arena), there = verdict_of(&back.scene, test_arena);
+        if (family < SP_FUZZ_FAMILIES && sizeof(sp_real) == 8) CHECK_INT(there, here);
+        else CHECK(here + there != SP_STABLE + SP_UNSTABLE || here == there);
+        scene_free(&back);
+        test_arena = mark;
+    }
+}
+
+TEST(a_free_block_without_a_mesh_is_not_written)
+{
+    const sp_real at[3] = { 0, 0, 1 };
+    const sp_capacity room = { 1, 0, 0, 0, 0, 0, 0 };
+    sp_scene s;
+    FILE *f = tmpfile();
+    NEED(f && sp_scene_create(&s, &room, &test_arena) == SP_OK && sp_scene_body(&s, 10, at, 0, NULL) == SP_OK);
+    CHECK_INT(sp_scene_write(&s, f), SP_E_UNSUPPORTED);
+    CHECK_INT(ftell(f), 0);
+    fclose(f);
+}
+
 TEST_LIST(kit)
     RUN(a_seed_makes_its_scene_again)
     RUN(a_distance_is_on_its_side_of_the_limit)
@@ -188,4 +248,6 @@ TEST_LIST(kit)
     RUN(a_part_is_the_scene_to_the_bit)
     RUN(bytes_and_back_are_the_same_scene)
     RUN(what_bytes_cannot_say_has_none)
+    RUN(what_is_written_the_program_decides_alike)
+    RUN(a_free_block_without_a_mesh_is_not_written)
 TEST_END
