@@ -1,6 +1,7 @@
 """Scenes, answers and refusals of the Python package; standard library alone, NumPy where it is there."""
 import copy
 import gc
+import inspect
 import math
 import os
 import pickle
@@ -93,6 +94,35 @@ class Misuse(unittest.TestCase):
                      lambda: s.box((1, 1, 1), name="a\0b"), lambda: s.box((1, 1, 1), name="\udc80")):
             self.assertRaises(stonepack.SceneError, call)
         self.assertEqual(len(s), 2)
+
+    def test_an_answer_is_neither_true_nor_false(self):
+        falls = overhang(1.5)
+        self.assertTrue(falls.check().unstable)
+        for answer, ask in ((falls.check(), ".stable"), (falls.limit((1, 0, 0)), ".multiplier"), (falls.sequence()[0], ".stable"),
+                            (falls.strong(), ".kind"), (falls.check().verify(), ".verdict")):
+            with self.assertRaisesRegex(stonepack.StonepackError, "neither true nor false: ask its \\" + ask):
+                assert answer
+        with self.assertRaises(stonepack.StonepackError):
+            all(falls.sequence())
+
+    def test_a_scene_has_no_other_fields(self):
+        s = overhang(0.5)
+        with self.assertRaises(AttributeError):
+            s.gravty = (1, 0, -9.8)
+
+    def test_a_setting_outside_its_range_is_named(self):
+        s = overhang(0.5)
+        for words, call in (("tol=0", lambda: s.check(tol=0)), ("tol=2", lambda: s.limit((1, 0, 0), tol=2)),
+                            ("tol=-1", lambda: s.plan(tol=-1)), ("tol=0", lambda: s.sequence(tol=0)), ("tol=0", lambda: s.strong(tol=0)),
+                            ("force_bound=-2", lambda: s.check(force_bound=-2)), ("cone='2i'", lambda: s.check(cone="2i")),
+                            ("eps", lambda: s.check(coupled=True, eps=-5)), ("mu is 0 or more", lambda: stonepack.Scene(mu=-1)),
+                            ("mu is 0 or more", lambda: stonepack.Scene(mu=float("nan"))),
+                            ("density more", lambda: stonepack.Scene(density=0))):
+            with self.assertRaisesRegex(stonepack.SceneError, words):
+                call()
+
+    def test_help_tells_types_as_they_are(self):
+        self.assertNotIn("ForwardRef", str(inspect.signature(stonepack.Joint)) + str(inspect.signature(stonepack.Step)))
 
     def test_wrong_types_are_refused_in_our_words(self):
         s, text = overhang(0.5), overhang(0.5).to_obj()
@@ -390,7 +420,7 @@ class Help(unittest.TestCase):
                 self.assertRegex(kind.__doc__, r"\b%s\b" % field, kind)
             for name in dir(kind):
                 if name[0] != "_" and name not in ("args", "count", "index"):       # those are Python's
-                    self.assertTrue(getattr(kind, name).__doc__, "%s.%s" % (kind.__name__, name))
+                    self.assertTrue(inspect.getdoc(getattr(kind, name)), "%s.%s" % (kind.__name__, name))
 
 
 class Refusals(unittest.TestCase):

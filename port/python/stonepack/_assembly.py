@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import operator
 import threading
 from ctypes import byref
@@ -42,8 +43,18 @@ def _held(fixed: Fixed) -> int:
 class Assembly:
     """A scene without its questions: see Scene."""
 
+    __slots__ = dict.fromkeys(("_c", "_memory", "_names", "_index", "_version", "_given", "_found", "_overlaps", "_needs", "_lock",
+                               "_turns", "__weakref__"), "")    # and no others: `scene.gravty = ...` is a mistake
+    __slots__.update(
+        mu="Friction of joints that have none of their own, and of those that are found.",
+        density="Of blocks that have none of their own [kg/m^3].",
+        remarks="What of the file it was read from looks mistaken.",
+        recipe="The call of stonepack.scenes that made it; None: something else did.")
+
     def __init__(self, *, mu: float = 0.84, density: float = 2400.0, gravity: Vector = GRAVITY):
         self.mu, self.density = number(mu, "mu"), number(density, "density")
+        if not (0 <= self.mu < math.inf and 0 < self.density < math.inf):
+            raise SceneError("mu is 0 or more, density more, both finite; not %g, %g" % (self.mu, self.density))
         self.remarks: List[str] = []                # of the file it was read from
         self.recipe: Optional[str] = None           # the call that made it, by stonepack.scenes
         self._c = c.sp_scene()

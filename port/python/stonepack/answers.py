@@ -1,8 +1,6 @@
 """Answers: plain objects with named fields. Forces are in N, moments in N m, lengths in m; they act on block b of a joint."""
-from __future__ import annotations
-
 import ctypes
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, NoReturn, Optional, Tuple
 
 from . import _bindings as c
 from ._library import StonepackError, lib, refuse, text
@@ -17,6 +15,11 @@ Vec6 = Tuple[float, float, float, float, float, float]
 
 def vec3(x: Any) -> Vec3:
     return x[0], x[1], x[2]
+
+
+def no_truth(ask: str) -> NoReturn:
+    """Of a __bool__: `assert scene.check()` would hold of what falls, since there is an answer."""
+    raise StonepackError("an answer is neither true nor false: ask %s" % ask)
 
 
 VERDICTS = {v: text(c.SP_WORDS_VERDICT, v) for v in (c.SP_STABLE, c.SP_UNSTABLE, c.SP_UNDECIDED)}
@@ -108,6 +111,9 @@ class Evidence(NamedTuple):
     residual: float
     margin: float
 
+    def __bool__(self) -> bool:
+        no_truth("its .verdict")
+
 
 class Effect(NamedTuple):
     """One effect of a plan: on, whether it is simulated, and why; unknowns, flops, bytes: saved by leaving it out."""
@@ -172,6 +178,9 @@ class Step(NamedTuple):
     imbalance: float
     hold: Optional[List[str]]
 
+    def __bool__(self) -> bool:
+        no_truth("its .stable")
+
 
 class Held(NamedTuple):
     """What to hold.
@@ -203,6 +212,9 @@ class Strong(NamedTuple):
     residual: float
     moves: float
     moving: Dict[str, Vec6]
+
+    def __bool__(self) -> bool:
+        no_truth("its .kind")
 
 
 def speeds(dq: Any, count: int) -> List[float]:
@@ -258,6 +270,9 @@ class Result(_Answer):
     as long as the scene is as it was checked."""
 
     __slots__ = ("_settings",)
+
+    def __bool__(self) -> bool:
+        no_truth("its .stable")
 
     def __init__(self, scene: "Scene", settings: Any):
         super().__init__(scene, c.sp_result())
@@ -424,6 +439,9 @@ class Limit(_Answer):
     """How much of the live loads a scene bears."""
 
     __slots__ = ("_body",)
+
+    def __bool__(self) -> bool:
+        no_truth("its .multiplier or .kind")
 
     def __init__(self, scene: "Scene", body: Any):
         super().__init__(scene, c.sp_limit_result())

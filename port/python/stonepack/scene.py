@@ -28,11 +28,16 @@ def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[
             and force_bound is None and not without:
         return None
     s = lib.sp_settings_default()
+    told = {"tol": tol, "eps": eps, "eta": eta, "cone": cone, "budget": budget or None, "iterations": iterations,
+            "force_bound": force_bound}
+    s.words = ", ".join("%s=%r" % each for each in told.items() if each[1] not in (None, "true"))
     if tol is not None:
         s.tol = number(tol, "tol")
     if coupled:
         s.coupled.asked = 1
         s.coupled.eps = -1 if eps is None else number(eps, "eps")
+        if eps is not None and not s.coupled.eps >= 0:
+            raise SceneError("eps: 0 or more is wanted, not %r" % eps)
         s.coupled.eta = 0 if eta is None else number(eta, "eta")
     if cone != "true":
         if not isinstance(cone, str) or cone[-1:] not in ("i", "c") or not (cone.isascii() and cone[:-1].isdigit()):
@@ -70,6 +75,11 @@ def _settings_of(words: Dict[str, Any]) -> Tuple[Any, Any]:
     return key, s
 
 
+def _refused(status: int, settings: Any) -> SceneError:
+    """The exception of a question: blocks and joints were looked at as they came, a number outside its range is a setting."""
+    return refuse(status, settings.words if status == c.SP_E_RANGE and settings is not None else "")
+
+
 class Scene(Assembly):
     """An assembly of rigid blocks.
 
@@ -80,6 +90,8 @@ class Scene(Assembly):
     Joints are found from the meshes unless some are given; blocks that are added later are found with all others.
     One scene may be asked by several threads at once; a change meanwhile is refused: change a copy.
     """
+
+    __slots__ = ()
 
     # --------------------------------------------------------------------------------------------------------- questions
 
@@ -92,7 +104,7 @@ class Scene(Assembly):
             kept, scratch = arena(lib.sp_memory_scratch(here, what, p))
         status = lib.sp_memory(here, what, p, scratch, byref(need))
         if status:
-            raise refuse(status)
+            raise _refused(status, settings)
         return need.value
 
     @asks
@@ -117,7 +129,7 @@ class Scene(Assembly):
             result._memory, a = arena(need)
             status = lib.sp_check(byref(self._c), p, byref(a), byref(result._c))
         if status:
-            raise refuse(status)
+            raise _refused(status, s)
         return result
 
     @asks
@@ -154,7 +166,7 @@ class Scene(Assembly):
         limit._memory, a = arena(need)
         status = lib.sp_limit(byref(scene), byref(s) if s is not None else None, byref(a), byref(limit._c))
         if status:
-            raise refuse(status)
+            raise _refused(status, s)
         return limit
 
     @asks
@@ -164,7 +176,7 @@ class Scene(Assembly):
         kept, scratch = arena(self._bytes(c.SP_FOR_PLAN, s))
         status = lib.sp_plan(byref(self._c), byref(s) if s is not None else None, scratch, byref(out))
         if status:
-            raise refuse(status)
+            raise _refused(status, s)
         effects = {text(c.SP_WORDS_EFFECT, k): Effect(e.why in _ON, text(c.SP_WORDS_EFFECT_WHY, e.why), e.unknowns, e.flops,
                                                       e.bytes) for k, e in enumerate(out.effect)}
         return Plan(effects, out.islands, out.unknowns, out.flops, out.bytes, out.full_unknowns, out.full_flops, out.full_bytes)
@@ -288,7 +300,7 @@ class BuildOrder:
         status = lib.sp_sequence_open(byref(scene._c), byref(self._settings) if self._settings is not None else None, byref(a),
                                       byref(self._c))
         if status:
-            raise refuse(status)
+            raise _refused(status, self._settings)
 
     def add(self, block: Name, *, ask_hold: bool = False) -> Step:
         """A stone comes, or one that was held is let go."""

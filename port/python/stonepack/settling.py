@@ -1,6 +1,4 @@
 """Where stones come to rest, by Bullet: poses, and whether an assembly keeps still."""
-from __future__ import annotations
-
 import ctypes
 import math
 from ctypes import byref
@@ -9,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional
 from . import _bindings as c
 from ._library import SceneError, settling
 from ._numbers import number, triple, whole
-from .answers import Vec3, vec3
+from .answers import Vec3, no_truth, vec3
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -55,6 +53,9 @@ class Settled(NamedTuple):
     penetration: float
     poses: Dict[str, Pose]
     scene: "Scene"
+
+    def __bool__(self) -> bool:
+        no_truth("its .held")
 
 
 def _settings(lib: Any, scene: "Scene", confirm: bool, words: Dict[str, Any]) -> Any:
