@@ -375,7 +375,7 @@ check: all pair build/run build/run_float build/run_small build/corpus-double.tx
 fuzz: build/stonepack
 	@sh tests/fuzz/fuzz.sh
 
-nightly: all build/corpus-double.txt build/corpus-float.txt
+nightly: all build/corpus-double.txt build/corpus-float.txt $(if $(shell command -v $(PYTHON) 2> /dev/null),build/python/made)
 	@sh tests/checks/nightly.sh
 
 deps:

@@ -60,6 +60,10 @@ case ${1:-} in
 long_san | instrument | strong) "$@"; exit ;;
 esac
 
+if [ -f build/python/made ]; then
+    line "1,000,000 random towers from Python against the closed form" \
+        env PYTHONPATH=build/python python3 -B tests/python/towers.py 1000000 1
+else skip "1,000,000 random towers from Python" python3; fi
 line "all samples, ASan and UBSan" sh "$0" long_san gcc address,undefined
 line "all samples, ASan and UBSan, float" sh "$0" long_san gcc address,undefined -DSP_REAL_FLOAT
 if have clang; then line "all samples, clang's UBSan" sh "$0" long_san clang undefined; else skip "clang's UBSan" clang; fi

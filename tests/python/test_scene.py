@@ -95,6 +95,36 @@ class Misuse(unittest.TestCase):
             self.assertRaises(stonepack.SceneError, call)
         self.assertEqual(len(s), 2)
 
+    def test_a_cube_slides_at_its_friction_and_tips_at_its_breadth(self):
+        for mu in (0.1, 0.5, 0.9, 1.1, 3):
+            s = stonepack.Scene(mu=mu)
+            s.box((9, 1, 1), (0, 0, -0.5), fixed=True)
+            s.box((1, 1, 1), (0, 0, 0.5), name="cube")
+            found = s.sliding((1, 0, 0), starts=1)
+            self.assertEqual((found.kind, found.verified, list(found.motion)), ("state", True, ["cube"]))
+            self.assertAlmostEqual(found.upper, min(mu, 1), 7)
+            self.assertEqual((found.lower, found.lower_strong), (0, 0))     # nothing but friction resists
+
+    def test_what_pressure_alone_carries_is_for_safety(self):
+        s = stonepack.Scene()
+        s.box((1, 1, 1), (0.5, 0.5, -0.5), fixed=True)
+        s.box((1, 1, 1), (0.8, 0.5, 0.5), name="cube")
+        weight = s.blocks[1].mass * 9.80665
+        s.load("cube", (0, 0, -weight), (1.3, 0.5, 0.5), live=True)         # .3 m beyond the edge, the cube .2 m before it
+        found, limit = s.sliding(starts=1), s.limit()
+        for each in (found.upper, found.associative, found.lower, found.lower_strong, limit.multiplier):
+            self.assertAlmostEqual(each, 2 / 3, 7)
+
+    def test_what_is_not_planar_is_not_asked_how_it_slides(self):
+        s = overhang(0.5)
+        found = s.sliding((1, 0.3, 0))
+        self.assertEqual((found.kind, found.reason, found.verified), ("associative", "not asked", False))
+        self.assertEqual(found.upper, s.limit((1, 0.3, 0)).upper)
+        for words, call in (("starts=99", lambda: s.sliding((1, 0, 0), starts=99)), ("starts: a whole", lambda: s.sliding(starts=-1)),
+                            ("tol=0", lambda: s.sliding((1, 0, 0), tol=0)), ("called wind", lambda: s.sliding(wind=3))):
+            with self.assertRaisesRegex(stonepack.SceneError, words):
+                call()
+
     def test_an_answer_is_neither_true_nor_false(self):
         falls = overhang(1.5)
         self.assertTrue(falls.check().unstable)

@@ -12,11 +12,12 @@ SI units: m, kg, s, N. Forces act on block b of a joint, fn > 0 presses.
 """
 from . import meshes, scenes
 from ._library import FileError, SceneError, StonepackError, __version__
-from .answers import (Block, Effect, Evidence, Held, Hinge, Joint, JointForce, Limit, Overlap, Plan, Result, Step, Strong)
+from .answers import (Block, Effect, Evidence, Held, Hinge, Joint, JointForce, Limit, Overlap, Plan, Result, Sliding, Step,
+                      Strong)
 from .scene import BuildOrder, Scene, check_many
 from .scenefiles import parse, read
 from .settling import Pose, Settled
 
 __all__ = ["Block", "BuildOrder", "Effect", "Evidence", "FileError", "Held", "Hinge", "Joint", "JointForce", "Limit", "Overlap",
-           "Plan", "Pose", "Result", "Scene", "SceneError", "Settled", "Step", "StonepackError", "Strong", "__version__", "check_many",
-           "meshes", "parse", "read", "scenes"]
+           "Plan", "Pose", "Result", "Scene", "SceneError", "Settled", "Sliding", "Step", "StonepackError", "Strong", "__version__",
+           "check_many", "meshes", "parse", "read", "scenes"]

@@ -217,6 +217,33 @@ class Strong(NamedTuple):
         no_truth("its .kind")
 
 
+class Sliding(NamedTuple):
+    """How much of the live loads friction bears that does not open joints as it slides.
+
+    kind            "state": a sliding state was found at upper; "associative": none was, upper is that of `limit`
+    reason          "state", "nothing found", or "not asked": not planar, strength in a joint, more than 400 free blocks
+    verified        the certificate check finds the state, too
+    upper           it may slide at this multiple; None: there is no such multiple
+    associative     the upper end of `limit`, whose friction opens joints; nothing is said between the two; None: there is none
+    lower           proved: it does not slide below this multiple
+    lower_strong    proved: up to this multiple it stays whatever friction does; the number for safety
+    residual        of a state: largest violation of its conditions, relative
+    motion          of a state: displacement and rotation by block
+    """
+    kind: str
+    reason: str
+    verified: bool
+    upper: Optional[float]
+    associative: Optional[float]
+    lower: float
+    lower_strong: float
+    residual: float
+    motion: Dict[str, Vec6]
+
+    def __bool__(self) -> bool:
+        no_truth("its .kind")
+
+
 def speeds(dq: Any, count: int) -> List[float]:
     """How fast blocks move in a motion: displacement or rotation, the larger."""
     return [max(max(abs(x) for x in dq[6 * b:6 * b + 6]), 0.0) for b in range(count)]

@@ -12,7 +12,7 @@ from ._assembly import Assembly, Name
 from ._library import SceneError, StonepackError, arena, lib, refuse, text
 from ._numbers import Vector, number, several, triple, whole
 from ._turns import asks
-from .answers import LEVELS, VERDICTS, Effect, Evidence, Held, Limit, Plan, Result, Step, Strong, motion_of, speeds
+from .answers import LEVELS, VERDICTS, Effect, Evidence, Held, Limit, Plan, Result, Sliding, Step, Strong, motion_of, speeds
 from .settling import Settled, settle
 
 _ON = (c.SP_WHY_CALLED, c.SP_WHY_ASKED, c.SP_WHY_STAGES)
@@ -98,7 +98,8 @@ class Scene(Assembly):
     def _bytes(self, what: int, settings: Any, scene: Any = None) -> int:
         """Bytes that a call takes."""
         here, p, need = byref(scene or self._c), (byref(settings) if settings is not None else None), ctypes.c_size_t()
-        if what in (c.SP_FOR_VERIFY, c.SP_FOR_PLAN, c.SP_FOR_LIMIT_VERIFY, c.SP_FOR_STRONG, c.SP_FOR_STRONG_VERIFY):
+        if what in (c.SP_FOR_VERIFY, c.SP_FOR_PLAN, c.SP_FOR_LIMIT_VERIFY, c.SP_FOR_STRONG, c.SP_FOR_STRONG_VERIFY,
+                    c.SP_FOR_SLIDING, c.SP_FOR_SLIDING_VERIFY):
             kept, scratch = None, c.sp_arena()
         else:
             kept, scratch = arena(lib.sp_memory_scratch(here, what, p))
@@ -156,11 +157,17 @@ class Scene(Assembly):
         body      a live load of every block's weight times this vector: (1, 0, 0) asks for an earthquake's share of gravity
         settings  tol, cone, budget, iterations, force_bound, as of check
         """
-        s = _settings(**settings) if settings else None
-        scene = c.sp_scene.from_buffer_copy(self._c)        # numbers of its own, the same arrays
+        return self._limit(self._shaken(body), body, _settings(**settings) if settings else None)
+
+    def _shaken(self, body: Optional[Vector]) -> Any:
+        """The scene with a live load of every block's weight times a vector: numbers of its own, the same arrays."""
+        scene = c.sp_scene.from_buffer_copy(self._c)
         if body is not None:
             g = sum(x * x for x in self._c.gravity) ** 0.5
             scene.body = triple([g * x for x in triple(body, "body")], "body")
+        return scene
+
+    def _limit(self, scene: Any, body: Optional[Vector], s: Any) -> Limit:
         need = self._bytes(c.SP_FOR_LIMIT, s, scene)
         limit = Limit(self, body)
         limit._memory, a = arena(need)
@@ -168,6 +175,32 @@ class Scene(Assembly):
         if status:
             raise _refused(status, s)
         return limit
+
+    @asks
+    def sliding(self, body: Optional[Vector] = None, *, starts: int = 8, work: int = 90, seed: int = 1, **settings: Any) -> Sliding:
+        """How much more until it slides, of a planar scene: friction as it is, which does not open joints as `limit` has it.
+
+        body      as of limit
+        starts    histories that are followed, 0 to 32; work: flops at most, in those of the limit; seed: of the first history
+        settings  tol, budget, force_bound, as of check
+        """
+        scene, s = self._shaken(body), _settings(**settings) if settings else None
+        limit, p = self._limit(scene, body, s), (byref(s) if s is not None else None)
+        how, out = c.sp_sliding_settings(whole(starts, "starts"), whole(work, "work"), whole(seed, "seed")), c.sp_sliding_result()
+        kept, a = arena(self._bytes(c.SP_FOR_SLIDING, s, scene))
+        status = lib.sp_sliding(byref(scene), p, byref(how), byref(limit._c), byref(a), byref(out))
+        if status:
+            raise refuse(status, "starts=%d, work=%d" % (starts, work) if status == c.SP_E_RANGE else "")
+        proved = c.sp_sliding_evidence()
+        kept_too, scratch = arena(self._bytes(c.SP_FOR_SLIDING_VERIFY, None, scene))
+        status = lib.sp_sliding_verify(byref(scene), p, byref(out), scratch, byref(proved))
+        if status:
+            raise refuse(status)
+        is_state = out.kind == c.SP_SLIDING_STATE
+        return Sliding("state" if is_state else "associative", ("state", "nothing found", "not asked")[out.reason],
+                       bool(is_state and proved.state), out.upper if out.upper >= 0 else None,
+                       out.associative if out.associative >= 0 else None, proved.lower, proved.lower_strong, out.residual,
+                       motion_of(self._names, out.v) if is_state else {})
 
     @asks
     def plan(self, **settings: Any) -> Plan:
