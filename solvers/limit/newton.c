@@ -139,6 +139,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     int asks = strong ? SP__LIMIT_ASKS : 24;
     while (asks-- > 0 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest) {
         if (strong && !any && sp__limit_closed(L)) break;
+        if (!strong && !any && L->best < SP__HUGE && a * L->ref <= L->r.lower) return 1;        /* it is known to stand there */
         const sp_verdict claim = sp__limit_ask(L, 1, a, f);
         if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
