@@ -138,6 +138,18 @@ unpacked() {
         export SOURCE_DATE_EPOCH="$(stat -c %Y SHA256SUMS)" && sh port/package/dist.sh) &&
     cmp "build/dist/stonepack-$version.tar.gz" "$to/stonepack-$version/build/dist/stonepack-$version.tar.gz"
 }
+# What is tagged is what port/CHANGELOG.md says, with its day.
+tagged() (
+    rm -rf "$to/tagged" && mkdir -p "$to/tagged/port/package" && cp stonepack.h "$to/tagged" && cp port/CHANGELOG.md "$to/tagged/port" &&
+    cp port/package/dist.sh "$to/tagged/port/package" && cd "$to/tagged" || return 1
+    keep() { git add -A && git -c user.name=a -c user.email=a@example.org -c commit.gpgsign=false commit -q --allow-empty -m "$1"; }
+    git init -q . && keep one && [ "$(sh port/package/dist.sh --version)" = "$version" ] && git tag v99.0.0 || return 1
+    sh port/package/dist.sh --version && { echo "another version's tag is taken"; return 1; }
+    keep two && git tag "v$version" && sed "s/^## $version.*/## $version, not yet released/" port/CHANGELOG.md > new && mv new port/CHANGELOG.md
+    sh port/package/dist.sh --version && { echo "what has no day is released"; return 1; }
+    sed "s/^## $version.*/## $version, 1 May 2026/" port/CHANGELOG.md > new && mv new port/CHANGELOG.md
+    [ "$(sh port/package/dist.sh --version)" = "$version" ]
+)
 # The project's address stands in every package or in none; a tarball made with it keeps it.
 addressed() (
     unset HOMEPAGE
@@ -171,6 +183,7 @@ part "tarball: the same bytes twice" twice
 part "tarball: checksums hold, and it makes itself" unpacked
 if have cmake; then part "CMake project, double and float" cmake_package; else skip "CMake" cmake; fi
 if have meson; then part "Meson subproject" meson_package; else skip "Meson" meson; fi
+if have git; then part "release: its tag, its version and its day are those of the changelog" tagged; fi
 part "address of the project: in every package or none" addressed
 part "switches: each is an option of CMake, Meson, ESP-IDF and Zephyr" every_switch
 if have cmake; then part "CMake: switches" cmake_switches; fi

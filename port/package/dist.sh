@@ -5,11 +5,19 @@
 #
 #     dist.sh [FOLDER]          default build/dist
 #     dist.sh --version         of port/CHANGELOG.md, which is the header's too, or it ends here
+#
+# A release is a commit whose tag is vVERSION, and whose heading in port/CHANGELOG.md has a date: `## 0.2.0, 1 May 2026`. A commit that
+# is tagged otherwise, or before that, makes none.
 set -eu
 export LC_ALL=C TZ=UTC
 version=$(sed -n 's/^## \([0-9][0-9.]*\).*/\1/p' port/CHANGELOG.md | head -n 1)
 header=$(awk '$2 ~ /^SP_VERSION_(MAJOR|MINOR|PATCH)$/ { v = v (v == "" ? "" : ".") $3 } END { print v }' stonepack.h)
 [ "$version" = "$header" ] || { echo "dist: port/CHANGELOG.md is of $version, stonepack.h of $header" >&2; exit 1; }
+for tag in $(git tag --points-at HEAD 2> /dev/null | grep '^v[0-9]'); do
+    [ "$tag" = "v$version" ] || { echo "dist: this commit is tagged $tag, port/CHANGELOG.md is of $version" >&2; exit 1; }
+    grep -qE "^## $version, [0-9]+ [A-Z][a-z]+ [0-9]{4}$" port/CHANGELOG.md ||
+        { echo "dist: this commit is tagged $tag, port/CHANGELOG.md has no day for it" >&2; exit 1; }
+done
 if [ "${1:-}" = --version ]; then echo "$version"; exit; fi
 out=${1:-build/dist}
 to=$out/stonepack-$version
