@@ -63,6 +63,7 @@ export async function openCore(bytes) {
     margin: () => c.page_margin(),
     report: () => string(c.page_report()), json: () => string(c.page_json()), remarks: () => string(c.page_remarks()),
     scene: () => string(c.page_scene()), picture: () => string(c.page_picture()),
+    memory: () => c.memory.buffer.byteLength,
     imports: WebAssembly.Module.imports(new WebAssembly.Module(bytes)).length, FREE, FIXED,
   };
 }

@@ -110,6 +110,24 @@ test('an option that the program does not know is refused', /unknown option '--n
 core.open([], 'wall', readFileSync('tests/scenes/wall.obj'));
 core.check();
 same('after refusals', [], 'tests/scenes/wall.obj');
+/* A page is open for hours: what was made is freed. */
+function hours(times) {
+  for (let k = 0; k < times; k++) {
+    core.open([], 'a.obj', readFileSync(k % 2 ? 'tests/scenes/wall.obj' : 'tests/scenes/arch.obj'));
+    for (let j = 0; j < 4; j++) {
+      core.block(5, [0.001 * j, 0, 0], j === 3, 0);
+      core.build();
+      core.push(4, [10 * j, 0, 0], [0, 0, 0]);
+      core.tilt(j, 40 * k);
+      core.check();
+      core.margin();
+      core.shape();
+    }
+    core.report(), core.json(), core.scene(), core.picture(), core.remarks(), refused('o a\nv 1 2\n');
+  }
+  return core.memory();
+}
+test('memory does not grow', hours(20) === hours(120), String(core.memory()));
 rmSync(folder, { recursive: true });
 console.log(`${passed} passed, ${failed} failed`);
 process.exit(failed ? 1 : 0);
