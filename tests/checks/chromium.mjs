@@ -100,6 +100,16 @@ class Tab {
     await this.mouse('mouseReleased', to[0], to[1]);
     await this.frames();
   }
+  /* Fingers, each [from, to]. */
+  async touch(...fingers) {
+    const at = k => fingers.map(([a, b], id) => ({ x: a[0] + (b[0] - a[0]) * k / 6, y: a[1] + (b[1] - a[1]) * k / 6, id }));
+    await this.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 });
+    await this.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) });
+    for (let k = 1; k <= 6; k++) await this.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(k) });
+    await this.frames();
+    await this.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await this.frames();
+  }
   async key(key, code = key) {
     const known = { ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Delete: 46, Tab: 9 };
     const text = key.length === 1 ? key : undefined;

@@ -280,6 +280,22 @@ async function small() {
   test('who wants less motion sees a state, not a motion', one === (await drawn(tab)).hash
     && await verdict(tab) === 'unstable');
   await shot(tab, 'phone-dark-falls');
+  const eye = () => tab.value(`${P}.view.camera.position.toArray().concat(${P}.view.camera.position.length())`);
+  const from = await eye();
+  await tab.touch([[200, 300], [280, 310]]);
+  const turned = await eye();
+  test('a finger turns the view', Math.abs(turned[0] - from[0]) > 0.1 && Math.abs(turned[3] - from[3]) < 1e-6);
+  await tab.touch([[180, 300], [130, 300]], [[220, 300], [270, 300]]);
+  test('two fingers come nearer', (await eye())[3] < 0.8 * turned[3]);
+  await tab.value(`document.querySelector('[value=move]').click(), ${P}.view.home()`);
+  await tab.frames();
+  const stone = await place(tab, 8);
+  await tab.touch([stone, [stone[0] + 40, stone[1]]]);
+  test('a finger moves a stone', await tab.value(`Math.hypot(...${P}.model.state.change[8].by) > 0.01`));
+  await tab.value(`document.querySelector('[value=turn]').click()`);
+  await press(tab, 'restore');
+  await tab.touch([[200, 700], [200, 560]]);
+  test('a finger below the picture scrolls the page', await tab.until('scrollY > 50'));
   await tab.value('scrollTo(0, 600)');
   await tab.frames();
   await shot(tab, 'phone-dark-below');
