@@ -136,7 +136,7 @@ $(SHARED): build/shared.o
 
 # Python: structs and calls read from the header, asserted by the compiler; the program's reader and pictures as a second library.
 PYTHON  ?= python3
-DRAW     = $(wildcard port/host/picture/*.c) port/host/weakest.c port/host/motion.c
+DRAW     = $(wildcard port/host/picture/*.c) $(addprefix port/host/,weakest.c motion.c command/report.c command/report_json.c)
 PY_FILES = $(wildcard port/python/stonepack/*.py) port/python/stonepack/py.typed port/python/README.md LICENSE
 
 build/libstonepack_files.so: port/python/files.c port/python/older.h $(READ) $(DRAW) $(HOST_H) $(SHARED)

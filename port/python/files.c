@@ -1,6 +1,8 @@
-/* Scene files and pictures of the program for other languages: what `convert` reads and writes, what `check --svg` draws.
+/* Scene files, pictures and answers of the program for other languages: what `convert` reads and writes, what `check --svg` draws
+ * and `check --json --forces` tells.
  *
  * A shared library over the other one. Strings, structs of stonepack.h and a handle cross, no struct of the program. */
+#include "../host/command/report.h"
 #include "../host/files/drawn.h"
 #include "../host/files/file.h"
 #include "../host/files/obj_write.h"
@@ -46,6 +48,12 @@ FILES_API void files_free(files_scene *f);
 FILES_API int files_write(const char *path, const sp_scene *scene, const char *const *name, char *message);
 FILES_API int files_draw(const char *path, const sp_scene *scene, const char **name, const char *title, const sp_result *result,
                          const sp_limit_result *limit, int names, char *message);
+
+/* Write the answer of a check, with all forces, as `stonepack verify` reads it; path_of_scene is for whoever reads it.
+ *   cone      "true", "8i" ...; settings: as they were asked
+ *   returns   0, else message tells */
+FILES_API int files_json(const char *path, const sp_scene *scene, const char **name, const char *path_of_scene,
+                         const sp_result *result, const sp_settings *settings, const char *cone, char *message);
 
 files_scene *files_new(void)
 {
@@ -130,6 +138,35 @@ int files_write(const char *path, const sp_scene *scene, const char *const *name
     FILE *out = file_create(path, &error);
     int status = error.status;
     if (out) status = file_finish(out, path, obj_write(out, scene, name, path, &error), &error);
+    return told(status, &error, message);
+}
+
+int files_json(const char *path, const sp_scene *scene, const char **name, const char *path_of_scene, const sp_result *result,
+               const sp_settings *settings, const char *cone, char *message)
+{
+    failure error = { 0, "" };
+    host_scene s;
+    options asked;
+    report r;
+    memset(&s, 0, sizeof s);
+    memset(&asked, 0, sizeof asked);
+    memset(&r, 0, sizeof r);
+    s.path = (char *)(uintptr_t)path_of_scene;
+    s.scene = *scene;
+    s.name = name;
+    asked.forces = 1;
+    asked.scene.mu = -1;
+    asked.settings = *settings;
+    strncpy(asked.cone, cone, sizeof asked.cone - 1);
+    r.scene = &s;
+    r.options = &asked;
+    r.result = *result;
+    FILE *out = file_create(path, &error);
+    int status = error.status;
+    if (out) {
+        report_json(out, &r);
+        status = file_finish(out, path, 0, &error);
+    }
     return told(status, &error, message);
 }
 

@@ -2,6 +2,7 @@
 import copy
 import gc
 import inspect
+import json
 import math
 import os
 import pickle
@@ -94,6 +95,18 @@ class Misuse(unittest.TestCase):
                      lambda: s.box((1, 1, 1), name="a\0b"), lambda: s.box((1, 1, 1), name="\udc80")):
             self.assertRaises(stonepack.SceneError, call)
         self.assertEqual(len(s), 2)
+
+    def test_an_answer_is_told_as_the_program_tells_it(self):
+        for load in (0.2, 1.5):
+            s = overhang(load)
+            result = s.check(tol=1e-7, cone="8i")
+            told = json.loads(result.json(scene="two.obj"))
+            self.assertEqual((told["scene"], told["verdict"], told["verified"], told["tol"], told["tol_by"], told["asked"]["cone"]),
+                             ("two.obj", result.verdict, True, 1e-7, "asked", "8i"))
+            self.assertEqual([tuple(f) for f in told["forces"]], list(result.forces))
+            self.assertEqual([m["block"] for m in told["mechanism"]], result.moving)
+        with self.assertRaises(stonepack.FileError):
+            result.json("/nonexistent/answer.json")
 
     def test_a_cube_slides_at_its_friction_and_tips_at_its_breadth(self):
         for mu in (0.1, 0.5, 0.9, 1.1, 3):

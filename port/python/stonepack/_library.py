@@ -52,6 +52,8 @@ _FILES_CALLS = {
     "files_write": (_I, [_S, ctypes.POINTER(c.sp_scene), ctypes.POINTER(_S), ctypes.c_char_p]),
     "files_draw": (_I, [_S, ctypes.POINTER(c.sp_scene), ctypes.POINTER(_S), _S, ctypes.POINTER(c.sp_result),
                         ctypes.POINTER(c.sp_limit_result), _I, ctypes.c_char_p]),
+    "files_json": (_I, [_S, ctypes.POINTER(c.sp_scene), ctypes.POINTER(_S), _S, ctypes.POINTER(c.sp_result),
+                        ctypes.POINTER(c.sp_settings), _S, ctypes.c_char_p]),
 }
 _files = None
 files_lock = threading.Lock()                           # the reader and the pictures are made for one caller at a time

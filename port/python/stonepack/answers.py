@@ -448,6 +448,14 @@ class Result(_Answer):
         return pictures.draw(self._there(), self._c, None, path, names, title)
 
     @asks
+    def json(self, path: Optional[str] = None, *, scene: str = "scene") -> str:
+        """What `check --json --forces` tells, as text and into a file: `stonepack verify` judges it anew. scene: a name for it."""
+        from . import scenefiles
+        s = self._settings if self._settings is not None else lib.sp_settings_default()
+        cone = "%d%s" % (s.faces, "i" if s.inscribed else "c") if s.faces else "true"
+        return scenefiles.write_json(self._there(), self._c, s, cone, path, scene)
+
+    @asks
     def _joint(self, k: int) -> JointForce:
         scene, out = self._there(), c.sp_joint_force()
         status = lib.sp_joint_resultant(ctypes.byref(scene._c), ctypes.byref(self._c), k, ctypes.byref(out))

@@ -126,6 +126,20 @@ def write(scene: Scene, path: Union[str, "os.PathLike[str]"]) -> None:
         raise FileError(message.value.decode(errors="replace"))
 
 
+def write_json(scene: Scene, result: Any, settings: Any, cone: str, path: Optional[str], name: str) -> str:
+    """The text of `check --json --forces`."""
+    told = letters(name, "scene")
+
+    def put(where: str) -> None:
+        message = ctypes.create_string_buffer(512)
+        with files_lock:
+            failed = files().files_json(path_of(where), ctypes.byref(scene._c), c_names(scene), told, ctypes.byref(result),
+                                        ctypes.byref(settings), cone.encode(), message)
+        if failed:
+            raise FileError(message.value.decode(errors="replace"))
+    return by_file(put, path, ".json")
+
+
 def by_file(put: Any, path: Optional[str], suffix: str) -> str:
     """What put(path) writes, as text; the file stays if it was named."""
     if path is not None:
