@@ -68,6 +68,27 @@ class Assertions(unittest.TestCase):
         with self.assertRaises(Undecided):
             assert_falls(s, budget=1)
 
+    def test_a_mistake_in_a_test_is_no_failure_of_what_it_tests(self):
+        wall = scenes.wall(2, 2)
+        light = wall.copy()
+        light.gravity = (0, 0, 0)
+        for words, call in (("a scene is wanted, not None", lambda: assert_stands(None)),
+                            ("a scene is wanted, not <stable>", lambda: assert_falls(wall.check())),
+                            ("a scene is wanted", lambda: assert_build_order([wall])),
+                            ("margin: a share from 0", lambda: assert_stands(wall, margin=-0.1)),
+                            ("margin: a share from 0", lambda: assert_falls(wall, margin=float("nan"))),
+                            ("gravity is 0", lambda: assert_stands(light, margin=0.01)),
+                            ("no block is called 'prop'", lambda: assert_build_order(wall, held="prop"))):
+            with self.assertRaisesRegex(stonepack.SceneError, words):
+                call()
+        self.assertTrue(assert_stands(light).stable)
+
+    def test_strategies_without_hypothesis_say_what_they_need(self):
+        code = "import sys; sys.modules['hypothesis'] = None; import stonepack.testing, stonepack.strategies"
+        told = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True,
+                              env=dict(os.environ, PYTHONPATH=os.path.dirname(os.path.dirname(stonepack.__file__))))
+        self.assertIn("needs Hypothesis, pip install hypothesis", told.stderr)
+
     def test_a_build_order_names_step_stone_and_prop(self):
         arch = stonepack.read("tests/scenes/arch.obj")
         self.fails(["step 3 of 15, laying 'b3'", "order     b1, b2, b3", "to hold   b2"], assert_build_order, arch)

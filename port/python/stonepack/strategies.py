@@ -15,8 +15,12 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Tuple
 
-from hypothesis import assume
-from hypothesis import strategies as st
+try:
+    from hypothesis import assume
+    from hypothesis import strategies as st
+except ImportError as lacks:
+    raise ImportError("stonepack.strategies needs Hypothesis, pip install hypothesis (%s); stonepack.scenes and "
+                      "stonepack.testing need nothing" % lacks) from None
 
 from . import meshes, scenes
 from .scene import Scene

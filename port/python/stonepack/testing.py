@@ -13,7 +13,8 @@ import re
 from typing import Any, Iterable, List, Optional
 
 from ._assembly import Name
-from ._library import StonepackError
+from ._library import SceneError, StonepackError
+from ._numbers import number, several
 from .answers import Result, Step
 from .scene import Scene
 
@@ -80,6 +81,16 @@ def _report(scene: Scene, result: Result) -> List[str]:
     return lines + (["  made by   %s" % scene.recipe] if scene.recipe else [])
 
 
+def _wanted(scene: Any, margin: float = 0.0) -> None:
+    """What is asserted about must be a scene: a mistake in a test is no failure of what it tests."""
+    if not isinstance(scene, Scene):
+        raise SceneError("a scene is wanted, not %r" % (scene,))
+    if not 0 <= number(margin, "margin") < math.inf:
+        raise SceneError("margin: a share from 0 is wanted, not %r" % (margin,))
+    if margin > 0 and not any(scene.gravity):
+        raise SceneError("margin: gravity is 0, nothing can lean")
+
+
 def assert_stands(scene: Scene, *, margin: float = 0.0, **settings: Any) -> Result:
     """The scene stands, by verified forces.
 
@@ -88,6 +99,7 @@ def assert_stands(scene: Scene, *, margin: float = 0.0, **settings: Any) -> Resu
     raises    AssertionError that names the stone that falls; Undecided
     """
     __tracebackhide__ = True
+    _wanted(scene, margin)
     result = scene.check(**settings)
     if result.undecided:
         raise Undecided(scene, result, "the scene is undecided: nearer to a limit than tol can tell")
@@ -128,6 +140,7 @@ def assert_falls(scene: Scene, *, margin: float = 0.0, **settings: Any) -> Resul
     raises    AssertionError that names the weakest joint; Undecided
     """
     __tracebackhide__ = True
+    _wanted(scene, margin)
     result = scene.check(**settings)
     if result.undecided:
         raise Undecided(scene, result, "the scene is undecided: nearer to a limit than tol can tell")
@@ -147,9 +160,10 @@ def assert_build_order(scene: Scene, order: Optional[Iterable[Name]] = None, *, 
     raises    AssertionError that names the step, the stone that falls, and what must be held; Undecided
     """
     __tracebackhide__ = True
-    names, props = scene.names, {scene.number(b) for b in held}
+    _wanted(scene)
+    names, props = scene.names, {scene.number(b) for b in several(held, "held")}
     free = [k for k, block in enumerate(scene.blocks) if not block.fixed]
-    laid = free if order is None else [scene.number(b) for b in order]
+    laid = free if order is None else [scene.number(b) for b in several(order, "order")]
     if sorted(laid) != free:
         lack = [names[k] for k in free if k not in laid]
         twice = [names[k] for k in set(laid) if laid.count(k) > 1 or k not in free]
