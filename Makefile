@@ -136,7 +136,7 @@ $(SHARED): build/shared.o
 
 # Python: structs and calls read from the header, asserted by the compiler; the program's reader and pictures as a second library.
 PYTHON  ?= python3
-DRAW     = $(wildcard port/host/picture/*.c) $(addprefix port/host/,weakest.c motion.c command/report.c command/report_json.c)
+DRAW     = $(wildcard port/host/picture/*.c) $(addprefix port/host/,weakest.c motion.c reason.c command/report.c command/report_json.c)
 PY_FILES = $(wildcard port/python/stonepack/*.py) port/python/stonepack/py.typed port/python/README.md LICENSE
 
 build/libstonepack_files.so: port/python/files.c port/python/older.h $(READ) $(DRAW) $(HOST_H) $(SHARED)
@@ -313,7 +313,7 @@ deb: dist
 
 # The page: the library, the program's reader and its reports as WebAssembly, three.js, all in one file.
 PAGE_F   = $(filter-out $(addprefix port/host/files/,file.c meshes.c raster.c drawn.c done.c csv_out.c qps_read.c),$(wildcard port/host/files/*.c))
-PAGE_H   = $(addprefix port/host/,run.c tilt.c motion.c weakest.c $(addprefix command/,options.c solvers.c report.c report_text.c report_json.c))
+PAGE_H   = $(addprefix port/host/,run.c tilt.c motion.c reason.c weakest.c $(addprefix command/,options.c solvers.c report.c report_text.c report_json.c))
 PAGE_C   = stonepack.c $(wildcard port/page/*.c port/host/picture/*.c) $(PAGE_F) $(PAGE_H)
 PAGE_O   = $(PAGE_C:%.c=build/page/%.o)
 WASM_CC ?= clang

@@ -25,3 +25,20 @@ double motion_speed(const sp_scene *s, const sp_result *x, int32_t b)
     const double go = sqrt((double)(dq[0] * dq[0] + dq[1] * dq[1] + dq[2] * dq[2]));
     return (go > turn ? go : turn) / unit;
 }
+
+int32_t motion_fastest(const sp_scene *s, const sp_result *x, int32_t most, int32_t *block)
+{
+    int32_t moving = 0, kept = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) {
+        const double v = motion_speed(s, x, b);
+        if (!(v > MOTION_STILL)) continue;
+        moving++;
+        int32_t k = kept;                               /* its place: equal to rounding, it comes later */
+        while (k > 0 && v > (1 + MOTION_STILL) * motion_speed(s, x, block[k - 1])) k--;
+        if (k >= most) continue;
+        if (kept < most) kept++;
+        for (int32_t i = kept - 1; i > k; i--) block[i] = block[i - 1];
+        block[k] = b;
+    }
+    return moving;
+}

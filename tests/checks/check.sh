@@ -390,7 +390,7 @@ py_sanitized() {
     # shellcheck disable=SC2086,SC2016
     $CC -shared $san -Wl,-soname,"$(basename "$ps_lib")" build/asan.o -o "$ps_lib" &&
     $CC $plain -O0 -fPIC -shared $san -fvisibility=hidden -ffunction-sections -fdata-sections -Wl,--gc-sections '-Wl,-rpath,$ORIGIN' \
-        port/python/files.c port/host/run.c port/host/clock.c port/host/weakest.c port/host/motion.c port/host/files/*.c \
+        port/python/files.c port/host/run.c port/host/clock.c port/host/weakest.c port/host/motion.c port/host/reason.c port/host/files/*.c \
         port/host/picture/*.c port/host/command/report.c port/host/command/report_json.c "$ps_lib" -lm -o $ps/libstonepack_files.so &&
     env LD_PRELOAD="$($CC -print-file-name=libasan.so) $($CC -print-file-name=libubsan.so)" PYTHONMALLOC=malloc \
         ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=$out/sanitized $py -B tests/python/run.py test_scene test_kit.Assertions

@@ -1,5 +1,6 @@
 /* Pictures of checked scenes: what is drawn, and from where. Host only. */
 #include "../test.h"
+#include "../../port/host/motion.h"
 #include "../../port/host/run.h"
 #include "../../port/host/picture/mechanism.h"
 #include "../../port/host/picture/model.h"
@@ -188,6 +189,35 @@ TEST(blocks_told_of_have_their_names)
     for (int32_t b = 0; b < k.host.scene.count.blocks; b++) {
         snprintf(text, sizeof text, ">%s</text>", k.names[b]);
         CHECK_INT(strstr(end, text) != NULL, fabs((double)k.result.dq[6 * b + 2]) > 1e-6);
+    }
+    free(svg);
+    let_go(&k);
+}
+
+/* Of those that move the six that go farthest, wherever they are in the file: here the last six. */
+TEST(the_fastest_blocks_have_their_names)
+{
+    checked k;
+    char text[32];
+    int32_t fastest[MOTION_NAMED];
+    NEED(make(&k, "arch", "t", 0.09));
+    sp_real *dq = (sp_real *)k.result.dq;
+    const int32_t blocks = k.host.scene.count.blocks;
+    memset(dq, 0, 6 * (size_t)blocks * sizeof *dq);
+    for (int32_t b = 3; b < blocks; b++) dq[6 * b + 2] = R(-1.0 * b / blocks);
+    CHECK_INT(motion_fastest(&k.host.scene, &k.result, MOTION_NAMED, fastest), blocks - 3);
+    for (int i = 0; i < MOTION_NAMED; i++) CHECK_INT(fastest[i], blocks - 1 - i);
+    for (int32_t b = 3; b < blocks; b++) dq[6 * b + 2] = R(-0.5 - 1e-9 * b);
+    CHECK_INT(motion_fastest(&k.host.scene, &k.result, 2, fastest), blocks - 3);
+    CHECK(fastest[0] == 3 && fastest[1] == 4);          /* as fast to rounding: the first */
+    for (int32_t b = 3; b < blocks; b++) dq[6 * b + 2] = R(-1.0 * b / blocks);
+    char *svg = draw(&k, 0);
+    NEED(svg);
+    const char *end = strstr(svg, "How it starts to move");
+    NEED(end);
+    for (int32_t b = 0; b < blocks; b++) {
+        snprintf(text, sizeof text, ">%s</text>", k.names[b]);
+        CHECK_INT(strstr(end, text) != NULL, b >= blocks - MOTION_NAMED);
     }
     free(svg);
     let_go(&k);
@@ -397,6 +427,7 @@ TEST_LIST(picture)
     RUN(a_scene_with_y_up_is_seen_as_with_z_up)
     RUN(a_stable_scene_has_one_picture_a_falling_one_two)
     RUN(blocks_told_of_have_their_names)
+    RUN(the_fastest_blocks_have_their_names)
     RUN(names_asked_for_stand_on_what_is_seen)
     RUN(marked_blocks_show_through_what_hides_them)
     RUN(moved_blocks_keep_their_shape)

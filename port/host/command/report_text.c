@@ -1,4 +1,5 @@
 #include "../motion.h"
+#include "../reason.h"
 #include "../weakest.h"
 #include "report.h"
 
@@ -8,29 +9,6 @@
 static const char *capitals(sp_verdict v)
 {
     return v == SP_STABLE ? "STABLE" : v == SP_UNSTABLE ? "UNSTABLE" : "UNDECIDED";
-}
-
-static const char *text_of_reason(sp_reason reason)
-{
-    switch (reason) {
-    case SP_REASON_FORCES:     return "forces that the joints can carry hold every block in equilibrium";
-    case SP_REASON_NOTHING:    return "nothing to carry: no free block, or no load";
-    case SP_REASON_NO_CONTACT: return "a block touches nothing";
-    case SP_REASON_NO_SUPPORT: return "a group of blocks has no path to a support";
-    case SP_REASON_MECHANISM:  return "the blocks can move in a way that no force of the joints can resist";
-    case SP_REASON_LIMIT:      return "neither forces nor a motion within tol: the limit is nearer than that";
-    case SP_REASON_BUDGET:     return "the search gave up, its work spent or without progress: "
-                                      "neither forces nor a motion within tol";
-    case SP_REASON_STAGES:     return "the chosen stages can't decide this";
-    case SP_REASON_NO_MOTION:  return "forces exist, but no virtual motion explains any of them";
-    case SP_REASON_NOT_COUPLED: return "forces exist; neither a virtual motion that explains them nor a proof against one was "
-                                       "found";
-    case SP_REASON_TENSION:    return "the penalty form is solved, but wants tension: no proof either way";
-    case SP_REASON_UNVERIFIED: return "a solver's answer did not pass verification: no forces, and no motion that proves "
-                                      "anything";
-    case SP_REASON_EFFECT:     return "an effect was left out that the scene calls for";
-    default:                   return "";
-    }
 }
 
 /* 1234.5 with a unit of thousands: "1.23 kN". */
@@ -159,14 +137,12 @@ static void text_weakest(FILE *out, const report *r)
 
 static void text_mechanism(FILE *out, const report *r)
 {
-    enum { SHOWN = 6 };
-    int32_t moving = 0;
+    int32_t fastest[MOTION_NAMED];
     if (r->result.verdict != SP_UNSTABLE || r->result.reason == SP_REASON_NO_MOTION) return;
     report_row(out, "moving");
-    for (int32_t b = 0; b < r->scene->scene.count.blocks; b++)
-        if (motion_speed(&r->scene->scene, &r->result, b) > MOTION_STILL && moving++ < SHOWN)
-            fprintf(out, "%s%s", moving > 1 ? ", " : "", r->scene->name[b]);
-    if (moving > SHOWN) fprintf(out, " and %ld more", (long)(moving - SHOWN));
+    const int32_t moving = motion_fastest(&r->scene->scene, &r->result, MOTION_NAMED, fastest);
+    for (int k = 0; k < moving && k < MOTION_NAMED; k++) fprintf(out, "%s%s", k ? ", " : "", r->scene->name[fastest[k]]);
+    if (moving > MOTION_NAMED) fprintf(out, " and %ld more", (long)(moving - MOTION_NAMED));
     fputc('\n', out);
 }
 
@@ -279,7 +255,7 @@ void report_text(FILE *out, const report *r)
     if (r->options->quiet) return;
     report_row(out, "why");
     if (r->result.verdict != SP_STABLE && !report_supported(r)) fputs("nothing is fixed, so nothing holds these blocks: ", out);
-    fprintf(out, "%s\n", text_of_reason(r->result.reason));
+    fprintf(out, "%s\n", reason_words(r->result.reason));
     text_certainty(out, r);
     report_tol(out, r);
     text_coupled(out, r);

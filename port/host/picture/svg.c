@@ -1,4 +1,5 @@
 #include "svg.h"
+#include "../motion.h"
 #include "../weakest.h"
 #include "joints.h"
 #include "names.h"
@@ -64,10 +65,10 @@ typedef struct picture {
     int deep;
 } picture;
 
-/* Names on one picture; the words of the first tell of the weakest joint, those of the second of the first that move. */
+/* Names on one picture; the words of the first tell of the weakest joint, those of the second of the fastest. */
 static int draw_names(words *w, picture *p, const drawing *d, int after)
 {
-    enum { TOLD = 6 };
+    int32_t fastest[MOTION_NAMED];
     const int32_t blocks = d->s->count.blocks;
     sp_real middle[3];
     const sp_joint *told = !after && w->weakest >= 0 ? &d->s->joint[w->weakest] : NULL;
@@ -79,8 +80,8 @@ static int draw_names(words *w, picture *p, const drawing *d, int after)
         middle[c] = 0;
         for (int32_t k = 0; k < told->points; k++) middle[c] += d->s->point[told->point + k][c] / (sp_real)told->points;
     }
-    for (int32_t b = 0, k = 0; after && b < blocks && k < TOLD; b++)
-        if (p->mark[b] == MARK_FALLS) p->told[b] = 1, k++;
+    const int32_t moving = after ? motion_fastest(p->d.s, w->of->result, MOTION_NAMED, fastest) : 0;
+    for (int k = 0; k < moving && k < MOTION_NAMED; k++) p->told[fastest[k]] = 1;
     return names_draw(&n, d, after ? &w->named[1] : &w->named[0]);
 }
 

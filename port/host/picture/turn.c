@@ -78,6 +78,16 @@ static void put_pairs(FILE *out, const subject *of)
     fputs("],\n", out);
 }
 
+/* Blocks that have their names where it moves. */
+static void put_fastest(FILE *out, const subject *of)
+{
+    int32_t fastest[MOTION_NAMED];
+    const int32_t moving = motion_fastest(&of->scene->scene, of->result, MOTION_NAMED, fastest);
+    fputs("\"fast\":[", out);
+    for (int k = 0; k < moving && k < MOTION_NAMED; k++) fprintf(out, "%s%ld", k ? "," : "", (long)fastest[k]);
+    fputs("],\n", out);
+}
+
 /* The axes of the scene, the last one up, and from where it is seen first: azimuth and rise [rad]. */
 static void put_view(FILE *out, const sp_scene *s, const view *v)
 {
@@ -105,6 +115,7 @@ static int put_scene(FILE *out, const subject *of, const forces *f, const mechan
     put_blocks(out, of, m->shift > 0);
     put_joints(out, s, f);
     put_pairs(out, of);
+    if (m->shift > 0) put_fastest(out, of);
     return good;
 }
 

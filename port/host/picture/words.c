@@ -1,5 +1,6 @@
 #include "words.h"
 #include "../motion.h"
+#include "../reason.h"
 #include "mind.h"
 #include "page.h"
 
@@ -33,6 +34,21 @@ static void put_friction(const words *w)
     fprintf(w->out, high > low ? ", friction %.4g to %.4g" : ", friction %.4g", low, high);
 }
 
+static int rubs(const sp_scene *s)
+{
+    for (int32_t i = 0; i < s->count.joints; i++) if (s->joint[i].strength.mu > 0) return 1;
+    return 0;
+}
+
+/* What is known of a limit from both sides. */
+static void put_bracket(FILE *out, const sp_limit_result *x)
+{
+    if (x->lower >= 0) fprintf(out, "forces carry %.9g", (double)x->lower);
+    if (x->upper >= 0) fprintf(out, "%s mechanism falls at %.9g", x->lower < 0 ? "a" : ", a", (double)x->upper);
+    if (x->lower < 0 && x->upper < 0) fputs("neither bound found", out);
+    fputs(x->verified ? ", verified" : "", out);
+}
+
 static void title_of_limit(const words *w)
 {
     const sp_limit_result *x = w->of->limit;
@@ -48,9 +64,11 @@ static void title_of_limit(const words *w)
             text_s(w->d->s->count.joints));
     put_friction(w);
     fprintf(w->out, "</text>\n<text x=\"%.0f\" y=\"80\" font-size=\"13\" fill=\"#555\">", PAGE_MARGIN);
-    if (x->kind == SP_LIMIT_FOUND) fprintf(w->out, "forces carry %.9g, this mechanism falls at %.9g%s; ", (double)x->lower,
-                                           (double)x->upper, x->verified ? ", verified" : "");
-    if (x->kind == SP_LIMIT_FOUND || x->kind == SP_LIMIT_UNBOUNDED) fputs("with friction an upper value", w->out);
+    put_bracket(w->out, x);
+    if (rubs(w->d->s) && (x->kind == SP_LIMIT_FOUND || x->kind == SP_LIMIT_UNBOUNDED))
+        fputs("; with friction an upper value", w->out);
+    if (x->kind == SP_LIMIT_UNDECIDED)
+        fputs(x->reason == SP_REASON_BUDGET ? "; the search spent its budget" : "; the two do not meet at this tolerance", w->out);
     fputs("</text>\n", w->out);
 }
 
@@ -64,7 +82,7 @@ static void put_certainty(const words *w)
     else if (x->reason == SP_REASON_NO_MOTION) fputs("forces exist, but no virtual motion explains any of them", w->out);
     else if (x->verdict == SP_UNSTABLE)
         fprintf(w->out, "at best a block stays unbalanced by %.2g of its forces", (double)x->least_imbalance);
-    else fprintf(w->out, "best forces leave an imbalance of %.2g, tolerance %.2g", (double)x->imbalance, (double)x->tol);
+    else fprintf(w->out, "%s, %.2g", reason_words(x->reason), (double)x->tol);
     if (x->verdict != SP_UNDECIDED) fputs(x->verified ? ", verified" : ", not verified", w->out);
 }
 
