@@ -68,7 +68,8 @@ static void title_of_limit(const words *w)
     if (rubs(w->d->s) && (x->kind == SP_LIMIT_FOUND || x->kind == SP_LIMIT_UNBOUNDED))
         fputs("; with friction an upper value", w->out);
     if (x->kind == SP_LIMIT_UNDECIDED)
-        fputs(x->reason == SP_REASON_BUDGET ? "; the search spent its budget" : "; the two do not meet at this tolerance", w->out);
+        fputs(x->reason == SP_REASON_BUDGET ? "; the search spent its budget" : "; the two do not meet at this tolerance",
+              w->out);
     fputs("</text>\n", w->out);
 }
 
