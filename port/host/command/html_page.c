@@ -19,6 +19,8 @@ static const char style[] =
 ":focus-visible { outline: 3px solid #2f7fd6; outline-offset: 1px; }\n"
 "div { overflow-x: auto; } div > svg { min-width: 44rem; max-width: 100%; height: auto; }\n"
 "div.rose > svg { min-width: 0; }\n"
+"@media (max-width: 44rem) { div.wide::before { content: 'Wider than this page: move it sideways.'; display: block;\n"
+"  position: sticky; left: 0; opacity: .75; } }\n"
 "table { border-collapse: collapse; }\n"
 "th, td { border-bottom: 1px solid var(--line); padding: .15rem .6rem; text-align: right; }\n"
 "th button, td button { font: inherit; color: inherit; background: none; border: 0; text-decoration: underline; }\n";

@@ -52,7 +52,7 @@ static void put_table(FILE *out, const report *r)
 {
     static const char *const head[] = {
         "joint", "a", "b", "area [m\302\262]", "compression [N]", "friction used [%]", NULL };
-    fputs("<h2>Joints</h2>\n<div><table id=\"joints\">\n<thead><tr>", out);
+    fputs("<h2>Joints</h2>\n<div class=\"wide\"><table id=\"joints\">\n<thead><tr>", out);
     for (int k = 0; k < 7; k++)
         fprintf(out, "<th scope=\"col\"><button type=\"button\">%s</button></th>",
                 head[k] ? head[k] : r->limit ? "gives way" : "lacks [N]");

@@ -556,7 +556,7 @@ static int put_body(FILE *out, const void *of)
 {
     const run *r = of;
     if (r->steps) put_controls(out, r);
-    fputs("<div>\n", out);
+    fputs("<div class=\"wide\">\n", out);
     if (!put_strip(out, r)) return 0;
     fprintf(out, "</div>\n<div><table id=\"steps\">\n<thead><tr><th scope=\"col\">step</th><th scope=\"col\">%s</th>"
             "<th scope=\"col\">verdict</th><th scope=\"col\">hold</th></tr></thead>\n<tbody>\n",

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define LETTER 6.2                      /* width of one [px] */
+#define BOLD   7.4                      /* of a name that the words tell */
 #define LINE   12.0                     /* height of a name [px] */
 #define LONGEST 24                      /* characters shown */
 
@@ -23,10 +24,10 @@ static int apart(const seen_box *a, const seen_box *b)
     return a->high[0] <= b->low[0] || b->high[0] <= a->low[0] || a->high[1] <= b->low[1] || b->high[1] <= a->low[1];
 }
 
-static seen_box name_box(const char *text, const char *more, const double at[2])
+static seen_box name_box(const char *text, const char *more, double letter, const double at[2])
 {
     const size_t n = strlen(text);
-    const double wide = LETTER * (double)((n < LONGEST ? n : LONGEST + 3) + strlen(more)) + 2;
+    const double wide = letter * (double)((n < LONGEST ? n : LONGEST + 3) + strlen(more)) + 2;
     const seen_box b = { { at[0] - wide / 2, at[1] - LINE / 2 }, { at[0] + wide / 2, at[1] + LINE / 2 } };
     return b;
 }
@@ -42,7 +43,7 @@ static int is_free(const placed *p, const seen_box *b)
 /* A name at a point of the page; it tells of a block at `from`, to which a line leads where that is not under the name. */
 static void draw_name(placed *p, FILE *out, const char *text, const char *more, const double at[2], const double *from)
 {
-    const seen_box b = name_box(text, more, at);
+    const seen_box b = name_box(text, more, from ? BOLD : LETTER, at);
     const int off = from && (from[0] < b.low[0] || from[0] > b.high[0] || from[1] < b.low[1] || from[1] > b.high[1]);
     p->name[p->count++] = b;
     if (off) fprintf(out, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#111\" stroke-width=\"0.8\" stroke-opacity=\"1\"/>\n",
@@ -70,13 +71,13 @@ static void draw_told(placed *p, const drawing *d, const names *n, int32_t block
     drawing_point(d, n->at ? n->at : d->s->block[block].centroid, near_to);
     drawing_point(d, d->s->block[block].centroid, from);
     const char *more = seen_spot(&p->view, block, near_to, from) ? "" : " (behind)";
-    const seen_box first = name_box(n->text[block], more, from);
+    const seen_box first = name_box(n->text[block], more, BOLD, from);
     for (int k = 0; k <= PLACES; k++) {
         double step[2];
         try_place(k < PLACES ? k : 0, step);
         at[0] = from[0] + step[0] * (first.high[0] - first.low[0] + 2);
         at[1] = from[1] + step[1] * LINE;
-        const seen_box b = name_box(n->text[block], more, at);
+        const seen_box b = name_box(n->text[block], more, BOLD, at);
         if (is_free(p, &b)) break;
     }
     draw_name(p, d->out, n->text[block], more, at, from);
@@ -87,7 +88,7 @@ static void draw_asked(placed *p, const drawing *d, const char *text, int32_t bl
 {
     double at[2];
     drawing_point(d, d->s->block[block].centroid, at);
-    const seen_box b = name_box(text, "", at);
+    const seen_box b = name_box(text, "", LETTER, at);
     const seen_box *o = &p->view.paper[block];
     if (b.high[0] - b.low[0] > o->high[0] - o->low[0] || b.high[1] - b.low[1] > 1.3 * (o->high[1] - o->low[1])) return;
     if (is_free(p, &b) && seen_block_at(&p->view, block, at)) draw_name(p, d->out, text, "", at, NULL);

@@ -131,7 +131,7 @@ static void legend_forces(const words *w, double x, double y)
           : w->of->limit ? ", force of a joint at the limit"
           : w->of->result->verdict == SP_STABLE ? ", force of a joint on the block it holds"
           : ", best force that joints can give", w->out);
-    fputs(w->forces->left_out ? "; the largest of its place</text>\n" : "</text>\n", w->out);
+    fputs(w->forces->left_out ? "; where they crowd, the largest</text>\n" : "</text>\n", w->out);
 }
 
 static void legend_weakest(const words *w, double x, double y)
