@@ -193,8 +193,9 @@ static const char help_worker[] =
 "stonepack worker\n"
 "stonepack worker --selftest | --roundtrip SCENE\n\n"
 "Answers checks that other programs send to its standard input, one after the other, on its standard output, until the input\n"
-"ends; port/host/worker/blob.h tells the form. --selftest: are answers those of this process, bit by bit? --roundtrip: does a "
-"scene\ncome through as it was? `check --worker SECONDS` starts one for each scene.\n";
+"ends; port/host/worker/blob.h tells the form. `check --worker SECONDS` starts one for each scene.\n\n"
+"  --selftest         are its answers those of this process, bit by bit?\n"
+"  --roundtrip SCENE  does a scene come through as it was?\n";
 
 static const char help_gen[] =
 "stonepack gen                              lists the scenes and their numbers\n"

@@ -49,14 +49,14 @@ heap() {                                                # a hundred stones fall;
     echo "heap of 100 stones: $(field verdict), $(field interfaces) joints, $(field contact_vertices) points"
 }
 page() {                                                # index.html: every picture with its verdict
-    echo '<!DOCTYPE html><meta charset="utf-8"><title>stonepack: demo</title>'
-    echo '<style>body{font:16px sans-serif;margin:2em}figure{display:inline-block;width:30em;margin:1em;vertical-align:top}'
+    echo '<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>stonepack: demo</title>'
+    echo '<style>body{font:16px sans-serif;margin:1em}figure{display:inline-block;width:min(30em,100%);margin:0 1em 1em 0;vertical-align:top}'
     echo 'img{width:100%}figcaption{font-size:90%}</style><h1>Does it stand?</h1>'
     for picture in "$out"/*.svg; do
         name=$(basename "$picture" .svg)
         verdict=
         if [ -f "$out/$name.json" ]; then verdict=": $(field verdict), $(field blocks) blocks, $(field interfaces) joints"; fi
-        echo "<figure><a href='$name.svg'><img src='$name.svg' alt=''></a><figcaption>$name$verdict</figcaption></figure>"
+        echo "<figure><a href='$name.svg'><img src='$name.svg' alt='$name'></a><figcaption>$name$verdict</figcaption></figure>"
     done
 }
 left=

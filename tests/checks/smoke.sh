@@ -61,8 +61,9 @@ manual() {
 completes() {
     command -v bash > /dev/null || return 0
     "$cli" help bash > "$tmp/completion" && bash -c '. "$1"; COMP_WORDS=(stonepack check --fa); COMP_CWORD=2; _stonepack; echo "${COMPREPLY[@]}"
-        COMP_WORDS=(stonepack se); COMP_CWORD=1; _stonepack; echo "${COMPREPLY[@]}"' - "$tmp/completion" > "$tmp/said" &&
-    printf -- '--fallback\nsequence settle\n' | cmp - "$tmp/said"
+        COMP_WORDS=(stonepack se); COMP_CWORD=1; _stonepack; echo "${COMPREPLY[@]}"
+        COMP_WORDS=(stonepack limit --unit ""); COMP_CWORD=3; _stonepack; echo "${COMPREPLY[@]}"' - "$tmp/completion" > "$tmp/said" &&
+    printf -- '--fallback\nsequence settle\nmm cm m in\n' | cmp - "$tmp/said"
 }
 # A shell at a terminal of its own is asked with the Tab key.
 completes_zsh() {

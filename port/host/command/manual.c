@@ -138,6 +138,13 @@ static void write_man(FILE *out, const manual_entry *entry, int entries, const c
 
 /* -------------------------------------------------------------------------------------------------------------- completions */
 
+/* Options that take one of a few words, or such a word as well as others. */
+static const char *const words_of[][2] = {
+    { "--unit", "mm cm m in" }, { "--up", "x y z -x -y -z" }, { "--view", "front side top" }, { "--fixed", "lowest ground" },
+    { "--preset", "quick standard precise seed" }, { "--sliding", "real" },
+};
+enum { WORDED = sizeof words_of / sizeof *words_of };
+
 static void bash_options(FILE *out, const char *s)
 {
     option_word w;
@@ -158,6 +165,8 @@ static void write_bash(FILE *out, const manual_entry *entry, int entries)
         bash_options(out, entry[k].more);
         fputs(" --help' ;;\n", out);
     }
+    fputs("        esac\n    else\n        case ${COMP_WORDS[COMP_CWORD-1]} in\n", out);
+    for (int k = 0; k < WORDED; k++) fprintf(out, "            %s) list='%s' ;;\n", words_of[k][0], words_of[k][1]);
     fputs("        esac\n    fi\n    if [ -n \"$list\" ]; then COMPREPLY=($(compgen -W \"$list\" -- \"$word\"))\n"
           "    else COMPREPLY=($(compgen -f -- \"$word\"))\n    fi\n}\ncomplete -o filenames -F _stonepack stonepack\n", out);
 }
@@ -172,6 +181,17 @@ static void put_zsh(FILE *out, char c)
     }
 }
 
+/* What may stand behind an option: a file, one of some words, anything. */
+static void put_values(FILE *out, const option_word *w)
+{
+    for (int k = 0; k < WORDED; k++)
+        if (strncmp(w->name, words_of[k][0], (size_t)w->n) == 0 && strlen(words_of[k][0]) == (size_t)w->n) {
+            fprintf(out, ":(%s)", words_of[k][1]);
+            return;
+        }
+    fputs(strncmp(w->value, "FILE", 4) == 0 ? ":_files" : ": ", out);
+}
+
 static void zsh_options(FILE *out, const char *s)
 {
     option_word w;
@@ -183,7 +203,7 @@ static void zsh_options(FILE *out, const char *s)
             if (w.m) {
                 fputc(':', out);
                 for (int i = 0; i < w.m; i++) put_zsh(out, w.value[i] == ':' ? ' ' : w.value[i]);
-                fputs(strncmp(w.value, "FILE", 4) == 0 ? ":_files" : ": ", out);
+                put_values(out, &w);
             }
             fputc('\'', out);
         }
