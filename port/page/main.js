@@ -10,6 +10,7 @@ const $ = id => document.getElementById(id);
 const bytesOf = id => Uint8Array.from(atob($(id).textContent.trim()), c => c.charCodeAt(0));
 const examples = JSON.parse($('examples').textContent);
 const still = matchMedia('(prefers-reduced-motion: reduce)');
+const READS = '. This page reads OBJ and COMPAS JSON; of STL, PLY, glTF and others `stonepack convert` makes OBJ.';
 let core, model, view, hands, spoken = '', due = null, free = 0;
 
 /* ------------------------------------------------------------------------------------------------------------ the answer */
@@ -158,7 +159,7 @@ function open(name, words, text, changes) {
   try {
     model.open(name, words, text, changes);
   } catch (e) {
-    complain(e.message);
+    complain(e.message + (/\.(obj|json)$/i.test(name) ? '' : READS));
     if (keep.text.length && keep.text !== text) model.open(keep.name, keep.words, keep.text, keep);
     return false;
   }
@@ -192,7 +193,8 @@ function openExample(k) {
   return open(e.file, e.words, new TextEncoder().encode(e.text));
 }
 async function openFile(file) {
-  if (file && open(file.name, [], new Uint8Array(await file.arrayBuffer()))) $('example').selectedIndex = 0;
+  const bytes = file && await file.arrayBuffer().catch(() => complain(file.name + ': can’t be read; one file is wanted, no folder'));
+  if (bytes && open(file.name, [], new Uint8Array(bytes))) $('example').selectedIndex = 0;
 }
 const stem = () => model.state.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '') || 'scene';
 async function share() {

@@ -168,6 +168,14 @@ async function files(tab) {
   test('a bad one is told with its line', await tab.until(`/bad\\.obj:2:/.test(document.getElementById('error').textContent)`));
   test('and the model before is still there', await tab.value(`${P}.model.state.name`) === 'wall.obj'
     && await verdict(tab) === 'stable');
+  await drop(tab, 'mesh.stl', 'solid a\n');
+  test('of another form is told what helps', await tab.until(`/mesh\\.stl.*reads OBJ.*convert/.test(
+    document.getElementById('error').textContent)`));
+  await tab.value(`(() => { const t = new DataTransfer(), f = new File(['x'], 'folder');
+    f.arrayBuffer = () => Promise.reject(new DOMException('', 'NotFoundError'));
+    const e = new DragEvent('drop', { cancelable: true }); Object.defineProperty(e, 'dataTransfer', { value: { files: [f] } });
+    dispatchEvent(e); })()`);
+  test('a folder is told', await tab.until(`/folder: can’t be read/.test(document.getElementById('error').textContent)`));
   await drop(tab, 'rhino.obj', readFileSync('tests/examples/arch.obj'));
   await tab.until(`document.getElementById('name').textContent === 'rhino.obj'`);
   const help = () => tab.value(`Array.from(document.querySelectorAll('#remarks button'), b => b.textContent).join(' ')`);
