@@ -193,7 +193,8 @@ function openExample(k) {
   return open(e.file, e.words, new TextEncoder().encode(e.text));
 }
 async function openFile(file) {
-  const bytes = file && await file.arrayBuffer().catch(() => complain(file.name + ': can’t be read; one file is wanted, no folder'));
+  const bytes = file && await file.arrayBuffer()
+    .catch(() => complain(file.name + ': can’t be read; one file is wanted, no folder'));
   if (bytes && open(file.name, [], new Uint8Array(bytes))) $('example').selectedIndex = 0;
 }
 const stem = () => model.state.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '') || 'scene';
