@@ -424,10 +424,19 @@ oracle_fuzzer() {
     (cd $out && ./packer_fuzzer -seed=1 -max_len=16 -max_total_time=60 -artifact_prefix=packer- > fuzzer.txt 2>&1)
     grep 'what was packed falls' $out/fuzzer.txt || { cat $out/fuzzer.txt; return 1; }
 }
+oracle_afl() {
+    rm -rf $out/afl && mkdir -p $out/afl/in && head -c 16 /dev/zero > $out/afl/in/zeros &&
+    afl-clang-fast $plain -O1 -I. -fsanitize=fuzzer -DPACKER_FUZZER port/oracle/packer.c build/libstonepack.a -lm \
+        -o $out/afl/packer || return 1
+    AFL_BENCH_UNTIL_CRASH=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_AFFINITY=1 AFL_NO_UI=1 \
+        timeout 60 afl-fuzz -s 1 -i $out/afl/in -o $out/afl/out -- $out/afl/packer > $out/afl.txt 2>&1
+    grep -E '^saved_crashes +: [1-9]' $out/afl/out/default/fuzzer_stats || { tail -n 20 $out/afl.txt; return 1; }
+}
 check_python() {
     part "oracle: a plain loop in C finds the planted mistake" oracle_loop
     if have clang; then part "oracle: libFuzzer finds it" oracle_fuzzer
     else skip "oracle: libFuzzer finds a planted mistake" "clang libclang-rt-14-dev"; fi
+    if have afl-clang-fast; then part "oracle: AFL++ finds it" oracle_afl; else skip "oracle: AFL++ finds a planted mistake" afl++; fi
     if ! $py -c 'import ensurepip' 2> /dev/null; then skip "Python: wheel and its tests" "python3 python3-venv"; return; fi
     part "Python: wheel, twice the same bytes" py_wheel
     if [ "$(uname -m)" = x86_64 ]; then part "Python: one wheel for Linux since glibc 2.17, without Bullet" py_listed; fi

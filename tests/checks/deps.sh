@@ -12,7 +12,7 @@ $sudo apt-get install -y -qq --no-install-recommends \
     gcc-aarch64-linux-gnu gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-powerpc-linux-gnu \
     libc6-dev-powerpc-cross gcc-mips-linux-gnu libc6-dev-mips-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross \
     gcc-i686-linux-gnu libc6-dev-i386-cross python3-venv python3-pytest python3-hypothesis mypy python3-rosidl python3-empy gcc-mingw-w64-x86-64-win32 wine64 \
-    lld wasi-libc libclang-rt-14-dev-wasm32 chromium dpkg-dev debhelper lintian
+    lld wasi-libc libclang-rt-14-dev-wasm32 chromium dpkg-dev debhelper lintian afl++
 # Node and npm, where neither is there from elsewhere; then what the page takes from npm.
 command -v npm > /dev/null || $sudo apt-get install -y -qq --no-install-recommends nodejs npm
 sh port/page/build.sh --modules || echo "npm did not bring three and esbuild: no page"
