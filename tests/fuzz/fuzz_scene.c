@@ -5,7 +5,7 @@
  *     evidence    sp_verify proves the verdict from the evidence and never the other one from forged evidence; sp_limit_verify,
  *                 sp_strong_verify likewise
  *     invariants  no opposite verdict of the same scene with all effects, moved, turned, in other units, in another order, given
- *                 block by block; of a stable one with more friction, or with one more block held
+ *                 block by block; of a stable one with more friction, with one more block held, or with one more contact
  */
 #include "fuzz.h"
 #include "../../port/fuzz/bytes.h"
@@ -81,8 +81,8 @@ static sp_verdict check(const sp_scene *s, const sp_settings *set, int k, sp_res
 /* ---------------------------------------------------------------------------------------------------------- other writings */
 
 /* How a scene is written again: x' = scale (x, y, z turned by quarters) + shift, blocks from the last to the first, every
- * friction times so much, one more block held. */
-typedef struct writing { int reverse, quarter; double scale, shift, mu; int32_t held; } writing;
+ * friction times so much, one more block held, one more contact of bytes. */
+typedef struct writing { int reverse, quarter; double scale, shift, mu; int32_t held; const uint8_t *contact; } writing;
 
 static void turned(const writing *w, const sp_real x[3], double size, double shift, sp_real y[3])
 {
@@ -92,12 +92,27 @@ static void turned(const writing *w, const sp_real x[3], double size, double shi
     y[2] = (sp_real)(size * (double)x[2] + shift);
 }
 
+/* One to three points with friction between any two blocks, about the middle between them, as eleven bytes say.
+ *     returns 0: refused */
+static int one_more_contact(sp_scene *s, const uint8_t byte[11])
+{
+    const int32_t n = s->count.blocks, a = byte[0] % n, b = (a + 1 + byte[1] % (n - 1)) % n, points = 1 + byte[2] % 3;
+    const sp_strength strength = sp_strength_friction((sp_real)(byte[3] / 64.0));
+    sp_real normal[3], x[9];
+    for (int c = 0; c < 3; c++) normal[c] = (sp_real)((byte[4 + c] % 16 - 8) + (c == 2 ? 0.5 : 0));     /* never 0 */
+    for (int k = 0; k < 9; k++) {
+        const sp_real middle = (s->block[a].centroid[k % 3] + s->block[b].centroid[k % 3]) / 2;
+        x[k] = middle + (sp_real)((byte[7 + (k + k / 3) % 4] - 128) / 64.0);
+    }
+    return !sp_scene_points(s, a, b, normal, points, x, &strength, NULL);
+}
+
 /* Blocks by mass and centroid, joints by their corners.     returns 0: refused */
 static int written(const sp_scene *in, const writing *w, int k, sp_scene *out)
 {
     const double s = w->scale, s3 = s * s * s;
     sp_arena a = arena(k);
-    const sp_capacity cap = { in->count.blocks, 0, 0, 0, in->count.joints, in->count.points, in->count.loads };
+    const sp_capacity cap = { in->count.blocks, 0, 0, 0, in->count.joints + 1, in->count.points + 3, in->count.loads };
     const int32_t n = in->count.blocks;
     sp_real y[3 * 320];
     if (sp_scene_create(out, &cap, &a)) return 0;
@@ -130,7 +145,7 @@ static int written(const sp_scene *in, const writing *w, int k, sp_scene *out)
         turned(w, in->load[q].point, s, w->shift, load.point);
         if (sp_scene_load(out, &load, NULL)) return 0;
     }
-    return 1;
+    return !w->contact || one_more_contact(out, w->contact);
 }
 
 /* What a forged claim proves. */
@@ -246,16 +261,19 @@ static void strong(const sp_scene *s, const sp_real *f)
     HOLDS(proved == r.kind, "said %d, proved %d", (int)r.kind, (int)proved);
 }
 
-/* The same scene written otherwise, with more friction or with one more block held: never the opposite verdict. */
-static void rewritten(const sp_scene *s, sp_verdict v, unsigned mode, unsigned more)
+/* The same scene written otherwise, with more friction, one more block held or one more contact: never the opposite verdict. */
+static void rewritten(const sp_scene *s, sp_verdict v, unsigned mode, unsigned more, const uint8_t *data, size_t size)
 {
-    if (mode == 2) never_opposite(s, v, &(writing){ 1, 0, 1, 0, 1, -1 }, "in another order");
-    if (mode == 3) never_opposite(s, v, &(writing){ 0, 1, 1, 4, 1, -1 }, "moved and turned");
-    if (mode == 4) never_opposite(s, v, &(writing){ 0, 0, 32, 0, 1, -1 }, "in other units");
+    uint8_t byte[11];
+    if (mode == 2) never_opposite(s, v, &(writing){ 1, 0, 1, 0, 1, -1, NULL }, "in another order");
+    if (mode == 3) never_opposite(s, v, &(writing){ 0, 1, 1, 4, 1, -1, NULL }, "moved and turned");
+    if (mode == 4) never_opposite(s, v, &(writing){ 0, 0, 32, 0, 1, -1, NULL }, "in other units");
     if (v != SP_STABLE) return;
-    if (mode == 5) never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1 + more / 64.0, -1 }, "with more friction");
+    if (mode == 5) never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1 + more / 64.0, -1, NULL }, "with more friction");
     if (mode == 6)
-        never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1, (int32_t)(more % (unsigned)s->count.blocks) }, "with one more held");
+        never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1, (int32_t)(more % (unsigned)s->count.blocks), NULL }, "with one more held");
+    for (size_t k = 0; k < sizeof byte; k++) byte[k] = data[(1 + k) % size];
+    if (mode == 15) never_opposite(s, v, &(writing){ 0, 0, 1, 0, 1, -1, byte }, "with one more contact");
 }
 
 /* A pyramid; more faces inside the cone hold no less than fewer. */
@@ -328,7 +346,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (mode == 8) sequence(&s, v);
     if (mode == 9 && v == SP_STABLE) strong(&s, r.f);
     if (mode == 13) short_of_memory(&s, &set, r.spent.peak_bytes, more);
-    rewritten(&s, v, mode, more);
+    rewritten(&s, v, mode, more, data, size);
     asked_otherwise(&s, v, set, mode, more);
     return 0;
 }
