@@ -114,7 +114,6 @@ static sp_status sp__verify_coupled(const sp_scene *scene, sp__check *c, sp__cer
 
 SP__NOINLINE static size_t sp__verify_memory(const sp_scene *scene)
 {
-    if (!scene) return 0;
     sp_problem pb;
     sp_settings set = sp_settings_default();
     set.faces = 64;

@@ -102,7 +102,6 @@ SP__NOINLINE static size_t sp__contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
     sp__top_sizes most;
-    if (!scene) return 0;
     sp__top_sizes_guess(&most, scene);
     sp__contact_arrays_need(scene, &dry);
     sp__pairs_need(&most, &dry);

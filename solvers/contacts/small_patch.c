@@ -24,7 +24,6 @@ static size_t sp__contacts_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
     struct { sp__contact_arrays all; sp__clip clip; sp__pair_buffer pair; } none;
-    if (!scene) return 0;
     (void)sp__take(&dry, 1, sizeof(sp__touch));
     sp__touch_carve(&none.all, &none.clip, &none.pair, scene, &dry);
     return sp__failed(&dry) ? 0 : dry.used;

@@ -28,7 +28,6 @@ SP__NOINLINE static int sp__bracket_verify(sp__bracket *b, const sp_limit_result
 
 SP__NOINLINE static size_t sp__limit_verify_memory(const sp_scene *scene)
 {
-    if (!scene) return 0;
     sp_problem pb;
     sp_real *at[5];
     sp__certifier j;

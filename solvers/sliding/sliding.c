@@ -249,7 +249,6 @@ SP__NOINLINE static size_t sp__sliding_bytes(const sp_scene *scene, int search)
     sp_problem pb;
     sp_real *at[5];
     sp_arena dry = sp__arena_dry();
-    if (!scene) return 0;
     sp__problem_count(scene, &pb);
     if (search) sp__take(&dry, 1, sp__sliding_kept_need(scene));
     sp__take(&dry, 1, sizeof(sp__sliding));

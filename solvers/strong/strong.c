@@ -66,7 +66,6 @@ static sp_strong_kind sp__holds_by_cases(sp__holds *s, const sp_proof *proof, sp
 SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
 {
     sp_arena dry = sp__arena_dry();
-    if (!scene) return 0;
     sp__take(&dry, 1, sizeof(sp__holds));
     sp__take(&dry, 1, sp__problem_memory(scene));
     sp__take(&dry, 1, sp__starts_need(scene));
@@ -77,7 +76,6 @@ SP__NOINLINE static size_t sp__holds_verify_memory(const sp_scene *scene)
 SP__NOINLINE static size_t sp__holds_memory(const sp_scene *scene, const sp_settings *settings)
 {
     sp_arena dry = sp__arena_dry();
-    if (!scene) return 0;
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));

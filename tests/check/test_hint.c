@@ -11,7 +11,7 @@ enum { HINT_SCENE = 7, HINT_FREE = 4, HINT_ISLAND = 2 };
 /* y0 has 6 numbers a free block, the large half of all, then the small; the island's hint has those of its blocks likewise. */
 TEST(an_island_has_the_rows_of_its_blocks_in_both_halves_of_the_hint)
 {
-    int32_t rank[HINT_SCENE + 1] = { -1, 0, 1, -1, 2, 3, -1, 4 };       /* supports have none; behind the last another */
+    int32_t rank[HINT_SCENE + 1] = { 0, -1, 1, -1, 2, 3, -1, 4 };       /* supports have none; behind the last another */
     int32_t block[HINT_ISLAND] = { 2, 5 };
     sp_real y0[12 * HINT_FREE], hint[12 * HINT_ISLAND + 6];
     sp__island_claim p;

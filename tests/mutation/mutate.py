@@ -2,7 +2,7 @@
 """mutate: does a test notice when one place of the library is wrong?
 
     python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--hashes]
-                                        [--line FILE:N] [--list] [--table FILE] [--least PERCENT]
+                                        [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
 It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the
@@ -12,6 +12,9 @@ its white-box suites once more, with sanitizers and a fence behind every piece o
 no test noticed. What changes nothing that anyone could see is listed in equivalents.txt, one line of argument each, and left out.
 
     --hashes    a second score: survivors that the stored hashes of tests/corpus notice
+    --kept      what was killed, a line each, is read from it and written to it: a run goes in pieces that add up; survivors are
+                written, too, and asked again by --again alone (killed stays killed while tests are only added)
+    --minutes   no new mutant is begun after so many
     --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
     --least     exit status 1 where fewer per cent are killed
 """
@@ -113,6 +116,26 @@ def equivalents():
         assert why.strip(), line
         listed.add(('solvers/' + file, text.strip()))
     return listed
+
+
+class Kept:
+    """What earlier pieces of a run said: {(file, line number, mutated line): (status, by)}, in a file of a line each."""
+    def __init__(self, path):
+        self.path, self.known = path, {}
+        if path and os.path.exists(path):
+            for line in open(path):
+                file, number, status, by, text = line.rstrip('\n').split('\t')
+                self.known[file, int(number), text] = status, by
+
+    def key(self, mutant): return mutant[0], mutant[1], mutant[4].strip()
+
+    def said(self, mutant, again):
+        was = self.known.get(self.key(mutant))
+        return None if was and again and was[0] == 'survived' else was
+
+    def add(self, mutant, status, by):
+        if self.path:
+            with open(self.path, 'a') as f: f.write('%s\t%d\t%s\t%s\t%s\n' % (*self.key(mutant)[:2], status, by, self.key(mutant)[2]))
 
 
 class Suites:
@@ -285,6 +308,9 @@ def main():
     say.add_argument('--hashes', action='store_true')
     say.add_argument('--list', action='store_true')
     say.add_argument('--quiet', action='store_true')
+    say.add_argument('--kept')
+    say.add_argument('--again', action='store_true')
+    say.add_argument('--minutes', type=float, default=1e9)
     say.add_argument('--table')
     say.add_argument('--least', type=float, default=0)
     args = say.parse_args()
@@ -313,12 +339,15 @@ def main():
     print('%d quick tests, %.1f s, and %d slow ones, %.1f s, of %d' % (counts[0], suites.seconds[0], counts[1], suites.seconds[1],
                                                                        counts[2]), flush=True)
 
-    free, results = list(rooms), {}
+    free, kept, end = list(rooms), Kept(args.kept), time.time() + 60 * args.minutes
 
     def one(mutant):
+        status, by = kept.said(mutant, args.again) or ('open', '')
+        if status != 'open' or time.time() > end: return mutant, status, by
         room = free.pop()
         status, by = room.judge(mutant, args.hashes)
         free.append(room)
+        kept.add(mutant, status, by)
         if not args.quiet and status == 'survived':
             print('survived%s  %s:%d: %s\n    %s\n    %s' % (', hashes notice' if by else '', mutant[0], mutant[1], mutant[2],
                                                            mutant[3].strip(), mutant[4].strip()), flush=True)
@@ -326,7 +355,7 @@ def main():
 
     with ThreadPoolExecutor(args.jobs) as pool: judged = list(pool.map(one, rest))
     rows = {}
-    for mutant, status, by in judged:
+    for mutant, status, by in (j for j in judged if j[1] != 'open'):
         row = rows.setdefault(folder(mutant[0]), dict(killed=0, survived=0, hashes=0, invalid=0, same=0))
         row[status] += 1
         row['hashes'] += by == 'hashes'
@@ -343,7 +372,8 @@ def main():
             with open(args.table, 'a') as f:
                 f.write('%s,%d,%d,%d,%d,%d\n' % (name, n, r['killed'], r['hashes'], r['same'], r['invalid']))
     share = 100 * all_killed / max(all_mutants, 1)
-    print('%d mutants, %d killed = %.1f %%' % (all_mutants, all_killed, share))
+    left = sum(status == 'open' for _, status, _ in judged)
+    print('%d mutants, %d killed = %.1f %%%s' % (all_mutants, all_killed, share, '; %d not asked yet' % left if left else ''))
     return share < args.least
 
 
