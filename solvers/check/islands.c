@@ -21,7 +21,7 @@ SP__NOINLINE static void sp__island_coupled(int32_t k, const sp__check *found, s
     sp_coupled *out = &c->r.coupled;
     for (int32_t q = 0; q < found->pb.contacts && out->penalty && from->verdict == SP_COUPLING_COUPLED; q++) {
         const sp_joint *f = found->pb.contact[q].joint;
-        for (size_t v = (size_t)f->point; v < (size_t)(f->point + f->points); v++)
+        for (size_t v = (size_t)f->point; v < (size_t)f->point + (size_t)f->points; v++)
             for (size_t i = 0; i < 3; i++) out->penalty[4 * v + i + (i > 0)] = c->r.f[3 * v + i];
     }
     out->eps = from->eps;

@@ -29,7 +29,7 @@ static void sp__turn_quarter(int32_t K, sp_real d[2])
 }
 #else
 /* cos pi/(2K), sin pi/(2K) */
-#define SP__TURN(c, s) { (sp_real)c, (sp_real)s }
+#define SP__TURN(c, s) { (sp_real)(c), (sp_real)(s) }
 static const sp_real sp__turn[SP__FACES_MAX - SP__FACES_MIN + 1][2] = {
     SP__TURN(0.86602540378443864676, 0.50000000000000000000),     SP__TURN(0.92387953251128675613, 0.38268343236508977173),
     SP__TURN(0.95105651629515357212, 0.30901699437494742410),     SP__TURN(0.96592582628906828675, 0.25881904510252076235),

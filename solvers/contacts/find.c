@@ -9,7 +9,7 @@
 #if SP__WITH_SMALL
 #define SP__ANGLE_LEAST 0
 #else
-#define SP__ANGLE_LEAST -64
+#define SP__ANGLE_LEAST (-64)
 #endif
 
 static sp_status sp__contact_settings_check(const sp_contact_settings *s)

@@ -8,9 +8,9 @@
 
 /* The seed's constants, each with its section; what a float can't reach is float's own. */
 #ifdef SP_REAL_FLOAT
-#define SP__SEED(d, f) ((sp_real)f)
+#define SP__SEED(d, f) ((sp_real)(f))
 #else
-#define SP__SEED(d, f) ((sp_real)d)
+#define SP__SEED(d, f) ((sp_real)(d))
 #endif
 static const sp_seed sp__seed = {
     .faces = 8, .inscribed = 1, .net = 1,                                       /* [1.4] */

@@ -617,7 +617,10 @@ check_plugins() {
 }
 
 check_static() {
+    part "gcc -fanalyzer: quadratic programs, SP_SMALL" sh tests/checks/analyze.sh gcc -DSP_QP_ONLY -DSP_SMALL
+    if have clang-tidy; then part "clang-tidy: double, float, SP_SMALL" sh tests/checks/analyze.sh clang-tidy; else skip "clang-tidy" clang-tidy; fi
     if have cppcheck; then part "cppcheck" cppcheck_run; else skip "cppcheck" cppcheck; fi
+    part "TRUST.md has a row of all that runs" sh tests/checks/trust.sh --compare
 }
 # ---------------------------------------------------------------------------------------------------------------- settle
 settle_flags() {
@@ -840,13 +843,20 @@ slowest_first() {
         awk '{ printf "    %-14s %7.0f %7.0f\n", $1, $2, $3; a += $2 } END { printf "    %-14s %7.0f\n", "all", a }'
 }
 
+# told GROUP BEFORE CLOCK PASSED FAILED: a line for trust.sh.
+told() {
+    awk -v a="$2" -v b="$spent" -v g="$1" -v day="$(date +%Y-%m-%d)" -v of="$(git rev-parse --short HEAD 2> /dev/null)" -v clock=$(($(date +%s) - $3)) \
+        -v p="$4" -v f="$5" 'BEGIN { printf "%s,%s,%s,%d,%d,%.0f,%d\n", g, day, of, p, f, b - a, clock }' >> build/told.csv
+}
+
 if [ "${ONLY:-}" ]; then
     for group in $groups; do
         case $group in *"$ONLY"*) ;; *) continue ;; esac
         spent
-        before=$spent clock=$(date +%s)
+        before=$spent clock=$(date +%s) was_p=$passed was_f=$failed
         check_"$group"
         spent
+        told "$group" "$before" "$clock" "$((passed - was_p))" "$((failed - was_f))"
         echo "seconds: $group $(awk -v a="$before" -v b="$spent" 'BEGIN { print b - a }') $(($(date +%s) - clock))"
     done
 else

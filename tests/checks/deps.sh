@@ -6,7 +6,7 @@ sudo=''
 if [ "$(id -u)" -ne 0 ]; then sudo=sudo; fi
 $sudo apt-get update -qq
 $sudo apt-get install -y -qq --no-install-recommends \
-    gcc make libc6-dev g++ clang llvm libclang-rt-14-dev clang-19 llvm-19 libclang-rt-19-dev zsh cppcheck python3 gcc-arm-none-eabi libnewlib-arm-none-eabi \
+    gcc make libc6-dev g++ clang llvm libclang-rt-14-dev clang-19 llvm-19 libclang-rt-19-dev zsh cppcheck clang-tidy python3 gcc-arm-none-eabi libnewlib-arm-none-eabi \
     librsvg2-bin binutils python3-matplotlib python3-numpy python3-scipy pkg-config libbullet-dev libassimp-dev \
     coinor-libipopt-dev cmake meson tcc qemu-system-arm qemu-system-misc qemu-user gcc-riscv64-unknown-elf \
     gcc-aarch64-linux-gnu gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-powerpc-linux-gnu \
