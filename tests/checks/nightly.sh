@@ -105,7 +105,7 @@ if have clang; then
 else skip "campaigns of any bytes" clang; fi
 if have frama-c; then line "Frama-C Eva: arena, indices, kernels, certificate check" sh tests/eva/eva.sh
 else skip "Frama-C Eva" frama-c-base; fi
-line "gcc -fanalyzer, as far as it gets" sh tests/checks/analyze.sh gcc '' -DSP_EXACT_ONLY
+line "gcc -fanalyzer, as far as it gets" sh tests/checks/analyze.sh gcc '' -DSP_SMALL -DSP_EXACT_ONLY
 if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "boards" "qemu-system-arm"; fi
 

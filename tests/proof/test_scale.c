@@ -241,10 +241,11 @@ TEST(a_residual_that_is_no_number_moves_nothing)
     for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
 }
 
-/* A chain of four blocks of unlike weight on few points near each other. */
+/* A chain of four blocks of unlike weight on few points near each other, one of them loaded. */
 static int chain(one_block *o)
 {
-    const sp_capacity room = { 5, 0, 0, 0, 4, 12, 0 };
+    const sp_capacity room = { 5, 0, 0, 0, 4, 12, 1 };
+    const sp_load load = { 3, 0, { R(0.3), R(-0.2), 3 }, { 5, -20, 9 }, { 4, 8, -7 }, 0 };
     const sp_real ground[3] = { 0, 0, 0 };
     const sp_strength rough = { R(0.5), 0, 0, 0 };
     const double spread = pow(10, (double)test_random_real(-7, 0));
@@ -261,7 +262,175 @@ static int chain(one_block *o)
         if (!CHECK_INT(sp_scene_body(&o->scene, R(pow(10, (double)test_random_real(0, 4))), at, 0, NULL), SP_OK)) return 0;
         if (!CHECK_INT(sp_scene_points(&o->scene, b - 1, b, n, test_random_int(1, 3), x, &rough, NULL), SP_OK)) return 0;
     }
+    if (!CHECK_INT(sp_scene_load(&o->scene, &load, NULL), SP_OK)) return 0;
     return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
+}
+
+/* c x f of r - c, and |x|, in double. */
+static void cross(const double a[3], const double b[3], double c[3])
+{
+    for (int k = 0; k < 3; k++) c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+static double length(const double a[3]) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+/* r - c of scene block b at point v of a chain; points of joint b - 1 and of joint b are its own. */
+static int arm_of(const one_block *o, int32_t b, int32_t v, double arm[3])
+{
+    for (int k = 0; k < 3; k++) arm[k] = (double)o->scene.point[v][k] - (double)o->scene.block[b].centroid[k];
+    for (int32_t q = b - 1; q <= b && q < 4; q++) {
+        const sp_joint *j = &o->scene.joint[q];
+        if (v >= j->point && v < j->point + j->points) return 1;
+    }
+    return 0;
+}
+
+/* Load, couple and longest arm of every block, the sum of all loads, and weights 1/sqrt(n) and 1/sqrt(2/3 sum |r - c|^2). */
+TEST(weights_loads_and_arms_follow_from_blocks_and_corners)
+{
+    for (int trial = 0; trial < 20; trial++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        double total = 0;
+        NEED(chain(&o));
+        NEED(judge(&o, NULL));
+        const double unit = (double)o.j.unit;
+        for (int32_t b = 1; b < 5; b++) {
+            const sp__scale *s = &o.j.scale[b - 1];
+            const sp_load *l = &o.scene.load[0];
+            double force[3] = { 0, 0, -9.80665 * (double)o.scene.block[b].mass }, couple[3] = { 0, 0, 0 }, arm[3], sum = 0, most = 0;
+            int corners = 0;
+            if (b == l->block) {
+                double f[3], m[3];
+                for (int k = 0; k < 3; k++) { f[k] = (double)l->force[k]; arm[k] = (double)l->point[k] - (double)o.scene.block[b].centroid[k]; }
+                cross(arm, f, m);
+                for (int k = 0; k < 3; k++) { force[k] += f[k]; couple[k] = (double)l->couple[k] + m[k]; }
+            }
+            for (int32_t v = 0; v < o.scene.count.points; v++) {
+                if (!arm_of(&o, b, v, arm)) continue;
+                corners++;
+                sum += length(arm) * length(arm);
+                most = fmax(most, length(arm));
+            }
+            total += length(force) / unit;
+            CHECK_NEAR(s->load, length(force) / unit, TOL(1e-12, 1e-5));
+            CHECK_NEAR(s->couple, length(couple) / unit, TOL(1e-12, 1e-5));
+            CHECK_NEAR(s->arm, most, TOL(1e-12, 1e-5));
+            CHECK_NEAR(s->wf, 1 / sqrt(corners), TOL(1e-12, 1e-5));
+            CHECK_NEAR(s->wm, 1 / sqrt(2.0 / 3 * sum), TOL(1e-12, 1e-5));
+        }
+        CHECK_NEAR(o.j.total, total, TOL(1e-12, 1e-5));
+        test_arena = mark;
+    }
+}
+
+/* f0 of any potential and correction, corner by corner: what it leaves of every block's balance, and how much goes through it. */
+TEST(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
+{
+    for (int trial = 0; trial < 20; trial++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        double row[5][6] = { { 0 } }, sums[5][2] = { { 0 } };
+        NEED(chain(&o));
+        NEED(judge(&o, NULL));
+        for (int k = 0; k < 24; k++) {
+            o.j.dual.potential[k] = test_random_real(-1, 1);
+            o.j.correction[k] = test_random_real(-1, 1);
+        }
+        for (int32_t v = 0; v < o.scene.count.points; v++) {
+            double f[3] = { 0, 0, 0 }, arm[3], m[3];
+            for (int32_t b = 1; b < 5; b++) {           /* the block on a joint counts with +, the one under it with - */
+                double w[3], x[6];
+                if (!arm_of(&o, b, v, arm)) continue;
+                const double sign = v < o.scene.joint[b - 1].point + o.scene.joint[b - 1].points ? 1 : -1;
+                for (int k = 0; k < 6; k++)
+                    x[k] = ((double)o.j.dual.potential[6 * (b - 1) + k] + (double)o.j.correction[6 * (b - 1) + k]) *
+                           (double)(k < 3 ? o.j.scale[b - 1].wf : o.j.scale[b - 1].wm);
+                cross(x + 3, arm, w);
+                for (int k = 0; k < 3; k++) f[k] += sign * (x[k] + w[k]);
+            }
+            for (int32_t b = 1; b < 5; b++) {
+                if (!arm_of(&o, b, v, arm)) continue;
+                const double sign = v < o.scene.joint[b - 1].point + o.scene.joint[b - 1].points ? 1 : -1;
+                cross(arm, f, m);
+                for (int k = 0; k < 3; k++) { row[b][k] += sign * f[k]; row[b][3 + k] += sign * m[k]; }
+                sums[b][0] += length(f);
+                sums[b][1] += length(m);
+            }
+        }
+        o.j.sweeps = 0;
+        CHECK_INT(sp__certifier_sums(&o.j), 4);         /* nothing of it balances anything */
+        CHECK_INT(o.j.sweeps, 1);
+        for (int32_t b = 1; b < 5; b++) {
+            for (int k = 0; k < 6; k++)
+                CHECK_WITHIN(o.j.residual[6 * (b - 1) + k], row[b][k] + (double)(o.pb.p[6 * (b - 1) + k] / o.j.unit), TOL(1e-10, 1e-3));
+            CHECK_NEAR(o.j.scale[b - 1].sum_f0, sums[b][0], TOL(1e-11, 1e-4));
+            CHECK_NEAR(o.j.scale[b - 1].sum_m0, sums[b][1], TOL(1e-11, 1e-4));
+            CHECK_INT(o.j.scale[b - 1].known, 0);
+        }
+        test_arena = mark;
+    }
+}
+
+/* No sweep, no f0: every block is measured by its load alone, and that counts as known. */
+TEST(without_sweeps_scales_are_those_of_the_loads)
+{
+    one_block o;
+    NEED(chain(&o));
+    NEED(CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, 0, &test_arena)));
+    for (int i = 0; i < 4; i++) {
+        const sp__scale *s = &o.j.scale[i];
+        CHECK_INT(s->known, 1);
+        CHECK_NEAR(s->sum_f0, 0, 0);
+        CHECK_NEAR(s->sum_m0, 0, 0);
+        CHECK_NEAR(s->force_cap, s->load, 0);
+        CHECK_NEAR(s->s, s->load, 0);
+        CHECK_NEAR(s->S, (double)s->couple + 16 * (double)SP_EPSILON * (double)(s->load * s->arm / o.set.tol), TOL(1e-12, 1e-5));
+    }
+    CHECK_INT(o.j.sweeps, 0);
+}
+
+/* What no f0 balances, a block beside its only point, is measured by twice its load; its caps by what rounding may hide in f0 of
+ * all loads, or, where two sweeps left no time to find f0, by a thousand times all loads. */
+TEST(what_no_force_balances_is_measured_by_its_load)
+{
+    for (int few = 0; few < 2; few++) {
+        one_block o;
+        NEED(place(&o, 4, 1, 0.5, 0, 0.5));
+        o.scene.count.points = o.scene.joint[0].points = 1;     /* one corner of the four is left */
+        NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+        NEED(CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, few ? 2 : INT32_MAX, &test_arena)));
+        const sp__scale *s = &o.j.scale[0];
+        const double arm = sqrt(0.75), slack = 16 * (double)SP_EPSILON * 2 * arm / (double)o.set.tol;
+        CHECK_INT(s->known, 0);
+        CHECK_NEAR(s->s, 2, TOL(1e-12, 1e-6));
+        CHECK_NEAR(s->S, arm + slack, TOL(1e-12, 1e-5));
+        CHECK_NEAR(o.j.total, 1, TOL(1e-12, 1e-6));
+        if (few) CHECK_NEAR(s->force_cap, 1000, TOL(1e-12, 1e-6));
+        else CHECK(s->force_cap > 1 + 5000 * SP_EPSILON && s->force_cap < 2);
+    }
+}
+
+/* A block that touches nothing has no weights, one whose only point is its centroid none of rotation. */
+TEST(what_has_no_corner_or_no_arm_has_no_weight)
+{
+    const sp_capacity room = { 3, 0, 0, 0, 1, 1, 0 };
+    const sp_real ground[3] = { 0, 0, 0 }, at[3] = { 1, 0, 1 }, far[3] = { 9, 0, 1 }, up[3] = { 0, 0, 1 };
+    const sp_strength rough = { R(0.5), 0, 0, 0 };
+    one_block o;
+    memset(&o, 0, sizeof o);
+    o.set.tol = R(TOL(1e-9, 1e-4f));
+    o.set.force_bound = 100;
+    CHECK_INT(sp_scene_create(&o.scene, &room, &test_arena), SP_OK);
+    CHECK_INT(sp_scene_body(&o.scene, 0, ground, SP_FIXED, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&o.scene, 1, at, 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_body(&o.scene, 1, far, 0, NULL), SP_OK);
+    CHECK_INT(sp_scene_points(&o.scene, 0, 1, up, 1, at, &rough, NULL), SP_OK);
+    CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK);
+    NEED(judge(&o, NULL));
+    CHECK_NEAR(o.j.scale[0].wf, 1, TOL(1e-12, 1e-6));
+    CHECK_NEAR(o.j.scale[0].wm, 0, 0);
+    CHECK_NEAR(o.j.scale[1].wf, 0, 0);
+    CHECK_NEAR(o.j.scale[1].wm, 0, 0);
 }
 
 /* Where neither the residual nor what could lower it falls for 102 steps the search ends, and has lost nothing but to rounding. */
@@ -335,6 +504,11 @@ TEST_LIST(scale)
     RUN(motion_into_a_joint_proves_nothing)
     RUN(imbalance_is_relative_to_load_and_forces)
     RUN(a_residual_that_is_no_number_moves_nothing)
+    RUN(weights_loads_and_arms_follow_from_blocks_and_corners)
+    RUN(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
+    RUN(without_sweeps_scales_are_those_of_the_loads)
+    RUN(what_no_force_balances_is_measured_by_its_load)
+    RUN(what_has_no_corner_or_no_arm_has_no_weight)
     RUN(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
     RUN(a_search_for_scales_whose_products_overflow_takes_no_step)
 #ifndef SP_SMALL
