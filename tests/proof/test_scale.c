@@ -241,26 +241,28 @@ TEST(a_residual_that_is_no_number_moves_nothing)
     for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
 }
 
-/* A chain of four blocks of unlike weight on few points near each other, one of them loaded. */
-static int chain(one_block *o)
+/* A chain of four blocks of unlike weight on few points near each other, one of them loaded; `draws` is where its
+ * numbers come from. */
+static int chain(one_block *o, uint32_t *draws)
 {
     const sp_capacity room = { 5, 0, 0, 0, 4, 12, 1 };
     const sp_load load = { 3, 0, { R(0.3), R(-0.2), 3 }, { 5, -20, 9 }, { 4, 8, -7 }, 0 };
     const sp_real ground[3] = { 0, 0, 0 };
     const sp_strength rough = { R(0.5), 0, 0, 0 };
-    const double spread = pow(10, (double)test_random_real(-7, 0));
+    const double spread = pow(10, test_draw(draws, -7, 0));
     memset(o, 0, sizeof *o);
     o->set.tol = R(TOL(1e-9, 1e-4f));
     o->set.force_bound = 100;
     if (!CHECK_INT(sp_scene_create(&o->scene, &room, &test_arena), SP_OK)) return 0;
     if (!CHECK_INT(sp_scene_body(&o->scene, 0, ground, SP_FIXED, NULL), SP_OK)) return 0;
     for (int b = 1; b < 5; b++) {
-        const sp_real at[3] = { test_random_real(-1, 1), test_random_real(-1, 1), R(b) };
-        const sp_real n[3] = { test_random_real(-1, 1), test_random_real(-1, 1), 1 };
+        const sp_real at[3] = { R(test_draw(draws, -1, 1)), R(test_draw(draws, -1, 1)), R(b) };
+        const sp_real n[3] = { R(test_draw(draws, -1, 1)), R(test_draw(draws, -1, 1)), 1 };
         sp_real x[9];
-        for (int k = 0; k < 9; k++) x[k] = R(k % 3 == 2 ? b - 0.5 : spread * (double)test_random_real(-1, 1));
-        if (!CHECK_INT(sp_scene_body(&o->scene, R(pow(10, (double)test_random_real(0, 4))), at, 0, NULL), SP_OK)) return 0;
-        if (!CHECK_INT(sp_scene_points(&o->scene, b - 1, b, n, test_random_int(1, 3), x, &rough, NULL), SP_OK)) return 0;
+        for (int k = 0; k < 9; k++) x[k] = R(k % 3 == 2 ? b - 0.5 : spread * test_draw(draws, -1, 1));
+        if (!CHECK_INT(sp_scene_body(&o->scene, R(pow(10, test_draw(draws, 0, 4))), at, 0, NULL), SP_OK)) return 0;
+        const int32_t points = 1 + (int32_t)(3 * test_draw(draws, 0, 1));
+        if (!CHECK_INT(sp_scene_points(&o->scene, b - 1, b, n, points, x, &rough, NULL), SP_OK)) return 0;
     }
     if (!CHECK_INT(sp_scene_load(&o->scene, &load, NULL), SP_OK)) return 0;
     return CHECK_INT(sp_problem_build(&o->scene, &test_arena, &o->pb), SP_OK);
@@ -287,21 +289,26 @@ static int arm_of(const one_block *o, int32_t b, int32_t v, double arm[3])
 /* Load, couple and longest arm of every block, the sum of all loads, and weights 1/sqrt(n) and 1/sqrt(2/3 sum |r - c|^2). */
 TEST(weights_loads_and_arms_follow_from_blocks_and_corners)
 {
+    uint32_t draws = test_random() | 1;
     for (int trial = 0; trial < 20; trial++) {
         const sp_arena mark = test_arena;
         one_block o;
         double total = 0;
-        NEED(chain(&o));
+        NEED(chain(&o, &draws));
         NEED(judge(&o, NULL));
         const double unit = (double)o.j.unit;
         for (int32_t b = 1; b < 5; b++) {
             const sp__scale *s = &o.j.scale[b - 1];
             const sp_load *l = &o.scene.load[0];
-            double force[3] = { 0, 0, -9.80665 * (double)o.scene.block[b].mass }, couple[3] = { 0, 0, 0 }, arm[3], sum = 0, most = 0;
+            double force[3] = { 0, 0, -9.80665 * (double)o.scene.block[b].mass }, couple[3] = { 0, 0, 0 }, arm[3];
+            double sum = 0, most = 0;
             int corners = 0;
             if (b == l->block) {
                 double f[3], m[3];
-                for (int k = 0; k < 3; k++) { f[k] = (double)l->force[k]; arm[k] = (double)l->point[k] - (double)o.scene.block[b].centroid[k]; }
+                for (int k = 0; k < 3; k++) {
+                    f[k] = (double)l->force[k];
+                    arm[k] = (double)l->point[k] - (double)o.scene.block[b].centroid[k];
+                }
                 cross(arm, f, m);
                 for (int k = 0; k < 3; k++) { force[k] += f[k]; couple[k] = (double)l->couple[k] + m[k]; }
             }
@@ -326,11 +333,12 @@ TEST(weights_loads_and_arms_follow_from_blocks_and_corners)
 /* f0 of any potential and correction, corner by corner: what it leaves of every block's balance, and how much goes through it. */
 TEST(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
 {
+    uint32_t draws = test_random() | 1;
     for (int trial = 0; trial < 20; trial++) {
         const sp_arena mark = test_arena;
         one_block o;
         double row[5][6] = { { 0 } }, sums[5][2] = { { 0 } };
-        NEED(chain(&o));
+        NEED(chain(&o, &draws));
         NEED(judge(&o, NULL));
         for (int k = 0; k < 24; k++) {
             o.j.dual.potential[k] = test_random_real(-1, 1);
@@ -362,7 +370,8 @@ TEST(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
         CHECK_INT(o.j.sweeps, 1);
         for (int32_t b = 1; b < 5; b++) {
             for (int k = 0; k < 6; k++)
-                CHECK_WITHIN(o.j.residual[6 * (b - 1) + k], row[b][k] + (double)(o.pb.p[6 * (b - 1) + k] / o.j.unit), TOL(1e-10, 1e-3));
+                CHECK_WITHIN(o.j.residual[6 * (b - 1) + k], row[b][k] + (double)(o.pb.p[6 * (b - 1) + k] / o.j.unit),
+                             TOL(1e-10, 1e-3));
             CHECK_NEAR(o.j.scale[b - 1].sum_f0, sums[b][0], TOL(1e-11, 1e-4));
             CHECK_NEAR(o.j.scale[b - 1].sum_m0, sums[b][1], TOL(1e-11, 1e-4));
             CHECK_INT(o.j.scale[b - 1].known, 0);
@@ -371,11 +380,52 @@ TEST(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
     }
 }
 
+/* G x = W Aeq Aeq' W x: its product with any y is that of A' W x and A' W y, corner by corner; a held row is 0. */
+TEST(the_normal_product_is_that_of_corner_forces)
+{
+    uint32_t draws = test_random() | 1;
+    for (int trial = 0; trial < 20; trial++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        sp_real x[2][24], g[24];
+        double got = 0, want = 0, size = 0;
+        NEED(chain(&o, &draws));
+        o.scene.block[2].fixed = trial % 2 ? 5u : 0u;   /* along x and z */
+        NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+        NEED(judge(&o, NULL));
+        for (int k = 0; k < 48; k++) x[k / 24][k % 24] = R(test_draw(&draws, -1, 1));
+        if (trial % 2) for (int k = 0; k < 2; k++) x[k][6] = x[k][8] = 0;
+        for (int k = 0; k < 24; k++) g[k] = 7;
+        o.j.sweeps = 0;
+        sp__certifier_normal_product(&o.j, x[0], g);
+        CHECK_INT(o.j.sweeps, 1);
+        for (int k = 0; k < 24; k++) got += (double)g[k] * (double)x[1][k];
+        for (int32_t v = 0; v < o.scene.count.points; v++) {
+            double f[2][3] = { { 0 } }, arm[3], w[3], y[6];
+            for (int32_t b = 1; b < 5; b++) {
+                if (!arm_of(&o, b, v, arm)) continue;
+                const double sign = v < o.scene.joint[b - 1].point + o.scene.joint[b - 1].points ? 1 : -1;
+                for (int q = 0; q < 2; q++) {
+                    for (int k = 0; k < 6; k++)
+                        y[k] = (double)(x[q][6 * (b - 1) + k] * (k < 3 ? o.j.scale[b - 1].wf : o.j.scale[b - 1].wm));
+                    cross(y + 3, arm, w);
+                    for (int k = 0; k < 3; k++) f[q][k] += sign * (y[k] + w[k]);
+                }
+            }
+            for (int k = 0; k < 3; k++) { want += f[0][k] * f[1][k]; size += fabs(f[0][k] * f[1][k]); }
+        }
+        CHECK_WITHIN(got, want, TOL(1e-11, 1e-4) * size);
+        if (trial % 2) CHECK(!(g[6] < 0) && !(g[6] > 0) && !(g[8] < 0) && !(g[8] > 0));
+        test_arena = mark;
+    }
+}
+
 /* No sweep, no f0: every block is measured by its load alone, and that counts as known. */
 TEST(without_sweeps_scales_are_those_of_the_loads)
 {
     one_block o;
-    NEED(chain(&o));
+    uint32_t draws = test_random() | 1;
+    NEED(chain(&o, &draws));
     NEED(CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, 0, &test_arena)));
     for (int i = 0; i < 4; i++) {
         const sp__scale *s = &o.j.scale[i];
@@ -437,11 +487,12 @@ TEST(what_has_no_corner_or_no_arm_has_no_weight)
 TEST(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
 {
     int stalls = 0, goes_on = 0, worse = 0;
+    uint32_t draws = test_random() | 1;
     for (int k = 0; k < 300; k++) {
         const sp_arena mark = test_arena;
         one_block o;
         sp_real to[24], first[24], image[24];
-        NEED(chain(&o));
+        NEED(chain(&o, &draws));
         NEED(judge(&o, NULL));
         for (int r = 0; r < 24; r++) { first[r] = o.j.residual[r] = test_random_real(-1, 1); to[r] = 0; }
         o.j.sweeps = 0;
@@ -457,6 +508,31 @@ TEST(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
     }
     CHECK_INT(worse, 0);
     CHECK(goes_on > 0 && (stalls > 0 || TOL(0, 1)));
+}
+
+/* Where weights are 1e10 apart the search goes on until it has taken 1000 steps and one for each row. */
+TEST(a_search_for_scales_ends_after_a_thousand_steps_and_one_for_each_row)
+{
+    static const uint32_t first[] = { TOL(30, 6918), TOL(116, 8409), TOL(883, 10061), TOL(891, 10428), TOL(1120, 11791) };
+    int most = 0;
+    for (size_t k = 0; k < sizeof first / sizeof first[0]; k++) {
+        const sp_arena mark = test_arena;
+        uint32_t draws = first[k];
+        one_block o;
+        sp_real to[24];
+        NEED(chain(&o, &draws));
+        NEED(judge(&o, NULL));
+        for (int i = 0; i < 4; i++) {
+            o.j.scale[i].wf *= R(pow(10, test_draw(&draws, -5, 5)));
+            o.j.scale[i].wm *= R(pow(10, test_draw(&draws, -5, 5)));
+        }
+        for (int r = 0; r < 24; r++) { o.j.residual[r] = R(test_draw(&draws, -1, 1)); to[r] = 0; }
+        o.j.sweeps = 0;
+        sp__certifier_least_squares(&o.j, to);
+        most = o.j.sweeps > most ? o.j.sweeps : most;
+        test_arena = mark;
+    }
+    CHECK_INT(most, 1 + 1000 + 24);
 }
 
 /* Where products leave the range of numbers the search ends before its first step. */
@@ -506,10 +582,12 @@ TEST_LIST(scale)
     RUN(a_residual_that_is_no_number_moves_nothing)
     RUN(weights_loads_and_arms_follow_from_blocks_and_corners)
     RUN(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
+    RUN(the_normal_product_is_that_of_corner_forces)
     RUN(without_sweeps_scales_are_those_of_the_loads)
     RUN(what_no_force_balances_is_measured_by_its_load)
     RUN(what_has_no_corner_or_no_arm_has_no_weight)
     RUN(a_search_for_scales_that_stalls_ends_and_has_lost_nothing)
+    RUN(a_search_for_scales_ends_after_a_thousand_steps_and_one_for_each_row)
     RUN(a_search_for_scales_whose_products_overflow_takes_no_step)
 #ifndef SP_SMALL
     RUN(a_budget_gives_scales_the_sweeps_it_has)
