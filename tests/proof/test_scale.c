@@ -483,6 +483,138 @@ TEST(what_has_no_corner_or_no_arm_has_no_weight)
     CHECK_NEAR(o.j.scale[1].wm, 0, 0);
 }
 
+/* Within a thousandth of the load and 10000 roundings of f0, a moment that times the longest arm; just that is within. */
+TEST(f0_balances_a_block_up_to_its_allowance)
+{
+    const sp_real load = 3, f0 = R(TOL(7e6, 7)), arm = R(0.25);
+    const sp_real enough = (sp_real)1e-3 * load + 10000 * (sp_real)SP_EPSILON * f0;
+    for (int k = 0; k < 6; k++) {
+        sp_real r[6] = { 0, 0, 0, 0, 0, 0 };
+        r[k] = k < 3 ? enough : enough * arm;
+        CHECK_INT(sp__scale_is_balanced(r, load, f0, arm), 1);
+        r[k] *= R(1 + 4 * (double)SP_EPSILON);
+        CHECK_INT(sp__scale_is_balanced(r, load, f0, arm), 0);
+    }
+}
+
+/* The numbers of a hint are row weights times potential times the unit; what is none, or has no square, or is of a row that is
+ * held or has no weight, counts as 0. */
+TEST(a_hint_is_read_row_by_row)
+{
+    static const double odd[] = { NAN, INFINITY, -INFINITY, TOL(1e200, 1e30), TOL(-1e170, -1e25) };
+    uint32_t draws = test_random() | 1;
+    one_block o;
+    sp_real y0[24], x[24];
+    NEED(chain(&o, &draws));
+    o.scene.block[2].fixed = 5u;                        /* along x and z */
+    NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+    NEED(judge(&o, NULL));
+    o.j.scale[3].wm = 0;
+    for (int trial = 0; trial < 6; trial++) {
+        for (int k = 0; k < 24; k++) { y0[k] = R(test_draw(&draws, 1, 2)); x[k] = 7; }
+        if (trial) y0[13] = R(odd[trial - 1]);
+        sp__certifier_read_hint(&o.j, y0, x);
+        for (int k = 0; k < 24; k++) {
+            const double w = (double)(k % 6 < 3 ? o.j.scale[k / 6].wf : o.j.scale[k / 6].wm);
+            const int none = k == 6 || k == 8 || k > 20 || (trial && k == 13);
+            CHECK_NEAR(x[k], none ? 0 : (double)y0[k] / (double)o.j.unit / w, none ? 0 : TOL(1e-14, 1e-6));
+        }
+    }
+    sp__certifier_read_hint(&o.j, NULL, x);
+    for (int k = 0; k < 24; k++) CHECK_NEAR(x[k], 0, 0);
+}
+
+/* No step lowers a residual r where |G r| <= SP__SCALE_NULL |r|; at the last, where it is 64 u times weighted loads and forces. */
+TEST(a_residual_is_the_least_up_to_its_allowance)
+{
+    uint32_t draws = test_random() | 1;
+    for (int trial = 0; trial < 40; trial++) {
+        const sp_arena mark = test_arena;
+        const int within = trial % 2, last = trial / 2 % 2;
+        one_block o;
+        double rr = 0, gg = 0, sum = 0;
+        NEED(chain(&o, &draws));
+        NEED(judge(&o, NULL));
+        for (int k = 0; k < 24; k++) o.j.residual[k] = R(test_draw(&draws, -1, 1));
+        sp__certifier_normal_product(&o.j, o.j.residual, o.j.image);
+        for (int k = 0; k < 24; k++) {
+            rr += (double)o.j.residual[k] * (double)o.j.residual[k];
+            gg += (double)o.j.image[k] * (double)o.j.image[k];
+        }
+        const double off = 1 + (within ? -1 : 1) * TOL(1e-6, 1e-3);
+        if (last) {
+            for (int i = 0; i < 4; i++) {
+                sp__scale *s = &o.j.scale[i];
+                s->load = R(test_draw(&draws, 1, 2)); s->sum_f0 = R(test_draw(&draws, 1, 2));
+                s->couple = R(test_draw(&draws, 1, 2)); s->sum_m0 = R(test_draw(&draws, 1, 2));
+                const double f = (double)(s->wf * (s->load + s->sum_f0)), m = (double)(s->wm * (s->couple + s->sum_m0));
+                sum += f * f + m * m;
+            }
+            const double c = sqrt(gg / (off * off) / sum) / (64 * (double)SP_EPSILON);
+            for (int i = 0; i < 4; i++) {
+                sp__scale *s = &o.j.scale[i];
+                s->load *= R(c); s->sum_f0 *= R(c); s->couple *= R(c); s->sum_m0 *= R(c);
+            }
+            CHECK_INT(sp__certifier_is_optimal(&o.j, 0), 0);
+        } else {
+            const double c = sqrt((double)SP__SCALE_NULL * off * sqrt(rr / gg));    /* G goes with the square of its weights */
+            for (int i = 0; i < 4; i++) {
+                sp__scale *s = &o.j.scale[i];
+                s->wf *= R(c); s->wm *= R(c);
+                s->load = s->sum_f0 = s->couple = s->sum_m0 = 0;
+            }
+        }
+        if (SP__HAS_STRENGTH || !last) CHECK_INT(sp__certifier_is_optimal(&o.j, last), within);
+        test_arena = mark;
+    }
+}
+
+/* What comes of a search, given as a hint, is taken after one sweep; a search takes no more sweeps than it is given. */
+TEST(a_hint_that_is_right_takes_one_sweep_and_no_search_more_than_it_may)
+{
+    one_block o;
+    sp_real y0[12];
+    NEED(place(&o, 5, 1, 0.5, 0.3, 0.5));
+    NEED(judge(&o, NULL));
+    const int32_t own = o.j.sweeps;
+    const sp__scale want = o.j.scale[0];
+    CHECK(own > 2);
+    for (int k = 0; k < 6; k++) {
+        const sp_real w = k < 3 ? want.wf : want.wm;
+        y0[k] = o.j.dual.potential[k] * w * o.j.unit;
+        y0[6 + k] = o.j.correction[k] * w * o.j.unit;
+    }
+    NEED(judge(&o, y0));
+    CHECK_INT(o.j.sweeps, 1);
+    CHECK_NEAR(o.j.scale[0].s, want.s, TOL(1e-12, 1e-5));
+    CHECK_NEAR(o.j.scale[0].S, want.S, TOL(1e-12, 1e-5));
+    for (int32_t most = 2; most < own + 3; most++) {
+        NEED(CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, most, &test_arena)));
+        CHECK(o.j.sweeps <= most);
+        CHECK_INT(o.j.sweeps == own, most > own);       /* two must be left for another look */
+        CHECK_INT(o.j.scale[0].known > 0, most > own);
+    }
+}
+
+/* Strength of a corner, its share of the joint's, in units of the largest load; friction of an inscribed pyramid is less. */
+TEST(strength_of_a_corner_is_its_share_in_units)
+{
+    one_block o;
+    NEED(place(&o, 5, 2, 0.5, 0, 0.5));
+    o.set.faces = SP__HAS_STRENGTH ? 4 : 0;
+    o.set.inscribed = 1;
+    NEED(judge(&o, NULL));
+    CHECK_NEAR(sp__certifier_strength(&o.j, o.pb.contact).N, SP__HUGE, 0);
+    CHECK_NEAR(sp__certifier_strength(&o.j, o.pb.contact).C, 0, 0);
+    if (!SP__HAS_STRENGTH) return;
+    const sp_strength strong = { R(0.5), 40, 60, 900 };
+    o.scene.joint[0].strength = strong;
+    const sp__vertex_limits k = sp__certifier_strength(&o.j, o.pb.contact);
+    CHECK_NEAR(k.C, 40 * sqrt(0.5) / (double)o.j.unit, TOL(1e-12, 1e-5));      /* an area of 4, 1 each */
+    CHECK_NEAR(k.T, 60 / (double)o.j.unit, TOL(1e-12, 1e-5));
+    CHECK_NEAR(k.N, 900 / (double)o.j.unit, TOL(1e-12, 1e-5));
+}
+
 /* Conjugate residuals from residual `first` with no more than so many sweeps.     returns how many it took */
 static int32_t searched(one_block *o, const sp_real first[24], int32_t most, sp_real to[24])
 {
@@ -607,6 +739,11 @@ TEST_LIST(scale)
     RUN(without_sweeps_scales_are_those_of_the_loads)
     RUN(what_no_force_balances_is_measured_by_its_load)
     RUN(what_has_no_corner_or_no_arm_has_no_weight)
+    RUN(f0_balances_a_block_up_to_its_allowance)
+    RUN(a_hint_is_read_row_by_row)
+    RUN(a_residual_is_the_least_up_to_its_allowance)
+    RUN(a_hint_that_is_right_takes_one_sweep_and_no_search_more_than_it_may)
+    RUN(strength_of_a_corner_is_its_share_in_units)
     RUN(a_search_for_scales_ends_where_it_stalls_and_has_lost_nothing)
     RUN(a_search_for_scales_ends_after_a_thousand_steps_and_one_for_each_row)
     RUN(a_search_for_scales_whose_products_overflow_takes_no_step)
