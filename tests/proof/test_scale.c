@@ -505,7 +505,7 @@ TEST(f0_balances_a_block_up_to_its_allowance)
  * held or has no weight, counts as 0. */
 TEST(a_hint_is_read_row_by_row)
 {
-    static const double odd[] = { NAN, INFINITY, -INFINITY, TOL(1e200, 1e30), TOL(-1e170, -1e25) };
+    const double odd[] = { NAN, INFINITY, -INFINITY, TOL(1e200, 1e30), TOL(-1e170, -1e25) };
     uint32_t draws = test_random() | 1;
     one_block o;
     sp_real y0[24], x[24];
