@@ -199,7 +199,9 @@ async function openFile(file) {
 }
 const stem = () => model.state.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '') || 'scene';
 async function share() {
-  location.hash = await toLink(model.state);
+  const hash = await toLink(model.state);
+  if (hash.length > 2e6) { complain('Too large for a link, of which browsers take 2 MB: save the scene instead'); return; }
+  location.hash = hash;
   $('link').hidden = false;
   $('link').value = location.href;
   $('link').select();

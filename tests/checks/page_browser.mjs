@@ -2,6 +2,7 @@
  *
  * Loads, decides, drags, draws; keys, drop, link, exports; no error on the console, nothing fetched. Times are told and judge
  * nothing. Ends with `N passed, N failed`. */
+import { randomBytes } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { Chromium } from './chromium.mjs';
@@ -214,6 +215,13 @@ async function link(tab) {
     && await other.value(`${P}.core.json()`) === await tab.value(`${P}.core.json()`));
   test('no error on its console', other.errors.length === 0, other.errors.join('; '));
   await other.close();
+  const noise = randomBytes(2500000).toString('base64').replace(/.{1000}/g, '$&\n# ');
+  await drop(tab, 'large.obj', readFileSync('tests/scenes/wall.obj', 'latin1') + '\n# ' + noise + '\n');
+  await tab.until(`document.getElementById('name').textContent === 'large.obj'`);
+  const before = await tab.value('location.href.length');
+  await tab.value(`${P}.share()`);
+  const told = await tab.value(`document.getElementById('error').textContent`);
+  test('what is too large for a link is told', /Too large for a link/.test(told) && await tab.value('location.href.length') === before);
 }
 /* A link may come from anyone: what the page did not make is told, and an example is there. */
 async function forged() {
