@@ -448,6 +448,9 @@ part "sliding: real alone: 64"      exits 64 "$cli" limit --body 1,0,0 --sliding
 part "sliding: no pyramid: 64"      exits 64 "$cli" limit --body 1,0,0 --sliding real --cone 8i x
 gen arch
 part "svg of a virtual motion"      exits 0 "$cli" check --coupled --svg "$tmp/coupled.svg" "$tmp/scene.obj"
+part "a page of a tilted scene tells how far" sh -c "'$cli' gen arch | '$cli' check --tilt 12 --html '$tmp/p.html' - > '$tmp/out'; \
+    grep -q 'Gravity leans by 12 degrees from straight down' '$tmp/p.html' && '$cli' gen arch | '$cli' check --html '$tmp/p.html' - > '$tmp/out' && \
+    ! grep -q 'Gravity leans' '$tmp/p.html'"
 part "svg names it"                 grep -q 'virtual motion' "$tmp/coupled.svg"
 part "svg of what friction may let go" sh -c "'$cli' check --strong --svg '$tmp/strong.svg' '$here/../bench/figures/cross-stool.obj' > '$tmp/out' && \
     grep -q 'by another history of its friction it starts to move' '$tmp/strong.svg' && grep -q '>moves<' '$tmp/strong.svg'"

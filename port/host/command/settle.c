@@ -412,8 +412,9 @@ static int write_frames(session *s, failure *error)
     last->vertex = moved_vertices(s, s->result.pose);
     snprintf(last->caption, sizeof last->caption, "%.2f s, kinetic energy %.2g J", s->result.steps * s->set.dt,
              s->result.energy);
-    snprintf(title, sizeof title, "%.60s: %ld stone%s in %.2g s", slash ? slash + 1 : s->in.path,
-             (long)(s->result.stones - fixed), text_s(s->result.stones - fixed), s->result.steps * s->set.dt);
+    snprintf(title, sizeof title, "%.60s: %ld of %ld stone%s at rest after %.2g s", slash ? slash + 1 : s->in.path,
+             (long)(s->result.settled - fixed), (long)(s->result.stones - fixed), text_s(s->result.stones - fixed),
+             s->result.steps * s->set.dt);
     const sheet_page page = { title, &s->o->view, &s->in.remarks, NULL, 0 };
     if (!last->vertex || !sheet_write(file, &s->in.scene, n + 1, shown, &page))
         status = fail_with(error, EXIT_MEMORY, s->in.path, 0, "out of memory");

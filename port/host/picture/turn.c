@@ -137,6 +137,14 @@ static double choose(const subject *of, drawing *d, forces *f, mechanism *m)
     return scales_choose(d, f, m, of->result, &size);
 }
 
+/* How far gravity points off the way down on paper [degree]. */
+static double leaning(const sp_scene *s)
+{
+    const view_axes a = view_level(s);
+    const double g = view_length(s->gravity);
+    return g > 0 ? acos(fmax(-1, fmin(1, -view_height(&a, s->gravity) / g))) * 180 / acos(-1.0) : 0;
+}
+
 void turn_legend(FILE *out, const subject *of)
 {
     forces f;
@@ -155,6 +163,8 @@ void turn_legend(FILE *out, const subject *of)
         fputs(" at most. ", out);
         if (of->motion) fprintf(out, "%s. ", of->motion);
     }
+    const double lean = leaning(d.s);
+    if (lean > 0.1) fprintf(out, "Gravity leans by %.3g degrees from straight down. ", lean);
     fputs(of->limit ? "Violet: hinges. Orange: the joint whose number was pressed.</p>\n"
                     : "Orange: the weakest joint, or the one whose number was pressed.</p>\n", out);
 }
