@@ -300,6 +300,28 @@ TEST(blocks_inside_each_other_are_told_with_their_depth)
     CHECK_NEAR(overlap[2].depth, 1, TOL(1e-12, 1e-5f));
 }
 
+/* A cube beside another to any of six sides, first or last in the scene: apart nothing, on it a joint of its face, in it an overlap
+ * of that depth. */
+TEST(what_lies_to_any_side_is_apart_or_touches_or_overlaps)
+{
+    const frame f = upright();
+    for (int k = 0; k < 36; k++) {
+        const int axis = k / 2 % 3, first = k / 6 % 2;
+        const double side = k % 2 ? 1 : -1, gap = k / 12 == 0 ? 0.1 : k / 12 == 1 ? 0 : -0.05;
+        double at[3] = { 0.25, 0.125, 0.25 };           /* across, within the other's face by so much */
+        at[axis] = side > 0 ? 1 + gap : -1 - gap;
+        NEED(start(2));
+        if (first) box(&f, at[0], at[1], at[2], at[0] + 1, at[1] + 1, at[2] + 1, 0);
+        box(&f, 0, 0, 0, 1, 1, 1, SP_FIXED);
+        if (!first) box(&f, at[0], at[1], at[2], at[0] + 1, at[1] + 1, at[2] + 1, 0);
+        CHECK_INT(find(NULL), SP_OK);
+        CHECK_INT(report.joints, k / 12 == 1);
+        CHECK_INT(report.overlaps, k / 12 == 2);
+        if (report.joints == 1) CHECK_NEAR(area_sum(), axis == 1 ? 0.75 * 0.75 : 0.75 * 0.875, CLOSE);
+        if (k / 12 == 2 && report.overlaps == 1) CHECK_NEAR(overlap[0].depth, 0.05, TOL(1e-12, 1e-4f));
+    }
+}
+
 /* Room for some of them, for none, and none at all: they are counted, and the first are told. */
 TEST(overlaps_beyond_the_room_for_them_are_counted)
 {
@@ -455,6 +477,7 @@ TEST_LIST(contacts)
     RUN(supports_do_not_touch_each_other)
     RUN(a_flat_support_is_enough)
     RUN(blocks_inside_each_other_are_told_with_their_depth)
+    RUN(what_lies_to_any_side_is_apart_or_touches_or_overlaps)
     RUN(overlaps_beyond_the_room_for_them_are_counted)
     RUN(a_stone_in_the_notch_of_an_l_is_told_only_when_inside)
     RUN(too_little_room_in_the_scene_changes_nothing)
