@@ -706,17 +706,19 @@ typedef enum sp_strong_reason {
 
 typedef struct sp_strong_settings {
     int32_t starts;             /* most starts from which a motion is sought, >= 0; settings.budget is for their flops   256 */
+    int32_t corners;            /* 1: pressure is at the corners that joints list, 0: maybe anywhere in their polygons     0 */
 } sp_strong_settings;
 static inline sp_strong_settings sp_strong_settings_default(void)
 {
-    const sp_strong_settings s = { 256 };
+    const sp_strong_settings s = { 256, 0 };
     return s;
 }
 
 typedef struct sp_strong_result {
     sp_strong_kind kind;
     sp_strong_reason reason;
-    int32_t plate;              /* 1: proved for pressure anywhere in the joints' polygons */
+    int32_t plate;              /* 1: of a STRONG, proved for pressure anywhere in the joints' polygons; of an AMBIGUOUS, friction
+                                   of a joint is one force at the centre of its pressure, shared by its corners as that is */
     int32_t starts;             /* that were tried */
     int32_t balls;              /* free blocks without a mesh: where they turn, an AMBIGUOUS is one for the inertia of a ball as
                                    large as the block's joints are far from its centroid */

@@ -58,6 +58,7 @@ static const char help_check[] =
 "                     --coupled); those not named as planned, see `plan`; the other effects are the scene's\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ, level: from x to y  0\n"
 "  --strong           asks, too, whether it stands whatever friction does, or by its history only\n"
+"  --corners          with it: where pressure is at the corners that joints list   anywhere in the joints\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"
 "  --cra-eps M        what a joint gives in it [m]                                 1e-4 of a joint's edge\n"
 "  --cra-eta M        how far joints may slip and open in it [m]                   100 eps\n"

@@ -48,8 +48,8 @@ sp_status run_check(const sp_scene *scene, const sp_settings *settings, sp_resul
 }
 
 #ifndef SP_NO_STRONG
-sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_real *f, sp_strong_result *result,
-                     run_cost *cost, void **memory)
+sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
+                     sp_strong_result *result, run_cost *cost, void **memory)
 {
     sp_settings without = *settings;
     sp_result pressed;
@@ -66,7 +66,7 @@ sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const s
     cost->bytes = run_bytes(scene, SP_FOR_STRONG, settings);
     if (status == SP_OK) status = run_arena(cost->bytes, &arena, memory);
     if (status == SP_OK)
-        status = sp_strong(scene, settings, NULL, f, pressed.verdict == SP_STABLE ? pressed.f : NULL, &arena, result);
+        status = sp_strong(scene, settings, how, f, pressed.verdict == SP_STABLE ? pressed.f : NULL, &arena, result);
     cost->seconds = now() - start;
     free(kept);
     return status;

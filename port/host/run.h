@@ -28,8 +28,8 @@ sp_status run_check_bytes(const sp_scene *scene, const sp_settings *settings, si
 
 #ifndef SP_NO_STRONG
 /* sp_strong after a check (its forces f) and one without friction; sp_strong_verify */
-sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_real *f, sp_strong_result *result,
-                     run_cost *cost, void **memory);
+sp_status run_strong(const sp_scene *scene, const sp_settings *settings, const sp_strong_settings *how, const sp_real *f,
+                     sp_strong_result *result, run_cost *cost, void **memory);
 sp_status run_strong_verify(const sp_scene *scene, const sp_settings *settings, const sp_strong_result *claim,
                             sp_strong_kind *proved);
 #endif

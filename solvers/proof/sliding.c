@@ -24,7 +24,7 @@ SP__NOINLINE static sp_real sp__certify_sliding(sp__certifier *j, const sp_real 
 {
     const sp_problem *pb = j->pb;
     sp_real worst = sp__certify_forces(j, f, NULL), work = 0, most = 0;
-    worst = sp__max(worst, sp__moving_contacts(j, f, v));
+    worst = sp__max(worst, sp__moving_contacts(j, f, v, 0));
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *q = live + 6 * (size_t)i, *x = v + 6 * (size_t)i;
         work += sp__dot(q, x, 6);

@@ -70,6 +70,7 @@ static void sp__starts_write(const sp__starts *s, sp_strong_result *r)
     r->reason = SP_STRONG_MOTION;
     r->residual = s->residual;
     r->moves = s->moves;
+    r->plate = s->sweep.plates;
     memcpy(r->moving, s->sweep.f, 3 * (size_t)pb->points * sizeof *r->moving);
     for (int32_t i = 0; i < pb->blocks; i++)
         memcpy(r->a + 6 * (size_t)pb->block[i], s->sweep.a + 6 * (size_t)i, 6 * sizeof *r->a);
@@ -92,7 +93,7 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
     if (k > 1) sp__sweep_run(w, w->corners <= SP__STARTS_SUBSETS ? SP__STARTS_SWEEPS : SP__STARTS_FEW, k & 1, fine);
     memset(w->on, 1, (size_t)w->corners);
     sp__sweep_run(w, SP__STARTS_SWEEPS, k & 1, fine);
-    s->residual = sp__certify_moving(&s->j, s->M, w->f, w->a, &s->moves);
+    s->residual = sp__certify_moving(&s->j, s->M, w->f, w->a, w->plates, &s->moves);
     s->tried++;
     return s->residual <= s->j.set->tol && s->moves >= SP__MOVES;
 }
@@ -101,8 +102,9 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
 SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_strong_result *r)
 {
     const int32_t count = sp__starts_count(s, most), few = s->sweep.corners <= SP__STARTS_SUBSETS;
+    const int64_t before = s->sweep.flops;
     sp__sweep_begin(&s->sweep);
-    for (int32_t k = 0; k < count && s->sweep.flops < limit; k++) {
+    for (int32_t k = 0; k < count && s->sweep.flops - before < limit; k++) {
         if (!sp__starts_try(s, k) || !(s->moves > r->moves)) continue;
         sp__starts_write(s, r);
         if (!few) return;

@@ -101,6 +101,19 @@ static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
     return 1;
 }
 
+/* A motion with pressure anywhere in the joints: its corners alone may hold what that does not. It goes beyond a proof by cases. */
+static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how)
+{
+    sp_strong_result *r = &s->r;
+    if (how->corners || sp__holds_plates(&s->pb)) return 0;
+    s->starts.sweep.plates = 1;
+    const int64_t before = s->starts.sweep.flops;
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
+    r->starts = s->starts.tried;
+    r->cost.flops += s->starts.sweep.flops - before;
+    return r->kind == SP_STRONG_AMBIGUOUS;
+}
+
 /* Look for a motion, then tell cases apart. */
 SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *how, sp_arena a)
 {
@@ -113,7 +126,7 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
-    if (r->kind == SP_STRONG_AMBIGUOUS || !r->proof.node) return;
+    if (r->kind == SP_STRONG_AMBIGUOUS || sp__holds_spins(s, how) || !r->proof.node) return;
     sp_strong_kind kind = SP_STRONG_NONE;
     if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, s->set.budget, a, r))
         kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);
@@ -157,7 +170,7 @@ SP_API sp_status sp_strong(const sp_scene *scene, const sp_settings *settings, c
     if (scene->count.blocks < 1) return SP_E_EMPTY;
     const size_t points = 3 * (size_t)scene->count.points;
     if (!sp__all_finite(f, points) || (pressed && !sp__all_finite(pressed, points))) return SP_E_NOT_FINITE;
-    if (how && how->starts < 0) return SP_E_RANGE;
+    if (how && (how->starts < 0 || how->corners < 0 || how->corners > 1)) return SP_E_RANGE;
     sp_arena a = *arena;
     sp_real *at[3];
     at[0] = sp__take(&a, points, sizeof *f);
@@ -199,7 +212,7 @@ static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *clai
         return kind ? kind : SP_STRONG_ADMISSIBLE;
     }
     sp__motion_read(&s->pb, claim->a, s->starts.sweep.a);
-    const sp_real residual = sp__certify_moving(j, s->starts.M, claim->moving, s->starts.sweep.a, &moves);
+    const sp_real residual = sp__certify_moving(j, s->starts.M, claim->moving, s->starts.sweep.a, 1, &moves);
     return residual <= s->set.tol && moves >= SP__MOVES ? SP_STRONG_AMBIGUOUS : SP_STRONG_ADMISSIBLE;
 }
 

@@ -18,6 +18,7 @@ typedef struct sp__sweep {
     const sp_problem *pb;
     const sp__inertia *M;
     int32_t corners;                    /* V: that take part */
+    int32_t plates;                     /* 1: friction of a joint is one force at the centre of its pressure */
     sp__sweep_corner *corner;           /* V */
     uint8_t *on;                        /* V: 0: carries nothing for now */
     sp_real *f;                         /* 3 x points */
@@ -106,22 +107,52 @@ static void sp__sweep_accelerate(sp__sweep *s)
     s->flops += SP__SWEEP_FLOPS * (int64_t)s->corners / 2;
 }
 
+/* Corner q's force becomes g.     returns its change */
+static sp_real sp__sweep_change(sp__sweep *s, const sp__sweep_corner *q, const sp_real g[3])
+{
+    sp_real *f = s->f + 3 * (size_t)q->at, F[3];
+    const sp_real change[3] = { g[0] - f[0], g[1] - f[1], g[2] - f[2] };
+    memcpy(f, g, sizeof change);
+    sp__joint_force(s->pb->contact[q->contact].joint, change, F);
+    sp__sweep_push(s, q, F, s->a);
+    return sp__norm3(change);
+}
+
 /* The corner's own step.     returns the change of its force */
 static sp_real sp__sweep_corner_step(sp__sweep *s, const sp__sweep_corner *q)
 {
-    const sp_joint *o = s->pb->contact[q->contact].joint;
-    sp_real *f = s->f + 3 * (size_t)q->at, d[3], g[3], F[3];
+    const sp_contact *t = &s->pb->contact[q->contact];
+    const int joined = s->plates && t->points > 1;
+    const sp_real *f = s->f + 3 * (size_t)q->at;
+    sp_real d[3], g[3];
     sp__sweep_rate(s, q, s->a, d);
     g[0] = sp__max(0, f[0] - d[0] * q->normal);
-    g[1] = f[1] - d[1] * q->tangent;
-    g[2] = f[2] - d[2] * q->tangent;
-    const sp_real most = o->strength.mu * g[0], ft = SP_SQRT(g[1] * g[1] + g[2] * g[2]);
+    for (int k = 1; k < 3; k++) g[k] = f[k] - (joined ? 0 : d[k] * q->tangent);
+    const sp_real most = t->joint->strength.mu * g[0], ft = SP_SQRT(g[1] * g[1] + g[2] * g[2]);
     if (ft > most) { g[1] *= most / ft; g[2] *= most / ft; }
-    const sp_real change[3] = { g[0] - f[0], g[1] - f[1], g[2] - f[2] };
-    memcpy(f, g, sizeof g);
-    sp__joint_force(o, change, F);
-    sp__sweep_push(s, q, F, s->a);
-    return sp__norm3(change);
+    return sp__sweep_change(s, q, g);
+}
+
+/* The friction of the joint whose n corners begin at q, one force F at the centre of its pressure N:  F <- P_(mu N) (F - w / W),
+ * w the slip there; corners share F as they share N. */
+static sp_real sp__sweep_joint_step(sp__sweep *s, const sp__sweep_corner *q, int32_t n)
+{
+    sp_real F[3] = { 0, 0, 0 }, d[3], change = 0, tangent = 0;
+    for (int32_t k = 0; k < n; k++) sp__add3(F, 1, s->f + 3 * (size_t)q[k].at);
+    if (!(F[0] > 0)) return 0;
+    for (int32_t k = 0; k < n; k++) tangent += s->f[3 * (size_t)q[k].at] / F[0] * q[k].tangent;
+    for (int32_t k = 0; k < n; k++) {
+        const sp_real share = s->f[3 * (size_t)q[k].at] / F[0];
+        sp__sweep_rate(s, &q[k], s->a, d);
+        for (int e = 1; e < 3; e++) F[e] -= share * d[e] * tangent;
+    }
+    const sp_real most = s->pb->contact[q->contact].joint->strength.mu * F[0], ft = SP_SQRT(F[1] * F[1] + F[2] * F[2]);
+    for (int e = 1; e < 3 && ft > most; e++) F[e] *= most / ft;
+    for (int32_t k = 0; k < n; k++) {
+        const sp_real fn = s->f[3 * (size_t)q[k].at], g[3] = { fn, fn / F[0] * F[1], fn / F[0] * F[2] };
+        change += sp__sweep_change(s, &q[k], g);
+    }
+    return change;
 }
 
 /* Up to `most` sweeps, forward or backward, until a sweep changes forces by less than tol of their sum.
@@ -138,6 +169,9 @@ SP__NOINLINE static sp_real sp__sweep_run(sp__sweep *s, int32_t most, int backwa
             sum += sp__sweep_corner_step(s, &s->corner[v]);
             all += s->f[3 * (size_t)s->corner[v].at];
         }
+        for (int32_t v = 0; s->plates && v < s->corners; v += s->pb->contact[s->corner[v].contact].points)
+            if (s->pb->contact[s->corner[v].contact].points > 1)
+                sum += sp__sweep_joint_step(s, &s->corner[v], s->pb->contact[s->corner[v].contact].points);
         s->flops += SP__SWEEP_FLOPS * (int64_t)s->corners;
         change = all > 0 ? sum / all : sum > 0 ? 1 : 0;
     }

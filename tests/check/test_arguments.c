@@ -100,7 +100,7 @@ TEST(a_claimed_strong_verdict_is_of_numbers_and_has_all_its_arrays)
     build("two-cubes", NULL, 0, &s);
     const sp_result rest = check(&s, NULL);
     const int32_t points = 3 * s.count.points, rows = 6 * s.count.blocks;
-    const sp_strong_settings few = { -1 };
+    const sp_strong_settings few = { -1, 0 };
 #define ASK sp_strong(&s, NULL, NULL, rest.f, rest.f, &test_arena, &r)
     memset(&r, 0, sizeof r);
     r.starts = -7;

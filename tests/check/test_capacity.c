@@ -74,7 +74,7 @@ static sp_status ask_held(question *q, sp_arena *a)
 #ifndef SP_NO_STRONG
 static sp_status ask_strong(question *q, sp_arena *a)
 {
-    const sp_strong_settings few = { 2 };
+    const sp_strong_settings few = { 2, 0 };
     return sp_strong(q->scene, NULL, &few, q->checked->f, NULL, a, &q->answer.strong);
 }
 static sp_status ask_proved(question *q, sp_arena *a)
@@ -254,7 +254,7 @@ TEST(every_capacity_is_refused_or_enough)
         q.problem = &pb;
 #ifndef SP_NO_STRONG
         sp_strong_result strong;
-        const sp_strong_settings few = { 2 };
+        const sp_strong_settings few = { 2, 0 };
         NEED(sp_strong(&scene, NULL, &few, r.f, NULL, &test_arena, &strong) == SP_OK);
         q.strong = &strong;
 #endif

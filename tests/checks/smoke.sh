@@ -441,6 +441,7 @@ part "admm on the net normal"       says '"tension_ratio": *[0-9]' "$cli" check 
 part "no admm, no ratio"            says '"tension_ratio": *null' "$cli" check --json "$tmp/scene.obj"
 part "admm by ours, named"          says ", by ADMM$" "$cli" check --net --cone 8i --stages gates,admm --solver admm "$tmp/scene.obj"
 part "svg"                          exits 0 "$cli" check --svg "$tmp/scene.svg" "$tmp/scene.obj"
+part "corners belong to strong: 64" exits 64 "$cli" check --corners x
 part "strong: a worker can't: 64"   exits 64 "$cli" check --strong --worker 5 x
 part "strong: verify judges it"     strong
 part "sliding: verify judges it"    sliding

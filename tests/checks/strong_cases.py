@@ -18,6 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from coupled_cases import rewritten
 
 FEW = 24                                # corners: as the shares count them
+MORE = []                                # more words of every question
 BUDGET = ["--budget", "1e8"]             # of a made scene: most are small
 KINDS = ("strong", "strong at these corners", "ambiguous", "admissible")
 
@@ -34,7 +35,7 @@ def scenes(folder):
 
 def ask(program, text, more=()):
     """`check --strong`; None: it is refused."""
-    p = subprocess.run([program, "check", "--json", "--strong", *more, "-"], input=text, capture_output=True, text=True)
+    p = subprocess.run([program, "check", "--json", "--strong", *MORE, *more, "-"], input=text, capture_output=True, text=True)
     return json.loads(p.stdout) if p.returncode in (0, 1, 2) else None
 
 
@@ -171,10 +172,12 @@ def main():
     p.add_argument("--quad", help="the program in 113 bits")
     p.add_argument("--attack", help="tests/instruments/friction.c, built")
     p.add_argument("--attempts", type=int, default=60)
+    p.add_argument("--corners", action="store_true", help="pressure is at the corners that joints list")
     p.add_argument("--random", type=int, default=0)
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("-v", action="store_true", help="every answer")
     a = p.parse_args()
+    MORE.extend(["--corners"] if a.corners else [])
     texts, got = {}, {}
     for folder in a.folder:
         for name, text in scenes(folder):

@@ -126,7 +126,7 @@ void eva_moving(void)
     sp_arena a = memory_of(0);
     opened(0, &a);
     sp__certify_sliding(&judge, loads, f, dq, &share);
-    sp__certify_moving(&judge, inertia, f, dq, &moves);
+    sp__certify_moving(&judge, inertia, f, dq, 1, &moves);
 }
 
 /* One leaf of a refutation in any states, any rows. */

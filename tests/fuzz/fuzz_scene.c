@@ -243,7 +243,7 @@ static void sequence(const sp_scene *s, sp_verdict v)
 static void strong(const sp_scene *s, const sp_real *f)
 {
     sp_arena a = arena(2), scratch = arena(4);
-    const sp_strong_settings few = { 16 };
+    const sp_strong_settings few = { 16, 0 };
     sp_settings set = sp_settings_default();
     sp_strong_result r;
     sp_strong_kind proved = SP_STRONG_NONE;

@@ -104,7 +104,7 @@ static void attempt(attack *a, long k)
     start(a, k);
     memset(w->sweep.on, 1, (size_t)w->sweep.corners);
     sp__sweep_run(&w->sweep, MOST_SWEEPS, (int)(k & 1), 16 * (sp_real)SP_EPSILON);
-    const sp_real residual = sp__certify_moving(&w->j, w->M, w->sweep.f, w->sweep.a, &w->moves);
+    const sp_real residual = sp__certify_moving(&w->j, w->M, w->sweep.f, w->sweep.a, 0, &w->moves);
     a->tried++;
     a->settled += residual <= w->j.set->tol || w->moves < REST;
     a->moved += residual <= w->j.set->tol && w->moves >= SP__MOVES;
@@ -124,7 +124,7 @@ static void attack_scene(host_scene *h, const sp_strong_result *r, long most, at
     a->any_mu = r->reason == SP_STRONG_PRESSURE;
     a->mu = malloc(((size_t)h->scene.count.joints + 1) * sizeof *a->mu);
     for (int32_t j = 0; a->mu && j < h->scene.count.joints; j++) a->mu[j] = h->scene.joint[j].strength.mu;
-    if (a->mu && run_arena(sp__holds_memory(&h->scene), &arena, &memory) == SP_OK
+    if (a->mu && run_arena(sp__holds_memory(&h->scene, NULL), &arena, &memory) == SP_OK
         && sp__holds_open(&s, &h->scene, &set, &arena) == SP_OK && sp__inertias(&s.pb, s.starts.arm, s.starts.M)) {
         a->w = &s.starts;
         sp__sweep_begin(&a->w->sweep);
@@ -150,7 +150,7 @@ static int one(const char *path, long most)
     memset(&r, 0, sizeof r);
     if (scene_read(path, &as_it_is, &h, &error)) { printf("%s | can't be read\n", path); return 1; }
     int bad = run_check(&h.scene, &set, &x, &cost, &memory) != SP_OK
-           || run_strong(&h.scene, &set, x.f, &r, &cost, &more) != SP_OK;
+           || run_strong(&h.scene, &set, NULL, x.f, &r, &cost, &more) != SP_OK;
     if (!bad && r.kind >= SP_STRONG_AT_CORNERS && !sp__scene_strong(&h.scene)) attack_scene(&h, &r, most, &a);
     printf("%s | %ld | %s | %s | %ld | %ld | %ld\n", path, (long)h.scene.count.points, sp_strong_text(r.kind),
            sp_strong_reason_text(r.reason), a.tried, a.settled, a.moved);

@@ -562,10 +562,16 @@ TEST(lengths_follow_the_edges_or_the_arms)
 /* ------------------------------------------------------------------------------------------- motions friction does not hinder */
 
 #if SP__WITH_STRONG
+/* Both laws of a corner. */
+static sp_real law(const sp_real f[3], const sp_real d[3], sp_real mu, sp_real s, sp_real moved)
+{
+    return sp__max(sp__moving_gap(f, d, s, moved), sp__moving_rub(f, d, mu, s, moved));
+}
+
 /* Gap, pressure on what opens, friction that is not against the slip; s = 2, moved = 4. */
 TEST(each_law_of_contact_is_measured_by_forces_and_accelerations)
 {
-#define CORNER(f0, f1, f2, d0, d1, d2) (double)sp__moving_corner((const sp_real[]){ R(f0), R(f1), R(f2) }, \
+#define CORNER(f0, f1, f2, d0, d1, d2) (double)law((const sp_real[]){ R(f0), R(f1), R(f2) }, \
                                                (const sp_real[]){ R(d0), R(d1), R(d2) }, R(0.5), 2, 4)
     const double tol = TOL(1e-12, 1e-5);
     CHECK_WITHIN(CORNER(0, 0, 0, 1, 3, -2), 0, 0);              /* open: it may go anywhere */
@@ -660,7 +666,7 @@ static double of_corner(const moving_case *x, int v)
         g[k] = R(x->f[3 * v + k]);
     }
     for (int i = 0; i < LEAF_BLOCKS; i++) if (t->a == i || t->b == i) moved += speed_of(x, i);
-    return (double)sp__moving_corner(g, d, R(leaf_mu(&o, v)), R(leaf_lesser(&o, v, x->only)), R(moved));
+    return (double)law(g, d, R(leaf_mu(&o, v)), R(leaf_lesser(&o, v, x->only)), R(moved));
 }
 
 /* (f, a) of random forces and accelerations: laws at all corners, M a = p + Aeq f of all blocks, against the definition. */
@@ -678,11 +684,11 @@ TEST(a_motion_is_measured_block_by_block)
         CHECK(worst >= 0);
         for (int v = 0; v < LEAF_POINTS; v++) worst = fmax(worst, of_corner(&x, v));
         const int32_t sweeps = o.j.sweeps;
-        CHECK_NEAR(sp__certify_moving(&o.j, x.M, x.in, x.acc, &got_moves), worst, TOL(1e-9, 1e-2));
+        CHECK_NEAR(sp__certify_moving(&o.j, x.M, x.in, x.acc, 0, &got_moves), worst, TOL(1e-9, 1e-2));
         CHECK_NEAR(got_moves, moves, TOL(1e-9, 1e-2));
         CHECK_INT(o.j.sweeps, sweeps + 2);
         x.acc[13] = R(round % 2 ? 1e-20 : -1e-20);     /* what is held does not move at all */
-        CHECK(sp__certify_moving(&o.j, x.M, x.in, x.acc, &got_moves) >= SP__HUGE);
+        CHECK(sp__certify_moving(&o.j, x.M, x.in, x.acc, 0, &got_moves) >= SP__HUGE);
         test_arena = mark;
     }
 }

@@ -123,17 +123,57 @@ static sp_scene plate(double c, double mu, double torque, int middles)
  * these corners is no more than that. The largest spin is (T - mu W c) / J. */
 TEST(a_plate_on_its_corners_holds_what_moves_with_the_middles_of_its_edges_too)
 {
+    const sp_strong_settings corners = { 256, 1 };
     const double c = 0.5, mu = 0.4, r = c * sqrt(2.0), torque = 0.85 * mu * r, J = (4 * c * c + 4 * c * c) / 12 / 9.80665;
     sp_scene s = plate(c, mu, torque, 0);
-    sp_strong_result x = ask(&s, NULL);
+    sp_strong_result x = ask(&s, &corners);
     CHECK_INT(x.kind, CASES ? SP_STRONG_AT_CORNERS : SP_STRONG_ADMISSIBLE);
     CHECK(!x.plate);
     s = plate(c, mu, torque, 1);
-    x = ask(&s, NULL);
+    x = ask(&s, &corners);
     CHECK_INT(x.kind, SP_STRONG_AMBIGUOUS);
+    CHECK(!x.plate);
     const double spin = (double)x.a[6 + 5], most = (torque - mu * c) / J;
     CHECK(spin > 0 && spin <= most * (1 + TOL(1e-9, 1e-3)));
     CHECK(fabs(spin / most - 1) < TOL(1e-6, 1e-2));
+}
+
+/* Pressure that gathers at the middle holds no torque, and spins by T / J: so says the plate's answer, however its edges are split.
+ * Without a torque nothing spins it. */
+TEST(splitting_an_edge_never_changes_the_answer_of_a_plate)
+{
+    const double c = 0.5, mu = 0.4, W = 1, J = (4 * c * c + 4 * c * c) / 12 / 9.80665;
+    static const double part[] = { 0.1, 0.3, 0.85, 0.99 };
+    for (int k = 0; k < 4; k++)
+        for (int middles = 0; middles < 2; middles++) {
+            const double torque = part[k] * mu * W * c;
+            sp_scene s = plate(c, mu, torque, middles);
+            const sp_strong_result x = ask(&s, NULL);
+            CHECK_INT(x.kind, SP_STRONG_AMBIGUOUS);
+            CHECK(x.plate);
+            CHECK(fabs((double)x.a[6 + 5] * J / torque - 1) < TOL(1e-6, 1e-2));
+        }
+    const sp_scene s = plate(c, mu, 0, 1);
+    CHECK_INT(ask(&s, NULL).kind, SP_STRONG_STRONG);
+}
+
+/* What moves at the centre of its pressure is no motion where pressure is at the corners, or elsewhere. */
+TEST(friction_at_the_centre_of_pressure_is_judged_as_one_force)
+{
+    const double c = 0.5, mu = 0.4;
+    sp_strong_kind proved;
+    sp_scene s = plate(c, mu, 0.3 * mu * c, 0);
+    const sp_strong_result x = ask(&s, NULL);
+    CHECK(x.kind == SP_STRONG_AMBIGUOUS && x.plate);
+    for (int what = 0; what < 3; what++) {
+        const sp_real was = x.moving[what];
+        x.moving[what] += R(what ? 0.01 : 0.1);         /* more pressure there; friction that corners do not share alike */
+        CHECK_INT(sp_strong_verify(&s, NULL, &x, test_arena, &proved), SP_OK);
+        CHECK_INT(proved, SP_STRONG_ADMISSIBLE);
+        x.moving[what] = was;
+    }
+    CHECK_INT(sp_strong_verify(&s, NULL, &x, test_arena, &proved), SP_OK);
+    CHECK_INT(proved, SP_STRONG_AMBIGUOUS);
 }
 
 /* Several corners: a plate whose pressure gathers at its middle would spin more easily. */
@@ -171,7 +211,7 @@ TEST(two_cubes_on_a_slope_are_strong_at_their_corners)
 /* Corners at r1 that carry all the weight hold mu W r1, those at r2 > r1 mu W r2; the largest spin is (T - mu W r1) / J. */
 TEST(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
 {
-    const sp_strong_settings no_starts = { 0 };
+    const sp_strong_settings no_starts = { 0, 0 };
     const double mu = 0.5, r1 = 0.3, r2 = 0.6, J = (0.7 * 0.7 + 0.7 * 0.7) / 3 / 9.80665;
     static const double below[] = { 0, 0.1, 0.5, 0.9, 0.99, 0.999 }, between[] = { 1.01, 1.2, 1.6, 1.999 };
     for (int k = 0; k < 6; k++) {
@@ -275,7 +315,7 @@ static sp_scene wedged(void)
 /* The proof by cases and the search for a motion know nothing of each other; every set of corners is a start. */
 TEST(no_start_moves_what_cases_prove_strong)
 {
-    const sp_strong_settings no_starts = { 0 };
+    const sp_strong_settings no_starts = { 0, 0 };
     int strong = 0, ambiguous = 0, stands = 0;
     for (int k = 0; k < SOME_OF(500, 40); k++) {
         const sp_scene s = wedged();
@@ -546,7 +586,7 @@ TEST(a_lesser_budget_takes_less_memory)
 
 TEST(questions_that_make_no_sense_are_refused)
 {
-    const sp_strong_settings fewer = { -1 }, no_starts = { 0 };
+    const sp_strong_settings fewer = { -1, 0 }, no_starts = { 0, 0 };
     const sp_scene s = stool(0.3, 0.6, 0.5, 0.2);
     sp_strong_kind proved;
     sp_strong_result r = ask(&s, &no_starts), x;
@@ -574,6 +614,8 @@ TEST_LIST(strong)
     RUN(a_keystone_is_strong_where_it_narrows_downward_and_never_else)
     RUN(a_slope_is_decided_to_a_millionth_in_the_plane_and_to_a_thousandth_in_space)
     RUN(a_plate_on_its_corners_holds_what_moves_with_the_middles_of_its_edges_too)
+    RUN(splitting_an_edge_never_changes_the_answer_of_a_plate)
+    RUN(friction_at_the_centre_of_pressure_is_judged_as_one_force)
     RUN(a_block_on_a_slope_below_its_friction_is_strong_at_its_corners)
     RUN(two_cubes_on_a_slope_are_strong_at_their_corners)
     RUN(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)

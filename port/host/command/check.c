@@ -25,7 +25,9 @@ static int ask_published(report *r, solvers_published *p, failure *error)
 static int ask_strong(report *r, sp_strong_result *x, void **memory, failure *error)
 {
     progress_show("asking whether friction may let go of %s ...", r->scene->path);
-    const sp_status status = run_strong(&r->scene->scene, &r->options->settings, r->result.f, x, &r->strong_cost, memory);
+    sp_strong_settings how = sp_strong_settings_default();
+    how.corners = r->options->corners;
+    const sp_status status = run_strong(&r->scene->scene, &r->options->settings, &how, r->result.f, x, &r->strong_cost, memory);
     r->strong = x;
     return status == SP_OK ? 0 : scene_refused(r->scene, &r->options->settings, status, error);
 }
@@ -102,7 +104,7 @@ int command_check(int argc, char **argv)
 
     if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
-                     " --tilt --strong --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
+                     " --tilt --strong --corners --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
                      " --worker --fallback --skip-done"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);

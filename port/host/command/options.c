@@ -378,6 +378,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--strong") == 0) return o->strong = 1;
+    if (strcmp(name, "--corners") == 0) return o->corners = 1;
     if (strcmp(name, "--cra-box") == 0) return o->settings.coupled.box = 1;
     if (strcmp(name, "--net") == 0) return o->settings.penalty.net = 1;
     if (strcmp(name, "--fallback") == 0) return o->fallback = 1;
@@ -464,6 +465,7 @@ int options_read(int argc, char **argv, const char *allowed, options *o, failure
     }
     if (!status) status = choose_solver(o, error);
     if (!status && o->strong && o->worker > 0) status = usage(error, "--strong", "can't go to a worker");
+    if (!status && o->corners && !o->strong) status = usage(error, "--corners", "belongs to --strong");
     if (!status && o->strong && o->settings.faces) status = usage(error, "--strong", "asks for the true cone");
     if (!status && o->sliding && o->settings.faces) status = usage(error, "--sliding", "asks for the true cone");
     return status ? status : join_coupled(o, coupled_only, error);

@@ -34,6 +34,7 @@ typedef struct options {
     sp_qp_solver solver;        /* settings.penalty.solver, where not ours */
     sp_settings settings;
     int strong;                 /* of check */
+    int corners;                /* of check --strong: pressure is at the corners that joints list */
     int sliding;                /* of limit: real sliding, without dilatancy */
     sp_choice couple;           /* of --effects: coupled */
     char cone[16];              /* "true", "8i", "4c" */

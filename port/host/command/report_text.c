@@ -86,6 +86,10 @@ static void text_strong(FILE *out, const report *r)
     case SP_STRONG_AMBIGUOUS:
         fprintf(out, "ambiguous: it stands or goes, by its history; a block may move off with %.2g of its forces / its "
                 "mass; verified\n", (double)x->moves);
+        if (x->plate) {
+            report_row(out, "");
+            fputs("pressure may gather in the middle of a joint, where it holds no torsion; --corners asks without that\n", out);
+        }
         if (!x->balls) break;
         report_row(out, "");
         fprintf(out, "%ld block%s without a mesh turn as balls do\n", (long)x->balls, x->balls == 1 ? "" : "s");

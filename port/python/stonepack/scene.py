@@ -215,14 +215,14 @@ class Scene(Assembly):
         return Plan(effects, out.islands, out.unknowns, out.flops, out.bytes, out.full_unknowns, out.full_flops, out.full_bytes)
 
     @asks
-    def strong(self, **settings: Any) -> Strong:
-        """Does it stand whatever friction does, or by its history only?"""
+    def strong(self, *, corners: bool = False, **settings: Any) -> Strong:
+        """Does it stand whatever friction does, or by its history only? corners: pressure is at the corners that joints list."""
         result = self.check(**settings)
         still = self.check(**dict(settings, without=("friction",), localise=False))
         p = byref(result._settings) if result._settings is not None else None
-        out = c.sp_strong_result()
+        out, how = c.sp_strong_result(), c.sp_strong_settings(256, int(corners))
         kept, a = arena(self._bytes(c.SP_FOR_STRONG, result._settings))
-        status = lib.sp_strong(byref(self._c), p, None, result._c.f, still._c.f if still.stable else None, byref(a), byref(out))
+        status = lib.sp_strong(byref(self._c), p, byref(how), result._c.f, still._c.f if still.stable else None, byref(a), byref(out))
         if status:
             raise refuse(status)
         proved = ctypes.c_int()
