@@ -116,6 +116,7 @@
 #include "solvers/proof/moving.c"               /* what pressure alone proves, and what moves for all that friction does */
 #include "solvers/proof/sliding.c"              /* a state in which a scene slides, its joints without dilatancy */
 #include "solvers/proof/still.c"                /* what a tree of multipliers proves: whatever friction does, nothing moves */
+#include "solvers/proof/shear.c"                /* the same of friction in proportion to pressure, where joints close no loop */
 #include "solvers/proof/triple.c"               /* what forces, motion and slip of a coupled check prove */
 #include "solvers/proof/refute.c"               /* what a tree of multipliers proves: no triple exists */
 

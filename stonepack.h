@@ -657,7 +657,7 @@ typedef enum sp_memory_for {
     SP_FOR_LIMIT_VERIFY,        /* sp_limit_verify's scratch, at most */
     SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
     SP_FOR_PROBLEM,             /* sp_problem_build */
-    SP_FOR_STRONG,              /* sp_strong: with a budget less, a proof that it has work for; SP_E_ARGUMENT: it is left out */
+    SP_FOR_STRONG,              /* sp_strong: with a budget less, a proof that it pays for; SP_E_ARGUMENT: left out */
     SP_FOR_STRONG_VERIFY,       /* sp_strong_verify's scratch; likewise */
     SP_FOR_SLIDING,             /* sp_sliding; likewise */
     SP_FOR_SLIDING_VERIFY       /* sp_sliding_verify's scratch; likewise */
@@ -701,7 +701,9 @@ typedef enum sp_strong_reason {
     SP_STRONG_MOTION,           /* ambiguous: (moving, a) */
     SP_STRONG_NOTHING_FOUND,    /* admissible: no start led to a motion, and no proof was found */
     SP_STRONG_NOT_ASKED,        /* admissible: strength of a joint, or a load with mass, with which motions are unknown */
-    SP_STRONG_CASES             /* strong: a proof that tells cases of sticking and slipping apart, up to 16 corners */
+    SP_STRONG_CASES,            /* strong: a proof that tells cases of sticking and slipping apart, up to 16 corners */
+    SP_STRONG_EVEN              /* strong: f, with friction in proportion to pressure in every joint; no loops of joints, up to
+                                   32 free blocks */
 } sp_strong_reason;
 
 typedef struct sp_strong_settings {
@@ -717,8 +719,8 @@ static inline sp_strong_settings sp_strong_settings_default(void)
 typedef struct sp_strong_result {
     sp_strong_kind kind;
     sp_strong_reason reason;
-    int32_t plate;              /* 1: of a STRONG, proved for pressure anywhere in the joints' polygons; of an AMBIGUOUS, friction
-                                   of a joint is one force at the centre of its pressure, shared by its corners as that is */
+    int32_t plate;              /* 1: of a STRONG, proved for pressure anywhere in the joints' polygons; of an AMBIGUOUS, its
+                                   friction is one force a joint at the centre of pressure, shared by corners as that is */
     int32_t starts;             /* that were tried */
     int32_t balls;              /* free blocks without a mesh: where they turn, an AMBIGUOUS is one for the inertia of a ball as
                                    large as the block's joints are far from its centroid */
@@ -726,7 +728,7 @@ typedef struct sp_strong_result {
     sp_real moves;              /* of an AMBIGUOUS: largest acceleration of a block, in all forces on it / mass, >= 1e-3 [1] */
     sp_proof proof;             /* of SP_STRONG_CASES: no block moves by more than 1e-3 of its load / its mass, for forces
                                    up to 1e4 sbar; behind all other arrays */
-    sp_real margin;             /* of the proof, > 0                                                                      [1] */
+    sp_real margin;             /* of a proof, > 0                                                                        [1] */
     sp_real tol;                /* in force */
     sp_real *f;                 /* 3 x scene.count.points: forces at rest; of a STRONG by pressure ft = 0             [N] */
     sp_real *moving;            /* 3 x scene.count.points: forces of the motion, else 0                               [N] */
@@ -736,9 +738,10 @@ typedef struct sp_strong_result {
     size_t peak_bytes;          /* of the arena */
 } sp_strong_result;
 
-/* Does it stand whatever friction does? It asks for pressure first, then for motions, by sweeps over the corners from many
- * starts, each judged with every condition above to tol; then, in double and up to 16 corners, by branch and bound over corners
- * that are open, stick or slip within a sector, whose proof is judged.
+/* Does it stand whatever friction does? It asks for pressure first, then whether friction in proportion to pressure holds a
+ * tree of joints, then for motions, by sweeps over the corners from many starts, each judged with every condition above to tol;
+ * then, in double and up to 16 corners, by branch and bound over corners that are open, stick or slip within a sector, whose
+ * proof is judged.
  *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0
  *   f         of a sp_check that says STABLE, 3 x scene.count.points
  *   pressed   f of a sp_check with settings.effect[SP_EFFECT_FRICTION] = SP_WITHOUT that says STABLE; NULL where it does not

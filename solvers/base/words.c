@@ -61,7 +61,8 @@
     "resting face tilted\0" "too near the edge" SP__LONG_TEXT(" of its support") "\0" "unknown"
 
 #define SP__WORDS_STRONG "none\0" "admissible\0" "ambiguous\0" "strong at these corners\0" "strong\0" "unknown"
-#define SP__WORDS_STRONG_REASON "does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" "unknown"
+#define SP__WORDS_STRONG_REASON "does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" \
+                                "even friction\0" "unknown"
 
 /* The k-th of `count` zero-terminated words that follow each other, of others the one behind the last. No table of pointers, so
  * nothing to relocate. */
@@ -95,7 +96,7 @@ SP_API const char *sp_text(sp_words of, int32_t value)
     case SP_WORDS_JOINT: return sp__word(SP__WORDS_JOINT, value, 4);
     case SP_WORDS_NBO: return sp__word(SP__WORDS_NBO, value, 5);
     case SP_WORDS_STRONG: return sp__word(SP__WORDS_STRONG, value, 5);
-    case SP_WORDS_STRONG_REASON: return sp__word(SP__WORDS_STRONG_REASON, value, 6);
+    case SP_WORDS_STRONG_REASON: return sp__word(SP__WORDS_STRONG_REASON, value, 7);
     }
     return "unknown";
 }

@@ -57,8 +57,8 @@ static void sp__moving_read(const sp__certifier *j, const sp_contact *t, int32_t
     sp__joint_frame(t->joint, d, d);
 }
 
-/* Violation of a joint whose friction is one force F at the centre of its pressure N, against the slip w there, corners sharing
- * F as they share N:  N w = sum fn d,  F |w| = -mu N w,  ft = F fn / N. Pressure that gathers there meets the laws of contact. */
+/* Violation of a joint whose friction is one force F at the centre of its pressure N, against the slip w there, corners
+ * sharing F as they share N:  N w = sum fn d,  F |w| = -mu N w,  ft = F fn / N. Pressure that gathers there meets the laws. */
 static sp_real sp__moving_gathered(const sp__certifier *j, const sp_contact *t, const sp_real *f, const sp_real *a, sp_real s,
                                    sp_real moved)
 {

@@ -3,6 +3,7 @@
 #define SP__STRONG_STRONG_C
 
 #include "../check/settings.c"
+#include "../proof/shear.c"
 #include "cases.c"
 #include "starts.c"
 
@@ -16,14 +17,16 @@ typedef struct sp__holds {
     sp_strong_result r;
 } sp__holds;
 
-/* Bytes that telling cases apart takes, with `search`, or the check of its proof; 0: too many corners. */
+/* Bytes that telling cases apart takes, with `search`, or the check of a proof; 0: too many corners, a loop of joints. */
 SP__NOINLINE static size_t sp__holds_cases_need(const sp_scene *scene, int search)
 {
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    if (!sp__cases_allowed(scene, pb.blocks)) return 0;
+    const size_t shear = sp__shear_need(pb.contacts, pb.blocks);
+    if (!sp__cases_allowed(scene, pb.blocks)) return shear;
     const int32_t points = sp__points_count(scene);
-    const size_t check = sp__still_need(points, pb.blocks), cases = search ? sp__cases_need(points, pb.blocks) : 0;
+    const size_t still = sp__still_need(points, pb.blocks), cases = search ? sp__cases_need(points, pb.blocks) : 0;
+    const size_t check = still > shear ? still : shear;
     return check > cases ? check : cases;
 }
 
@@ -101,7 +104,7 @@ static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
     return 1;
 }
 
-/* A motion with pressure anywhere in the joints: its corners alone may hold what that does not. It goes beyond a proof by cases. */
+/* Is there a motion with pressure anywhere in the joints? Their corners alone may hold what that does not. */
 static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how)
 {
     sp_strong_result *r = &s->r;
@@ -122,6 +125,14 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     r->reason = SP_STRONG_NOT_ASKED;
     if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return;
     for (int32_t i = 0; i < s->pb.blocks; i++) r->balls += !s->starts.M[i].known;
+    sp_arena shear = a;
+    r->margin = sp__certify_shear(&s->starts.j, s->starts.M, r->f, &shear);
+    if (r->margin > 0) {
+        r->kind = SP_STRONG_STRONG;
+        r->reason = SP_STRONG_EVEN;
+        r->plate = 1;
+        return;
+    }
     r->reason = SP_STRONG_NOTHING_FOUND;
     sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
@@ -207,6 +218,8 @@ static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *clai
     if (sp__certify_pressure(j, claim->f, s->starts.sweep.f) <= s->set.tol) return SP_STRONG_STRONG;
     if (!(sp__certify_forces(j, claim->f, NULL) <= s->set.tol)) return SP_STRONG_NONE;
     if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return SP_STRONG_ADMISSIBLE;
+    sp_arena shear = a;
+    if (sp__certify_shear(j, s->starts.M, claim->f, &shear) > 0) return SP_STRONG_STRONG;
     if (claim->proof.nodes > 0) {
         const sp_strong_kind kind = sp__holds_by_cases(s, &claim->proof, a, &moves);
         return kind ? kind : SP_STRONG_ADMISSIBLE;

@@ -133,8 +133,8 @@ static sp_real sp__sweep_corner_step(sp__sweep *s, const sp__sweep_corner *q)
     return sp__sweep_change(s, q, g);
 }
 
-/* The friction of the joint whose n corners begin at q, one force F at the centre of its pressure N:  F <- P_(mu N) (F - w / W),
- * w the slip there; corners share F as they share N. */
+/* The friction of the joint whose n corners begin at q, one force F at the centre of its pressure N, w the slip there:
+ * F <- P_(mu N) (F - w / W); corners share F as they share N. */
 static sp_real sp__sweep_joint_step(sp__sweep *s, const sp__sweep_corner *q, int32_t n)
 {
     sp_real F[3] = { 0, 0, 0 }, d[3], change = 0, tangent = 0;

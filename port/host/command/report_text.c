@@ -80,6 +80,10 @@ static void text_strong(FILE *out, const report *r)
                     sp_strong_text(x->kind), (long)x->proof.leaves, text_s(x->proof.leaves));
             break;
         }
+        if (x->reason == SP_STRONG_EVEN) {
+            fputs("strong: friction in proportion to pressure holds every joint, and joints close no loop; verified\n", out);
+            break;
+        }
         fprintf(out, "strong: pressure alone holds it, whatever friction does; imbalance %.2g; verified\n",
                 (double)x->residual);
         break;
@@ -88,7 +92,7 @@ static void text_strong(FILE *out, const report *r)
                 "mass; verified\n", (double)x->moves);
         if (x->plate) {
             report_row(out, "");
-            fputs("pressure may gather in the middle of a joint, where it holds no torsion; --corners asks without that\n", out);
+            fputs("pressure may gather inside a joint, where it holds no torsion; --corners asks without\n", out);
         }
         if (!x->balls) break;
         report_row(out, "");
