@@ -320,6 +320,7 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(s.check().stable)
         self.assertTrue(s.check(coupled=True).unstable)
         self.assertEqual(overhang(0).strong().kind, "strong")
+        self.assertEqual(s.strong(corners=True).kind, "ambiguous")
 
     def test_a_plan_says_what_is_left_out(self):
         plan = overhang(0.2).plan()
