@@ -1,0 +1,185 @@
+/* The motion behind a proof by even friction against its definition: what joints of a tree do in it, what its power with M a is. */
+#define SP_API static
+#include "../test.h"
+#include "../../solvers/base/words.c"
+#include "../../solvers/scene/scene.c"
+#include "../../solvers/scene/block.c"
+#include "../../solvers/proof/shear.c"
+
+#if SP__WITH_STRONG
+
+#include <math.h>
+
+enum { BLOCKS = 5, CORNERS = 3, ROWS = 6 * BLOCKS };
+
+static sp_scene scene;
+static sp_problem pb;
+static sp_settings set;
+static sp__certifier j;
+static sp__inertia M[BLOCKS];
+static sp__shear *w;
+
+/* A joint of three corners in any plane, named from either side. */
+static int joint(int32_t a, int32_t b)
+{
+    const sp_strength rough = sp_strength_friction(R(0.7));
+    sp_real n[3], t[3], s[3], o[3], x[9];
+    for (int k = 0; k < 3; k++) { n[k] = test_random_real(-1, 1); t[k] = test_random_real(-1, 1); o[k] = test_random_real(-2, 2); }
+    sp__cross3(n, t, s);
+    sp__cross3(s, n, t);
+    for (int q = 0; q < CORNERS; q++)
+        for (int k = 0; k < 3; k++) x[3 * q + k] = o[k] + (q == 1) * t[k] + (q == 2) * s[k];
+    const int turned = test_random_int(0, 1);
+    return CHECK_INT(sp_scene_points(&scene, turned ? b : a, turned ? a : b, n, CORNERS, x, &rough, NULL), SP_OK);
+}
+
+/* Blocks hung on a support or on each other at random, in any order of joints; `loop`: one joint more. */
+static int begin(int loop)
+{
+    const sp_capacity cap = { BLOCKS + 1, 0, 0, 0, BLOCKS + 1, CORNERS * (BLOCKS + 1), 0 };
+    if (!CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK)) return 0;
+    for (int32_t b = 0; b <= BLOCKS; b++) {
+        const sp_real at[3] = { test_random_real(-2, 2), test_random_real(-2, 2), test_random_real(-2, 2) };
+        if (!CHECK_INT(sp_scene_body(&scene, b ? R(1) : 0, at, b ? 0 : SP_FIXED, NULL), SP_OK)) return 0;
+    }
+    for (int32_t b = BLOCKS; b > 0; b--) if (!joint(b, test_random_int(0, b - 1))) return 0;
+    if (loop && !joint(0, BLOCKS)) return 0;
+    memset(M, 0, sizeof M);
+    for (int i = 0; i < BLOCKS; i++) {
+        M[i].mass = test_random_real(1, 2);
+        M[i].known = 1;
+        for (int k = 0; k < 3; k++) M[i].J[k][k] = test_random_real(20, 30);
+    }
+    set.tol = R(0.01);
+    set.force_bound = 100;
+    if (!CHECK_INT(sp_problem_build(&scene, &test_arena, &pb), SP_OK)) return 0;
+    if (!CHECK(sp__certifier_open(&j, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
+    w = sp__take(&test_arena, 1, sizeof *w);
+    if (!CHECK(w)) return 0;
+    sp__shear_carve(w, pb.contacts, BLOCKS, &test_arena);
+    if (!CHECK(!sp__failed(&test_arena))) return 0;
+    w->j = &j;
+    w->M = M;
+    memset(w->u, 0, (size_t)(ROWS * ROWS) * sizeof *w->u);
+    return 1;
+}
+
+/* A g of every joint, along it. */
+static void draw(double most)
+{
+    for (int32_t c = 0; c < pb.contacts; c++) {
+        const sp_real g[3] = { 0, test_random_real(-most, most), test_random_real(-most, most) };
+        sp__joint_force(pb.contact[c].joint, g, w->pair[c].g);
+    }
+}
+
+/* a, and u = Y a */
+static void move(sp_real a[ROWS], sp_real u[ROWS])
+{
+    for (int r = 0; r < ROWS; r++) a[r] = test_random_real(-1, 1);
+    for (int r = 0; r < ROWS; r++) {
+        u[r] = 0;
+        for (int e = 0; e < ROWS; e++) u[r] += w->u[r * ROWS + e] * a[e];
+    }
+}
+
+TEST(in_the_sheared_motion_joints_slip_alike_and_open_by_less_what_friction_takes_up)
+{
+    for (int round = 0; round < 40; round++) {
+        const sp_arena mark = test_arena;
+        sp_real a[ROWS], u[ROWS], d[3], e[3];
+        NEED(begin(0));
+        draw(0.4);
+        NEED(CHECK(sp__shear_tree(w)));
+        move(a, u);
+        for (int32_t c = 0; c < pb.contacts; c++)
+            for (int32_t v = pb.contact[c].point; v < pb.contact[c].point + CORNERS; v++) {
+                sp_real g[3];
+                sp__vertex_velocity(&pb, NULL, &pb.contact[c], v, a, d);
+                sp__vertex_velocity(&pb, NULL, &pb.contact[c], v, u, e);
+                const double rub = (double)sp__dot3(w->pair[c].g, d);
+                sp__joint_frame(pb.contact[c].joint, d, d);
+                sp__joint_frame(pb.contact[c].joint, e, e);
+                sp__joint_frame(pb.contact[c].joint, w->pair[c].g, g);
+                CHECK_WITHIN(g[0], 0, TOL(1e-12, 1e-5));
+                CHECK_WITHIN((double)e[0] - ((double)d[0] - rub), 0, TOL(1e-11, 1e-3));
+                for (int k = 1; k < 3; k++) CHECK_WITHIN((double)e[k] - (double)d[k], 0, TOL(1e-11, 1e-3));
+            }
+        test_arena = mark;
+    }
+}
+
+TEST(around_a_loop_there_is_no_sheared_motion)
+{
+    for (int round = 0; round < 10; round++) {
+        const sp_arena mark = test_arena;
+        int same;
+        int32_t pairs = 0;
+        NEED(begin(1));
+        for (int32_t c = 0; c < pb.contacts; c++) pairs += sp__shear_lead(&pb, c, &same) == c;
+        sp_real f[3 * CORNERS * (BLOCKS + 1)];
+        memset(f, 0, sizeof f);
+        const int32_t told = sp__shear_pairs(w, f);
+        CHECK(told == -1 || told == pairs);             /* a pair twice, in two planes */
+        CHECK(told == -1 || told == BLOCKS + 1);        /* one more than blocks: no proof */
+        test_arena = mark;
+    }
+}
+
+/* Whatever a factor says is positive is so for motions drawn at random; with much friction it says no. */
+TEST(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
+{
+    int yes = 0, no = 0;
+    for (int round = 0; round < 60; round++) {
+        const sp_arena mark = test_arena;
+        NEED(begin(0));
+        draw(round % 3 == 0 ? 0.02 : round % 3 == 1 ? 0.1 : 2);
+        NEED(CHECK(sp__shear_tree(w)));
+        const int positive = sp__shear_positive(w);
+        double least = 1e30;
+        for (int k = 0; k < 200; k++) {
+            sp_real a[ROWS], u[ROWS];
+            double power = 0, energy = 0;
+            move(a, u);
+            for (int r = 0; r < ROWS; r++) {
+                const double m = (double)(r % 6 < 3 ? M[r / 6].mass : M[r / 6].J[r % 6 - 3][r % 6 - 3]);
+                power += m * (double)u[r] * (double)a[r];
+                energy += m * (double)a[r] * (double)a[r];
+            }
+            if (power / energy < least) least = power / energy;
+        }
+        if (positive) CHECK(least >= 0.01);
+        yes += positive;
+        no += !positive;
+        test_arena = mark;
+    }
+    CHECK(yes > 5 && no > 5);
+}
+
+/* Corners beside the plane of their joint; more friction than there is. */
+TEST(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
+{
+    sp_real f[3 * CORNERS * BLOCKS];
+    for (int what = 0; what < 3; what++) {
+        const sp_arena mark = test_arena;
+        NEED(begin(0));
+        for (int v = 0; v < CORNERS * BLOCKS; v++) { f[3 * v] = 1; f[3 * v + 1] = R(what == 2 ? 0.71 : 0.69); f[3 * v + 2] = 0; }
+        if (what == 1) scene.point[4][0] += R(0.1), scene.point[4][1] += R(0.1), scene.point[4][2] += R(0.1);
+        const int32_t pairs = sp__shear_pairs(w, f);
+        CHECK_INT(pairs, what == 1 ? -1 : BLOCKS);
+        sp__certifier_load_rows(&j);
+        if (what != 1) for (int32_t c = 0; c < pb.contacts; c++) CHECK_INT(sp__shear_joint(w, &j, c, f), what != 2);
+        test_arena = mark;
+    }
+}
+
+#endif
+
+TEST_LIST(shear)
+#if SP__WITH_STRONG
+    RUN(in_the_sheared_motion_joints_slip_alike_and_open_by_less_what_friction_takes_up)
+    RUN(around_a_loop_there_is_no_sheared_motion)
+    RUN(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
+    RUN(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
+#endif
+TEST_END
