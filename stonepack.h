@@ -835,9 +835,9 @@ static inline const char *sp_limit_text(sp_limit_kind kind) { return sp_text(SP_
  *
  *     upper          a verified state exists there: the scene may slide at that multiple. Without one the associative value,
  *                    called so. Nothing is said between it and the associative value, where states may exist or not
- *     lower          no such state in [0, lower), proved for the whole interval: pressure alone carries lower, so whatever the
- *                    friction does. 0 where nothing is proved
- *     lower_strong   strong on all of [0, it] (whatever friction does): pressure alone carries 0, too. The number for safety
+ *     lower          no such state in [0, lower), proved for the whole interval: pressure alone carries lower, or friction in
+ *                    proportion to it along a tree of joints. 0 where nothing is proved
+ *     lower_strong   strong on all of [0, it] (whatever friction does): such forces carry 0, too. The number for safety
  */
 #define SP_SLIDING_STARTS 32            /* histories, at most */
 
@@ -881,7 +881,7 @@ typedef struct sp_sliding_result {
     int32_t ends;               /* histories */
     sp_sliding_end *end;        /* ends */
     sp_real *f, *v;             /* 3 x scene.count.points [N], 6 x scene.count.blocks [m, 1]: the state; else 0 */
-    sp_real *pressed, *resting; /* 3 x scene.count.points: pressure at lower, at 0; else 0                             [N] */
+    sp_real *pressed, *resting; /* 3 x scene.count.points: forces that prove it, at lower and at 0; else 0             [N] */
     sp_cost cost;
     size_t peak_bytes;          /* of the arena */
 } sp_sliding_result;

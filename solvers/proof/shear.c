@@ -42,6 +42,7 @@ typedef struct sp__shear {
     sp_real *slack;                     /* n: most of what the balance of f' leaves; then of u times that, by a */
     int32_t *reached;                   /* b */
     sp__shear_pair *pair;               /* joints: of the first of each pair */
+    sp_real *even;                      /* 3 x points: f' [N] */
 } sp__shear;
 
 /* Are there few blocks, and joints for all? */
@@ -50,7 +51,7 @@ static int sp__shear_allowed(int32_t contacts, int32_t blocks)
     return contacts >= blocks && blocks > 0 && blocks <= SP__SHEAR_BLOCKS;
 }
 
-static void sp__shear_carve(sp__shear *w, int32_t contacts, int32_t blocks, sp_arena *a)
+static void sp__shear_carve(sp__shear *w, int32_t points, int32_t contacts, int32_t blocks, sp_arena *a)
 {
     const size_t n = 6 * (size_t)blocks;
     w->n = 6 * blocks;
@@ -59,16 +60,17 @@ static void sp__shear_carve(sp__shear *w, int32_t contacts, int32_t blocks, sp_a
     w->slack = sp__take(a, n, sizeof *w->slack);
     w->reached = sp__take(a, (size_t)blocks, sizeof *w->reached);
     w->pair = sp__take(a, (size_t)contacts, sizeof *w->pair);
+    w->even = sp__take(a, (size_t)points, 3 * sizeof *w->even);
 }
 
 /* Bytes; 0: not asked. */
-SP__NOINLINE static size_t sp__shear_need(int32_t contacts, int32_t blocks)
+SP__NOINLINE static size_t sp__shear_need(int32_t points, int32_t contacts, int32_t blocks)
 {
     sp__shear w;
     sp_arena dry = sp__arena_dry();
     if (!sp__shear_allowed(contacts, blocks)) return 0;
     sp__take(&dry, 1, sizeof w);
-    sp__shear_carve(&w, contacts, blocks, &dry);
+    sp__shear_carve(&w, points, contacts, blocks, &dry);
     return dry.used;
 }
 
@@ -128,7 +130,7 @@ SP__NOINLINE static int32_t sp__shear_pairs(sp__shear *w, const sp_real *f)
     return pairs;
 }
 
-/* residual += Aeq f' of joint c.     returns 0: its friction is less than g asks for */
+/* f' of joint c; residual += Aeq f'.     returns 0: its friction is less than g asks for */
 SP__NOINLINE static int sp__shear_joint(const sp__shear *w, sp__certifier *j, int32_t c, const sp_real *f)
 {
     const sp_problem *pb = j->pb;
@@ -138,8 +140,10 @@ SP__NOINLINE static int sp__shear_joint(const sp__shear *w, sp__certifier *j, in
     const sp_real *g = w->pair[k].g, *n = pb->contact[k].joint->n;
     if (!(sp__norm3(g) <= t->joint->strength.mu * j->mu_factor * (1 - 16 * (sp_real)SP_EPSILON))) return 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
-        const sp_real fn = (same ? 1 : -1) * sp__in_units(j->unit, sp__max(0, f[3 * (size_t)v]));
-        const sp_real F[3] = { fn * (n[0] + g[0]), fn * (n[1] + g[1]), fn * (n[2] + g[2]) };
+        const sp_real fn = (same ? 1 : -1) * sp__max(0, f[3 * (size_t)v]);
+        sp_real F[3] = { fn * (n[0] + g[0]), fn * (n[1] + g[1]), fn * (n[2] + g[2]) };
+        sp__joint_frame(t->joint, F, w->even + 3 * (size_t)v);
+        sp__to_units(j->unit, 3, F, F);
         sp__vertex_force(pb, t, v, F, j->residual, j->pass.sums);
     }
     return 1;
@@ -270,25 +274,60 @@ SP__NOINLINE static sp_real sp__shear_slack(sp__shear *w)
     return SP_SQRT(all);
 }
 
-/* Do the forces f hold the scene whatever friction does?     returns a margin of 0 .. 1, 0: no proof */
-SP__NOINLINE static sp_real sp__certify_shear(sp__certifier *j, const sp__inertia *M, const sp_real *f, sp_arena *a)
+/* Do live loads q do on u what they do on a?  q'Y = q' to tol */
+static int sp__shear_pushes(const sp__shear *w, const sp_real *live)
+{
+    for (int32_t e = 0; e < w->n; e++) {
+        sp_real sum = -live[e], size = sp__abs(live[e]);
+        for (int32_t r = 0; r < w->n; r++) {
+            const sp_real x = live[r] * w->u[(size_t)r * (size_t)w->n + (size_t)e];
+            sum += x;
+            size += sp__abs(x);
+        }
+        if (!sp__held(w->j->pb, e / 6, e % 6) && !(sp__abs(sum) <= w->j->set->tol * size)) return 0;
+    }
+    return 1;
+}
+
+/* f' and u of the forces f; live: loads that do on u what they do on a, NULL: none.     returns NULL: there are none such */
+SP__NOINLINE static sp__shear *sp__shear_make(sp__certifier *j, const sp_real *f, const sp_real *live, sp_arena *a)
 {
     const sp_problem *pb = j->pb;
-    if (!sp__shear_allowed(pb->contacts, pb->blocks)) return 0;
+    if (!sp__shear_allowed(pb->contacts, pb->blocks)) return NULL;
     sp__shear *w = sp__take(a, 1, sizeof *w);
-    if (!w) return 0;
-    sp__shear_carve(w, pb->contacts, pb->blocks, a);
-    if (sp__failed(a)) return 0;
-    w->j = j; w->M = M;
-    const sp_real least = SP__SHEAR_LEAST * SP_SQRT(sp__in_newtons(j->unit, sp__still_delta(j, M)));
+    if (!w) return NULL;
+    sp__shear_carve(w, pb->points, pb->contacts, pb->blocks, a);
+    if (sp__failed(a)) return NULL;
+    w->j = j;
     memset(w->u, 0, (size_t)w->n * (size_t)w->n * sizeof *w->u);
+    memset(w->even, 0, 3 * (size_t)pb->points * sizeof *w->even);
     sp__certifier_load_rows(j);
-    if (sp__shear_pairs(w, f) != pb->blocks) return 0;
-    for (int32_t c = 0; c < pb->contacts; c++) if (!sp__shear_joint(w, j, c, f)) return 0;
+    if (sp__shear_pairs(w, f) != pb->blocks) return NULL;
+    for (int32_t c = 0; c < pb->contacts; c++) if (!sp__shear_joint(w, j, c, f)) return NULL;
     j->sweeps++;
-    if (!(least > 0) || !sp__shear_tree(w) || !sp__shear_held(w) || !sp__shear_positive(w)) return 0;
+    return sp__shear_tree(w) && sp__shear_held(w) && (!live || sp__shear_pushes(w, live)) ? w : NULL;
+}
+
+/* Do the forces f hold the scene whatever friction does?     returns a margin of 0 .. 1, 0: no proof */
+SP__NOINLINE static sp_real sp__certify_shear(sp__certifier *j, const sp__inertia *M, const sp_real *f, const sp_real *live,
+                                              sp_arena *a)
+{
+    const sp_real least = SP__SHEAR_LEAST * SP_SQRT(sp__in_newtons(j->unit, sp__still_delta(j, M)));
+    sp__shear *w = least > 0 ? sp__shear_make(j, f, live, a) : NULL;
+    if (!w) return 0;
+    w->M = M;
+    if (!sp__shear_positive(w)) return 0;
     const sp_real slack = sp__shear_slack(w);
     return slack < least ? 1 - slack / least : 0;
+}
+
+/* The largest relative imbalance of f', where live loads do on u what they do on a; SP__HUGE: there is no u. Then no state
+ * slides below this multiple of them: q . v of one at less, lambda < lambda', has
+ *     0 = (p + lambda q) . u + f . d~ <= -fn' dn - (lambda' - lambda) q . v <= 0 */
+SP__NOINLINE static sp_real sp__certify_even(sp__certifier *j, const sp_real *f, const sp_real *live, sp_arena *a)
+{
+    sp__shear *w = sp__shear_make(j, f, live, a);
+    return w ? sp__certify_forces(j, w->even, NULL) : SP__HUGE;
 }
 
 #endif

@@ -5,7 +5,7 @@
  *
  * Pressure alone that carries lambda' q, p + lambda' q = -An fn0, leaves no state below: lambda q . v = -p . v + sum mu fn |dt|
  * >= -p . v = lambda' q . v + fn0 . dn >= lambda' q . v. Where it carries 0 and lambda', it carries all between: there nothing
- * moves from rest, either (moving.c).
+ * moves from rest, either (moving.c). Even friction does as much along a tree of joints (shear.c).
  */
 #ifndef SP__PROOF_SLIDING_C
 #define SP__PROOF_SLIDING_C

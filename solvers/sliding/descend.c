@@ -309,9 +309,20 @@ SP__NOINLINE static int sp__descend_run(sp__descend *s, const sp__push *from, in
     return s->lambda >= 0;
 }
 
-/* Largest lambda >= 0 that pressure alone carries, at most `most`: forces into fn, those at lambda = 0 into rest.
- *     returns -1: not even 0 */
-SP__NOINLINE static sp_real sp__descend_pressure(sp__descend *s, sp_real most, sp_real *fn, sp_real *rest)
+/* Forces of the program's point: two columns a corner, (1, b) and (1, -b); b = 0: pressure alone, in the first. */
+static void sp__descend_take(const sp__descend *s, int rubs, sp_real *fn, sp_real *ft)
+{
+    for (int32_t v = 0; v < s->w->corners; v++) {
+        const sp_real *x = s->force.x + 2 * v;
+        fn[v] = x[0] + x[1];
+        ft[v] = rubs ? s->w->corner[v].mu * (x[0] - x[1]) : 0;
+    }
+}
+
+/* Largest lambda >= 0 that forces carry, at most `most`, pressure alone or with friction: forces into f, those at lambda = 0
+ * into rest, fn and then ft of all corners.     returns -1: not even 0 */
+SP__NOINLINE static sp_real sp__descend_most(sp__descend *s, int rubs, sp_real most, sp_real *const f[2],
+                                             sp_real *const rest[2])
 {
     const sp__slab *w = s->w;
     sp__simplex *x = &s->force;
@@ -319,19 +330,20 @@ SP__NOINLINE static sp_real sp__descend_pressure(sp__descend *s, sp_real most, s
     s->limit = INT64_MAX / 2;
     x->limit = s->limit;
     for (int32_t v = 0; v < w->corners; v++) {
-        sp__descend_column(x, 2 * v, &w->corner[v], 1, 0);
-        sp__descend_column(x, 2 * v + 1, &w->corner[v], 0, 0);
+        const sp_real b = rubs ? w->corner[v].mu : 0;
+        sp__descend_column(x, 2 * v, &w->corner[v], 1, b);
+        sp__descend_column(x, 2 * v + 1, &w->corner[v], rubs ? (sp_real)1 : 0, -b);
     }
     for (int32_t j = 0; j <= last; j++) {
         x->x[j] = x->lower[j] = 0;
-        x->upper[j] = j < last && j % 2 == 0 ? SP__SIMPLEX_FREE : 0;
+        x->upper[j] = j < last && (rubs || j % 2 == 0) ? SP__SIMPLEX_FREE : 0;
     }
     const int stands = sp__simplex_meet(x, SP__DESCEND_STEPS * w->rows);
-    for (int32_t v = 0; v < w->corners; v++) rest[v] = x->x[2 * v];
+    sp__descend_take(s, rubs, rest[0], rest[1]);
     x->upper[last] = most;
     x->cost[last] = -1;
     if (stands) sp__descend_solve(s, x);
-    for (int32_t v = 0; v < w->corners; v++) fn[v] = x->x[2 * v];
+    sp__descend_take(s, rubs, f[0], f[1]);
     const sp_real lambda = x->x[last];
     sp__descend_make(s);
     return stands ? lambda : -1;

@@ -3,7 +3,7 @@
 #define SP__SLIDING_SLIDING_C
 
 #include "../proof/sliding.c"
-#include "descend.c"
+#include "even.c"
 
 #if SP__WITH_SLIDING
 
@@ -11,13 +11,17 @@
 #define SP__SLIDING_SOFT ((sp_real)1e-3)    /* damping of a history: mean loads a mean arm */
 #define SP__SLIDING_FLOPS 10000000          /* what is spent at least, if starts are left */
 #define SP__SLIDING_STEPS 4000              /* of a history, at most */
+#define SP__SLIDING_HALVES 8                /* of what forces carry, until it is proved */
+#define SP__SLIDING_INSIDE (1 - (sp_real)1e6 * (sp_real)SP_EPSILON)     /* of it: inside friction, by more than rounding */
 
 typedef struct sp__sliding {
     sp__bracket bracket;
     sp__slab slab;
     sp__push push;
     sp__descend descend;
+    sp__even even;
     sp_real *f, *v, *v6;                /* 3 x points, 6 x blocks of the scene: of the state at hand; 6b */
+    sp_real *mixed;                     /* 3 x points: forces between two multiples */
     int64_t limit;                      /* of flops */
     sp_sliding_result r;
 } sp__sliding;
@@ -56,6 +60,8 @@ static void sp__sliding_carve(sp__sliding *s, const sp_problem *pb, sp_arena *a)
     s->f = sp__take(a, (size_t)pb->points, 3 * sizeof *s->f);
     s->v = sp__take(a, (size_t)pb->scene->count.blocks, 6 * sizeof *s->v);
     s->v6 = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->v6);
+    s->mixed = sp__take(a, (size_t)pb->points, 3 * sizeof *s->mixed);
+    sp__even_carve(&s->even, pb, a);
     sp__slab_carve(&s->slab, pb, a);
 }
 
@@ -67,7 +73,9 @@ static sp_status sp__sliding_open(sp__sliding *s, const sp_scene *scene, const s
     if (status) return status;
     if (s->bracket.set.faces) return SP_E_UNSUPPORTED;
     sp__sliding_carve(s, &s->bracket.pb, a);
-    return sp__failed(a) ? SP_E_MEMORY : SP_OK;
+    if (sp__failed(a)) return SP_E_MEMORY;
+    sp__even_make(&s->even, &s->bracket.pb, s->v6);
+    return SP_OK;
 }
 
 /* Largest violation of a state at lambda; 0 of *share, SP__HUGE: none. */
@@ -90,6 +98,36 @@ static int sp__sliding_presses(sp__sliding *s, sp_real lambda, const sp_real *f,
     const sp_real imbalance = sp__certify_pressure(&b->certifier, f, out);
     sp__bracket_certify_end(b);
     return imbalance <= b->set.tol;
+}
+
+/* Do the forces f, by pressure alone or with even friction, carry lambda times the live loads, so that no state lies below? */
+static int sp__sliding_carries(sp__sliding *s, sp_real lambda, const sp_real *f)
+{
+    sp__bracket *b = &s->bracket;
+    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return 0;
+    const int carries = sp__even_carries(&s->even, &b->certifier, f, b->live);
+    sp__bracket_certify_end(b);
+    return carries || sp__sliding_presses(s, lambda, f, s->f);
+}
+
+/* Does nothing move from rest there, either, whatever friction does? */
+static int sp__sliding_holds(sp__sliding *s, sp_real lambda, const sp_real *f)
+{
+    sp__bracket *b = &s->bracket;
+    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return 0;
+    const int holds = sp__even_holds(&s->even, &b->certifier, f, b->live);
+    sp__bracket_certify_end(b);
+    return holds || sp__sliding_presses(s, lambda, f, s->f);
+}
+
+/* Strong on all of [0, lambda]: by `resting` at 0, and at lambda by forces between them and those at `lower`. A pair (f, a) at l
+ * has, with u of either end,  u0'Ma <= l q . a  and  u1'Ma <= (l - lambda) q . a: by the sign of q . a one says a = 0. */
+static int sp__sliding_strong(sp__sliding *s, sp_real lambda, sp_real lower, const sp_real *pressed, const sp_real *resting)
+{
+    const size_t n = 3 * (size_t)s->bracket.pb.points;
+    if (!(lower > 0) || !(lambda <= lower) || !sp__sliding_holds(s, 0, resting)) return 0;
+    for (size_t k = 0; k < n; k++) s->mixed[k] = resting[k] + lambda / lower * (pressed[k] - resting[k]);
+    return sp__sliding_holds(s, lambda, s->mixed);
 }
 
 /* Stiffness of the corners: the first start's are alike. */
@@ -158,21 +196,33 @@ SP__NOINLINE static void sp__sliding_starts(sp__sliding *s, const sp_sliding_set
     }
 }
 
-/* What pressure alone carries: no state below, and strong up to there where it carries 0, too. */
-SP__NOINLINE static void sp__sliding_lower(sp__sliding *s)
+/* Forces of the plane's corners, as they are and at rest, into s->f and s->mixed, so many parts of the way between. */
+static void sp__sliding_between(sp__sliding *s, sp_real t)
+{
+    const size_t n = 3 * (size_t)s->bracket.pb.points;
+    sp__slab_forces(&s->slab, s->push.fn, s->push.ft, s->f);
+    sp__slab_forces(&s->slab, s->push.gn, s->push.gt, s->mixed);
+    for (size_t k = 0; k < n; k++) s->r.pressed[k] = s->mixed[k] + t * (s->f[k] - s->mixed[k]);
+}
+
+/* The most that forces carry, by pressure or with friction, down from there by halves until it proves what it is to: no state
+ * below; nothing moves from rest up to there. Pressure needs no halves. */
+SP__NOINLINE static void sp__sliding_lower(sp__sliding *s, int rubs)
 {
     sp_sliding_result *r = &s->r;
-    sp__push *p = &s->push;
+    sp_real *const f[2] = { s->push.fn, s->push.ft }, *const rest[2] = { s->push.gn, s->push.gt };
     const sp_real most = r->associative >= 0 ? r->associative : SP__HUGE;
-    const sp_real lambda = sp__descend_pressure(&s->descend, most, p->fn, p->gn);
-    memset(p->ft, 0, (size_t)s->slab.corners * sizeof *p->ft);
-    if (lambda >= 0) {
-        sp__slab_forces(&s->slab, p->fn, p->ft, r->pressed);
-        sp__slab_forces(&s->slab, p->gn, p->ft, r->resting);
-        if (sp__sliding_presses(s, lambda, r->pressed, r->pressed)) {
-            r->lower = lambda;
-            if (sp__sliding_presses(s, 0, r->resting, r->resting)) r->lower_strong = lambda;
-        }
+    const sp_real lambda = sp__descend_most(&s->descend, rubs, most, f, rest) * (rubs ? SP__SLIDING_INSIDE : (sp_real)1);
+    if (!(lambda > r->lower)) return;
+    for (int32_t k = 0; k < (rubs ? SP__SLIDING_HALVES : 1); k++) {
+        const sp_real part = 1 / (sp_real)((int64_t)1 << k);
+        sp__sliding_between(s, part * (rubs ? SP__SLIDING_INSIDE : (sp_real)1));
+        if (!sp__sliding_carries(s, part * lambda, r->pressed)) continue;
+        r->lower = part * lambda;
+        sp__slab_forces(&s->slab, rest[0], rest[1], r->resting);
+        for (sp_real x = r->lower; !(r->lower_strong > 0) && k < SP__SLIDING_HALVES; k++, x /= 2)
+            if (sp__sliding_strong(s, x, r->lower, r->pressed, r->resting)) r->lower_strong = x;
+        return;
     }
 }
 
@@ -189,7 +239,8 @@ static void sp__sliding_decide(sp__sliding *s, const sp_sliding_settings *how, s
     sp__descend_make(&s->descend);
     r->reason = SP_SLIDING_NOTHING_FOUND;
     if (!(s->descend.size > 0)) return;
-    sp__sliding_lower(s);
+    sp__sliding_lower(s, 0);
+    if (!(r->lower > 0)) sp__sliding_lower(s, 1);
     s->push.flops = s->push.K.flops = 0;
     sp__sliding_starts(s, how);
     if (r->kind == SP_SLIDING_STATE) r->reason = SP_SLIDING_FOUND;
@@ -247,6 +298,7 @@ SP__NOINLINE static size_t sp__sliding_kept_need(const sp_scene *scene)
 SP__NOINLINE static size_t sp__sliding_bytes(const sp_scene *scene, int search)
 {
     sp_problem pb;
+    sp__even even;
     sp_real *at[5];
     sp_arena dry = sp__arena_dry();
     sp__problem_count(scene, &pb);
@@ -258,6 +310,8 @@ SP__NOINLINE static size_t sp__sliding_bytes(const sp_scene *scene, int search)
     sp__take(&dry, (size_t)pb.points, 3 * sizeof(sp_real));
     sp__take(&dry, (size_t)scene->count.blocks, 6 * sizeof(sp_real));
     sp__take(&dry, (size_t)pb.blocks, 6 * sizeof(sp_real));
+    sp__take(&dry, (size_t)pb.points, 3 * sizeof(sp_real));
+    sp__even_carve(&even, &pb, &dry);
     sp__take(&dry, 1, sp__sliding_slab_need(&pb));
     if (search) sp__take(&dry, 1, sp__sliding_search(pb.points, pb.blocks));
     return sp__failed(&dry) ? 0 : dry.used;
@@ -327,8 +381,8 @@ SP_API sp_status sp_sliding_verify(const sp_scene *scene, const sp_settings *set
     if (!sp__scene_strong(scene)) {
         e.residual = sp__sliding_judge(s, claim->upper, claim->f, claim->v, &e.share);
         e.state = e.residual <= s->bracket.set.tol && e.share >= SP__SLIDES;
-        if (claim->lower > 0 && sp__sliding_presses(s, claim->lower, claim->pressed, s->f)) e.lower = claim->lower;
-        if (claim->lower_strong > 0 && claim->lower_strong <= e.lower && sp__sliding_presses(s, 0, claim->resting, s->f))
+        if (claim->lower > 0 && sp__sliding_carries(s, claim->lower, claim->pressed)) e.lower = claim->lower;
+        if (claim->lower_strong > 0 && sp__sliding_strong(s, claim->lower_strong, e.lower, claim->pressed, claim->resting))
             e.lower_strong = claim->lower_strong;
     }
     *evidence = e;

@@ -22,7 +22,7 @@ SP__NOINLINE static size_t sp__holds_cases_need(const sp_scene *scene, int searc
 {
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    const size_t shear = sp__shear_need(pb.contacts, pb.blocks);
+    const size_t shear = sp__shear_need(pb.points, pb.contacts, pb.blocks);
     if (!sp__cases_allowed(scene, pb.blocks)) return shear;
     const int32_t points = sp__points_count(scene);
     const size_t still = sp__still_need(points, pb.blocks), cases = search ? sp__cases_need(points, pb.blocks) : 0;
@@ -126,7 +126,7 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
     if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return;
     for (int32_t i = 0; i < s->pb.blocks; i++) r->balls += !s->starts.M[i].known;
     sp_arena shear = a;
-    r->margin = sp__certify_shear(&s->starts.j, s->starts.M, r->f, &shear);
+    r->margin = sp__certify_shear(&s->starts.j, s->starts.M, r->f, NULL, &shear);
     if (r->margin > 0) {
         r->kind = SP_STRONG_STRONG;
         r->reason = SP_STRONG_EVEN;
@@ -219,7 +219,7 @@ static sp_strong_kind sp__holds_judge(sp__holds *s, const sp_strong_result *clai
     if (!(sp__certify_forces(j, claim->f, NULL) <= s->set.tol)) return SP_STRONG_NONE;
     if (sp__scene_strong(s->pb.scene) || !sp__inertias(&s->pb, s->starts.arm, s->starts.M)) return SP_STRONG_ADMISSIBLE;
     sp_arena shear = a;
-    if (sp__certify_shear(j, s->starts.M, claim->f, &shear) > 0) return SP_STRONG_STRONG;
+    if (sp__certify_shear(j, s->starts.M, claim->f, NULL, &shear) > 0) return SP_STRONG_STRONG;
     if (claim->proof.nodes > 0) {
         const sp_strong_kind kind = sp__holds_by_cases(s, &claim->proof, a, &moves);
         return kind ? kind : SP_STRONG_ADMISSIBLE;

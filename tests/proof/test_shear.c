@@ -56,7 +56,7 @@ static int begin(int loop)
     if (!CHECK(sp__certifier_open(&j, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
     w = sp__take(&test_arena, 1, sizeof *w);
     if (!CHECK(w)) return 0;
-    sp__shear_carve(w, pb.contacts, BLOCKS, &test_arena);
+    sp__shear_carve(w, pb.points, pb.contacts, BLOCKS, &test_arena);
     if (!CHECK(!sp__failed(&test_arena))) return 0;
     w->j = &j;
     w->M = M;

@@ -19,7 +19,42 @@ TEST(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
         const sp_sliding_result r = slide(&s, &one_start);
         CHECK_INT(r.kind, SP_SLIDING_STATE);
         CHECK(fabs((double)r.upper - (mu[k] < 1 ? mu[k] : 1)) < NEAR);
-        CHECK(!(r.lower > 0));                          /* nothing but friction resists */
+        CHECK(fabs((double)(r.lower / r.upper) - 1) < TOL(1e-6, 1e-2) || !EXACT);       /* friction even with pressure */
+        CHECK(fabs((double)(r.lower_strong / r.upper) - 1) < TOL(1e-6, 1e-2) || !EXACT);
+    }
+}
+
+/* n cubes, each .08 m beyond the one below, pushed that way: they tip at (1 - .08 (n + 1)) / n, and below that nothing slides, nor
+ * moves from rest, whatever friction does. */
+TEST(a_stack_is_strong_up_to_where_it_tips)
+{
+    for (int n = 1; n <= 8; n++) {
+        sp_scene s = pushed("tower", "n", n, 1, 0);
+        const sp_sliding_result r = slide(&s, &one_start);
+        const double tips = (1 - 0.08 * (n + 1)) / n;
+        if (!EXACT) continue;
+        CHECK_NEAR(r.upper, tips < 0.84 ? tips : 0.84, 1e-7);
+        CHECK_NEAR(r.lower, r.upper, 1e-6);
+        CHECK_NEAR(r.lower_strong, r.upper, 1e-6);
+    }
+}
+
+/* Friction that is not even with pressure, forces of another multiple, loads that lift: no lower side. */
+TEST(forces_that_are_changed_prove_no_lower_side)
+{
+    if (!EXACT) return;
+    for (int what = 0; what < 4; what++) {
+        sp_sliding_evidence e;
+        sp_scene s = pushed("tower", "n", 3, 1, 0);
+        sp_sliding_result r = slide(&s, &one_start);
+        CHECK(r.lower > 0 && r.lower_strong > 0);
+        if (what == 0) r.lower *= R(1.001);
+        if (what == 1) r.lower_strong *= R(1.001);
+        if (what == 2) for (int32_t k = 0; k < s.count.points; k++) r.pressed[3 * k + 1] *= R(0.9);
+        if (what == 3) s.joint[0].strength.mu = R(0.05);
+        CHECK_INT(sp_sliding_verify(&s, NULL, &r, test_arena, &e), SP_OK);
+        CHECK(!(e.lower_strong > 0));
+        if (what != 1) CHECK(!(e.lower > 0));
     }
 }
 
@@ -336,6 +371,8 @@ TEST(sliding_questions_that_make_no_sense_are_refused)
 
 TEST_LIST(sliding)
 #ifndef SP_NO_SLIDING
+    RUN(a_stack_is_strong_up_to_where_it_tips)
+    RUN(forces_that_are_changed_prove_no_lower_side)
     RUN(a_cube_on_a_floor_slides_at_its_friction_and_tips_at_its_breadth)
     RUN(what_tips_is_strong_up_to_where_it_tips)
     RUN(no_state_is_claimed_where_there_is_none)
