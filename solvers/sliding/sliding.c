@@ -120,8 +120,8 @@ static int sp__sliding_holds(sp__sliding *s, sp_real lambda, const sp_real *f)
     return holds || sp__sliding_presses(s, lambda, f, s->f);
 }
 
-/* Strong on all of [0, lambda]: by `resting` at 0, and at lambda by forces between them and those at `lower`. A pair (f, a) at l
- * has, with u of either end,  u0'Ma <= l q . a  and  u1'Ma <= (l - lambda) q . a: by the sign of q . a one says a = 0. */
+/* Strong on all of [0, lambda]: by `resting` at 0, and at lambda by forces between them and those at `lower`. With u of either
+ * end a pair (f, a) at l has  u0'Ma <= l q . a  and  u1'Ma <= (l - lambda) q . a: by the sign of q . a one says a = 0. */
 static int sp__sliding_strong(sp__sliding *s, sp_real lambda, sp_real lower, const sp_real *pressed, const sp_real *resting)
 {
     const size_t n = 3 * (size_t)s->bracket.pb.points;
