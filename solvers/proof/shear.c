@@ -85,6 +85,16 @@ static int32_t sp__shear_lead(const sp_problem *pb, int32_t c, int *same)
     return c;
 }
 
+/* Do as many pairs of blocks touch as there are free blocks? More close a loop. */
+static int sp__shear_open(const sp_problem *pb)
+{
+    int32_t pairs = 0;
+    int same;
+    if (!sp__shear_allowed(pb->contacts, pb->blocks)) return 0;
+    for (int32_t c = 0; c < pb->contacts; c++) pairs += sp__shear_lead(pb, c, &same) == c;
+    return pairs == pb->blocks;
+}
+
 /* Are the corners of joint c in the plane of joint k? */
 static int sp__shear_flat(const sp__shear *w, int32_t c, int32_t k, sp_real sign)
 {
@@ -101,18 +111,17 @@ static int sp__shear_flat(const sp__shear *w, int32_t c, int32_t k, sp_real sign
     return 1;
 }
 
-/* g of every pair of blocks, ft / fn of the sums over its joints, in one plane.     returns how many pairs; -1: not so */
-SP__NOINLINE static int32_t sp__shear_pairs(sp__shear *w, const sp_real *f)
+/* g of every pair of blocks, ft / fn of the sums over its joints.     returns 0: these do not lie in one plane */
+SP__NOINLINE static int sp__shear_pairs(sp__shear *w, const sp_real *f)
 {
     const sp_problem *pb = w->j->pb;
-    int32_t pairs = 0;
     int same;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const int32_t k = sp__shear_lead(pb, c, &same);
         const sp_real sign = same ? (sp_real)1 : (sp_real)-1;
-        if (!sp__shear_flat(w, c, k, sign)) return -1;
-        if (k == c) { memset(&w->pair[c], 0, sizeof w->pair[c]); pairs++; }
+        if (!sp__shear_flat(w, c, k, sign)) return 0;
+        if (k == c) memset(&w->pair[c], 0, sizeof w->pair[c]);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             const sp_real rub[3] = { 0, f[3 * (size_t)v + 1], f[3 * (size_t)v + 2] };
             sp_real F[3];
@@ -127,7 +136,7 @@ SP__NOINLINE static int32_t sp__shear_pairs(sp__shear *w, const sp_real *f)
         for (int e = 0; e < 3; e++) q->g[e] = q->pressure > 0 ? q->g[e] / q->pressure : 0;
         sp__add3(q->g, -sp__dot3(q->g, pb->contact[c].joint->n), pb->contact[c].joint->n);
     }
-    return pairs;
+    return 1;
 }
 
 /* f' of joint c; residual += Aeq f'.     returns 0: its friction is less than g asks for */
@@ -293,7 +302,7 @@ static int sp__shear_pushes(const sp__shear *w, const sp_real *live)
 SP__NOINLINE static sp__shear *sp__shear_make(sp__certifier *j, const sp_real *f, const sp_real *live, sp_arena *a)
 {
     const sp_problem *pb = j->pb;
-    if (!sp__shear_allowed(pb->contacts, pb->blocks)) return NULL;
+    if (!sp__shear_open(pb)) return NULL;
     sp__shear *w = sp__take(a, 1, sizeof *w);
     if (!w) return NULL;
     sp__shear_carve(w, pb->points, pb->contacts, pb->blocks, a);
@@ -302,7 +311,7 @@ SP__NOINLINE static sp__shear *sp__shear_make(sp__certifier *j, const sp_real *f
     memset(w->u, 0, (size_t)w->n * (size_t)w->n * sizeof *w->u);
     memset(w->even, 0, 3 * (size_t)pb->points * sizeof *w->even);
     sp__certifier_load_rows(j);
-    if (sp__shear_pairs(w, f) != pb->blocks) return NULL;
+    if (!sp__shear_pairs(w, f)) return NULL;
     for (int32_t c = 0; c < pb->contacts; c++) if (!sp__shear_joint(w, j, c, f)) return NULL;
     j->sweeps++;
     return sp__shear_tree(w) && sp__shear_held(w) && (!live || sp__shear_pushes(w, live)) ? w : NULL;

@@ -27,6 +27,9 @@ static void sp__even_carve(sp__even *e, const sp_problem *pb, sp_arena *a)
 /* Masses and inertias, by arms of so many blocks. */
 static void sp__even_make(sp__even *e, const sp_problem *pb, sp_real *arm) { if (!sp__inertias(pb, arm, e->M)) e->M = NULL; }
 
+/* May it be so? */
+static int sp__even_asked(const sp_problem *pb) { return sp__shear_open(pb); }
+
 /* Do the forces f, made even, balance what j has to tol, and is there no state below? */
 static int sp__even_carries(const sp__even *e, sp__certifier *j, const sp_real *f, const sp_real *live)
 {
@@ -47,6 +50,7 @@ typedef struct sp__even { int32_t none; } sp__even;
 
 static void sp__even_carve(sp__even *e, const sp_problem *pb, sp_arena *a) { (void)pb, (void)a, e->none = 1; }
 static void sp__even_make(sp__even *e, const sp_problem *pb, sp_real *arm) { (void)e, (void)pb, (void)arm; }
+static int sp__even_asked(const sp_problem *pb) { return (void)pb, 0; }
 static int sp__even_carries(const sp__even *e, sp__certifier *j, const sp_real *f, const sp_real *live)
 {
     return (void)e, (void)j, (void)f, (void)live, 0;

@@ -240,7 +240,7 @@ static void sp__sliding_decide(sp__sliding *s, const sp_sliding_settings *how, s
     r->reason = SP_SLIDING_NOTHING_FOUND;
     if (!(s->descend.size > 0)) return;
     sp__sliding_lower(s, 0);
-    if (!(r->lower > 0)) sp__sliding_lower(s, 1);
+    if (!(r->lower > 0) && sp__even_asked(pb)) sp__sliding_lower(s, 1);
     s->push.flops = s->push.K.flops = 0;
     sp__sliding_starts(s, how);
     if (r->kind == SP_SLIDING_STATE) r->reason = SP_SLIDING_FOUND;
