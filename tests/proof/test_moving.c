@@ -58,6 +58,12 @@ static double size_of(const scene_at_work *o, int32_t i)
     return (double)sp__norm3(o->a + 6 * i) + (double)(sp__norm3(o->a + 6 * i + 3) * o->j.scale[i].arm);
 }
 
+/* Both laws of a corner. */
+static sp_real law(const sp_real f[3], const sp_real d[3], sp_real mu, sp_real s, sp_real moved)
+{
+    return sp__max(sp__moving_gap(f, d, s, moved), sp__moving_rub(f, d, mu, s, moved));
+}
+
 /* The violation of a corner by its formula, of numbers that are not 0 where they divide. */
 static double corner(const double f[3], const double d[3], double mu, double s, double moved)
 {
@@ -78,10 +84,10 @@ TEST(a_corner_violates_by_its_gap_by_pressure_that_opens_or_by_friction_not_agai
         }
         const sp_real mu = test_random_real(0, 1), s = test_random_real(0.5, 9), moved = test_random_real(0.5, 9);
         const double want = corner(f, d, (double)mu, (double)s, (double)moved);
-        CHECK_WITHIN(sp__moving_corner(g, e, mu, s, moved), want, TOL(1e-14, 1e-6));
+        CHECK_WITHIN(law(g, e, mu, s, moved), want, TOL(1e-14, 1e-6));
     }
     const sp_real along[3] = { 2, R(-0.8), R(-0.6) }, slip[3] = { 0, 8, 6 };
-    CHECK_WITHIN(sp__moving_corner(along, slip, R(0.5), 3, 9), 0, TOL(1e-15, 1e-6));     /* friction against the slip */
+    CHECK_WITHIN(law(along, slip, R(0.5), 3, 9), 0, TOL(1e-15, 1e-6));     /* friction against the slip */
 }
 
 /* All corners: the largest violation, what the forces leave of the balance, and sums of forces; two sweeps. */
@@ -120,7 +126,7 @@ TEST(laws_of_contact_are_asked_of_every_corner)
                 worst = fmax(worst, corner(gd, dd, (double)t->joint->strength.mu, s, size_of(&o, t->a) + size_of(&o, t->b)));
             }
         o.j.sweeps = 5;
-        CHECK_WITHIN(sp__moving_contacts(&o.j, o.f, o.a), worst, TOL(1e-12, 1e-5));
+        CHECK_WITHIN(sp__moving_contacts(&o.j, o.f, o.a, 0), worst, TOL(1e-12, 1e-5));
         CHECK_INT(o.j.sweeps, 7);
         for (int k = 0; k < ROWS; k++) CHECK_WITHIN(o.j.residual[k], row[k], TOL(1e-12, 1e-4));
         for (int k = 0; k < 2 * BLOCKS; k++) CHECK_WITHIN(o.j.pass.sums[k], sums[k], TOL(1e-12, 1e-4));
@@ -144,7 +150,7 @@ TEST(what_a_block_of_some_mass_leaves_unbalanced_is_told)
             for (int k = 0; k < 9; k++)
                 o.M[i].J[k / 3][k % 3] = o.j.unit * test_random_real(-1, 1) * R(trial / 2 % 3 == 2 ? 1e-6 : 300);
         }
-        double worst = (double)sp__moving_contacts(&o.j, o.f, o.a), most = 0;
+        double worst = (double)sp__moving_contacts(&o.j, o.f, o.a, 0), most = 0;
         for (int i = 0; i < BLOCKS; i++) {
             const sp_real *x = o.a + 6 * i;
             const double s = (double)(o.j.pass.sums[2 * i] + o.j.scale[i].load);
@@ -160,12 +166,12 @@ TEST(what_a_block_of_some_mass_leaves_unbalanced_is_told)
             worst = fmax(worst, sqrt(r[3] * r[3] + r[4] * r[4] + r[5] * r[5]) / S);
             most = fmax(most, (double)(o.M[i].mass / o.j.unit) * size_of(&o, i) / s);
         }
-        CHECK_NEAR(sp__certify_moving(&o.j, o.M, o.f, o.a, &moves), worst, TOL(1e-10, 1e-3));
+        CHECK_NEAR(sp__certify_moving(&o.j, o.M, o.f, o.a, 0, &moves), worst, TOL(1e-10, 1e-3));
         CHECK_NEAR(moves, most, TOL(1e-10, 1e-3));
         for (int q = 0; q < 2 && held; q++)
             for (int sign = -1; sign < 2; sign += 2) {
                 o.a[q ? 11 : 7] = R(1e-3 * sign);
-                CHECK_NEAR(sp__certify_moving(&o.j, o.M, o.f, o.a, &moves), SP__HUGE, 0);
+                CHECK_NEAR(sp__certify_moving(&o.j, o.M, o.f, o.a, 0, &moves), SP__HUGE, 0);
                 o.a[q ? 11 : 7] = 0;
             }
         test_arena = mark;
@@ -200,7 +206,7 @@ TEST(a_slide_is_told_by_its_violations_and_the_share_of_work_of_its_loads)
         for (int k = 0; k < ROWS; k++) live[k] = test_random_real(-1, 1) * (k / 3 % 2 == trial / 2 % 2 ? 1 : R(0.1));
         for (int k = 0; k < ROWS; k++) work += (double)live[k] * (double)o.a[k];
         for (int k = 0; k < ROWS; k += 3) most += (double)(sp__norm3(live + k) * sp__norm3(o.a + k));
-        const sp_real balance = sp__certify_forces(&o.j, o.f, NULL), laws = sp__moving_contacts(&o.j, o.f, o.a);
+        const sp_real balance = sp__certify_forces(&o.j, o.f, NULL), laws = sp__moving_contacts(&o.j, o.f, o.a, 0);
         CHECK_NEAR(sp__certify_sliding(&o.j, live, o.f, o.a, &share), sp__max(balance, laws), 0);
         CHECK_WITHIN(share, work > 0 ? work / most : 0, TOL(1e-12, 1e-5));
         for (int k = 0; k < ROWS; k++) live[k] = -live[k];
