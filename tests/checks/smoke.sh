@@ -104,7 +104,8 @@ interrupted() {                     # interrupted TEXT COMMAND...: Ctrl-C after 
     return 1
 }
 stops_cost() {                                          # the table ends with what was made
-    gen wall size=600 && interrupted '"verdict": *"stable"' "$cli" cost --json "$tmp/scene.obj" && [ "$(wc -l < "$tmp/said")" -eq 1 ] &&
+    gen wall size=600 && interrupted '"verdict": *"stable"' "$cli" cost --json --svg "$tmp/part.svg" "$tmp/scene.obj" && [ "$(wc -l < "$tmp/said")" -eq 1 ] &&
+    grep -q '; stopped after [0-9]* of 216 checks<' "$tmp/part.svg" &&
     [ "$(grep -o '"cone"' "$tmp/said" | wc -l)" -lt 216 ] && grep -q 'Ctrl-C once more' "$tmp/err"
 }
 stops_batch() {

@@ -116,8 +116,10 @@ void cost_svg(FILE *out, const host_scene *s, const cost_table *t)
     fputs("<text x=\"60\" y=\"26\" font-size=\"16\" font-weight=\"bold\" fill=\"#222\">What accuracy costs: ", out);
     page_text(out, slash ? slash + 1 : s->path, 60);
     fprintf(out, "</text>\n<text x=\"60\" y=\"46\">largest relative imbalance left by a check, %s; the exact stage "
-            "says %s; pyramids of 4, 8, 16, 32 faces, tol %s</text>\n", COST_REAL, sp_verdict_text(t->truth),
+            "says %s; pyramids of 4, 8, 16, 32 faces, tol %s", COST_REAL, sp_verdict_text(t->truth),
             sizeof(sp_real) == 8 ? "1e-2 to 1e-12" : "1e-2 to 1e-5");
+    if (t->rows < COST_ROWS) fprintf(out, "; stopped after %d of %d checks", t->rows, COST_ROWS);
+    fputs("</text>\n", out);
     draw_panel(out, t, 60, 0);
     draw_panel(out, t, PANEL_W + 150, 1);
     draw_legend(out, TOP + PANEL_H + 52);
