@@ -307,7 +307,7 @@ SP_API sp_status sp_scene_pressure(sp_scene *scene, int32_t block, int32_t face,
 struct sp_contact_settings {
     sp_real distance;           /* faces nearer than this touch, >= 0; relative to the smaller block's diameter  1e-6
                                    beyond 1e-6 at most a quarter of either block's width across the faces (not SP_SMALL);
-                                   what is narrower is left out, beyond 1e-6 unless in one plane to 1e-9 (not SP_SMALL) */
+                                   what is narrower is left out, beyond 1e-6 unless in one plane to 4e-9 (not SP_SMALL) */
     sp_real angle;              /* largest sine of the angle between touching faces, 0 .. 0.5                    1e-3
                                    -k, k <= 64, not SP_SMALL: 1e-3, or up to 0.5 where faces rise k distances at most */
     int32_t absolute;           /* 1: distance is in m                                                              0 */

@@ -138,10 +138,21 @@ static int32_t sp__pair_cut(const sp__touch *t, const sp__patch *p, const sp__pa
     return n;
 }
 
+/* Perimeter of a polygon. */
+static sp_real sp__pair_round(sp_real (*point)[3], int32_t size)
+{
+    sp_real round = 0, e[3];
+    for (int32_t k = 0; k < size; k++) {
+        sp__sub3(point[k + 1 < size ? k + 1 : 0], point[k], e);
+        round += sp__norm3(e);
+    }
+    return round;
+}
+
 /* Is a polygon about as narrow as the distance: twice its area over its perimeter? */
 static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*point)[3], int32_t size)
 {
-    sp_real twice = 0, round = 0;
+    sp_real twice = 0;
     for (int32_t k = 0; k < size; k++) {
         sp_real d[3], e[3], x[3];
         const sp_real *y = point[k + 1 < size ? k + 1 : 0];
@@ -149,15 +160,16 @@ static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*poi
         sp__sub3(y, point[k], e);
         sp__cross3(d, e, x);
         twice += sp__dot3(x, p->n);
-        round += sp__norm3(e);
     }
-    return !(sp__abs(twice) > t->now.gap * round);
+    return !(sp__abs(twice) > t->now.gap * sp__pair_round(point, size));
 }
 
-/* Is a polygon in both planes as exactly as coordinates of nine digits can be, or rounding leaves it? */
+/* Is a polygon in both planes as exactly as coordinates of nine digits, or rounding, leave it? Of a small one less than a
+ * millionth of its perimeter is asked: corners that are measured meet by chance in such a dot. */
 static int sp__pair_exact(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
 {
-    const sp_real most = sp__max(t->now.noise, t->now.snap / 128);
+    const sp_real fine = t->now.snap / 32, small = (sp_real)1e-6 * sp__pair_round(point, size);
+    const sp_real most = sp__max(t->now.noise, small < fine ? small : fine);
     for (int32_t k = 0; k < size; k++) if (!(sp__abs(sp__pair_gap(p, q, point[k])) <= most)) return 0;
     return 1;
 }

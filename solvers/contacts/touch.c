@@ -17,7 +17,7 @@
  *   limit      of a distance beyond 1e-6 diameters: a quarter of each closed block's width along A's normal, so that none
  *              reaches through a block; not of SP_SMALL
  *   in-plane   corners nearer than min(gap, 1e-6 diameter)/8 are one; what is narrower than `gap` is an edge contact, and
- *              left out; beyond 1e-6 diameters only if its faces are not in one plane to 1e-9 diameters: what is found at a
+ *              left out; beyond 1e-6 diameters only if its faces are not in one plane to 4e-9 diameters: what is found at a
  *              distance of 1e-6 between exact faces is found at every other one; not of SP_SMALL
  *
  * Boxes in a balanced tree by Morton order find the pairs, n log n whatever the sizes are mixed like; a slab under everything

@@ -403,6 +403,8 @@ part "contacts --sweep: the one in force"   sweep_in_force
 part "contacts --sweep: nothing to find"    sweep_of_nothing
 part "the distance in JSON"                 distance_in_json
 part "the distance is in m, a model in mm"  in_millimetres
+part "a distance told in mm is remarked on" remarks 'the contact distance, 0.5 m, is .* in metres, whatever the unit' --fixed b0,b16 --up y --unit mm --contact-distance 0.5 arch-y.obj
+part "a sound distance is not"              quiet --fixed b0,b16 --up y --unit mm --contact-distance 0.0005 arch-y.obj
 part "contact_distance in a scene"          in_a_file
 part "contact distance: a wrong word: 64"   refuses 64 'needs a length' check --contact-distance 60% arch.obj
 part "contact distance: below 0: 64"        refuses 64 'needs a length' check --contact-distance -1 arch.obj

@@ -369,6 +369,7 @@ static void make_remarks(const obj_file *f, const amendments *a, host_scene *s)
     if (f->beside) remarks_add(&s->remarks, NULL, "more about this scene was read from %.300s", f->beside);
     if (s->found) {
         const sp_contact_settings used = touching_settings(s->touching);
+        touching_large(&s->scene, &s->touching, &s->remarks);
         s->near = touching_near(&s->scene, &used, &s->remarks);
         s->inside = touching_inside(&s->scene, s->overlap, s->overlaps, s->name, &s->remarks);
         s->across = across_find(&s->scene, &s->touching, s->name, &s->remarks);

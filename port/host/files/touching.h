@@ -52,6 +52,9 @@ void touching_json(json_out *j, const touching *t, int32_t near);
  *   returns how many pairs; 0 also where there was no memory to look */
 int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, remarks *r);
 
+/* A distance of a tenth of the smallest block and more is told, as one in mm that counts as metres is. */
+void touching_large(const sp_scene *scene, const touching *told, remarks *r);
+
 /* Pairs of blocks inside each other that have no joint, deeper than a distance of 1 % could mend; a remark names the first.
  *   returns how many */
 int32_t touching_inside(const sp_scene *s, const sp_overlap *overlap, int32_t overlaps, const char *const *name, remarks *r);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #define STEPS 4                         /* of ten each, up to the widest distance */
+#define LARGE 0.1                       /* of the smallest block: no gap between faces that touch */
 #define LEAST 0.99                      /* of its area a contact needs to count as whole */
 
 /* Area of the joints of one pair from joint *k on, which goes behind them; those across a `third` block do not count. */
@@ -106,4 +107,12 @@ int32_t touching_near(const sp_scene *scene, const sp_contact_settings *used, re
 {
     const int32_t wide = near_wide(scene, used, r);
     return wide + near_narrow(scene, used, r);
+}
+
+void touching_large(const sp_scene *scene, const touching *told, remarks *r)
+{
+    const double least = (double)touching_smallest(scene), d = (double)told->distance;
+    if (!told->has_distance || told->share || !(least > 0) || d < LARGE * least) return;
+    remarks_add(r, "--contact-distance", "the contact distance, %.3g m, is %.3g times what the smallest block measures: it is "
+                "in metres, whatever the unit of the model", d, d / least);
 }
