@@ -7,8 +7,9 @@
  * An attempt is a start of the sweeps of solvers/strong/sweep.c that sp_strong does not try: what a set of corners settles at
  * that carries the load alone, no corner of which can be left out; forces at rest times any factor; any forces within friction;
  * nothing pressed. What pressure holds is strong for every friction, so that is drawn anew each time, .01 to 3 times itself.
- * What it comes to is judged with sp_strong's own code; settled: it meets every law of contact, or rests. Exit status 1: it
- * moved. One file with the library, whose private parts it uses. strong_cases.py runs it.
+ * What holds with pressure anywhere in the joints is tried every other four times with friction at the centre of it. What it
+ * comes to is judged with sp_strong's own code; settled: it meets every law of contact, or rests. Exit status 1: it moved.
+ * One file with the library, whose private parts it uses. strong_cases.py runs it.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +30,7 @@ typedef struct attack {
     const sp_real *rest;                /* forces at rest */
     sp__starts *w;
     uint64_t seed;
-    int any_mu;
+    int any_mu, plate;
     long tried, settled, moved;
 } attack;
 
@@ -101,10 +102,11 @@ static void attempt(attack *a, long k)
     sp__starts *w = a->w;
     draw_mu(a);
     memset(w->sweep.on, 1, (size_t)w->sweep.corners);
+    w->sweep.plates = a->plate && k / 4 % 2;
     start(a, k);
     memset(w->sweep.on, 1, (size_t)w->sweep.corners);
     sp__sweep_run(&w->sweep, MOST_SWEEPS, (int)(k & 1), 16 * (sp_real)SP_EPSILON);
-    const sp_real residual = sp__certify_moving(&w->j, w->M, w->sweep.f, w->sweep.a, 0, &w->moves);
+    const sp_real residual = sp__certify_moving(&w->j, w->M, w->sweep.f, w->sweep.a, w->sweep.plates, &w->moves);
     a->tried++;
     a->settled += residual <= w->j.set->tol || w->moves < REST;
     a->moved += residual <= w->j.set->tol && w->moves >= SP__MOVES;
@@ -122,6 +124,7 @@ static void attack_scene(host_scene *h, const sp_strong_result *r, long most, at
     a->rest = r->f;
     a->seed = 88172645463325252u;
     a->any_mu = r->reason == SP_STRONG_PRESSURE;
+    a->plate = r->plate;
     a->mu = malloc(((size_t)h->scene.count.joints + 1) * sizeof *a->mu);
     for (int32_t j = 0; a->mu && j < h->scene.count.joints; j++) a->mu[j] = h->scene.joint[j].strength.mu;
     if (a->mu && run_arena(sp__holds_memory(&h->scene, NULL), &arena, &memory) == SP_OK
