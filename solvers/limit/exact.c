@@ -27,6 +27,7 @@ typedef struct sp__engine {
     sp_real *q, *Vq, *Vp;               /* 6b: weighted live load, M^-1 q, M^-1 p' */
     sp_real G[3];                       /* q.Vq, q.Vp, p'.Vp */
     sp_real at;                         /* a: the loads at hand are dead + a live, live loads in ref */
+    int32_t most;                       /* factorisations of a question, at most */
     sp__homogeneous h;
 } sp__engine;
 
@@ -50,7 +51,8 @@ static void sp__engine_begin(sp__engine *g, const sp__bracket *b, const sp_arena
     g->n.goal = b->set.tol / 4;
     g->state.brief = 1;
     g->rest = *rest;
-    g->n.left = (sp__problem_strong(&b->pb) ? 4 : 1) * b->set.iterations;
+    g->most = b->set.iterations;
+    g->n.left = (sp__problem_strong(&b->pb) ? 4 : 1) * g->most;
 }
 
 static const sp_cost *sp__engine_cost(const sp__engine *g, const sp__bracket *b) { (void)g; return &b->cost; }
@@ -100,7 +102,7 @@ SP__NOINLINE static sp_status sp__engine_stage(sp__engine *g, sp__bracket *b, sp
 SP__NOINLINE static sp_status sp__engine_gates(sp__engine *g, sp__bracket *b, sp_real *f, sp_verdict *claim)
 {
     sp_arena room = g->rest;
-    b->set.iterations = g->n.left;
+    b->set.iterations = g->n.left < g->most ? g->n.left : g->most;
     b->set.localise = 1;
     g->state.f = f;
     memset(f, 0, 3 * (size_t)b->pb.points * sizeof *f);

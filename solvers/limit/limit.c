@@ -11,25 +11,49 @@
 #define SP__LIMIT_ROUNDS (SP__WITH_SMALL ? 10 : 8)       /* slacks that are tried, each twice the last */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 
+/* Is lambda proved for an upper end, by the motion at hand? */
+static int sp__limit_upper_at(sp__limit *L, sp_real lambda)
+{
+    sp_limit_result *r = &L->r;
+    if (!sp__bracket_falls(&L->bracket, lambda, 1, r->dq)) return 0;
+    if (L->bracket.least < (sp_real)1.1 * L->bracket.set.tol) {   /* a marginal proof: again, as the result will hold it */
+        sp__motion_read(&L->bracket.pb, r->dq, L->bracket.dq);
+        if (!sp__bracket_falls(&L->bracket, lambda, 1, NULL)) return 0;
+    }
+    r->upper = lambda;
+    r->least_imbalance = L->bracket.least;
+    r->final = L->bracket.final;
+    return 1;
+}
+
+#if SP__WITH_INTERIOR
+/* Is it where the motion of the least power balance was proved to fall, below next? Asked once. */
+static int sp__limit_upper_fell(sp__limit *L, sp_real next)
+{
+    const sp_real at = L->fell;
+    if (L->none || !(at < next)) return 0;
+    L->fell = SP__HUGE;
+    memcpy(L->bracket.dq, L->upper, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
+    return sp__limit_upper_at(L, at * L->ref);
+}
+#else
+static int sp__limit_upper_fell(sp__limit *L, sp_real next) { (void)L; (void)next; return 0; }
+#endif
+
 /* The upper end: the least multiple that the motion at hand proves, or that of the engine there: once of the exact
- * stage, whose motion is as good as it gets, again and again of the smallest search. */
+ * stage, whose motion is as good as it gets, again and again of the smallest search; at most where that motion was proved
+ * before. */
 SP__NOINLINE static void sp__limit_upper(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
     sp_real slack = sp__max(SP__WITH_INTERIOR ? L->slack : 0, L->bracket.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
     for (int it = 0; it < SP__LIMIT_ROUNDS; it++, slack *= 2) {
+        if (sp__limit_upper_fell(L, L->best + slack)) return;
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
         if ((it == 2 || (SP__WITH_SMALL && it > 2)) && !L->none) sp__limit_ask(L, 1, L->best + slack, r->ray);
-        if (!sp__bracket_falls(&L->bracket, lambda, 1, r->dq)) continue;
-        if (L->bracket.least < (sp_real)1.1 * L->bracket.set.tol) {   /* a marginal proof: again, as the result will hold it */
-            sp__motion_read(&L->bracket.pb, r->dq, L->bracket.dq);
-            if (!sp__bracket_falls(&L->bracket, lambda, 1, NULL)) continue;
-        }
-        r->upper = lambda;
-        r->least_imbalance = L->bracket.least;
-        r->final = L->bracket.final;
-        return;
+        if (sp__limit_upper_at(L, lambda)) return;
     }
+    sp__limit_upper_fell(L, SP__HUGE);
 }
 
 /* The result that both ends of the bracket give. */
@@ -68,6 +92,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
     const int strong = sp__limit_strong(L);
     sp_real fell = 0;
     int slow = 0;                                       /* as L->slow, from below */
+    sp__aside o = { SP__HUGE, 0 };
     for (int it = 0; it < (strong ? SP__LIMIT_ASKS : 12) && r->lowest > a * L->ref && sp__engine_may_ask(&L->engine, b); it++) {
         const sp_real last = a;
         const sp_verdict claim = sp__limit_ask(L, 1, a, L->f);
@@ -79,7 +104,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
                 r->imbalance = b->imbalance;
                 memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
             }
-            if (!strong || !it || a - fell <= SP__LIMIT_HALVED * b->set.tol * (1 + a)) return;
+            if (!strong || !it || o.open < a || a - fell <= SP__LIMIT_HALVED * b->set.tol * (1 + a)) return;
             a = slow ? (fell + a) / 2 : fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
             slow = 0;
             continue;
@@ -91,6 +116,11 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
             slow = strong && a - last < r->lowest / L->ref - a;
             if (slow) a = (a + r->lowest / L->ref) / 2;
         } else if (!it) return;
+        else if (strong) {                              /* as sp__limit_aside does */
+            o.apart = o.open < SP__HUGE ? 2 * o.apart : SP__LIMIT_ASIDE * b->set.tol * (1 + a);
+            if (!(o.open < SP__HUGE)) o.open = a;
+            a = o.open + o.apart;
+        }
         if (!(a > last)) a = (last + r->lowest / L->ref) / 2;
     }
 }
@@ -177,6 +207,7 @@ static sp_status sp__limit_build(sp__limit *L, const sp_scene *scene, const sp_s
     r->force_bound = L->bracket.set.force_bound;
     sp__engine_begin(&L->engine, &L->bracket, a);
     L->best = SP__HUGE;
+    sp__limit_fell(L, SP__HUGE);
     L->ref = sp__engine_reference(&L->bracket);
     return SP_OK;
 }

@@ -20,7 +20,20 @@ typedef struct sp__limit {
     int slow;                           /* the last collapse gained less than half of what is open */
     sp__bracket bracket;
     sp__engine engine;                  /* what is asked: does d dead + l live stand? [exact.c, small_engine.c] */
+#if SP__WITH_INTERIOR
+    sp_real fell;                       /* where the motion of `upper` was proved to fall; SP__HUGE: nowhere yet */
+#endif
 } sp__limit;
+
+/* The motion of `upper` was proved to fall there; SP__HUGE: nowhere yet. */
+#if SP__WITH_INTERIOR
+static void sp__limit_fell(sp__limit *L, sp_real at) { L->fell = at; }
+#else
+static void sp__limit_fell(sp__limit *L, sp_real at) { (void)L; (void)at; }
+#endif
+
+/* What was asked and left open (SP__HUGE: nothing), and how far from it both sides are asked for. */
+typedef struct sp__aside { sp_real open, apart; } sp__aside;
 
 #define SP__LIMIT_WIDE 1000             /* a bracket so many tol wide is closed */
 #define SP__LIMIT_FARTHEST (SP__WITH_SMALL ? 1 : (sp_real)0.01)     /* below the balance: where a lower end is still asked
@@ -38,6 +51,7 @@ typedef struct sp__limit {
 #else
 #define SP__LIMIT_HALVED (25 * SP__LIMIT_STEP)
 #endif
+#define SP__LIMIT_ASIDE (2 * SP__LIMIT_HALVED)  /* tol from a question left open to the first ones beside it */
 
 /* Asks the engine at d dead + a live.       returns what it claims; its motion is in bracket.dq, its forces in f */
 static sp_verdict sp__limit_ask(sp__limit *L, sp_real d, sp_real a, sp_real *f)
@@ -85,6 +99,34 @@ static int sp__limit_closed(const sp__limit *L)
     return L->r.lower >= 0 && L->best - L->r.lower / L->ref <= SP__LIMIT_HALVED * L->bracket.set.tol * (1 + sp__abs(L->best));
 }
 
+/* Where joints have strength, *a was left open: the limit is near, and rounding hides it. It is asked for on both sides, below
+ * and above in turn, ever farther from there.      returns 0: both ends are nearer already */
+static int sp__limit_aside(const sp__limit *L, sp__aside *o, sp_real step, sp_real *a)
+{
+    if (!(o->open < SP__HUGE)) {
+        o->open = *a;
+        o->apart = SP__LIMIT_ASIDE * L->bracket.set.tol * (1 + *a);
+    } else if (*a > o->open) o->apart *= 2;
+    const sp_real low = sp__max(L->r.lower / L->ref, L->least);
+    for (int turn = *a < o->open; turn < 4; turn++) {
+        const sp_real next = o->open + (turn & 1 ? o->apart : -o->apart);
+        if (next > low && next >= 0 && next < L->best - step) { *a = next; return 1; }
+        if (turn & 1) o->apart *= 2;
+    }
+    return 0;
+}
+
+/* Where joints have strength, and forces carry *a: where to ask next.      returns 0: the bracket is as narrow as it gets */
+static int sp__limit_onwards(sp__limit *L, sp__aside *o, sp_real step, sp_real *a)
+{
+    if (o->open < SP__HUGE && *a < o->open) return sp__limit_aside(L, o, step, a);
+    o->open = SP__HUGE;
+    if (!(L->best - *a > 2 * step)) return 0;
+    *a = L->slow ? (*a + L->best) / 2 : L->best - step;         /* after another that stands Newton's step again */
+    L->slow = 0;
+    return 1;
+}
+
 /* Something falls at *a. Its power balance is a bound from above; from below where live loads hinder it. *a: where to ask next.
  *     returns 0: nothing gained */
 static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
@@ -97,6 +139,7 @@ static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
     if (!(balance < SP__HUGE)) return 0;
     if (beyond ? balance < L->best : SP__HAS_STRENGTH && balance > L->least) {
         *(beyond ? &L->best : &L->least) = balance;
+        if (beyond) sp__limit_fell(L, last);
         memcpy(beyond ? L->upper : L->lower, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     }
     if (SP__HAS_STRENGTH && sp__limit_never_stands(L)) return 1;
@@ -133,6 +176,7 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     if (any) L->best = SP__HUGE;
     const sp_real size = 1 + (L->best < SP__HUGE ? sp__abs(L->best) : 0), farthest = SP__LIMIT_FARTHEST * size;
     sp_real step = SP__LIMIT_STEP * L->bracket.set.tol * size;
+    sp__aside o = { SP__HUGE, 0 };
     L->least = -SP__HUGE;
     memcpy(L->upper, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
@@ -148,18 +192,26 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
                 L->r.imbalance = L->bracket.imbalance;
                 memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
             }
-            if (strong && !any && L->best < SP__HUGE && L->best - a > 2 * step) {
-                a = L->slow ? (a + L->best) / 2 : L->best - step;       /* after another that stands Newton's step again */
-                L->slow = 0;
-                continue;
+            if (strong && !any && L->best < SP__HUGE) {
+                if (sp__limit_onwards(L, &o, step, &a)) continue;
+                break;
             }
             if (any || L->best < SP__HUGE) return 1;
             if (a > SP__LIMIT_FAR && sp__engine_unbounded(&L->bracket, L->r.ray, L->r.lower, L->ref)) return 1;
             a = a > 0 ? 8 * a : 1;
             continue;
         }
+        const sp_real asked = a;
         if (claim == SP_UNSTABLE && sp__limit_bound_by_collapse(L, &a, step)) {
             if (L->none) return 1;
+            if (!strong) continue;
+            if (!(asked > o.open)) { o.open = SP__HUGE; continue; }
+            a = asked;
+            if (!sp__limit_aside(L, &o, step, &a)) break;
+            continue;
+        }
+        if (strong && !any && L->best < SP__HUGE && L->r.lower >= 0) {
+            if (!sp__limit_aside(L, &o, step, &a) || o.apart > farthest) break;
             continue;
         }
         if (claim == SP_UNSTABLE) {                     /* does it stand at all? */

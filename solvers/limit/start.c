@@ -107,7 +107,10 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
     }
     L->none = 0;
     if (L->r.kind != SP_LIMIT_UNBOUNDED && !(L->best < SP__HUGE)) sp__limit_live_alone(L);
-    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED || !sp__strong_check_dead(L) || !(L->best >= 0)) return SP_OK;
+    if (!strong || L->r.kind == SP_LIMIT_UNBOUNDED) return SP_OK;
+    const int climbs = sp__strong_check_dead(L) && L->best >= 0;
+    if (L->engine.most > SP__STRONG_ASK) L->engine.most = SP__STRONG_ASK;
+    if (!climbs) return SP_OK;
     a->used = L->engine.rest.used;
     const sp_status status = sp__limit_open(L, a);
     if (!status) *done = sp__strong_run(L);

@@ -7,6 +7,7 @@
 #if SP__WITH_INTERIOR
 
 #define SP__STRONG_MOST 240             /* factorisations of a climb in c, at most */
+#define SP__STRONG_ASK 160              /* factorisations of a question, at most: what is decided takes no more */
 #define SP__STRONG_NEAR (100 * SP__SCALE_TOL)   /* gap of both ends, relative, that ends a climb */
 #define SP__STRONG_SOLVED SP__TIE       /* imbalance from which on y is taken for that of its c */
 
@@ -154,7 +155,7 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
         c *= times;
     }
     g->n.left += others;
-    return sp__limit_ends_meet(L, SP__LIMIT_WIDE * L->r.tol);
+    return sp__limit_ends_meet(L, SP__LIMIT_HALVED * L->r.tol);
 }
 
 #endif
