@@ -105,7 +105,7 @@ help:
 	@echo "make bench-plan  what leaving out effects saves, as CSV; SCENES='FILE ...' of these"
 	@echo "make figures   the pictures of the pages"
 	@echo "make bench-coupled  the coupled check on CASES (../shared/cases), as CSV"
-	@echo "make bench-peers  beside PIQP and HiGHS where they are installed: PIQP=PREFIX QPS=FOLDER"
+	@echo "make bench-peers  beside SCS, QOCO, ECOS, PIQP, OSQP and HiGHS where they are installed: SCS=PREFIX ... QPS=FOLDER"
 	@echo "make clean     removes build/"
 
 lib: build/libstonepack.a
@@ -403,7 +403,8 @@ bench-coupled: build/stonepack
 
 # Others' solvers, those that are installed.
 bench-peers: build/stonepack build/libstonepack.a
-	@CC="$(CC)" PIQP="$(PIQP)" QPS="$(QPS)" LONG="$(LONG)" sh tests/bench/peers/peers.sh
+	@CC="$(CC)" SCS="$(SCS)" QOCO="$(QOCO)" ECOS="$(ECOS)" PIQP="$(PIQP)" OSQP="$(OSQP)" QPS="$(QPS)" LONG="$(LONG)" TEXT="$(TEXT)" \
+	    sh tests/bench/peers/peers.sh
 
 clean:
 	rm -rf build

@@ -6,9 +6,11 @@
 
 #include <time.h>
 
+#define PEER_PATIENCE 30.0              /* s: a peer that looks at the clock gives up */
+
 /* What a run told: seconds of processor for setting up and solving, not for reading or turning one form into another. */
 typedef struct peer_run {
-    int solved, iterations;
+    int solved, iterations;             /* solved: 1, -1: said to have no solution, 0: neither */
     double seconds;
     double *x;                          /* n, of the caller */
 } peer_run;

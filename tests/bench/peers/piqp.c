@@ -98,8 +98,9 @@ int peer_piqp(const sp_qp *qp, int32_t rows, double eps, peer_run *run)
         s.eps_abs = s.eps_rel = s.eps_duality_gap_abs = s.eps_duality_gap_rel = eps;
         const double start = peer_clock();
         piqp_setup_sparse(&w, &data, &s);
-        run->solved = piqp_solve(w) == PIQP_SOLVED;
+        const piqp_status status = piqp_solve(w);
         run->seconds = peer_clock() - start;
+        run->solved = status == PIQP_SOLVED ? 1 : status == PIQP_PRIMAL_INFEASIBLE ? -1 : 0;
         run->iterations = w->result->info.iter;
         for (int32_t j = 0; j < qp->n; j++) run->x[j] = w->result->x[j];
         piqp_cleanup(w);

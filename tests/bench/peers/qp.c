@@ -70,7 +70,7 @@ static void told(tally *t, const host_qp *h, const char *path, const peer_run *r
 {
     const char *slash = strrchr(path, '/');
     const double off = miss(&h->qp, run->x);
-    const int solved = run->solved && off <= 10 * eps;
+    const int solved = run->solved > 0 && off <= 10 * eps;
     printf("%s,%s,%d,%d,%s,%.10g,%.1e,%d,%.4g\n", slash ? slash + 1 : path, t->name, h->qp.n, h->qp.m,
            solved ? "solved" : "not", objective(&h->qp, run->x) + h->constant, off, run->iterations, 1e3 * run->seconds);
     t->files++;
