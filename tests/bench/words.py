@@ -4,8 +4,9 @@
     words.py [PAGE...]                  default: every README.md
 
 Times of a bench, factorisations, bytes (tests/bench/results/*/bench.csv); what leaving out effects saves (plan.csv beside it); the
-coupled check (coupled.csv); what accuracy costs (tests/bench/figures/cost.csv); how near to a limit both sides are decided
-(near.csv); code by switch (port/board/footprint.csv). A table that several pages show, whole or in part, is read in all of them.
+coupled check (coupled.csv); how much faster than others' solvers (peers-check.csv); what accuracy costs
+(tests/bench/figures/cost.csv); how near to a limit both sides are decided (near.csv); code by switch (port/board/footprint.csv).
+A table that several pages show, whole or in part, is read in all of them.
 Counts, ratios and distances to the digits written, times and bytes within a tenth.
 """
 import csv
@@ -205,6 +206,25 @@ def coupled(text):
     if seen != len(samples): differs("samples of the coupled check", seen, len(samples))
 
 
+def peers(text):
+    """Best correct peer over ours by group of scenes: least and most, and how many reach what is aimed at."""
+    rows = result("peers-check.csv")
+    for name, joints, aims, *cells in table(text, "| checks | joints | aimed at"):
+        group, column = name.removesuffix(", all in space"), "full_ratio" if name.endswith(", all in space") else "plan_ratio"
+        first, last = (int(x) for x in (joints.split(" - ") * 2)[:2])
+        for form, aim, span, reached in zip(("cone", "pyramid"), (aims.split(", ") * 2)[:2], cells[::2], cells[1::2]):
+            own = [r for r in rows if r["group"] == group and r["form"] == form and first <= int(r["joints"]) <= last]
+            ratios = sorted(float(r[column]) for r in own if r[column])
+            if not ratios:
+                differs(f"{name}, {form}", span, "no such row")
+                continue
+            least, most = (span.split(" - ") * 2)[:2]
+            rounded(f"{name}, {form}: least", least, ratios[0])
+            rounded(f"{name}, {form}: most", most, ratios[-1])
+            is_ = f"{sum(x >= float(aim) for x in ratios)} of {len(own)}"
+            if reached != is_: differs(f"{name}, {form}: reached", reached, is_)
+
+
 def pages():
     """Every README.md of the tree."""
     top = os.path.join(HERE, "..", "..")
@@ -216,7 +236,7 @@ def main():
     for page in sys.argv[1:] or sorted(pages()):
         with open(page, encoding="utf-8") as f:
             text += f.read() + "\n"
-    for part in (bench, stages, tilt, cost, near, footprint, plan, coupled):
+    for part in (bench, stages, tilt, cost, near, footprint, plan, coupled, peers):
         part(text)
     for line in said:
         print(line)
