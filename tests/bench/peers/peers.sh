@@ -5,9 +5,9 @@
 #
 # PREFIX: where include/ and lib/ of a solver are, or its folder after `make` (else the compiler's own places). All but PIQP as
 # static libraries: each is linked with its adapter into one object that shows nothing else, as several bring their own AMD and
-# QDLDL with integers of their own. QPS: a folder of QPS files, such as the Maros-Meszaros collection. HiGHS: that of python3's
-# SciPy. TEXT: only checks of scenes whose group or words contain it. Writes build/peers-check.csv, build/peers-qp.csv and
-# build/peers-limit.csv.
+# QDLDL with integers of their own. QOCO 0.3.2 does not install all its headers: include/*.h and algebra/*/*.h belong there.
+# QPS: a folder of QPS files, such as the Maros-Meszaros collection. HiGHS: that of python3's SciPy. TEXT: only checks of scenes
+# whose group or words contain it. Writes build/peers-check.csv, build/peers-qp.csv and build/peers-limit.csv.
 set -eu
 cc=${CC:-cc}
 here=tests/bench/peers
