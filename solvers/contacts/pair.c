@@ -168,8 +168,8 @@ static int sp__pair_narrow(const sp__touch *t, const sp__patch *p, sp_real (*poi
  * millionth of its perimeter is asked: corners that are measured meet by chance in such a dot. */
 static int sp__pair_exact(const sp__touch *t, const sp__patch *p, const sp__patch *q, sp_real (*point)[3], int32_t size)
 {
-    const sp_real fine = t->now.snap / 32, small = (sp_real)1e-6 * sp__pair_round(point, size);
-    const sp_real most = sp__max(t->now.noise, small < fine ? small : fine);
+    const sp_real fine = t->now.snap / 32, share = (sp_real)1e-6 * sp__pair_round(point, size);
+    const sp_real most = sp__max(t->now.noise, share < fine ? share : fine);
     for (int32_t k = 0; k < size; k++) if (!(sp__abs(sp__pair_gap(p, q, point[k])) <= most)) return 0;
     return 1;
 }
