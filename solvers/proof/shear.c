@@ -330,6 +330,8 @@ SP__NOINLINE static sp_real sp__certify_shear(sp__certifier *j, const sp__inerti
     return slack < least ? 1 - slack / least : 0;
 }
 
+#if SP__WITH_SLIDING
+
 /* The largest relative imbalance of f', where live loads do on u what they do on a; SP__HUGE: there is no u. Then no state
  * slides below this multiple of them: q . v of one at less, lambda < lambda', has
  *     0 = (p + lambda q) . u + f . d~ <= -fn' dn - (lambda' - lambda) q . v <= 0 */
@@ -338,6 +340,8 @@ SP__NOINLINE static sp_real sp__certify_even(sp__certifier *j, const sp_real *f,
     sp__shear *w = sp__shear_make(j, f, live, a);
     return w ? sp__certify_forces(j, w->even, NULL) : SP__HUGE;
 }
+
+#endif
 
 #endif
 
