@@ -175,8 +175,14 @@ static void sp__interior_reach(sp__limit *L, sp_real *dy)
     g->h.m.reach = sp__ray_step(g->h.l, g->h.dl, sp__ray_step(g->h.s, g->h.ds, g->h.m.reach));
 }
 
-#define SP__LIMIT_CENTRES 4             /* solves a step may take with the factor at hand */
+#define SP__LIMIT_CENTRES 4             /* solves a step may take with the factor at hand, if it is shorter than */
+#ifdef SP_REAL_MIXED                    /* there a solve is refined, and costs as much as a small factor */
+#define SP__LIMIT_SHORT ((sp_real)0.6)
+#define SP__LIMIT_GAINS ((sp_real)0.2)
+#else
+#define SP__LIMIT_SHORT ((sp_real)0.9)
 #define SP__LIMIT_GAINS ((sp_real)0.03) /* of the way, and no less, that makes another one worth its while */
+#endif
 
 /* Products of a step m->reach long are brought back to the centre: the step dy towards that.     returns 0: no budget left */
 SP__NOINLINE static int sp__interior_centred(sp__limit *L, sp_real *dy)
@@ -224,7 +230,7 @@ SP__NOINLINE static sp_real *sp__interior_centre(sp__limit *L)
     sp__homogeneous *h = &L->engine.h;
     sp__ipm *m = &h->m;
     sp_real *dy = L->engine.w->r, *next = L->engine.w->d;
-    for (int k = 0; k < SP__LIMIT_CENTRES && m->reach < (sp_real)0.9; k++) {
+    for (int k = 0; k < SP__LIMIT_CENTRES && m->reach < SP__LIMIT_SHORT; k++) {
         sp__interior_keep(h);
         m->reach = m->reach * (sp_real)1.5 + (sp_real)0.3;
         if (m->reach > 1) m->reach = 1;
@@ -309,11 +315,17 @@ static int sp__interior_lower(sp__limit *L, sp_real share)
     return sp__abs(L->best - a) <= width;
 }
 
+/* Of both ends: so near that they close the bracket, at most. */
+static sp_real sp__interior_share(const sp__limit *L, sp_real most)
+{
+    const sp_real wide = SP__LIMIT_WIDE * L->r.tol;
+    return wide < most ? wide : most;
+}
+
 /* A lower end as soon as it closes the bracket. Where all joints slide at once, rounding spoils the forces of later steps. */
 static void sp__interior_first(sp__limit *L)
 {
-    const sp_real l = L->engine.h.l / L->engine.h.m.tau, wide = SP__LIMIT_WIDE * L->r.tol;
-    const sp_real share = wide < SP__LIMIT_FIRST_NEAR ? wide : SP__LIMIT_FIRST_NEAR;
+    const sp_real l = L->engine.h.l / L->engine.h.m.tau, share = sp__interior_share(L, SP__LIMIT_FIRST_NEAR);
     if (sp__abs(L->best - l) <= share * (1 + sp__abs(l))) sp__interior_lower(L, share);
 }
 
@@ -365,7 +377,7 @@ SP__NOINLINE static int sp__interior_run(sp__limit *L)
         if (m->outside) return 0;
         m->mu = (m->gap + m->tau * m->kappa + g->h.l * g->h.s) / (cones + 2);
         sp__interior_first(L);
-        if (sp__interior_lower(L, SP__LIMIT_NEAR)) return 1;
+        if (sp__interior_lower(L, sp__interior_share(L, SP__LIMIT_NEAR))) return 1;
         if (g->h.l > 1000 * m->tau && sp__interior_unbounded(L)) return 1;
         sp__interior_columns(L);
         sp__interior_motions(L);

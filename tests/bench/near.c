@@ -66,7 +66,7 @@ static double nearest(const near_case *c, double tol)
     return told;
 }
 
-/* Is the limit within what sp_limit proves of it? The keystone's forces are beyond the bound of so small a tol. */
+/* Is the limit within what sp_limit proves of it? */
 static int limit_holds(const near_case *c)
 {
     sp_arena arena;
@@ -79,8 +79,7 @@ static int limit_holds(const near_case *c)
     if (near_build(c, 0, &arena, &s)) return 0;
     const sp_real limit = s.live, slack = limit * (sp_real)1e-16;
     if (sp_limit(&s, &set, &arena, &r)) return 0;
-    return r.kind == SP_LIMIT_UNDECIDED ? strncmp(c->name, "keystone", 8) == 0
-         : r.verified && r.lower < limit + slack && r.upper > limit - slack && r.upper - r.lower < slack;
+    return r.kind == SP_LIMIT_FOUND && r.verified && r.lower < limit + slack && r.upper > limit - slack && r.upper - r.lower < slack;
 }
 
 int main(int argc, char **argv)

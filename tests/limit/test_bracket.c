@@ -304,7 +304,7 @@ static const struct { const char *name, *param; double value, x, y; int planar; 
 };
 enum { MIRRORED = sizeof mirrored / sizeof mirrored[0], DOME = MIRRORED - 1 };
 #ifdef SP_REAL_MIXED                    /* factors in float don't end at the dome's optimum: the exact stage asks for forces just below */
-#define DOME_TIMES 20
+#define DOME_TIMES 12
 #else
 #define DOME_TIMES 4
 #endif
