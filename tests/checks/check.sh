@@ -575,7 +575,6 @@ long() {                                                # long RUNNER
 }
 check_long() {
     count "all samples of every claim" long build/run
-    count "all samples of every claim, float" long build/run_float
     count "all samples of every claim, SP_SMALL" long build/run_small
 }
 
