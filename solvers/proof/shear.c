@@ -166,10 +166,9 @@ static sp_real sp__shear_at(const sp__shear *w, int32_t i, const sp_real x[3], i
     const size_t n = (size_t)w->n;
     sp_real a[6], r[3], s[3];
     for (int q = 0; q < 6; q++) a[q] = moved ? u[(size_t)q * n] : e == 6 * i + q;
-    if (k >= 3) return a[k];
     sp__sub3(x, w->j->pb->scene->block[w->j->pb->block[i]].centroid, r);
     sp__cross3(a + 3, r, s);
-    return a[k] + s[k];
+    return a[k] + (k < 3 ? s[k] : 0);
 }
 
 /* u - a of `child` from that of the other block of joint c, column by column: + N (a_child - a_other). u holds u - a. */
