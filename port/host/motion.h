@@ -17,7 +17,6 @@ const sp_real *motion_shown(const sp_result *result);
 double motion_speed(const sp_scene *scene, const sp_result *result, int32_t b);
 #define MOTION_STILL 1e-6       /* what moves less than this counts as at rest: rounding of what goes with a support */
 
-
 /* The blocks that move, the fastest first, of equal ones the first.
  *   out   block       the first `most` of them
  *   returns how many move */
