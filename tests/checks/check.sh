@@ -739,7 +739,7 @@ check_coverage() {
     if have python3 && have clang-19 && have llvm-cov-19; then
         SHOW=1
         part "conditions of the certificate check that its suites show to decide" \
-            env OF=proof LEFT=1 LEAST=96 sh tests/mutation/coverage.sh scale search moving leaf still \
+            env OF=proof LEFT=1 LEAST=100 sh tests/mutation/coverage.sh scale search moving leaf still \
             corner refute triple strong shear sliding verify claims shapes
         SHOW=
     else skip "MC/DC of the certificate check" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi

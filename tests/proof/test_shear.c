@@ -11,6 +11,7 @@
 #include <math.h>
 
 enum { BLOCKS = 5, CORNERS = 3, ROWS = 6 * BLOCKS };
+enum { TREE, LOOP, RING };
 
 static sp_scene scene;
 static sp_problem pb;
@@ -33,8 +34,8 @@ static int joint(int32_t a, int32_t b)
     return CHECK_INT(sp_scene_points(&scene, turned ? b : a, turned ? a : b, n, CORNERS, x, &rough, NULL), SP_OK);
 }
 
-/* Blocks hung on a support or on each other at random, in any order of joints; `loop`: one joint more. */
-static int begin(int loop)
+/* Blocks hung on a support or on each other at random, in any order of joints; LOOP: one joint more; RING: on each other alone. */
+static int begin(int kind)
 {
     const sp_capacity cap = { BLOCKS + 1, 0, 0, 0, BLOCKS + 1, CORNERS * (BLOCKS + 1), 0 };
     if (!CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK)) return 0;
@@ -42,8 +43,9 @@ static int begin(int loop)
         const sp_real at[3] = { test_random_real(-2, 2), test_random_real(-2, 2), test_random_real(-2, 2) };
         if (!CHECK_INT(sp_scene_body(&scene, b ? R(1) : 0, at, b ? 0 : SP_FIXED, NULL), SP_OK)) return 0;
     }
-    for (int32_t b = BLOCKS; b > 0; b--) if (!joint(b, test_random_int(0, b - 1))) return 0;
-    if (loop && !joint(0, BLOCKS)) return 0;
+    for (int32_t b = BLOCKS; b > 0; b--)
+        if (!joint(b, kind != RING ? test_random_int(0, b - 1) : b > 1 ? b - 1 : BLOCKS)) return 0;
+    if (kind == LOOP && !joint(0, BLOCKS)) return 0;
     memset(M, 0, sizeof M);
     for (int i = 0; i < BLOCKS; i++) {
         M[i].mass = test_random_real(1, 2);
@@ -88,7 +90,7 @@ TEST(in_the_sheared_motion_joints_slip_alike_and_open_by_less_what_friction_take
     for (int round = 0; round < 40; round++) {
         const sp_arena mark = test_arena;
         sp_real a[ROWS], u[ROWS], d[3], e[3];
-        NEED(begin(0));
+        NEED(begin(TREE));
         draw(0.4);
         NEED(CHECK(sp__shear_tree(w)));
         move(a, u);
@@ -115,7 +117,7 @@ TEST(around_a_loop_there_is_no_sheared_motion)
         const sp_arena mark = test_arena;
         sp_real f[3 * CORNERS * (BLOCKS + 1)];
         memset(f, 0, sizeof f);
-        NEED(begin(1));
+        NEED(begin(LOOP));
         CHECK(!sp__shear_open(&pb) || !sp__shear_pairs(w, f));      /* or a pair twice, in two planes */
         test_arena = mark;
     }
@@ -127,7 +129,7 @@ TEST(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
     int yes = 0, no = 0;
     for (int round = 0; round < 60; round++) {
         const sp_arena mark = test_arena;
-        NEED(begin(0));
+        NEED(begin(TREE));
         draw(round % 3 == 0 ? 0.02 : round % 3 == 1 ? 0.1 : 2);
         NEED(CHECK(sp__shear_tree(w)));
         const int positive = sp__shear_positive(w);
@@ -157,12 +159,74 @@ TEST(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
     sp_real f[3 * CORNERS * BLOCKS];
     for (int what = 0; what < 3; what++) {
         const sp_arena mark = test_arena;
-        NEED(begin(0));
+        NEED(begin(TREE));
         for (int v = 0; v < CORNERS * BLOCKS; v++) { f[3 * v] = 1; f[3 * v + 1] = R(what == 2 ? 0.71 : 0.69); f[3 * v + 2] = 0; }
         if (what == 1) scene.point[4][0] += R(0.1), scene.point[4][1] += R(0.1), scene.point[4][2] += R(0.1);
         CHECK_INT(sp__shear_pairs(w, f), what != 1);
         sp__certifier_load_rows(&j);
         if (what != 1) for (int32_t c = 0; c < pb.contacts; c++) CHECK_INT(sp__shear_joint(w, &j, c, f), what != 2);
+        test_arena = mark;
+    }
+}
+
+/* A held direction is at rest where no free block moves it: nothing leans, or all of a block that hangs on a support is held. */
+TEST(friction_moves_what_is_held_with_what_is_free)
+{
+    for (int round = 0; round < 20; round++) {
+        const sp_arena mark = test_arena;
+        const int32_t b = test_random_int(1, BLOCKS), k = test_random_int(0, 5);
+        NEED(begin(TREE));
+        for (int leans = 0; leans < 2; leans++) {
+            for (int r = 0; r < ROWS * ROWS; r++) w->u[r] = 0;
+            draw(leans ? 0.4 : 0);
+            NEED(CHECK(sp__shear_tree(w)));
+            CHECK(sp__shear_held(w));
+            scene.block[b].fixed = 1u << k;
+            CHECK_INT(sp__shear_held(w), !leans);
+            scene.block[b].fixed = 0;
+            scene.block[1].fixed = SP_FIXED;
+            CHECK(sp__shear_held(w));
+            scene.block[1].fixed = 0;
+        }
+        test_arena = mark;
+    }
+}
+
+/* The work of live loads where they act: on u another than on a where a joint leans, but in directions that are held. */
+TEST(live_loads_do_other_work_on_the_sheared_motion_where_a_joint_leans)
+{
+    for (int round = 0; round < 20; round++) {
+        const sp_arena mark = test_arena;
+        sp_real live[ROWS];
+        NEED(begin(TREE));
+        for (int leans = 0; leans < 2; leans++) {
+            for (int r = 0; r < ROWS * ROWS; r++) w->u[r] = 0;
+            draw(leans ? 0.4 : 0);
+            NEED(CHECK(sp__shear_tree(w)));
+            for (int r = 0; r < ROWS; r++) live[r] = r < 6 ? test_random_real(-1, 1) : 0;
+            CHECK_INT(sp__shear_pushes(w, live), !leans);
+            scene.block[1].fixed = SP_FIXED;
+            CHECK(sp__shear_pushes(w, live));
+            scene.block[1].fixed = 0;
+        }
+        test_arena = mark;
+    }
+}
+
+/* All corners pressed alike, `leans`: friction of .2 along one side. */
+TEST(a_sheared_motion_is_made_of_a_tree_at_rest_where_held_that_loads_push_as_much)
+{
+    static const struct { int kind, leans, held, loaded, made; } is[] = {
+        { TREE, 1, 0, 0, 1 }, { RING, 0, 0, 0, 0 }, { TREE, 1, 1, 0, 0 }, { TREE, 0, 1, 0, 1 }, { TREE, 1, 0, 1, 0 }, { TREE, 0, 0, 1, 1 }
+    };
+    for (size_t k = 0; k < sizeof is / sizeof *is; k++) {
+        const sp_arena mark = test_arena;
+        sp_real f[3 * CORNERS * BLOCKS], live[ROWS];
+        NEED(begin(is[k].kind));
+        for (int v = 0; v < CORNERS * BLOCKS; v++) { f[3 * v] = 1; f[3 * v + 1] = R(0.2 * is[k].leans); f[3 * v + 2] = 0; }
+        for (int r = 0; r < ROWS; r++) live[r] = test_random_real(-1, 1);
+        if (is[k].held) scene.block[BLOCKS].fixed = 1;
+        CHECK_INT(sp__shear_make(&j, f, is[k].loaded ? live : NULL, &test_arena) != NULL, is[k].made);
         test_arena = mark;
     }
 }
@@ -175,5 +239,8 @@ TEST_LIST(shear)
     RUN(around_a_loop_there_is_no_sheared_motion)
     RUN(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
     RUN(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
+    RUN(friction_moves_what_is_held_with_what_is_free)
+    RUN(live_loads_do_other_work_on_the_sheared_motion_where_a_joint_leans)
+    RUN(a_sheared_motion_is_made_of_a_tree_at_rest_where_held_that_loads_push_as_much)
 #endif
 TEST_END
