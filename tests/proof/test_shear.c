@@ -217,7 +217,8 @@ TEST(live_loads_do_other_work_on_the_sheared_motion_where_a_joint_leans)
 TEST(a_sheared_motion_is_made_of_a_tree_at_rest_where_held_that_loads_push_as_much)
 {
     static const struct { int kind, leans, held, loaded, made; } is[] = {
-        { TREE, 1, 0, 0, 1 }, { RING, 0, 0, 0, 0 }, { TREE, 1, 1, 0, 0 }, { TREE, 0, 1, 0, 1 }, { TREE, 1, 0, 1, 0 }, { TREE, 0, 0, 1, 1 }
+        { TREE, 1, 0, 0, 1 }, { RING, 0, 0, 0, 0 }, { TREE, 1, 1, 0, 0 }, { TREE, 0, 1, 0, 1 }, { TREE, 1, 0, 1, 0 },
+        { TREE, 0, 0, 1, 1 }
     };
     for (size_t k = 0; k < sizeof is / sizeof *is; k++) {
         const sp_arena mark = test_arena;
@@ -227,6 +228,140 @@ TEST(a_sheared_motion_is_made_of_a_tree_at_rest_where_held_that_loads_push_as_mu
         for (int r = 0; r < ROWS; r++) live[r] = test_random_real(-1, 1);
         if (is[k].held) scene.block[BLOCKS].fixed = 1;
         CHECK_INT(sp__shear_make(&j, f, is[k].loaded ? live : NULL, &test_arena) != NULL, is[k].made);
+        test_arena = mark;
+    }
+}
+
+/* A chain of n blocks from a support on: contacts alone. */
+static int open_chain(int32_t n)
+{
+    static sp_contact link[SP__SHEAR_BLOCKS + 1];
+    sp_problem chain;
+    memset(&chain, 0, sizeof chain);
+    for (int32_t k = 0; k < n; k++) { link[k].a = k - 1; link[k].b = k; }
+    chain.contact = link;
+    chain.contacts = chain.blocks = n;
+    return sp__shear_open(&chain);
+}
+
+TEST(even_friction_is_asked_of_1_to_32_blocks_that_have_a_joint_each)
+{
+    CHECK(sp__shear_need(3, 1, 1) > 0 && sp__shear_need(96, 32, 32) > 0);
+    CHECK_INT((int)sp__shear_need(99, 33, 33), 0);
+    CHECK_INT((int)sp__shear_need(3, 1, 2), 0);
+    CHECK_INT((int)sp__shear_need(0, 0, 0), 0);
+    CHECK_INT((int)sp__shear_need(3, 1, 0), 0);
+    CHECK(open_chain(1) && open_chain(32));
+    CHECK(!open_chain(0) && !open_chain(33));
+}
+
+/* u, its power's lower triangle, slack; f'; blocks reached; pairs; the struct. Each begins at a multiple of 16 at most. */
+TEST(even_friction_takes_a_matrix_and_a_half_of_six_rows_a_block)
+{
+    for (int32_t blocks = 1; blocks <= 5; blocks++) {
+        const int32_t joints = blocks + 2, points = 4 * joints;
+        const size_t n = 6 * (size_t)blocks, reals = n * n + n * (n + 1) / 2 + n + 3 * (size_t)points;
+        const size_t least = sizeof *w + reals * sizeof(sp_real) + (size_t)blocks * sizeof(int32_t)
+                             + (size_t)joints * sizeof(sp__shear_pair);
+        const size_t need = sp__shear_need(points, joints, blocks);
+        CHECK(need >= least && need < least + 7 * 16);
+    }
+}
+
+TEST(joints_of_two_blocks_are_one_pair_from_whichever_side_they_are_named)
+{
+    static const int32_t is[][4] = { { 0, 1, 0, 1 }, { 1, 0, 0, 0 }, { 0, 2, 2, 1 }, { 2, 1, 3, 1 }, { 0, 2, 2, 1 }, { 1, 2, 3, 0 },
+                                     { 3, 1, 6, 1 } };     /* a, b; first of the pair, named alike */
+    sp_contact t[7];
+    sp_problem few;
+    memset(t, 0, sizeof t);
+    memset(&few, 0, sizeof few);
+    few.contact = t;
+    few.contacts = 7;
+    for (int k = 0; k < 7; k++) { t[k].a = is[k][0]; t[k].b = is[k][1]; }
+    for (int k = 0; k < 7; k++) {
+        int same;
+        CHECK_INT(sp__shear_lead(&few, k, &same), is[k][2]);
+        CHECK_INT(same, is[k][3]);
+    }
+}
+
+/* A block on two joints of a support in the plane x = 0, the second named from the block's side. */
+static int on_two(void)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 2, 2 * CORNERS, 0 };
+    const sp_strength rough = sp_strength_friction(R(0.7));
+    const sp_real n[2][3] = { { 1, 0, 0 }, { -1, 0, 0 } }, at[3] = { 2, 0, 0 };
+    const sp_real x[2][9] = { { 0, 0, 0, 0, 1, 0, 0, 0, 1 }, { 0, 3, 0, 0, 4, 0, 0, 3, 1 } };
+    if (!CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK)) return 0;
+    for (int b = 0; b < 2; b++) if (!CHECK_INT(sp_scene_body(&scene, (sp_real)b, at, b ? 0 : SP_FIXED, NULL), SP_OK)) return 0;
+    for (int k = 0; k < 2; k++)
+        if (!CHECK_INT(sp_scene_points(&scene, k, 1 - k, n[k], CORNERS, x[k], &rough, NULL), SP_OK)) return 0;
+    set.tol = R(0.01);
+    set.force_bound = 100;
+    if (!CHECK_INT(sp_problem_build(&scene, &test_arena, &pb), SP_OK)) return 0;
+    if (!CHECK(sp__certifier_open(&j, &pb, &set, NULL, INT32_MAX, &test_arena))) return 0;
+    w = sp__take(&test_arena, 1, sizeof *w);
+    if (!CHECK(w)) return 0;
+    sp__shear_carve(w, pb.points, pb.contacts, pb.blocks, &test_arena);
+    w->j = &j;
+    return CHECK(!sp__failed(&test_arena));
+}
+
+/* g = ft / fn of all corners of the pair, as forces on the block; a corner that pulls presses by nothing. */
+TEST(friction_of_two_joints_of_a_pair_adds_up_as_forces_do)
+{
+    for (int round = 0; round < 20; round++) {
+        const sp_arena mark = test_arena;
+        sp_real f[6 * CORNERS], sum[3] = { 0, 0, 0 }, pressure = 0;
+        NEED(on_two());
+        for (int v = 0; v < 2 * CORNERS; v++) {
+            sp_real F[3];
+            f[3 * v] = test_random_real(-0.2, 2);
+            for (int k = 1; k < 3; k++) f[3 * v + k] = test_random_real(-0.3, 0.3);
+            sp__joint_force(pb.contact[v / CORNERS].joint, f + 3 * v, F);
+            for (int k = 1; k < 3; k++) sum[k] += v < CORNERS ? F[k] : -F[k];
+            pressure += f[3 * v] > 0 ? f[3 * v] : 0;
+        }
+        NEED(CHECK(sp__shear_pairs(w, f)));
+        for (int k = 0; k < 3; k++) CHECK_WITHIN((double)w->pair[0].g[k], (double)(sum[k] / pressure), TOL(1e-12, 1e-5));
+        sp__certifier_load_rows(&j);
+        for (int32_t c = 0; c < 2; c++) NEED(CHECK(sp__shear_joint(w, &j, c, f)));
+        for (int v = 0; v < 2 * CORNERS; v++) {
+            sp_real F[3];
+            sp__joint_force(pb.contact[v / CORNERS].joint, w->even + 3 * v, F);
+            const double fn = f[3 * v] > 0 ? (double)f[3 * v] : 0;
+            CHECK_WITHIN((double)w->even[3 * v], fn, TOL(1e-12, 1e-5));
+            for (int k = 1; k < 3; k++)
+                CHECK_WITHIN((double)(v < CORNERS ? F[k] : -F[k]), fn * (double)w->pair[0].g[k], TOL(1e-12, 1e-5));
+        }
+        test_arena = mark;
+    }
+}
+
+TEST(where_nothing_presses_there_is_no_friction)
+{
+    sp_real f[6 * CORNERS];
+    memset(f, 0, sizeof f);
+    NEED(on_two());
+    for (int v = 0; v < 2 * CORNERS; v++) { f[3 * v] = R(v < CORNERS ? -0.5 : 0); f[3 * v + 2] = 1; }
+    NEED(CHECK(sp__shear_pairs(w, f)));
+    for (int k = 0; k < 3; k++) CHECK(w->pair[0].g[k] == 0);
+}
+
+/* SP__SHEAR_FLAT of an arm of 8 m counts, a few units in the last place more do not; nor turned by so much. */
+TEST(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
+{
+    for (int beyond = 0; beyond < 2; beyond++) {
+        const sp_arena mark = test_arena;
+        NEED(on_two());
+        j.scale[0].arm = 8;
+        CHECK(sp__shear_flat(w, 1, 0, -1) && !sp__shear_flat(w, 1, 0, 1));
+        scene.point[4][0] = 8 * SP__SHEAR_FLAT * (beyond ? 1 + 8 * SP_EPSILON : 1);
+        CHECK_INT(sp__shear_flat(w, 1, 0, -1), !beyond);
+        scene.point[4][0] = 0;
+        scene.joint[1].n[1] = SP__SHEAR_FLAT * (beyond ? 1 + 8 * SP_EPSILON : 1);
+        CHECK_INT(sp__shear_flat(w, 1, 0, -1), !beyond);
         test_arena = mark;
     }
 }
@@ -242,5 +377,11 @@ TEST_LIST(shear)
     RUN(friction_moves_what_is_held_with_what_is_free)
     RUN(live_loads_do_other_work_on_the_sheared_motion_where_a_joint_leans)
     RUN(a_sheared_motion_is_made_of_a_tree_at_rest_where_held_that_loads_push_as_much)
+    RUN(even_friction_is_asked_of_1_to_32_blocks_that_have_a_joint_each)
+    RUN(even_friction_takes_a_matrix_and_a_half_of_six_rows_a_block)
+    RUN(joints_of_two_blocks_are_one_pair_from_whichever_side_they_are_named)
+    RUN(friction_of_two_joints_of_a_pair_adds_up_as_forces_do)
+    RUN(where_nothing_presses_there_is_no_friction)
+    RUN(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
 #endif
 TEST_END
