@@ -366,6 +366,33 @@ TEST(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
     }
 }
 
+/* |g| at what mu allows times the caller's factor, less 16 units of rounding, is allowed, a few units more are not. */
+TEST(even_friction_is_within_mu_times_its_factor_to_the_last_digits)
+{
+    const sp_real f[6 * CORNERS] = { 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0 };
+    NEED(on_two());
+    NEED(CHECK(sp__shear_pairs(w, f)));
+    sp__certifier_load_rows(&j);
+    j.mu_factor = R(0.5);
+    const sp_real most = pb.contact[0].joint->strength.mu * j.mu_factor * (1 - 16 * SP_EPSILON);
+    for (int32_t c = 0; c < 2; c++)
+        for (int beyond = 0; beyond < 2; beyond++) {
+            w->pair[0].g[2] = beyond ? most * (1 + 8 * SP_EPSILON) : most;
+            CHECK_INT(sp__shear_joint(w, &j, c, f), !beyond);
+        }
+}
+
+TEST(friction_of_a_pair_is_in_the_plane_of_its_first_joint)
+{
+    sp_real f[6 * CORNERS];
+    NEED(on_two());
+    for (int k = 0; k < 2; k++) scene.joint[k].t1[0] = R(0.1);
+    for (int v = 0; v < 2 * CORNERS; v++) { f[3 * v] = 1; f[3 * v + 1] = R(v < CORNERS ? 0.3 : 0.2); f[3 * v + 2] = 0; }
+    NEED(CHECK(sp__shear_pairs(w, f)));
+    CHECK_WITHIN((double)sp__dot3(w->pair[0].g, pb.contact[0].joint->n), 0, TOL(1e-15, 1e-7));
+    CHECK(sp__norm3(w->pair[0].g) > 0);
+}
+
 #endif
 
 TEST_LIST(shear)
@@ -383,5 +410,7 @@ TEST_LIST(shear)
     RUN(friction_of_two_joints_of_a_pair_adds_up_as_forces_do)
     RUN(where_nothing_presses_there_is_no_friction)
     RUN(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
+    RUN(even_friction_is_within_mu_times_its_factor_to_the_last_digits)
+    RUN(friction_of_a_pair_is_in_the_plane_of_its_first_joint)
 #endif
 TEST_END

@@ -312,6 +312,25 @@ TEST(multiples_that_are_claimed_are_in_their_order)
     }
 }
 
+/* Whoever lets the judge take less is told less, never more. */
+TEST(what_a_budget_leaves_of_a_claim_is_part_of_it)
+{
+    const sp_scene s = tipping();
+    const sp_sliding_result r = slide(&s, &one_start);
+    sp_settings set = sp_settings_default();
+    sp_sliding_evidence e;
+    int none = 0, all = 0;
+    for (set.budget = 1; set.budget < 10000000; set.budget *= 2) {
+        CHECK_INT(sp_sliding_verify(&s, &set, &r, test_arena, &e), SP_OK);
+        CHECK(e.lower == 0 || e.lower == r.lower);
+        CHECK(e.lower_strong == 0 || e.lower_strong == r.lower_strong);
+        CHECK(e.lower_strong <= e.lower);
+        none += e.lower == 0 && e.lower_strong == 0;
+        all += e.lower == r.lower && e.lower_strong == r.lower_strong;
+    }
+    CHECK(none > 0 && all > 0);
+}
+
 TEST(sliding_takes_the_memory_it_says_and_no_byte_less)
 {
     static const char *const name[] = { "two-cubes", "wall", "h-model" };
@@ -390,6 +409,7 @@ TEST_LIST(sliding)
     RUN(the_same_seed_gives_the_same_bits)
     RUN(what_has_no_joint_or_no_stone_or_too_many_does_not_slide)
     RUN(multiples_that_are_claimed_are_in_their_order)
+    RUN(what_a_budget_leaves_of_a_claim_is_part_of_it)
     RUN(sliding_takes_the_memory_it_says_and_no_byte_less)
     RUN(sliding_questions_that_make_no_sense_are_refused)
 #endif

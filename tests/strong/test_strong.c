@@ -610,18 +610,20 @@ TEST(a_lesser_budget_takes_less_memory)
 
 TEST(questions_that_make_no_sense_are_refused)
 {
-    const sp_strong_settings fewer = { -1, 0 }, no_starts = { 0, 0 };
+    const sp_strong_settings fewer[3] = { { -1, 0 }, { 4, -1 }, { 4, 2 } }, no_starts = { 0, 0 };
     const sp_scene s = stool(0.3, 0.6, 0.5, 0.2);
     sp_strong_kind proved;
     sp_strong_result r = ask(&s, &no_starts), x;
     sp_settings set = sp_settings_default();
     CHECK(r.kind == SP_STRONG_ADMISSIBLE && r.starts == 0);             /* neither is there a proof */
-    CHECK_INT(sp_strong(&s, NULL, &fewer, r.f, NULL, &test_arena, &x), SP_E_RANGE);
+    for (int k = 0; k < 3; k++) CHECK_INT(sp_strong(&s, NULL, &fewer[k], r.f, NULL, &test_arena, &x), SP_E_RANGE);
     CHECK_INT(sp_strong(NULL, NULL, NULL, r.f, NULL, &test_arena, &x), SP_E_ARGUMENT);
     CHECK_INT(sp_strong(&s, NULL, NULL, NULL, NULL, &test_arena, &x), SP_E_ARGUMENT);
     CHECK_INT(sp_strong(&s, NULL, NULL, r.f, NULL, &test_arena, NULL), SP_E_ARGUMENT);
     set.faces = 8;
     CHECK_INT(sp_strong(&s, &set, NULL, r.f, NULL, &test_arena, &x), SP_E_UNSUPPORTED);
+    set.tol = -1;
+    CHECK_INT(sp_strong(&s, &set, NULL, r.f, NULL, &test_arena, &x), SP_E_RANGE);
     r.a[0] = R(1e300) * R(1e300);
     CHECK_INT(sp_strong_verify(&s, NULL, &r, test_arena, &proved), SP_E_NOT_FINITE);
     r.f[0] = r.a[0];
