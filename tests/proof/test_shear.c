@@ -123,6 +123,17 @@ TEST(around_a_loop_there_is_no_sheared_motion)
     }
 }
 
+/* What stands beside u stays as it was. */
+TEST(the_motion_of_a_tree_is_written_where_it_belongs)
+{
+    NEED(begin(TREE));
+    draw(0.4);
+    for (int k = 0; k < ROWS * (ROWS + 1) / 2; k++) w->form[k] = 7;
+    NEED(CHECK(sp__shear_tree(w)));
+    for (int k = 0; k < ROWS * (ROWS + 1) / 2; k++) CHECK(w->form[k] == 7);
+    for (int k = 0; k < BLOCKS; k++) CHECK(w->reached[k]);
+}
+
 /* Whatever a factor says is positive is so for motions drawn at random; with much friction it says no. */
 TEST(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
 {
@@ -399,6 +410,7 @@ TEST_LIST(shear)
 #if SP__WITH_STRONG
     RUN(in_the_sheared_motion_joints_slip_alike_and_open_by_less_what_friction_takes_up)
     RUN(around_a_loop_there_is_no_sheared_motion)
+    RUN(the_motion_of_a_tree_is_written_where_it_belongs)
     RUN(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
     RUN(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
     RUN(friction_moves_what_is_held_with_what_is_free)
