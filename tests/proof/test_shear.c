@@ -404,6 +404,95 @@ TEST(friction_of_a_pair_is_in_the_plane_of_its_first_joint)
     CHECK(sp__norm3(w->pair[0].g) > 0);
 }
 
+/* One block, its centroid in the joint, J = j 1: the symmetric part of n g' has the least eigenvalue -|g| / 2, of v and of w, so
+ * u'Ma >= (1 - |g| / 2) a'Ma: .01 of it from |g| = 1.98 on. */
+TEST(the_power_of_a_sheared_block_is_one_less_half_of_what_friction_leans)
+{
+    const sp_real inertia[3] = { R(0.01), 1, 300 };
+    for (int round = 0; round < 6; round++) {
+        const sp_arena mark = test_arena;
+        const double angle = test_random_real(0, 6), leans = 1.98 + TOL(1e-6, 0.01) * (round % 2 ? 1 : -1);
+        sp__inertia one;
+        memset(&one, 0, sizeof one);
+        one.mass = round < 4 ? 1 : 7;
+        for (int k = 0; k < 3; k++) one.J[k][k] = inertia[round / 2];
+        NEED(on_two());
+        memset(scene.block[1].centroid, 0, sizeof scene.block[1].centroid);
+        memset(w->u, 0, 36 * sizeof *w->u);
+        w->M = &one;
+        w->pair[0].g[0] = 0;
+        w->pair[0].g[1] = R(leans * cos(angle));
+        w->pair[0].g[2] = R(leans * sin(angle));
+        NEED(CHECK(sp__shear_tree(w)));
+        CHECK_INT(sp__shear_positive(w), round % 2 == 0);
+        test_arena = mark;
+    }
+}
+
+/* As of bodies turned against their axes. */
+TEST(moments_of_inertia_may_have_products)
+{
+    for (int round = 0; round < 40; round++) {
+        const sp_arena mark = test_arena;
+        NEED(begin(TREE));
+        for (int i = 0; i < BLOCKS; i++)
+            for (int k = 0; k < 3; k++) {
+                M[i].J[k][k] = test_random_real(2, 3);
+                M[i].J[k][(k + 1) % 3] = M[i].J[(k + 1) % 3][k] = test_random_real(-0.9, 0.9);
+            }
+        draw(0);
+        NEED(CHECK(sp__shear_tree(w)));
+        CHECK(sp__shear_positive(w));                   /* u = a */
+        M[BLOCKS - 1].J[0][1] = M[BLOCKS - 1].J[1][0] = R(3.1);     /* of no body */
+        CHECK(!sp__shear_positive(w));
+        test_arena = mark;
+    }
+}
+
+/* |u|' (|r| + what rounding may hide), block by block over the root of its mass, or of its moments at the least. */
+TEST(what_even_friction_leaves_counts_by_the_work_it_may_do)
+{
+    for (int round = 0; round < 20; round++) {
+        const sp_arena mark = test_arena;
+        sp_real left[ROWS];
+        double all = 0;
+        NEED(begin(TREE));
+        draw(0.4);
+        NEED(CHECK(sp__shear_tree(w)));
+        sp__certifier_load_rows(&j);
+        for (int i = 0; i < BLOCKS; i++) {
+            j.scale[i].load = test_random_real(0, 1);
+            j.scale[i].couple = test_random_real(0, 1);
+            j.scale[i].arm = test_random_real(1, 2);
+            j.pass.sums[2 * i] = test_random_real(0, 1);
+            for (int k = 0; k < 3; k++) {
+                M[i].inverse[k] = test_random_real(0, 1);
+                for (int q = 0; q < 3; q++) M[i].turn[k][q] = test_random_real(-1, 1);
+            }
+        }
+        for (int r = 0; r < ROWS; r++) {
+            const sp__scale *s = &j.scale[r / 6];
+            const sp_real size = j.pass.sums[2 * (r / 6)] + s->load;
+            j.residual[r] = round % 2 ? test_random_real(-1, 1) : 0;
+            left[r] = j.unit * (sp__abs(j.residual[r]) + 64 * SP_EPSILON * (r % 6 < 3 ? size : size * s->arm + s->couple));
+        }
+        for (int i = 0; i < BLOCKS; i++) {
+            double e[6], turn = 0;
+            for (int k = 0; k < 6; k++) {
+                e[k] = 0;
+                for (int r = 0; r < ROWS; r++) e[k] += fabs((double)w->u[r * ROWS + 6 * i + k]) * (double)left[r];
+            }
+            for (int k = 0; k < 3; k++) {
+                all += e[k] * e[k] * (double)M[i].inverse[k];
+                turn += sqrt((double)sp__dot3(M[i].turn[k], M[i].turn[k]));
+            }
+            all += turn * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
+        }
+        CHECK_WITHIN((double)sp__shear_slack(w) / sqrt(all), 1, TOL(1e-12, 1e-5));
+        test_arena = mark;
+    }
+}
+
 #endif
 
 TEST_LIST(shear)
@@ -424,5 +513,8 @@ TEST_LIST(shear)
     RUN(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
     RUN(even_friction_is_within_mu_times_its_factor_to_the_last_digits)
     RUN(friction_of_a_pair_is_in_the_plane_of_its_first_joint)
+    RUN(the_power_of_a_sheared_block_is_one_less_half_of_what_friction_leans)
+    RUN(moments_of_inertia_may_have_products)
+    RUN(what_even_friction_leaves_counts_by_the_work_it_may_do)
 #endif
 TEST_END
