@@ -454,6 +454,52 @@ TEST(a_budget_that_is_too_small_is_told)
     CHECK_INT(x.kind, SP_LIMIT_FOUND);
 }
 
+/* Whatever a budget ends early: what is told is held, contains the multiplier, and took no more. */
+TEST(a_budget_leaves_a_bracket_around_the_multiplier)
+{
+    static const struct { const char *name, *param; double value, cohesion, tension, crushing, push; } scene[] = {
+        { "two-cubes", "offset", 0.3, 0, 0, 0, 1 }, { "tower", "n", 3, 1, 0.25, 0, 1 }, { "tower", "n", 4, 0, 0, 20, 0.2 },
+        { "arch", "n", 8, 0, 0, 30, 0.3 }, { "keystone", "angle", 20, 2, 0.5, 40, 1 }, { "incline", "angle", 35, 0.1, 0, 0, -1 },
+        { "diamond", "rows", 3, 0.3, 0.1, 0, 1 }, { "flat-arch", "n", 5, 0, 0, 50, 0.1 }
+    };
+    int open = 0, found = 0;
+    for (size_t k = 0; k < sizeof scene / sizeof scene[0]; k++) {
+        sp_scene s;
+        double mass = 0, area = 0;
+        test_arena.used = 0;
+        NEED(gen_make(scene[k].name, scene[k].param, scene[k].value, &test_arena, &s) == SP_OK);
+        for (int32_t b = 0; b < s.count.blocks; b++) if (s.block[b].fixed != SP_FIXED) mass += (double)s.block[b].mass;
+        for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
+        for (int32_t i = 0; i < s.count.joints; i++) {
+            s.joint[i].strength.cohesion = R(scene[k].cohesion * 9.80665 * mass / area);
+            s.joint[i].strength.tension = R(scene[k].tension * 9.80665 * mass / area);
+            s.joint[i].strength.crushing = R(scene[k].crushing * 9.80665 * mass / area);
+        }
+        s.body[0] = R(9.80665 * scene[k].push);
+        s.body[1] = R(9.80665 * 0.1);
+        const sp_arena mark = test_arena;
+        const sp_limit_result whole = limit_of(&s, NULL);
+        NEED(CHECK_INT(whole.kind, SP_LIMIT_FOUND));
+        for (int64_t budget = 300; budget < 100000000; budget *= 3) {
+            sp_settings set = sp_settings_default();
+            sp_limit_result x;
+            int32_t held = 0;
+            test_arena = mark;
+            set.budget = budget;
+            CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_OK);
+            CHECK(x.cost.flops <= budget || x.cost.flops < 20000);
+            CHECK(!(x.lower > whole.upper * R(1 + NEAR)) && !(x.upper >= 0 && x.upper < whole.lower * R(1 - NEAR)));
+            if (x.kind == SP_LIMIT_FOUND) {
+                CHECK_INT(sp_limit_verify(&s, NULL, &x, test_arena, &held), SP_OK);
+                CHECK_INT(held, 1);
+            } else CHECK(x.kind == SP_LIMIT_UNDECIDED && x.reason >= SP_REASON_LIMIT);
+            found += x.kind == SP_LIMIT_FOUND;
+            open += x.kind == SP_LIMIT_UNDECIDED;
+        }
+    }
+    CHECK(open > 10 && found > 10);
+}
+
 TEST(what_is_no_question_is_refused)
 {
     sp_settings set = sp_settings_default();
@@ -522,6 +568,7 @@ TEST_LIST(bracket)
     RUN(a_changed_claim_is_not_held)
     RUN(memory_is_exact_and_one_byte_less_refused)
     RUN_FULL(a_budget_that_is_too_small_is_told)
+    RUN_FULL(a_budget_leaves_a_bracket_around_the_multiplier)
     RUN(what_is_no_question_is_refused)
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_REAL_QUAD && !defined SP_NO_IPM && !defined SP_SMALL
     RUN(limits_that_one_open_question_spent_are_closed_from_both_sides)
