@@ -336,6 +336,9 @@ def main():
     suites = Suites(args.suites or {'limit': LIMITS, 'verify': VERIFIES}.get(' '.join(args.of), JUDGES), 'build/mutation/suites', compiler)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
+    for file in files:                                  # what is fenced notices nothing by failing always
+        noticed = rooms[0].fenced(file)
+        assert not noticed, 'the unchanged library fails: ' + noticed
     print('%d quick tests, %.1f s, and %d slow ones, %.1f s, of %d' % (counts[0], suites.seconds[0], counts[1], suites.seconds[1],
                                                                        counts[2]), flush=True)
 

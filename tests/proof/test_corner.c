@@ -299,7 +299,7 @@ TEST(imbalance_is_the_largest_of_all_blocks)
 /* Strength at a corner: fn between -T and N, |ft| within C + mu fn, all within the cap. */
 TEST(an_admitted_force_keeps_to_strength_and_cap)
 {
-    NEED(leaf_make(&o, 0, 0));
+    NEED(leaf_make(&o, 4, 0));                          /* room for 4 faces */
     sp_joint *joint = &o.scene.joint[0];
     const sp_contact *t = &o.pb.contact[0];
     joint->area = 2;
@@ -387,6 +387,26 @@ TEST(a_motion_proves_work_less_resistance)
         test_arena = mark;
     }
     CHECK(some > 20);
+}
+
+/* Whatever its size: the farthest a block moves is the farthest that one reaches; nothing stays nothing. */
+TEST(a_motion_is_written_as_large_as_the_largest_block)
+{
+    NEED(leaf_make(&o, 0, 0));
+    for (int round = 0; round < 6; round++) {
+        sp_real dq[6 * (LEAF_BLOCKS + 1)], reach = 0, far = 0;
+        const double times = round == 0 ? 0 : round % 2 ? 100 : 0.01;
+        for (int i = 0; i < LEAF_N; i++) o.j.dual.motion[i] = R(times) * test_random_real(-1, 1);
+        for (int i = 0; i < LEAF_BLOCKS; i++) o.j.scale[i].arm = test_random_real(0.1, 9);
+        memset(dq, 0, sizeof dq);
+        sp__motion_write(&o.j, dq);
+        for (int i = 0; i < LEAF_BLOCKS; i++) {
+            const sp_real *m = dq + 6 * o.pb.block[i];
+            reach = sp__max(reach, o.j.scale[i].arm);
+            far = sp__max(far, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certifier_arm(&o.j, i)));
+        }
+        CHECK_WITHIN((double)far, round ? (double)reach : 0, TOL(1e-12, 1e-5));
+    }
 }
 
 /* A block is held if no joint of it moves farther than `rest` of the farthest; what does not move, or is no number, proves
@@ -723,6 +743,7 @@ TEST_LIST(corner)
     RUN_FULL(imbalance_is_the_largest_of_all_blocks)
     RUN_FULL(an_admitted_force_keeps_to_strength_and_cap)
     RUN_FULL(a_motion_proves_work_less_resistance)
+    RUN_FULL(a_motion_is_written_as_large_as_the_largest_block)
     RUN_FULL(what_moves_less_than_its_share_is_held)
     RUN_FULL(ranks_of_a_proof_are_just_met_and_just_exceeded)
     RUN_FULL(each_condition_of_a_triple_is_just_met_and_just_exceeded)

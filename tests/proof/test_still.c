@@ -243,7 +243,9 @@ TEST(a_still_proof_stands_on_masses_that_are_known)
     const sp_proof good = { .nodes = 1, .entries = 1, .node = node, .row = row, .y = y };
     for (int k = 0; k < 3; k++) {
         sp_arena a = test_arena;
+#ifndef FENCED                                          /* painted by the fence, else */
         memset(a.base + a.used, 0, sp__still_need(LEAF_POINTS, o.pb.blocks) + SP_ALIGN);
+#endif
         for (int i = 0; k > 0 && i < LEAF_BLOCKS; i++) {
             memset(&M[i], 0, sizeof M[i]);
             M[i].mass = R(TOL(1e-300, 1e-30));
