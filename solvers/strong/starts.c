@@ -4,12 +4,18 @@
 #define SP__STRONG_STARTS_C
 
 #include "../proof/moving.c"
-#include "sweep.c"
+#include "lemke.c"
 
 #if SP__WITH_STRONG
 
 #define SP__STARTS_SUBSETS 8            /* corners up to which every set of them is a start */
 #define SP__STARTS_SWEEPS 4096          /* of some corners alone, then of all, until nothing changes */
+#define SP__STARTS_PIVOTED 16           /* that pivoting makes */
+#ifdef SP_REAL_FLOAT
+#define SP__STARTS_DUST ((sp_real)1e-5) /* mass times acceleration, in the block's load, that counts as none */
+#else
+#define SP__STARTS_DUST ((sp_real)1e-9)
+#endif
 #define SP__STARTS_FEW 256              /* of some of many corners */
 #define SP__STARTS_FLOPS 1000000000     /* of all starts together, where there is no budget */
 
@@ -20,7 +26,8 @@ typedef struct sp__starts {
     sp_real *arm;                       /* b */
     sp_real residual, moves;            /* of the pair judged last */
     int32_t tried;
-    uint32_t seed;
+    int32_t pivoted;                    /* starts that pivoting makes, the first of all */
+    sp__lemke lemke;                    /* where there are some */
 } sp__starts;
 
 static void sp__starts_carve(sp__starts *s, const sp_problem *pb, sp_arena *a)
@@ -42,22 +49,14 @@ SP__NOINLINE static size_t sp__starts_need(const sp_scene *scene)
     return dry.used;
 }
 
-/* The next of numbers without pattern.                                                        [xorshift32: Marsaglia 2003] */
-static uint32_t sp__starts_random(sp__starts *s)
-{
-    s->seed ^= s->seed << 13;
-    s->seed ^= s->seed >> 17;
-    s->seed ^= s->seed << 5;
-    return s->seed;
-}
-
 /* Which corners carry in the k-th start: all; then, of a few, every set; of many, each with one chance in 2, 4 or 8. */
 static void sp__starts_choose(sp__starts *s, int32_t k)
 {
     const int32_t V = s->sweep.corners;
-    s->seed = 2463534242u + 7919u * (uint32_t)k;
+    uint32_t seed = 2463534242u + 7919u * (uint32_t)k;
     for (int32_t v = 0; v < V; v++) {
-        const uint32_t chance = 2u << (uint32_t)k % 3u, drawn = sp__starts_random(s) >> 8 & (chance - 1);
+        seed = sp__sweep_random(seed);
+        const uint32_t chance = 2u << (uint32_t)k % 3u, drawn = seed >> 8 & (chance - 1);
         s->sweep.on[v] = (uint8_t)(k < 2 ? 1 : V <= SP__STARTS_SUBSETS ? (k - 1) >> v & 1 : !drawn);
     }
 }
@@ -79,28 +78,51 @@ static void sp__starts_write(const sp__starts *s, sp_strong_result *r)
 /* How many starts differ, of `most`. */
 static int32_t sp__starts_count(const sp__starts *s, int32_t most)
 {
-    const int32_t all = s->sweep.corners <= SP__STARTS_SUBSETS ? 1 << s->sweep.corners : most;
+    const int32_t all = s->sweep.corners <= SP__STARTS_SUBSETS ? s->pivoted + (1 << s->sweep.corners) : most;
     return all < most ? all : most;
+}
+
+/* Forces of the k-th start that is not pivoted: what some corners settle at alone. */
+static void sp__starts_set_out(sp__starts *s, int32_t k, sp_real fine)
+{
+    sp__sweep *w = &s->sweep;
+    sp__starts_choose(s, k);
+    memset(w->f, 0, 3 * (size_t)w->pb->points * sizeof *w->f);
+    if (k > 1) sp__sweep_run(w, w->corners <= SP__STARTS_SUBSETS ? SP__STARTS_SWEEPS : SP__STARTS_FEW, k & 1, fine);
+    memset(w->on, 1, (size_t)w->corners);
+}
+
+/* What is at rest but for rounding is at rest: no laws of contact are asked of a direction that rounding has. */
+static void sp__starts_calm(sp__starts *s)
+{
+    for (int32_t i = 0; i < s->sweep.pb->blocks; i++) {
+        sp_real *a = s->sweep.a + 6 * (size_t)i;
+        const sp_real force = sp__in_units(s->j.unit, s->M[i].mass * sp__moving_size(&s->j, i, s->sweep.a));
+        if (force < SP__STARTS_DUST * s->j.scale[i].load) memset(a, 0, 6 * sizeof *a);
+    }
 }
 
 /* The pair that the k-th start settles at.     returns 1: it moves, and is verified */
 SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
 {
     sp__sweep *w = &s->sweep;
-    sp__starts_choose(s, k);
-    memset(w->f, 0, 3 * (size_t)w->pb->points * sizeof *w->f);
     const sp_real fine = 16 * (sp_real)SP_EPSILON;
-    if (k > 1) sp__sweep_run(w, w->corners <= SP__STARTS_SUBSETS ? SP__STARTS_SWEEPS : SP__STARTS_FEW, k & 1, fine);
     memset(w->on, 1, (size_t)w->corners);
+    if (k < s->pivoted) sp__lemke_run(&s->lemke, w, 2463534242u + 7919u * (uint32_t)k);
+    else sp__starts_set_out(s, k - s->pivoted, fine);
     sp__sweep_run(w, SP__STARTS_SWEEPS, k & 1, fine);
+    sp__starts_calm(s);
     s->residual = sp__certify_moving(&s->j, s->M, w->f, w->a, w->plates, &s->moves);
     s->tried++;
     return s->residual <= s->j.set->tol && s->moves >= SP__MOVES;
 }
 
 /* Up to `most` starts within the limit of flops: the first that moves, of few corners the fastest. */
-SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_strong_result *r)
+SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_arena a, sp_strong_result *r)
 {
+    const int pivots = !s->sweep.plates && sp__lemke_allowed(s->sweep.corners);
+    s->pivoted = pivots ? SP__STARTS_PIVOTED : 0;
+    if (pivots) sp__lemke_carve(&s->lemke, s->sweep.corners, &a);
     const int32_t count = sp__starts_count(s, most), few = s->sweep.corners <= SP__STARTS_SUBSETS;
     const int64_t before = s->sweep.flops;
     sp__sweep_begin(&s->sweep);

@@ -22,9 +22,10 @@ SP__NOINLINE static size_t sp__holds_cases_need(const sp_scene *scene, int searc
 {
     sp_problem pb;
     sp__problem_count(scene, &pb);
-    const size_t shear = sp__shear_need(pb.points, pb.contacts, pb.blocks);
-    if (!sp__cases_allowed(scene, pb.blocks)) return shear;
     const int32_t points = sp__points_count(scene);
+    const size_t pivots = search ? sp__lemke_need(points) : 0, even = sp__shear_need(pb.points, pb.contacts, pb.blocks);
+    const size_t shear = even > pivots ? even : pivots;
+    if (!sp__cases_allowed(scene, pb.blocks)) return shear;
     const size_t still = sp__still_need(points, pb.blocks), cases = search ? sp__cases_need(points, pb.blocks) : 0;
     const size_t check = still > shear ? still : shear;
     return check > cases ? check : cases;
@@ -105,13 +106,13 @@ static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
 }
 
 /* Is there a motion with pressure anywhere in the joints? Their corners alone may hold what that does not. */
-static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how)
+static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how, sp_arena a)
 {
     sp_strong_result *r = &s->r;
     if (how->corners || sp__holds_plates(&s->pb)) return 0;
     s->starts.sweep.plates = 1;
     const int64_t before = s->starts.sweep.flops;
-    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, a, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops - before;
     return r->kind == SP_STRONG_AMBIGUOUS;
@@ -134,10 +135,10 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
         return;
     }
     r->reason = SP_STRONG_NOTHING_FOUND;
-    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, a, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
-    if (r->kind == SP_STRONG_AMBIGUOUS || sp__holds_spins(s, how) || !r->proof.node) return;
+    if (r->kind == SP_STRONG_AMBIGUOUS || sp__holds_spins(s, how, a) || !r->proof.node) return;
     sp_strong_kind kind = SP_STRONG_NONE;
     if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, s->set.budget, a, r))
         kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);

@@ -41,10 +41,10 @@ static sp_strong_result of(const char *name, const char *param, double value)
 static const int32_t box_size[6] = { 4, 4, 4, 4, 4, 4 };
 static const int32_t box_face[24] = { 0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7 };
 
-/* A square board of weight 1 N, half edge c and height .1 above a ground it has no joint with yet. */
+/* A square board of weight 1 N, half edge c and height .1 above a ground it has no joint with yet; room for two more. */
 static sp_scene board(double c)
 {
-    const sp_capacity cap = { 2, 8, 6, 24, 4, 8, 1 };
+    const sp_capacity cap = { 4, 24, 18, 72, 12, 24, 1 };
     const sp_real x = R(c), h = R(0.1), ground[3] = { 0, 0, -1 };
     const sp_real corner[24] = { -x, -x, 0, x, -x, 0, x, x, 0, -x, x, 0, -x, -x, h, x, -x, h, x, x, h, -x, x, h };
     const sp_mesh mesh = { 8, 6, corner, box_size, box_face };

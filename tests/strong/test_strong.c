@@ -357,6 +357,32 @@ TEST(no_start_moves_what_cases_prove_strong)
     CHECK(stands > 5 && ambiguous > 0 && (strong > 5 || !CASES));
 }
 
+/* The stool that spins, and a block that rests on a slope nearby: its laws are not asked along a slip that is rounding. */
+TEST(what_rests_does_not_hide_what_moves_beside_it)
+{
+    static const sp_real side[4][2] = { { R(-0.5), R(-0.4) }, { R(0.6), R(-0.5) }, { R(0.4), R(0.5) }, { R(-0.6), R(0.4) } };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    const sp_real up[3] = { 0, 0, 1 }, slope[3] = { R(0.3), R(0.1), 1 };
+    for (int beside = 0; beside < 3; beside++) {
+        sp_scene s = stool(1, 2, 0.5, 0.75);
+        for (int b = 0; b < beside; b++) {
+            sp_real corner[24];
+            memcpy(corner, s.vertex[0], sizeof corner);
+            const sp_mesh mesh = { 8, 6, corner, box_size, box_face };
+            int32_t block;
+            CHECK_INT(sp_scene_block(&s, &mesh, 1, 0, &block), SP_OK);
+            for (int k = 0; k < 4; k++) {
+                const sp_real foot[3] = { side[k][0], side[k][1], 0 };
+                CHECK_INT(sp_scene_points(&s, 0, block, b ? up : slope, 1, foot, &rough, NULL), SP_OK);
+            }
+        }
+        const sp_strong_result r = ask(&s, NULL);
+        CHECK_INT(r.kind, SP_STRONG_AMBIGUOUS);
+        CHECK(r.moves > R(0.1));
+        for (int k = 12; k < 6 * (2 + beside); k++) CHECK(fabs((double)r.a[k]) < TOL(1e-12, 1e-5));
+    }
+}
+
 /* A cube of mass .1 kg on three points of a floor, with a fourth at its side: strong at mu .5, and ambiguous at 1. */
 TEST(more_friction_may_let_go_what_less_holds)
 {
@@ -649,6 +675,7 @@ TEST_LIST(strong)
     RUN(a_stool_with_a_cross_for_feet_is_ambiguous_from_the_lesser_torque_on_and_spins_the_most_it_can)
     RUN(a_block_under_a_loaded_jaw_is_strong_as_long_as_it_is_held)
     RUN(no_start_moves_what_cases_prove_strong)
+    RUN(what_rests_does_not_hide_what_moves_beside_it)
     RUN(more_friction_may_let_go_what_less_holds)
     RUN(evidence_that_is_changed_proves_less)
     RUN(a_proof_that_is_changed_proves_nothing)
