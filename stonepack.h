@@ -707,7 +707,8 @@ typedef enum sp_strong_reason {
 } sp_strong_reason;
 
 typedef struct sp_strong_settings {
-    int32_t starts;             /* most starts from which a motion is sought, >= 0; settings.budget is for their flops   256 */
+    int32_t starts;             /* most sweeps from which a motion is sought, >= 0, beside 16 pairs by pivoting where it is
+                                   > 0; settings.budget is for their flops                                              256 */
     int32_t corners;            /* 1: pressure is at the corners that joints list, 0: maybe anywhere in their polygons     0 */
 } sp_strong_settings;
 static inline sp_strong_settings sp_strong_settings_default(void)

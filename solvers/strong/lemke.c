@@ -29,7 +29,7 @@ typedef struct sp__lemke {
     int32_t n;                          /* rows: 6 a corner */
     int32_t *basic, *other;             /* n, n + 1 */
     sp_real *T;                         /* n x (n + 2) */
-    sp_real near;                       /* what counts as 0 of a value */
+    sp_real dust;                       /* what counts as 0 of a value */
     sp_real *size;                      /* V: 1 / sqrt(Wnn), so that rows are in proportion */
 } sp__lemke;
 
@@ -103,12 +103,12 @@ static void sp__lemke_start(sp__lemke *s, sp__sweep *w, uint32_t seed)
         sp__sweep_rate(w, &w->corner[u], w->a, d);
         sp__lemke_rates(s, u, n + 1, d, s->size[u]);
     }
-    s->near = 0;
+    s->dust = 0;
     for (int32_t i = 0; i < n; i++) {
         sp_real *t = sp__lemke_row(s, i);
         seed = sp__sweep_random(seed);
         t[n] = (sp_real)(1u << (seed >> 8) % 8u) * (1 + (sp_real)((seed >> 16) % 1024u) / 1024);
-        s->near = sp__max(s->near, SP__LEMKE_NEAR * sp__abs(t[n + 1]));
+        s->dust = sp__max(s->dust, SP__LEMKE_NEAR * sp__abs(t[n + 1]));
     }
 }
 
@@ -151,7 +151,7 @@ static void sp__lemke_exchange(sp__lemke *s, int32_t r, int32_t c)
     s->other[c] = left;
 }
 
-/* How far column c's variable may grow until one of the basic ones is `near` below 0; *none: what counts as 0 of the column. */
+/* How far column c's variable may grow until one of the basic ones is `dust` below 0; *none: what counts as 0 of the column. */
 static sp_real sp__lemke_reach(const sp__lemke *s, int32_t c, sp_real *none)
 {
     sp_real most = 0, reach = SP__HUGE;
@@ -159,7 +159,7 @@ static sp_real sp__lemke_reach(const sp__lemke *s, int32_t c, sp_real *none)
     *none = SP__LEMKE_NONE * most;
     for (int32_t i = 0; i < s->n; i++) {
         const sp_real *t = sp__lemke_row(s, i);
-        const sp_real at = t[c] < -*none ? (sp__max(0, t[s->n + 1]) + s->near) / -t[c] : SP__HUGE;
+        const sp_real at = t[c] < -*none ? (sp__max(0, t[s->n + 1]) + s->dust) / -t[c] : SP__HUGE;
         if (at < reach) reach = at;
     }
     return reach;
@@ -226,7 +226,7 @@ SP__NOINLINE static int sp__lemke_run(sp__lemke *s, sp__sweep *w, uint32_t seed)
     for (int32_t i = 0; i < s->n && ended; i++) {
         const int32_t z = s->basic[i] - s->n, v = z / SP__LEMKE_ROWS, k = z % SP__LEMKE_ROWS;
         const sp_real value = sp__lemke_row(s, i)[s->n + 1];
-        if (z < 0 || z >= s->n || k == 5 || !(value > 0 && value < SP__HUGE)) continue;
+        if (z < 0 || z >= s->n || k == 5 || !(value > s->dust && value < SP__HUGE)) continue;
         sp_real *f = w->f + 3 * (size_t)w->corner[v].at;
         f[k == 0 ? 0 : k < 3 ? k : k - 2] += (k < 3 ? 1 : -1) * s->size[v] * value;
     }

@@ -75,11 +75,11 @@ static void sp__starts_write(const sp__starts *s, sp_strong_result *r)
         memcpy(r->a + 6 * (size_t)pb->block[i], s->sweep.a + 6 * (size_t)i, 6 * sizeof *r->a);
 }
 
-/* How many starts differ, of `most`. */
+/* How many starts there are: those that pivoting makes, and of the sweeps those that differ, up to `most`; 0 of 0. */
 static int32_t sp__starts_count(const sp__starts *s, int32_t most)
 {
-    const int32_t all = s->sweep.corners <= SP__STARTS_SUBSETS ? s->pivoted + (1 << s->sweep.corners) : most;
-    return all < most ? all : most;
+    const int32_t all = s->sweep.corners <= SP__STARTS_SUBSETS ? 1 << s->sweep.corners : most;
+    return most > 0 ? s->pivoted + (all < most ? all : most) : 0;
 }
 
 /* Forces of the k-th start that is not pivoted: what some corners settle at alone. */
@@ -97,8 +97,8 @@ static void sp__starts_calm(sp__starts *s)
 {
     for (int32_t i = 0; i < s->sweep.pb->blocks; i++) {
         sp_real *a = s->sweep.a + 6 * (size_t)i;
-        const sp_real force = sp__in_units(s->j.unit, s->M[i].mass * sp__moving_size(&s->j, i, s->sweep.a));
-        if (force < SP__STARTS_DUST * s->j.scale[i].load) memset(a, 0, 6 * sizeof *a);
+        const sp_real size = sp__norm3(a) + sp__norm3(a + 3) * s->j.scale[i].arm;
+        if (sp__in_units(s->j.unit, s->M[i].mass * size) < SP__STARTS_DUST * s->j.scale[i].load) memset(a, 0, 6 * sizeof *a);
     }
 }
 
@@ -117,7 +117,7 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
     return s->residual <= s->j.set->tol && s->moves >= SP__MOVES;
 }
 
-/* Up to `most` starts within the limit of flops: the first that moves, of few corners the fastest. */
+/* Starts, `most` of them by sweeps, within the limit of flops: the first that moves, of few corners the fastest. */
 SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_arena a, sp_strong_result *r)
 {
     const int pivots = !s->sweep.plates && sp__lemke_allowed(s->sweep.corners);
@@ -127,7 +127,7 @@ SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t lim
     const int64_t before = s->sweep.flops;
     sp__sweep_begin(&s->sweep);
     for (int32_t k = 0; k < count && s->sweep.flops - before < limit; k++) {
-        if (!sp__starts_try(s, k) || !(s->moves > r->moves)) continue;
+        if (!sp__starts_try(s, k) || !(s->moves > (1 + (sp_real)1e-6) * r->moves)) continue;
         sp__starts_write(s, r);
         if (!few) return;
     }

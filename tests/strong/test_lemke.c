@@ -178,7 +178,7 @@ TEST(of_rows_that_end_a_step_together_the_added_variable_leaves_then_the_steepes
     scene_at_work o;
     if (!make(&o, 0.5, 0, 1)) return;
     o.lemke.n = N;
-    o.lemke.near = R(TOL(1e-12, 1e-6));
+    o.lemke.dust = R(TOL(1e-12, 1e-6));
     for (int i = 0; i < N; i++) {
         o.lemke.basic[i] = i;
         for (int k = 0; k < N; k++) o.lemke.T[i * (N + 2) + k] = fall_of[i];
