@@ -117,12 +117,17 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
     return s->residual <= s->j.set->tol && s->moves >= SP__MOVES;
 }
 
-/* Starts, `most` of them by sweeps, within the limit of flops: the first that moves, of few corners the fastest. */
-SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_arena a, sp_strong_result *r)
+/* Room for pivoting, where it is for so many corners: until the next call that takes the arena. */
+SP__NOINLINE static void sp__starts_pivot(sp__starts *s, sp_arena a)
 {
-    const int pivots = !s->sweep.plates && sp__lemke_allowed(s->sweep.corners);
-    s->pivoted = pivots ? SP__STARTS_PIVOTED : 0;
-    if (pivots) sp__lemke_carve(&s->lemke, s->sweep.corners, &a);
+    if (!sp__lemke_allowed(s->sweep.corners)) return;
+    s->pivoted = SP__STARTS_PIVOTED;
+    sp__lemke_carve(&s->lemke, s->sweep.corners, &a);
+}
+
+/* Starts, `most` of them by sweeps, within the limit of flops: the first that moves, of few corners the fastest. */
+SP__NOINLINE static void sp__starts_run(sp__starts *s, int32_t most, int64_t limit, sp_strong_result *r)
+{
     const int32_t count = sp__starts_count(s, most), few = s->sweep.corners <= SP__STARTS_SUBSETS;
     const int64_t before = s->sweep.flops;
     sp__sweep_begin(&s->sweep);

@@ -106,13 +106,14 @@ static int sp__holds_by_pressure(sp__holds *s, const sp_real *f)
 }
 
 /* Is there a motion with pressure anywhere in the joints? Their corners alone may hold what that does not. */
-static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how, sp_arena a)
+static int sp__holds_spins(sp__holds *s, const sp_strong_settings *how)
 {
     sp_strong_result *r = &s->r;
     if (how->corners || sp__holds_plates(&s->pb)) return 0;
     s->starts.sweep.plates = 1;
+    s->starts.pivoted = 0;                              /* its pairs are those of single corners */
     const int64_t before = s->starts.sweep.flops;
-    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, a, r);
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops - before;
     return r->kind == SP_STRONG_AMBIGUOUS;
@@ -135,10 +136,11 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
         return;
     }
     r->reason = SP_STRONG_NOTHING_FOUND;
-    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, a, r);
+    sp__starts_pivot(&s->starts, a);
+    sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
-    if (r->kind == SP_STRONG_AMBIGUOUS || sp__holds_spins(s, how, a) || !r->proof.node) return;
+    if (r->kind == SP_STRONG_AMBIGUOUS || sp__holds_spins(s, how) || !r->proof.node) return;
     sp_strong_kind kind = SP_STRONG_NONE;
     if (sp__cases_decide(&s->pb, &s->starts.j, s->starts.M, s->set.budget, a, r))
         kind = sp__holds_by_cases(s, &r->proof, a, &r->margin);
