@@ -31,11 +31,12 @@ SETS = {
     'core': ['solvers/*/*.c'],
 }
 # Suites by what is changed, quick ones first; `core` is asked by all of them.
-JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims', 'strong',
-          'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
+JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
+          'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
 LIMITS = ['limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
-WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving']     # what a survivor is asked by once more, fenced
+# What a survivor is asked by once more, fenced.
+WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving']
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
 
