@@ -30,12 +30,12 @@ static int begin(const double c[3], double mass)
     return CHECK_INT(sp_scene_body(&scene, R(mass), at, 0, NULL), SP_OK);
 }
 
-static int joint(int32_t points, const double (*x)[3])
+static int joint(int32_t points, const double *x)
 {
     const sp_strength rough = sp_strength_friction(R(0.5));
     const sp_real n[3] = { 0, 0, 1 };
     sp_real at[3 * MOST];
-    for (int k = 0; k < 3 * points; k++) at[k] = R(x[k / 3][k % 3]);
+    for (int k = 0; k < 3 * points; k++) at[k] = R(x[k]);
     return CHECK_INT(sp_scene_points(&scene, 0, 1, n, points, at, &rough, NULL), SP_OK);
 }
 
@@ -52,7 +52,7 @@ TEST(the_mean_edge_is_that_of_polygons_all_around_and_of_lines_once)
     static const double four[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
     static const double two[2][3] = { { 0, 0, 0 }, { 6, 0, 0 } }, c[3] = { 0, 0, 1 };
     NEED(begin(c, 1));
-    NEED(joint(3, three) && joint(4, four) && joint(2, two) && joint(1, two + 1));
+    NEED(joint(3, three[0]) && joint(4, four[0]) && joint(2, two[0]) && joint(1, two[1]));
     NEED(build());
     CHECK_NEAR(sp__mean_edge(&pb), 3, TOL(1e-14, 1e-6));
 }
@@ -63,7 +63,7 @@ TEST(without_edges_the_length_is_the_mean_arm_of_joints)
     static const double x[3][3] = { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, c[3] = { 0, 0, R(0.25) };
     double arms = 0;
     NEED(begin(c, 1));
-    for (int k = 0; k < 3; k++) NEED(joint(1, x + k));
+    for (int k = 0; k < 3; k++) NEED(joint(1, x[k]));
     NEED(build());
     for (int k = 0; k < 3; k++) arms += (double)(sp__norm3(pb.contact[k].ra) + sp__norm3(pb.contact[k].rb)) / 2;
     CHECK(arms > 1);
@@ -85,7 +85,7 @@ TEST(lengths_are_counted_in_eps_or_where_that_is_0_in_eta)
     };
     static const double four[4][3] = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } }, c[3] = { 1, 1, 1 };
     NEED(begin(c, 1));
-    NEED(joint(4, four) && build());
+    NEED(joint(4, four[0]) && build());
     for (size_t k = 0; k < sizeof is / sizeof *is; k++) {
         set.coupled.eps = R(is[k].eps);
         set.coupled.eta = R(is[k].eta);
@@ -107,7 +107,7 @@ static int on_a_line(double off, double scale)
     }
     for (int v = 0; v < 5; v++)
         for (int k = 0; k < 3; k++) x[v][k] = p[k] + (v - 1.5) * d[k] + (v == 4 && k == 0 ? off * scale : 0);
-    return begin(c, 1) && joint(2, x) && joint(3, x + 2) && build();
+    return begin(c, 1) && joint(2, x[0]) && joint(3, x[2]) && build();
 }
 
 TEST(the_spin_about_a_line_of_contacts_moves_none_of_them_and_is_one)
@@ -150,13 +150,13 @@ TEST(a_point_off_the_line_one_point_alone_or_a_held_turn_leave_no_spin)
         test_arena = mark;
     }
     NEED(begin(c, 1));
-    NEED(joint(1, x) && joint(1, x + 1) && build());
+    NEED(joint(1, x[0]) && joint(1, x[1]) && build());
     CHECK_INT(sp__certifier_free_spin(&j, 0, k), 0);
     for (int held = 0; held < 6; held++) {              /* about a line along x through the centroid only that turn is asked */
         static const double along[2][3] = { { 1, 0, 1 }, { -1, 0, 1 } };
         const sp_arena mark = test_arena;
         NEED(begin(c, 1));
-        NEED(joint(2, along) && build());
+        NEED(joint(2, along[0]) && build());
         NEED(CHECK_INT(sp__certifier_free_spin(&j, 0, k), 1));
         scene.block[1].fixed = 1u << held;
         CHECK_INT(sp__certifier_free_spin(&j, 0, k), held != 3);
@@ -173,7 +173,7 @@ TEST(a_point_is_on_the_line_to_the_last_digits)
     for (int beyond = 0; beyond < 2; beyond++) {
         const sp_arena mark = test_arena;
         NEED(begin(c, 1));
-        NEED(joint(3, x) && build());
+        NEED(joint(3, x[0]) && build());
         j.scale[0].arm = 8;
         scene.point[2][1] = 64 * (sp_real)SP_EPSILON * 8 * (beyond ? 1 + 8 * (sp_real)SP_EPSILON : 1);
         CHECK_INT(sp__certifier_free_spin(&j, 0, k), !beyond);
