@@ -50,6 +50,15 @@ TEST(scaling_refuses_what_is_not_inside)
     for (int k = 0; k < 4; k++) CHECK(!sp__soc_scaling(in, out[k], &W) && !sp__soc_scaling(out[k], in, &W));
 }
 
+/* Numbers so large that a determinant is none: the scaling would be infinite, or 0. */
+TEST(scaling_refuses_what_has_no_finite_size)
+{
+    const sp_real in[3] = { 1, 0, 0 }, huge[3] = { R(TOL(1e200, 1e30f)), 0, 0 };
+    sp__nt W;
+    CHECK(!sp__soc_scaling(huge, in, &W));
+    CHECK(!sp__soc_scaling(in, huge, &W));
+}
+
 /* The step ends on the boundary, or there is none; also along the axis, where both roots are one. */
 TEST(the_longest_step_ends_on_the_boundary)
 {
@@ -109,6 +118,7 @@ TEST(the_aim_is_what_the_corrector_asks_for)
 TEST_LIST(ipm)
     RUN(scaling_brings_a_pair_to_one_point)
     RUN(scaling_refuses_what_is_not_inside)
+    RUN(scaling_refuses_what_has_no_finite_size)
     RUN(the_longest_step_ends_on_the_boundary)
     RUN(the_aim_is_what_the_corrector_asks_for)
 TEST_END

@@ -87,6 +87,21 @@ TEST(negative_curvature_is_seen)
     CHECK(sp__cg_solve(&cg, apply, &M, b, x, 10, R(1e-6)) < 0);
 }
 
+/* A preconditioner of both signs, r'Cr <= 0 of an r that is not small: no step is taken. */
+TEST(a_preconditioner_that_is_not_positive_ends_it)
+{
+    sp__cg cg;
+    sp_real b[2] = { 1, 1 }, x[2] = { 0, 0 };
+    random_matrix(2, 1);
+    start(&cg, 2);
+    cg.inverse[0] = 1;
+    for (int k = 0; k < 2; k++) {
+        cg.inverse[1] = k ? -2 : -1;
+        CHECK_INT(sp__cg_solve(&cg, apply, &M, b, x, 10, R(1e-6)), 0);
+        for (int i = 0; i < 2; i++) CHECK_WITHIN(x[i], 0, 0);
+    }
+}
+
 TEST(nothing_asked_nothing_done)
 {
     sp__cg cg;
@@ -102,5 +117,6 @@ TEST_LIST(cg)
     RUN(residual_falls_below_what_was_asked)
     RUN(cap_is_kept)
     RUN(negative_curvature_is_seen)
+    RUN(a_preconditioner_that_is_not_positive_ends_it)
     RUN(nothing_asked_nothing_done)
 TEST_END

@@ -43,6 +43,7 @@ TEST(first_columns_follow_from_where_rows_start)
 {
     static const int32_t start[] = { 0, 0, 1, 1 }, at[] = { 0, 1, 2, 4 };       /* rows of 1, 2, 2, 3 entries */
     for (int32_t i = 0; i < 4; i++) CHECK_INT(sp__envelope_first(at, i), start[i]);
+    for (int32_t i = 0; i < 4; i++) CHECK_INT(sp__envelope_first(NULL, i), 0);                  /* all of the triangle */
 }
 
 TEST(factor_times_its_transpose_is_the_matrix)

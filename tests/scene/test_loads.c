@@ -277,6 +277,32 @@ TEST(a_couple_turns_what_nothing_holds)
     CHECK_NEAR(r.dq[7] / r.dq[3], -1, TOL(1e-12, 1e-5));        /* the upper one swings to -y about the lower's centroid */
 }
 
+/* Without weight, held by nothing: what is neither pulled nor turned stays where it is, whichever comes first. */
+TEST(of_what_floats_only_what_is_pulled_moves)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 0, 0, 1 };
+    for (int k = 0; k < 6; k++) {
+        const int pulled = k / 2;
+        sp_load load = force(0, 2, 0, 2 * pulled, 0, 0);
+        sp_settings set = sp_settings_default();
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        for (int i = 0; i < 3; i++) {
+            const sp_real at[3] = { R(2 * i), 0, 0 };
+            CHECK_INT(sp_scene_body(&s, 1, at, 0, NULL), SP_OK);
+        }
+        load.block = pulled;
+        CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        s.gravity[2] = 0;
+        set.effect[SP_EFFECT_TOGETHER] = k % 2 ? SP_WITH : SP_PLANNED;
+        CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
+        CHECK_INT(r.verdict, SP_UNSTABLE);
+        for (int i = 0; i < 18; i++) CHECK(i == 6 * pulled + 1 ? r.dq[i] > 0 : !(r.dq[i] > 0) && !(r.dq[i] < 0));
+    }
+}
+
 /* The weight in parts, pulled up in any order and from any place: what is left of the sum is rounding, and falls no more than the
  * cube does without. A millionth (float: a hundredth) more lifts it. */
 TEST(loads_that_cancel_are_none_in_any_order)
@@ -473,6 +499,7 @@ TEST_LIST(loads)
     RUN(a_propped_cube_slides_at_mu_times_its_weight)
     RUN(each_joint_slides_at_its_own_friction)
     RUN(a_couple_turns_what_nothing_holds)
+    RUN(of_what_floats_only_what_is_pulled_moves)
     RUN(loads_that_cancel_are_none_in_any_order)
     RUN(pulls_along_one_line_cancel)
     RUN(opposed_pushes_hide_no_weight)

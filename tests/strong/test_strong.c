@@ -157,6 +157,26 @@ TEST(splitting_an_edge_never_changes_the_answer_of_a_plate)
     CHECK_INT(ask(&s, NULL).kind, SP_STRONG_STRONG);
 }
 
+/* Beside it a block on three points of a slope, each a joint of its own: a point has no centre but itself, and rests. */
+TEST(a_plate_spins_beside_what_rests_on_single_points)
+{
+    const double c = 0.5, mu = 0.4, W = 1, J = (4 * c * c + 4 * c * c) / 12 / 9.80665, torque = 0.5 * mu * W * c;
+    static const sp_real foot[3][3] = { { R(-0.5), R(-0.4), 0 }, { R(0.6), R(-0.5), 0 }, { 0, R(0.5), 0 } };
+    const sp_real slope[3] = { R(0.2), R(0.1), 1 };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    sp_real corner[24];
+    sp_scene s = plate(c, mu, torque, 0);
+    memcpy(corner, s.vertex[0], sizeof corner);
+    const sp_mesh mesh = { 8, 6, corner, box_size, box_face };
+    CHECK_INT(sp_scene_block(&s, &mesh, 1, 0, NULL), SP_OK);
+    for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_points(&s, 0, 2, slope, 1, foot[k], &rough, NULL), SP_OK);
+    const sp_strong_result x = ask(&s, NULL);
+    CHECK_INT(x.kind, SP_STRONG_AMBIGUOUS);
+    CHECK(x.plate);
+    CHECK(fabs((double)x.a[6 + 5] * J / torque - 1) < TOL(1e-6, 1e-2));
+    for (int k = 12; k < 18; k++) CHECK(fabs((double)x.a[k]) < TOL(1e-12, 1e-5));
+}
+
 /* What moves at the centre of its pressure is no motion where pressure is at the corners, or elsewhere. */
 TEST(friction_at_the_centre_of_pressure_is_judged_as_one_force)
 {
@@ -667,6 +687,7 @@ TEST_LIST(strong)
     RUN(a_slope_is_decided_to_a_millionth_in_the_plane_and_in_space)
     RUN(a_plate_on_its_corners_holds_what_moves_with_the_middles_of_its_edges_too)
     RUN(splitting_an_edge_never_changes_the_answer_of_a_plate)
+    RUN(a_plate_spins_beside_what_rests_on_single_points)
     RUN(friction_at_the_centre_of_pressure_is_judged_as_one_force)
     RUN(a_block_on_a_slope_below_its_friction_is_strong)
     RUN(stacks_on_a_slope_are_strong_until_they_tip)
