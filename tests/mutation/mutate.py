@@ -34,7 +34,7 @@ SETS = {
 JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
-LIMITS = ['limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
+LIMITS = ['count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
 # What a survivor is asked by once more, fenced.
 WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving']
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
